@@ -1,5 +1,8 @@
 //! feimos: hit and depth images of PBRT scenes.
 
+pub mod camera;
 pub mod decimal;
 pub mod error;
+pub mod exact;
 pub mod geometry;
+pub mod shape;

@@ -1,5 +1,13 @@
 //! Points, vectors, boxes, rays and transforms, all in `f64`.
 
+mod bounds;
+mod matrix;
 mod point;
+mod ray;
+mod transform;
 
+pub use bounds::Bounds;
+pub use matrix::Matrix;
 pub use point::{Point, Vector};
+pub use ray::Ray;
+pub use transform::Transform;

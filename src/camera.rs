@@ -1,0 +1,129 @@
+//! Pixel to ray (rule R5): perspective and orthographic cameras.
+
+use crate::exact::degrees;
+use crate::geometry::{Matrix, Point, Ray, Vector};
+
+/// How rays leave the camera.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Projection {
+    /// All from the eye.
+    Perspective {
+        /// The tangent of half the field of view across the shorter side of the film.
+        tangent: f64,
+    },
+    /// All in the direction of the view.
+    Orthographic,
+}
+
+impl Projection {
+    /// A perspective projection with a field of view of `fov` degrees, between 0 and 180.
+    pub fn perspective(fov: f64) -> Projection {
+        Projection::Perspective { tangent: degrees::tangent_of_half(fov) }
+    }
+}
+
+/// What the film shows of the plane at distance 1, in units of the camera's space (of the tangent, for a
+/// perspective one).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ScreenWindow {
+    /// The left edge.
+    pub x0: f64,
+    /// The right edge.
+    pub x1: f64,
+    /// The lower edge.
+    pub y0: f64,
+    /// The upper edge.
+    pub y1: f64,
+}
+
+impl ScreenWindow {
+    /// pbrt's window for a film `aspect` times as wide as high: -1 to 1 along the shorter side.
+    pub fn of_aspect(aspect: f64) -> ScreenWindow {
+        if aspect > 1.0 {
+            ScreenWindow { x0: -aspect, x1: aspect, y0: -1.0, y1: 1.0 }
+        } else {
+            ScreenWindow { x0: -1.0, x1: 1.0, y0: -1.0 / aspect, y1: 1.0 / aspect }
+        }
+    }
+}
+
+/// A camera with its film: everything that decides the ray of a pixel.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Camera {
+    /// Places the camera, and scales its directions.
+    pub world_from_camera: Matrix,
+    /// How rays leave.
+    pub projection: Projection,
+    /// What the film shows.
+    pub screen_window: ScreenWindow,
+    /// Pixels of the whole film, whatever the crop: width and height.
+    pub resolution: [u32; 2],
+}
+
+impl Camera {
+    /// The point that boxes are stored relative to: the eye, or the origin of camera space.
+    pub fn anchor(&self) -> Point {
+        self.world_from_camera.column(3).into()
+    }
+
+    /// The ray through the centre of pixel `x` from the left and `y` from the top.
+    pub fn ray(&self, x: u32, y: u32) -> Ray {
+        let [width, height] = self.resolution;
+        let screen = &self.screen_window;
+        let sx = pixel_centre(screen.x0, screen.x1, x, width);
+        let sy = pixel_centre(screen.y1, screen.y0, y, height);
+        let c = &self.world_from_camera.rows;
+        let component = |k: usize, x: f64, y: f64, last: usize| (c[k][0] * x + c[k][1] * y) + c[k][last];
+        match self.projection {
+            Projection::Perspective { tangent } => {
+                let (x, y) = (tangent * sx, tangent * sy);
+                let direction = |k| component(k, x, y, 2);
+                Ray { origin: self.anchor(), direction: Vector::new(direction(0), direction(1), direction(2)) }
+            }
+            Projection::Orthographic => {
+                let origin = |k| component(k, sx, sy, 3);
+                let origin = Point::new(origin(0), origin(1), origin(2));
+                Ray { origin, direction: self.world_from_camera.column(2).into() }
+            }
+        }
+    }
+}
+
+/// Where the centre of pixel `i` of `count` lies between `first` and `last`.
+fn pixel_centre(first: f64, last: f64, i: u32, count: u32) -> f64 {
+    let (i, count) = (f64::from(i), f64::from(count));
+    (first * (2.0 * (count - i) - 1.0) + last * (2.0 * i + 1.0)) / (2.0 * count)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn camera(projection: Projection, resolution: [u32; 2]) -> Camera {
+        let aspect = f64::from(resolution[0]) / f64::from(resolution[1]);
+        let screen_window = ScreenWindow::of_aspect(aspect);
+        Camera { world_from_camera: Matrix::IDENTITY, projection, screen_window, resolution }
+    }
+
+    #[test]
+    fn the_middle_pixel_looks_along_the_view() {
+        let camera = camera(Projection::perspective(90.0), [33, 33]);
+        assert_eq!(camera.ray(16, 16).direction, Vector::new(0.0, 0.0, 1.0));
+        assert_eq!(camera.ray(0, 0).direction, Vector::new(-32.0 / 33.0, 32.0 / 33.0, 1.0));
+    }
+
+    #[test]
+    fn the_shorter_side_spans_the_field_of_view() {
+        let wide = camera(Projection::perspective(90.0), [4, 2]);
+        assert_eq!(wide.ray(3, 0).direction, Vector::new(1.5, 0.5, 1.0));
+        let tall = camera(Projection::perspective(90.0), [2, 4]);
+        assert_eq!(tall.ray(1, 0).direction, Vector::new(0.5, 1.5, 1.0));
+    }
+
+    #[test]
+    fn orthographic_rays_are_parallel() {
+        let camera = camera(Projection::Orthographic, [2, 2]);
+        let ray = camera.ray(1, 1);
+        assert_eq!((ray.origin, ray.direction), (Point::new(0.5, -0.5, 0.0), Vector::new(0.0, 0.0, 1.0)));
+    }
+}

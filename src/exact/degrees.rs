@@ -1,0 +1,239 @@
+//! Sine, cosine and tangent of angles in degrees, correctly rounded (rules R2 and R5).
+//!
+//! The platform's `sin` differs between systems, and degrees times pi/180 is rounded before it starts. Here the
+//! angle is reduced exactly as an integer over a power of two, the function is bracketed on integers, and the
+//! precision is doubled until both ends of the bracket round to the same `f64` (Ziv, "Fast evaluation of
+//! elementary mathematical functions with correctly rounded last bit", 1991). That ends: by Niven's theorem the
+//! only rational values at rational degrees are 0, 1/2 and 1 (0 and 1 for the tangent), which are taken out
+//! first, and an irrational value is no tie.
+
+use super::Dyadic;
+use num_bigint::{BigInt, BigUint};
+
+/// The sine of `angle` degrees; NaN where it is not finite.
+pub fn sine(angle: f64) -> f64 {
+    reduce(angle).map_or(f64::NAN, |turn| turn.sine())
+}
+
+/// The cosine of `angle` degrees; NaN where it is not finite.
+pub fn cosine(angle: f64) -> f64 {
+    // cos x = sin(90 + x), added after the reduction, where it is exact.
+    reduce(angle).map_or(f64::NAN, |turn| turn.advanced_by_quarter().sine())
+}
+
+/// The tangent of half of `angle` degrees, for angles between 0 and 180.
+pub fn tangent_of_half(angle: f64) -> f64 {
+    assert!(angle > 0.0 && angle < 180.0, "{angle} degrees have no finite positive tangent of the half");
+    if angle == 90.0 {
+        return 1.0;
+    }
+    let half = reduce(angle).expect("a finite angle").halved();
+    let (acute, complemented) = half.acute();
+    let ratio = |p: u64| {
+        let (sine, cosine) = sine_and_cosine(&acute, p);
+        let (over, under) = if complemented { (cosine, sine) } else { (sine, cosine) };
+        let quotient = |n: &BigInt, d: &BigInt| Dyadic::new(n.clone(), 0).quotient_to_f64(&Dyadic::new(d.clone(), 0));
+        (quotient(&over.low, &under.high), quotient(&over.high, &under.low))
+    };
+    refine(&acute, ratio)
+}
+
+/// An angle of `numerator / 2^scale` degrees, from 0 up to 360.
+struct Angle {
+    numerator: BigUint,
+    scale: u64,
+}
+
+/// `angle` modulo 360, and modulo the sign: exactly.
+fn reduce(angle: f64) -> Option<Angle> {
+    if !angle.is_finite() {
+        return None;
+    }
+    // The remainder of two f64 is exact, and of the sign of the angle.
+    let remainder = angle % 360.0;
+    let bits = remainder.abs().to_bits();
+    let (biased, fraction) = (bits >> 52, bits & ((1 << 52) - 1));
+    let (mantissa, exponent) = if biased == 0 { (fraction, 1074) } else { (fraction | 1 << 52, 1075 - biased as i64) };
+    // Below 360 the exponent of the last bit is at most 9 - 53.
+    let scale = exponent as u64;
+    let magnitude = BigUint::from(mantissa);
+    let numerator = if remainder < 0.0 { (BigUint::from(360u32) << scale) - magnitude } else { magnitude };
+    Some(Angle { numerator, scale })
+}
+
+impl Angle {
+    fn degrees(&self, whole: u32) -> BigUint {
+        BigUint::from(whole) << self.scale
+    }
+
+    fn advanced_by_quarter(self) -> Angle {
+        let numerator = (&self.numerator + self.degrees(90)) % self.degrees(360);
+        Angle { numerator, ..self }
+    }
+
+    fn halved(self) -> Angle {
+        Angle { scale: self.scale + 1, ..self }
+    }
+
+    fn sine(self) -> f64 {
+        let half_turn = self.degrees(180);
+        let negative = self.numerator >= half_turn;
+        let folded = Angle { numerator: &self.numerator % &half_turn, scale: self.scale };
+        let magnitude = folded.sine_up_to_180();
+        if negative && magnitude != 0.0 { -magnitude } else { magnitude }
+    }
+
+    fn sine_up_to_180(self) -> f64 {
+        let mirrored = self.degrees(180) - &self.numerator;
+        let nearer = Angle { numerator: mirrored.min(self.numerator), scale: self.scale };
+        if nearer.numerator == nearer.degrees(0) {
+            return 0.0;
+        }
+        if nearer.numerator == nearer.degrees(30) {
+            return 0.5;
+        }
+        if nearer.numerator == nearer.degrees(90) {
+            return 1.0;
+        }
+        let (acute, complemented) = nearer.acute();
+        refine(&acute, |p| {
+            let (sine, cosine) = sine_and_cosine(&acute, p);
+            let value = if complemented { cosine } else { sine };
+            let round = |n: BigInt| Dyadic::new(n, -(p as i64)).to_f64();
+            (round(value.low), round(value.high))
+        })
+    }
+
+    /// An angle up to 90 as one up to 45, and whether it is the complement: sine and cosine then change places.
+    fn acute(self) -> (Angle, bool) {
+        let complement = self.degrees(90) - &self.numerator;
+        if complement < self.numerator { (Angle { numerator: complement, ..self }, true) } else { (self, false) }
+    }
+
+    /// How many zero bits precede the first one of the angle behind the binary point.
+    fn leading_zeros(&self) -> u64 {
+        self.scale.saturating_sub(self.numerator.bits())
+    }
+}
+
+/// Doubles the precision, in bits behind the binary point, until both ends of the bracket agree.
+fn refine(angle: &Angle, bracket: impl Fn(u64) -> (f64, f64)) -> f64 {
+    let mut bits = 128;
+    loop {
+        let (low, high) = bracket(bits + angle.leading_zeros());
+        if low == high {
+            return low;
+        }
+        bits *= 2;
+    }
+}
+
+/// A number known to lie from `low` to `high`, in units of `2^-p`.
+struct Bracket {
+    low: BigInt,
+    high: BigInt,
+}
+
+/// Sine and cosine of an angle up to 45 degrees in units of `2^-p`, by their Taylor series on integers.
+fn sine_and_cosine(angle: &Angle, p: u64) -> (Bracket, Bracket) {
+    let radians = ((BigInt::from(angle.numerator.clone()) * pi(p)) / 180) >> angle.scale;
+    let mut sums = [BigInt::ZERO, BigInt::ZERO];
+    let mut term = BigInt::from(1) << p;
+    let mut count = 0u32;
+    while term.bits() > 0 {
+        let sum = &mut sums[(count % 2) as usize];
+        if count % 4 < 2 {
+            *sum += &term;
+        } else {
+            *sum -= &term;
+        }
+        count += 1;
+        term = ((term * &radians) >> p) / count;
+    }
+    // The angle in radians is off by less than 2 units (pi and one division, each cut off, times less than 1); a
+    // term by less than 3 more than the one before, shrunk by x/k < 1; what follows the last term is below one
+    // unit. So 4 units for every term are ample.
+    let slack = BigInt::from(4 * (count + 2));
+    let [cosine, sine] = sums.map(|sum| Bracket { low: &sum - &slack, high: sum + &slack });
+    (sine, cosine)
+}
+
+/// pi in units of `2^-p`, at most one unit too small or too large: Machin's 16 atan(1/5) - 4 atan(1/239).
+fn pi(p: u64) -> BigInt {
+    const GUARD: u64 = 32;
+    let unit = BigInt::from(1) << (p + GUARD);
+    let pi: BigInt = arctangent_of_inverse(5, &unit) * 16 - arctangent_of_inverse(239, &unit) * 4;
+    pi >> GUARD
+}
+
+/// `atan(1/n)` in units of `1/unit`; off by less than a unit a term.
+fn arctangent_of_inverse(n: u32, unit: &BigInt) -> BigInt {
+    let mut power = unit / n;
+    let mut sum = BigInt::ZERO;
+    let mut k = 0u32;
+    while power.bits() > 0 {
+        let term = &power / (2 * k + 1);
+        if k % 2 == 0 {
+            sum += term;
+        } else {
+            sum -= term;
+        }
+        power /= n * n;
+        k += 1;
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn rational_values_are_exact() {
+        let cases = [(0.0, 0.0), (30.0, 0.5), (90.0, 1.0), (150.0, 0.5), (180.0, 0.0), (210.0, -0.5), (270.0, -1.0)];
+        for (angle, value) in cases {
+            for turns in [0.0, 360.0, 720.0, -360.0] {
+                assert_eq!(sine(angle + turns), value, "sin {}", angle + turns);
+                assert_eq!(cosine(angle + turns - 90.0), value, "cos {}", angle + turns - 90.0);
+                assert_eq!(sine(-(angle + turns)), -value, "sin -{}", angle + turns);
+            }
+        }
+        assert_eq!(tangent_of_half(90.0), 1.0);
+    }
+
+    /// Values computed with 100 digits by an independent program.
+    #[test]
+    fn irrational_values_are_correctly_rounded() {
+        assert_eq!(sine(45.0), std::f64::consts::FRAC_1_SQRT_2);
+        assert_eq!(cosine(30.0), 0.866_025_403_784_438_6);
+        assert_eq!(sine(37.0), 0.601_815_023_152_048_3);
+        assert_eq!(sine(1e-300), 1.745_329_251_994_329_6e-302);
+        assert_eq!(sine(1_234_567.891), 0.789_180_566_792_292_3);
+        assert_eq!(cosine(89.999_999_99), 1.745_328_156_272_497_9e-10);
+        assert_eq!(tangent_of_half(60.0), 0.577_350_269_189_625_7);
+        assert_eq!(tangent_of_half(179.9), 1_145.915_299_373_488);
+    }
+
+    proptest! {
+        #[test]
+        fn stays_within_an_ulp_of_the_platform(angle in -1e4f64..1e4) {
+            let platform = angle.to_radians().sin();
+            prop_assert!((sine(angle) - platform).abs() <= 1e-12, "{} {}", sine(angle), platform);
+            prop_assert!((cosine(angle) - angle.to_radians().cos()).abs() <= 1e-12);
+        }
+
+        #[test]
+        fn squares_add_up_to_one(angle: f64) {
+            prop_assume!(angle.is_finite());
+            let (s, c) = (sine(angle), cosine(angle));
+            prop_assert!((s * s + c * c - 1.0).abs() <= 4.0 * f64::EPSILON);
+        }
+
+        #[test]
+        fn tangents_follow_the_platform(angle in 1e-3f64..179.9) {
+            let platform = (angle / 2.0).to_radians().tan();
+            prop_assert!((tangent_of_half(angle) / platform - 1.0).abs() <= 1e-12);
+        }
+    }
+}

@@ -1,0 +1,183 @@
+//! Affine matrices, with every rounding where rules R2 to R4 put it.
+
+use super::{Point, Vector};
+use crate::exact::Dyadic;
+
+/// The upper three rows of a 4x4 matrix whose last row is `0 0 0 1`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Matrix {
+    /// `rows[i][j]` is the entry in row i and column j.
+    pub rows: [[f64; 4]; 3],
+}
+
+impl Matrix {
+    /// Leaves everything where it is.
+    pub const IDENTITY: Matrix = Matrix { rows: [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]] };
+
+    /// What stands for the inverse of a singular matrix (rule R2).
+    const NOT_A_MATRIX: Matrix = Matrix { rows: [[f64::NAN; 4]; 3] };
+
+    /// From three column vectors and the image of the origin.
+    pub fn from_columns(x: Vector, y: Vector, z: Vector, origin: Point) -> Matrix {
+        let row = |i| [x[i], y[i], z[i], origin[i]];
+        Matrix { rows: [row(0), row(1), row(2)] }
+    }
+
+    /// A diagonal matrix.
+    pub fn scale(factors: [f64; 3]) -> Matrix {
+        let mut scale = Matrix::IDENTITY;
+        for axis in 0..3 {
+            scale.rows[axis][axis] = factors[axis];
+        }
+        scale
+    }
+
+    /// A matrix that moves by `offset`.
+    pub fn translate(offset: [f64; 3]) -> Matrix {
+        let mut translate = Matrix::IDENTITY;
+        for axis in 0..3 {
+            translate.rows[axis][3] = offset[axis];
+        }
+        translate
+    }
+
+    /// `self * right`, each entry `((a0*b0 + a1*b1) + a2*b2) + a3*b3` (rule R3).
+    pub fn times(&self, right: &Matrix) -> Matrix {
+        let entry = |a: &[f64; 4], j: usize| {
+            let b = &right.rows;
+            let b3 = if j == 3 { 1.0 } else { 0.0 };
+            ((a[0] * b[0][j] + a[1] * b[1][j]) + a[2] * b[2][j]) + a[3] * b3
+        };
+        Matrix { rows: self.rows.map(|a| std::array::from_fn(|j| entry(&a, j))) }
+    }
+
+    /// The image of `point`: `((m0*x + m1*y) + m2*z) + m3` (rule R4).
+    pub fn apply(&self, point: Point) -> Point {
+        let image = |m: &[f64; 4]| ((m[0] * point.x + m[1] * point.y) + m[2] * point.z) + m[3];
+        Point::new(image(&self.rows[0]), image(&self.rows[1]), image(&self.rows[2]))
+    }
+
+    /// Column `j`: the image of an axis for 0 to 2, of the origin for 3.
+    pub fn column(&self, j: usize) -> [f64; 3] {
+        self.rows.map(|row| row[j])
+    }
+
+    /// The 3x3 part with rows and columns exchanged, no translation.
+    pub fn transposed(&self) -> Matrix {
+        let row = |i: usize| [self.rows[0][i], self.rows[1][i], self.rows[2][i], 0.0];
+        Matrix { rows: [row(0), row(1), row(2)] }
+    }
+
+    /// Whether no entry is infinite or NaN.
+    pub fn is_finite(&self) -> bool {
+        self.rows.iter().flatten().all(|entry| entry.is_finite())
+    }
+
+    /// The bits of all entries: equal only for matrices that act alike in every rounding.
+    pub fn bits(&self) -> [u64; 12] {
+        std::array::from_fn(|k| self.rows[k / 4][k % 4].to_bits())
+    }
+
+    /// The exact inverse, each entry correctly rounded; all NaN where there is none (rule R2).
+    pub fn inverse(&self) -> Matrix {
+        if !self.is_finite() {
+            return Matrix::NOT_A_MATRIX;
+        }
+        let adjugate = self.exact_adjugate();
+        let determinant = self.exact_determinant(&adjugate);
+        if determinant.is_zero() {
+            return Matrix::NOT_A_MATRIX;
+        }
+        let offset = self.column(3).map(Dyadic::from);
+        let row = |i: usize| {
+            let moved = dot(&adjugate[i], &offset);
+            let entry = |j: usize| if j < 3 { adjugate[i][j].clone() } else { -moved.clone() };
+            std::array::from_fn(|j| entry(j).quotient_to_f64(&determinant))
+        };
+        Matrix { rows: [row(0), row(1), row(2)] }
+    }
+
+    /// Whether the determinant of the 3x3 part is exactly 0. The matrix must be finite.
+    pub fn is_singular(&self) -> bool {
+        let column = |j| Vector::from(self.column(j));
+        let (x, y, z) = (column(0), column(1), column(2));
+        let magnitude = absolute(x).dot(absolute_cross(y, z));
+        let determinant = x.dot(y.cross(z));
+        // Three roundings of products and two of sums: 8 units of 2^-53 are ample; below 1e-250 a product may
+        // have lost bits to underflow.
+        let sure = magnitude > 1e-250 && determinant.abs() > 8.0 * (f64::EPSILON / 2.0) * magnitude;
+        !sure && self.exact_determinant(&self.exact_adjugate()).is_zero()
+    }
+
+    /// The adjugate of the 3x3 part, exactly.
+    fn exact_adjugate(&self) -> [[Dyadic; 3]; 3] {
+        let m = self.rows.map(|row| row.map(Dyadic::from));
+        let cofactor = |row: usize, column: usize| {
+            let (r1, r2) = ((row + 1) % 3, (row + 2) % 3);
+            let (c1, c2) = ((column + 1) % 3, (column + 2) % 3);
+            &m[r1][c1] * &m[r2][c2] - &m[r1][c2] * &m[r2][c1]
+        };
+        std::array::from_fn(|i| std::array::from_fn(|j| cofactor(j, i)))
+    }
+
+    fn exact_determinant(&self, adjugate: &[[Dyadic; 3]; 3]) -> Dyadic {
+        let row: [Dyadic; 3] = std::array::from_fn(|j| Dyadic::from(self.rows[0][j]));
+        let column: [Dyadic; 3] = std::array::from_fn(|i| adjugate[i][0].clone());
+        dot(&row, &column)
+    }
+}
+
+fn dot(a: &[Dyadic; 3], b: &[Dyadic; 3]) -> Dyadic {
+    &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
+}
+
+fn absolute(v: Vector) -> Vector {
+    Vector::new(v.x.abs(), v.y.abs(), v.z.abs())
+}
+
+/// The cross product with every product taken positive: a bound on what its terms can add up to.
+fn absolute_cross(a: Vector, b: Vector) -> Vector {
+    let (a, b) = (absolute(a), absolute(b));
+    Vector::new(a.y * b.z + a.z * b.y, a.z * b.x + a.x * b.z, a.x * b.y + a.y * b.x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn inverts_with_one_rounding_an_entry() {
+        let third = Matrix::scale([3.0, 3.0, -7.0]).inverse();
+        assert_eq!(third, Matrix::scale([1.0 / 3.0, 1.0 / 3.0, -1.0 / 7.0]));
+        let moved = Matrix { rows: [[0.0, 2.0, 0.0, 1.0], [0.5, 0.0, 0.0, -3.0], [0.0, 0.0, 4.0, 0.1]] };
+        let expected = Matrix { rows: [[0.0, 2.0, 0.0, 6.0], [0.5, 0.0, 0.0, -0.5], [0.0, 0.0, 0.25, -0.025]] };
+        assert_eq!(moved.inverse(), expected);
+    }
+
+    #[test]
+    fn inverts_at_the_ends_of_the_range() {
+        let tiny = Matrix::scale([1e-300, 1e-300, 1e-300]).inverse();
+        assert_eq!(tiny.rows[0][0], 1.0 / 1e-300);
+        let unrepresentable = Matrix::scale([1e-310, 1.0, 1.0]).inverse();
+        assert_eq!(unrepresentable.rows[0][0], f64::INFINITY);
+    }
+
+    #[test]
+    fn singular_matrices_have_no_inverse() {
+        let flat = Matrix::scale([1.0, 0.0, 1.0]);
+        assert!(flat.is_singular() && flat.inverse().rows[0][0].is_nan());
+        // Rows 3 and 9 times the same vector of thirds: singular only in exact arithmetic on the stored numbers.
+        let v = [0.1, 0.2, 0.3];
+        let dependent =
+            Matrix { rows: [[v[0], v[1], v[2], 0.0], [4.0 * v[0], 4.0 * v[1], 4.0 * v[2], 0.0], [1.0, 2.0, 5.0, 0.0]] };
+        assert!(dependent.is_singular());
+        let nearly = Matrix { rows: [[0.1, 0.2, 0.3, 0.0], [0.3, 0.6, 0.9, 0.0], [1.0, 3.0, 5.0, 0.0]] };
+        assert!(!nearly.is_singular(), "3 * 0.1 is not 0.3 in binary");
+    }
+
+    #[test]
+    fn products_apply_from_right_to_left() {
+        let product = Matrix::translate([1.0, 2.0, 3.0]).times(&Matrix::scale([2.0, 2.0, 2.0]));
+        assert_eq!(product.apply(Point::new(1.0, 1.0, 1.0)), Point::new(3.0, 4.0, 5.0));
+    }
+}

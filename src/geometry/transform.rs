@@ -1,0 +1,116 @@
+//! Transforms with their tracked inverses (rules R2 and R3).
+
+use super::{Matrix, Point, Vector};
+use crate::exact::degrees;
+
+/// A matrix and its inverse, each built up on its own from the leaves, as pbrt does.
+///
+/// The inverse is not computed from the matrix, but followed along with it; so a camera placed by a `LookAt`
+/// sees exactly the eye point that the file names.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Transform {
+    /// The current transformation matrix.
+    pub matrix: Matrix,
+    /// Its inverse, up to the roundings of R2 and R3.
+    pub inverse: Matrix,
+}
+
+impl Transform {
+    /// Leaves everything where it is.
+    pub const IDENTITY: Transform = Transform { matrix: Matrix::IDENTITY, inverse: Matrix::IDENTITY };
+
+    /// Moves by `offset`.
+    pub fn translate(offset: [f64; 3]) -> Transform {
+        Transform { matrix: Matrix::translate(offset), inverse: Matrix::translate(offset.map(|t| -t)) }
+    }
+
+    /// Scales each axis; a factor of 0 makes the inverse infinite.
+    pub fn scale(factors: [f64; 3]) -> Transform {
+        Transform { matrix: Matrix::scale(factors), inverse: Matrix::scale(factors.map(|s| 1.0 / s)) }
+    }
+
+    /// Turns by `angle` degrees about `axis`, with the sine and the cosine correctly rounded.
+    pub fn rotate(angle: f64, axis: Vector) -> Transform {
+        let a = axis.normalized();
+        let (s, c) = (degrees::sine(angle), degrees::cosine(angle));
+        let (a0, a1, a2) = (a.x, a.y, a.z);
+        let rows = [
+            [a0 * a0 + (1.0 - a0 * a0) * c, (a0 * a1) * (1.0 - c) - a2 * s, (a0 * a2) * (1.0 - c) + a1 * s, 0.0],
+            [(a0 * a1) * (1.0 - c) + a2 * s, a1 * a1 + (1.0 - a1 * a1) * c, (a1 * a2) * (1.0 - c) - a0 * s, 0.0],
+            [(a0 * a2) * (1.0 - c) - a1 * s, (a1 * a2) * (1.0 - c) + a0 * s, a2 * a2 + (1.0 - a2 * a2) * c, 0.0],
+        ];
+        let matrix = Matrix { rows };
+        Transform { matrix, inverse: matrix.transposed() }
+    }
+
+    /// Camera space from world space: the eye at the origin, `look` on +z, `up` towards +y.
+    ///
+    /// `None` where `up` is parallel to the view, or where eye and look coincide; pbrt then uses the identity.
+    pub fn look_at(eye: Point, look: Point, up: Vector) -> Option<Transform> {
+        let forward = (look - eye).normalized();
+        let right = up.normalized().cross(forward);
+        if right == Vector::default() {
+            return None;
+        }
+        let right = right.normalized();
+        let up = forward.cross(right);
+        let inverse = Matrix::from_columns(right, up, forward, eye);
+        let row = |a: Vector| [a.x, a.y, a.z, -((a.x * eye.x + a.y * eye.y) + a.z * eye.z)];
+        Some(Transform { matrix: Matrix { rows: [row(right), row(up), row(forward)] }, inverse })
+    }
+
+    /// From the 16 numbers of a `Transform` directive, column by column; `None` unless the last row is `0 0 0 1`.
+    pub fn from_column_major(m: &[f64; 16]) -> Option<Transform> {
+        if [m[3], m[7], m[11], m[15]] != [0.0, 0.0, 0.0, 1.0] {
+            return None;
+        }
+        let matrix = Matrix { rows: std::array::from_fn(|i| std::array::from_fn(|j| m[4 * j + i])) };
+        Some(Transform { matrix, inverse: matrix.inverse() })
+    }
+
+    /// `self * right`: what the current transform becomes when `right` is met in a scene file (rule R3).
+    pub fn times(&self, right: &Transform) -> Transform {
+        Transform { matrix: self.matrix.times(&right.matrix), inverse: right.inverse.times(&self.inverse) }
+    }
+
+    /// The matrix and its inverse exchanged.
+    pub fn inverted(&self) -> Transform {
+        Transform { matrix: self.inverse, inverse: self.matrix }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quarter_turns_are_exact() {
+        let turn = Transform::rotate(90.0, Vector::new(0.0, 0.0, 2.0));
+        assert_eq!(turn.matrix.apply(Point::new(1.0, 0.0, 0.0)), Point::new(0.0, 1.0, 0.0));
+        assert_eq!(turn.inverse.apply(Point::new(0.0, 1.0, 0.0)), Point::new(1.0, 0.0, 0.0));
+    }
+
+    #[test]
+    fn look_at_keeps_the_eye() {
+        let eye = Point::new(0.1, 0.2, 0.3);
+        let camera_from_world = Transform::look_at(eye, Point::new(4.0, 5.0, 6.0), Vector::new(0.0, 1.0, 0.0));
+        assert_eq!(camera_from_world.unwrap().inverse.column(3), eye.to_array());
+    }
+
+    #[test]
+    fn look_at_without_a_direction_is_none() {
+        let eye = Point::new(0.0, 0.0, 0.0);
+        let up = Vector::new(0.0, 1.0, 0.0);
+        assert!(Transform::look_at(eye, Point::new(0.0, 2.0, 0.0), up).is_none());
+    }
+
+    #[test]
+    fn sixteen_numbers_are_column_major() {
+        let mut m = [0.0; 16];
+        (m[0], m[5], m[10], m[15]) = (1.0, 1.0, 1.0, 1.0);
+        (m[12], m[13], m[14]) = (7.0, 8.0, 9.0);
+        assert_eq!(Transform::from_column_major(&m).unwrap(), Transform::translate([7.0, 8.0, 9.0]));
+        m[3] = 0.5;
+        assert!(Transform::from_column_major(&m).is_none());
+    }
+}

@@ -1,0 +1,50 @@
+//! References to primitives.
+
+/// One triangle or sphere of [`super::Shapes`], by its place in the store of its kind.
+///
+/// Packed into 32 bits: the top bit tells a sphere, the lower 31 are the index. Among primitives of one kind the
+/// order of the indices is the order of the primitive numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Primitive(u32);
+
+const SPHERE: u32 = 1 << 31;
+
+impl Primitive {
+    /// Triangles or spheres at most.
+    pub const MAX_COUNT: usize = SPHERE as usize;
+
+    /// Triangle `index` of the store.
+    pub fn triangle(index: usize) -> Primitive {
+        debug_assert!(index < Self::MAX_COUNT);
+        Primitive(index as u32)
+    }
+
+    /// Sphere `index` of the store.
+    pub fn sphere(index: usize) -> Primitive {
+        debug_assert!(index < Self::MAX_COUNT);
+        Primitive(index as u32 | SPHERE)
+    }
+
+    /// Whether this is a sphere.
+    pub fn is_sphere(self) -> bool {
+        self.0 & SPHERE != 0
+    }
+
+    /// The place in the store of its kind.
+    pub fn index(self) -> usize {
+        (self.0 & !SPHERE) as usize
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Primitive;
+
+    #[test]
+    fn fits_in_32_bits_and_comes_back() {
+        assert_eq!(size_of::<Primitive>(), 4);
+        let last = Primitive::MAX_COUNT - 1;
+        assert!(Primitive::sphere(last).is_sphere() && !Primitive::triangle(last).is_sphere());
+        assert_eq!((Primitive::sphere(last).index(), Primitive::triangle(last).index()), (last, last));
+    }
+}

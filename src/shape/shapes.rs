@@ -1,0 +1,225 @@
+//! All geometry of a scene, in the order of the file.
+
+use super::{Primitive, Sphere, Triangle};
+use crate::geometry::{Matrix, Point};
+use rayon::prelude::*;
+use std::fmt;
+
+/// The geometry of a scene. Meshes are in world space; spheres keep the number of their transform.
+///
+/// Primitive numbers count from 0 in the order of the file, through all shapes (rule E3), and never change: an
+/// accelerator orders its own references. Shape numbers count `Shape` statements from 1.
+#[derive(Debug, Default)]
+pub struct Shapes {
+    vertices: Vec<Point>,
+    triangles: Vec<[u32; 3]>,
+    meshes: Vec<MeshRun>,
+    spheres: Vec<StoredSphere>,
+    sphere_runs: Vec<SphereRun>,
+    transforms: Vec<Matrix>,
+}
+
+/// The triangles of one shape: they and their primitive numbers follow each other.
+#[derive(Debug)]
+struct MeshRun {
+    first_triangle: u32,
+    first_number: u32,
+    shape: u32,
+}
+
+/// Spheres whose primitive numbers follow each other.
+#[derive(Debug)]
+struct SphereRun {
+    first_sphere: u32,
+    first_number: u32,
+}
+
+#[derive(Debug)]
+struct StoredSphere {
+    radius: f64,
+    transform: u32,
+    shape: u32,
+}
+
+/// A scene holds more of something than 32-bit numbers can count.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct CapacityError {
+    what: &'static str,
+    limit: u64,
+}
+
+impl fmt::Display for CapacityError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the scene has more than {} {}", self.limit, self.what)
+    }
+}
+
+impl Shapes {
+    /// Appends a mesh; its object-space `vertices` are moved to world space (rule R4). Indices must be in range.
+    pub fn add_mesh(
+        &mut self,
+        mut vertices: Vec<Point>,
+        mut triangles: Vec<[u32; 3]>,
+        world_from_object: &Matrix,
+        shape: u32,
+    ) -> Result<(), CapacityError> {
+        self.check_room(self.triangles.len() + triangles.len(), "triangles")?;
+        let total_vertices = self.vertices.len() + vertices.len();
+        if total_vertices > u32::MAX as usize {
+            return Err(CapacityError { what: "vertices", limit: u32::MAX.into() });
+        }
+        let first_number = self.next_number(triangles.len())?;
+        vertices.par_iter_mut().for_each(|vertex| *vertex = world_from_object.apply(*vertex));
+        if !triangles.is_empty() {
+            self.meshes.push(MeshRun { first_triangle: self.triangles.len() as u32, first_number, shape });
+        }
+        if self.vertices.is_empty() && self.triangles.is_empty() {
+            // The first mesh is often the only one: take it over as it is.
+            (self.vertices, self.triangles) = (vertices, triangles);
+        } else {
+            let base = self.vertices.len() as u32;
+            triangles.par_iter_mut().for_each(|corners| *corners = corners.map(|corner| corner + base));
+            self.vertices.append(&mut vertices);
+            self.triangles.append(&mut triangles);
+        }
+        Ok(())
+    }
+
+    /// Appends a sphere under transform number `transform`, as [`Shapes::add_transform`] gave it.
+    pub fn add_sphere(&mut self, radius: f64, transform: u32, shape: u32) -> Result<(), CapacityError> {
+        self.check_room(self.spheres.len() + 1, "spheres")?;
+        let first_number = self.next_number(1)?;
+        let first_sphere = self.spheres.len() as u32;
+        let follows = self
+            .sphere_runs
+            .last()
+            .is_some_and(|run| run.first_number + (first_sphere - run.first_sphere) == first_number);
+        if !follows {
+            self.sphere_runs.push(SphereRun { first_sphere, first_number });
+        }
+        self.spheres.push(StoredSphere { radius, transform, shape });
+        Ok(())
+    }
+
+    /// Stores a transform and returns its number.
+    pub fn add_transform(&mut self, world_from_object: Matrix) -> u32 {
+        self.transforms.push(world_from_object);
+        (self.transforms.len() - 1) as u32
+    }
+
+    fn check_room(&self, count: usize, what: &'static str) -> Result<(), CapacityError> {
+        let limit = Primitive::MAX_COUNT as u64;
+        if count as u64 > limit { Err(CapacityError { what, limit }) } else { Ok(()) }
+    }
+
+    /// The number of the next primitive, where `more` are to come. `prim` channels count from 1, in 32 bits.
+    fn next_number(&self, more: usize) -> Result<u32, CapacityError> {
+        let next = self.primitive_count();
+        let limit = u64::from(u32::MAX - 1);
+        if (next + more) as u64 > limit { Err(CapacityError { what: "primitives", limit }) } else { Ok(next as u32) }
+    }
+
+    /// Triangles and spheres.
+    pub fn primitive_count(&self) -> usize {
+        self.triangles.len() + self.spheres.len()
+    }
+
+    /// Triangles, those that can never be hit among them.
+    pub fn triangle_count(&self) -> usize {
+        self.triangles.len()
+    }
+
+    /// Spheres, those that can never be hit among them.
+    pub fn sphere_count(&self) -> usize {
+        self.spheres.len()
+    }
+
+    /// Bytes that the geometry takes.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&self.vertices[..])
+            + size_of_val(&self.triangles[..])
+            + size_of_val(&self.meshes[..])
+            + size_of_val(&self.spheres[..])
+            + size_of_val(&self.sphere_runs[..])
+            + size_of_val(&self.transforms[..])
+    }
+
+    /// All vertices in world space, used or not.
+    pub fn vertices(&self) -> &[Point] {
+        &self.vertices
+    }
+
+    /// Triangle `index` of the store.
+    #[inline]
+    pub fn triangle(&self, index: usize) -> Triangle {
+        Triangle(self.triangles[index].map(|corner| self.vertices[corner as usize]))
+    }
+
+    /// Sphere `index` of the store.
+    pub fn sphere(&self, index: usize) -> Sphere {
+        let stored = &self.spheres[index];
+        Sphere { world_from_object: self.transforms[stored.transform as usize], radius: stored.radius }
+    }
+
+    /// The primitive number, from 0 in the order of the file (rule E3).
+    pub fn number(&self, primitive: Primitive) -> u32 {
+        let index = primitive.index() as u32;
+        if primitive.is_sphere() {
+            let run = &self.sphere_runs[self.sphere_runs.partition_point(|run| run.first_sphere <= index) - 1];
+            run.first_number + (index - run.first_sphere)
+        } else {
+            let run = self.mesh_of(index);
+            run.first_number + (index - run.first_triangle)
+        }
+    }
+
+    /// The number of the `Shape` statement, from 1.
+    pub fn shape_number(&self, primitive: Primitive) -> u32 {
+        if primitive.is_sphere() {
+            self.spheres[primitive.index()].shape
+        } else {
+            self.mesh_of(primitive.index() as u32).shape
+        }
+    }
+
+    /// Whether `a` comes before `b` in the file: it wins a tie (rule E3).
+    pub fn precedes(&self, a: Primitive, b: Primitive) -> bool {
+        if a.is_sphere() == b.is_sphere() { a < b } else { self.number(a) < self.number(b) }
+    }
+
+    fn mesh_of(&self, triangle: u32) -> &MeshRun {
+        &self.meshes[self.meshes.partition_point(|run| run.first_triangle <= triangle) - 1]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn two_triangles() -> (Vec<Point>, Vec<[u32; 3]>) {
+        let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
+        (corners.map(|(x, y)| Point::new(x, y, 0.0)).to_vec(), vec![[0, 1, 2], [0, 2, 3]])
+    }
+
+    #[test]
+    fn numbers_follow_the_file_through_all_kinds() {
+        let mut shapes = Shapes::default();
+        let transform = shapes.add_transform(Matrix::IDENTITY);
+        let (vertices, triangles) = two_triangles();
+        shapes.add_sphere(1.0, transform, 1).unwrap();
+        shapes.add_mesh(vertices.clone(), triangles.clone(), &Matrix::IDENTITY, 2).unwrap();
+        shapes.add_sphere(2.0, transform, 4).unwrap();
+        shapes.add_sphere(3.0, transform, 5).unwrap();
+        shapes.add_mesh(Vec::new(), Vec::new(), &Matrix::IDENTITY, 6).unwrap();
+        shapes.add_mesh(vertices, triangles, &Matrix::translate([0.0, 0.0, 9.0]), 7).unwrap();
+
+        let spheres = (0..3).map(Primitive::sphere).map(|p| (shapes.number(p), shapes.shape_number(p)));
+        assert_eq!(spheres.collect::<Vec<_>>(), [(0, 1), (3, 4), (4, 5)]);
+        let triangles = (0..4).map(Primitive::triangle).map(|p| (shapes.number(p), shapes.shape_number(p)));
+        assert_eq!(triangles.collect::<Vec<_>>(), [(1, 2), (2, 2), (5, 7), (6, 7)]);
+        assert!(shapes.precedes(Primitive::sphere(0), Primitive::triangle(0)));
+        assert!(!shapes.precedes(Primitive::sphere(1), Primitive::triangle(1)));
+        assert_eq!(shapes.triangle(3).0[2], Point::new(0.0, 1.0, 9.0));
+        assert_eq!(shapes.sphere_runs.len(), 2, "neighbours share a run");
+    }
+}
