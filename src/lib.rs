@@ -1,8 +1,10 @@
 //! feimos: hit and depth images of PBRT scenes.
 
+pub mod accel;
 pub mod camera;
 pub mod decimal;
 pub mod error;
 pub mod exact;
 pub mod geometry;
+pub mod progress;
 pub mod shape;

@@ -1,0 +1,86 @@
+//! The finished aggregate.
+
+use super::anchor_space::AnchorSpace;
+use super::build_primitive::{self, BuildPrimitive, bounds_of};
+use super::hlbvh;
+use super::node::{Children, Node, Subtree};
+use super::splitter::Splitter;
+use super::top_down::TopDown;
+use super::{SplitMethod, Statistics};
+use crate::geometry::Point;
+use crate::progress::Progress;
+use crate::shape::{Primitive, Shapes};
+
+/// How to build.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct BuildOptions {
+    /// How lists of primitives are split.
+    pub method: SplitMethod,
+    /// Primitives in a leaf at most (pbrt's `maxnodeprims`), 1 or more; without meaning for [`SplitMethod::None`].
+    pub max_leaf: usize,
+}
+
+impl BuildOptions {
+    /// pbrt's default.
+    pub const MAX_LEAF: usize = 4;
+
+    /// `method` with leaves of the usual size.
+    pub fn new(method: SplitMethod) -> BuildOptions {
+        BuildOptions { method, max_leaf: Self::MAX_LEAF }
+    }
+}
+
+/// The deepest tree that the top-down build makes: 64 levels of free choice, then halving.
+const MAX_TOP_DOWN_DEPTH: u32 = 96;
+
+/// No tree is deeper, so no traversal needs a longer stack.
+pub(super) const MAX_DEPTH: usize =
+    if MAX_TOP_DOWN_DEPTH > hlbvh::MAX_DEPTH { MAX_TOP_DOWN_DEPTH } else { hlbvh::MAX_DEPTH } as usize;
+
+/// A tree over the primitives of a scene. It refers to them by number; the geometry stays where it is.
+#[derive(Debug, PartialEq)]
+pub struct Aggregate {
+    pub(super) space: AnchorSpace,
+    /// `None` where no primitive can be hit.
+    pub(super) root: Option<Node>,
+    pub(super) below: Vec<Children>,
+    /// The primitives in the order of the leaves.
+    pub(super) order: Vec<Primitive>,
+}
+
+impl Aggregate {
+    /// Builds over all primitives of `shapes` that can be hit. `anchor` is the point near which boxes are the most
+    /// precise: the eye. The tree depends on nothing else, on the number of threads least of all.
+    ///
+    /// `progress` counts primitives.
+    pub fn build(shapes: &Shapes, anchor: Point, options: BuildOptions, progress: Progress) -> Aggregate {
+        let (space, mut primitives) = build_primitive::collect(shapes, anchor);
+        if primitives.is_empty() {
+            return Aggregate { space, root: None, below: Vec::new(), order: Vec::new() };
+        }
+        let Subtree { root, below } = build_tree(&mut primitives, options, progress);
+        let order = primitives.iter().map(|primitive| primitive.primitive).collect();
+        Aggregate { space, root: Some(root), below, order }
+    }
+
+    /// Counts and costs of the tree.
+    pub fn statistics(&self) -> Statistics {
+        Statistics::of(self)
+    }
+}
+
+fn build_tree(primitives: &mut Vec<BuildPrimitive>, options: BuildOptions, progress: Progress) -> Subtree {
+    let max_leaf = options.max_leaf.max(1);
+    match options.method {
+        SplitMethod::None => {
+            progress.advance(primitives.len());
+            let root = Node::leaf(bounds_of(primitives), 0, primitives.len() as u32);
+            Subtree { root, below: Vec::new() }
+        }
+        SplitMethod::Hlbvh => hlbvh::build(primitives, max_leaf, progress),
+        method => {
+            let splitter = Splitter { method, max_leaf };
+            TopDown { splitter, max_depth: MAX_TOP_DOWN_DEPTH, progress }.build(primitives, 0)
+        }
+    }
+}

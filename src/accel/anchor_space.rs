@@ -1,0 +1,288 @@
+//! Boxes and rays in `f32`, relative to an anchor, rounded so that no hit is lost.
+//!
+//! Anchor space is world space moved so that the anchor (the eye of the view) is the origin, and scaled by a power
+//! of two so that nothing overflows. Boxes are rounded outward *strictly*: no face of a box touches what is in it,
+//! so a ray that lies in the plane of a face can miss the box without missing a primitive, and the product
+//! `0 * infinity` decides nothing.
+//!
+//! Every step is monotone: a larger box gives an earlier entry and a later exit, in floating point too. So what
+//! passes the test of a primitive's own box passes that of every node around it, and the answer of a traversal
+//! cannot depend on the tree.
+
+use crate::geometry::{Bounds, Point, Ray};
+
+/// Where boxes and rays are compared.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct AnchorSpace {
+    anchor: Point,
+    /// A power of two.
+    scale: f64,
+}
+
+/// A box in anchor space, a little larger than what it holds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Box32 {
+    pub(super) low: [f32; 3],
+    pub(super) high: [f32; 3],
+}
+
+/// Coordinates are scaled to below 2^32, so that areas of boxes and sums of two coordinates stay far from the ends
+/// of the `f32` range.
+const LARGEST_EXPONENT: i32 = 31;
+
+impl AnchorSpace {
+    /// For points around `anchor` whose coordinates differ from it by up to `reach`.
+    pub(super) fn new(anchor: Point, reach: f64) -> AnchorSpace {
+        let exponent = if reach > 0.0 && reach.is_finite() { exponent_of(reach) } else { 0 };
+        // Within the exponents of normal numbers; at the ends the outward rounding does what is left.
+        AnchorSpace { anchor, scale: power_of_two((LARGEST_EXPONENT - exponent).clamp(-1000, 1000)) }
+    }
+
+    /// The box around world-space `bounds`, strictly.
+    pub(super) fn enclose(&self, bounds: &Bounds) -> Box32 {
+        // The subtraction is off by half a unit of the last place of an f64 at most, and the strict step to an
+        // f32 below it by a whole one at least: the result stays outside.
+        let low = |k| below((bounds.low[k] - self.anchor[k]) * self.scale);
+        let high = |k| above((bounds.high[k] - self.anchor[k]) * self.scale);
+        Box32 { low: std::array::from_fn(low), high: std::array::from_fn(high) }
+    }
+
+    /// The ray as the slab test needs it.
+    pub(super) fn ray(&self, ray: &Ray) -> SlabRay {
+        let largest = ray.direction[ray.direction.largest_axis()].abs();
+        let direction_scale = power_of_two(-exponent_of(largest).clamp(-1000, 1000));
+        let ratio = self.scale / direction_scale;
+        let mut slab = SlabRay {
+            negative: [false; 3],
+            near_origin: [0.0; 3],
+            far_origin: [0.0; 3],
+            near_inverse: [0.0; 3],
+            far_inverse: [0.0; 3],
+            // Beyond the range of f64 nothing is culled, and no entry is later than 0.
+            scaled_t_per_t: if ratio.is_normal() { ratio } else { f64::INFINITY },
+        };
+        for k in 0..3 {
+            let origin = (ray.origin[k] - self.anchor[k]) * self.scale;
+            let (low, high) = (at_or_below(origin), -at_or_below(-origin));
+            let direction = ray.direction[k] * direction_scale;
+            let negative = direction < 0.0;
+            let inverse = (1.0 / direction.abs()) as f32;
+            let near_inverse = (inverse * SHRINK).min(f32::MAX);
+            let far_inverse = inverse * GROW;
+            slab.negative[k] = negative;
+            (slab.near_origin[k], slab.far_origin[k]) = if negative { (low, high) } else { (high, low) };
+            let sign = if negative { -1.0 } else { 1.0 };
+            (slab.near_inverse[k], slab.far_inverse[k]) = (sign * near_inverse, sign * far_inverse);
+        }
+        slab
+    }
+}
+
+/// Four roundings to nearest lie between the exact quotient and the computed one (reciprocal, its narrowing to
+/// `f32`, difference, product), 2^-24 each; twice that is ample.
+const SHRINK: f32 = 1.0 - 8.0 * (f32::EPSILON / 2.0);
+const GROW: f32 = 1.0 + 8.0 * (f32::EPSILON / 2.0);
+
+/// A ray in anchor space, prepared for [`SlabRay::enter`].
+#[derive(Debug, Clone, Copy)]
+pub(super) struct SlabRay {
+    /// Whether the ray runs towards lower coordinates: then it enters a slab at its high face.
+    negative: [bool; 3],
+    /// The end of the origin's bracket from which the near face is farther, less negative.
+    near_origin: [f32; 3],
+    /// The other end.
+    far_origin: [f32; 3],
+    /// 1/direction, its absolute value rounded down and never infinite.
+    near_inverse: [f32; 3],
+    /// 1/direction, its absolute value rounded up.
+    far_inverse: [f32; 3],
+    /// Anchor space and the scaled direction count `t` in other units: how many of them are one.
+    scaled_t_per_t: f64,
+}
+
+impl SlabRay {
+    /// The scaled `t` at which the ray enters the box, never too late, or `None` where it misses the box or enters
+    /// it after `scaled_limit` (Kay and Kajiya's slabs, 1986; rounding as Ize, "Robust BVH Ray Traversal", 2013).
+    #[inline]
+    pub(super) fn enter(&self, bounds: &Box32, scaled_limit: f32) -> Option<f32> {
+        let mut near = 0.0f32;
+        let mut far = f32::INFINITY;
+        for k in 0..3 {
+            let (low, high) = (bounds.low[k], bounds.high[k]);
+            let (near_face, far_face) = if self.negative[k] { (high, low) } else { (low, high) };
+            let enter = (near_face - self.near_origin[k]) * self.near_inverse[k];
+            let leave = (far_face - self.far_origin[k]) * self.far_inverse[k];
+            near = larger(enter, near);
+            far = smaller(leave, far);
+        }
+        // A product may underflow by less than the least normal number; a hit lies strictly within the box.
+        (near <= far + f32::MIN_POSITIVE && near <= scaled_limit).then_some(near)
+    }
+
+    /// `t` in scaled units, never too small: nothing at `t` or before it may be culled.
+    #[inline]
+    pub(super) fn scaled_limit(&self, t: f64) -> f32 {
+        -at_or_below(-(t * self.scaled_t_per_t))
+    }
+
+    /// The `t` of the ray for a scaled one.
+    #[inline]
+    pub(super) fn unscaled(&self, scaled: f32) -> f64 {
+        f64::from(scaled) / self.scaled_t_per_t
+    }
+}
+
+/// The larger of the two; the second where the first is NaN.
+#[inline]
+fn larger(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
+
+/// The smaller of the two; the second where the first is NaN.
+#[inline]
+fn smaller(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}
+
+/// The largest `f32` up to `x`; infinite only where `x` is.
+fn at_or_below(x: f64) -> f32 {
+    let nearest = x as f32;
+    if f64::from(nearest) > x { nearest.next_down() } else { nearest }
+}
+
+/// An `f32` less than `x`, and not 0: a face in the plane of the origin is on its own side of it.
+fn below(x: f64) -> f32 {
+    let lower = at_or_below(x);
+    let lower = if f64::from(lower) < x { lower } else { lower.next_down() };
+    if lower == 0.0 { -f32::from_bits(1) } else { lower }
+}
+
+/// An `f32` greater than `x`, and not 0.
+fn above(x: f64) -> f32 {
+    -below(-x)
+}
+
+/// The exponent of `x > 0` as a power of two, rounded down; of a subnormal number, -1023.
+fn exponent_of(x: f64) -> i32 {
+    ((x.to_bits() >> 52) & 0x7ff) as i32 - 1023
+}
+
+fn power_of_two(exponent: i32) -> f64 {
+    f64::from_bits(((exponent + 1023) as u64) << 52)
+}
+
+impl Box32 {
+    /// The box of nothing.
+    pub(super) const EMPTY: Box32 = Box32 { low: [f32::INFINITY; 3], high: [f32::NEG_INFINITY; 3] };
+
+    /// The smallest box around both.
+    #[inline]
+    pub(super) fn union(&self, other: &Box32) -> Box32 {
+        Box32 {
+            low: std::array::from_fn(|k| smaller(self.low[k], other.low[k])),
+            high: std::array::from_fn(|k| larger(self.high[k], other.high[k])),
+        }
+    }
+
+    /// Half the surface area.
+    #[inline]
+    pub(super) fn half_area(&self) -> f32 {
+        let [x, y, z] = self.extent();
+        x * y + y * z + z * x
+    }
+
+    /// The lengths of the sides.
+    #[inline]
+    pub(super) fn extent(&self) -> [f32; 3] {
+        std::array::from_fn(|k| self.high[k] - self.low[k])
+    }
+
+    /// Whether `other` lies within.
+    pub(super) fn contains(&self, other: &Box32) -> bool {
+        (0..3).all(|k| self.low[k] <= other.low[k] && other.high[k] <= self.high[k])
+    }
+
+    /// Twice the centre.
+    #[inline]
+    pub(super) fn doubled_centre(&self) -> [f32; 3] {
+        std::array::from_fn(|k| self.low[k] + self.high[k])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Vector;
+    use proptest::prelude::*;
+
+    #[test]
+    fn rounding_is_strict_and_avoids_zero() {
+        assert_eq!(below(1.0), 1.0f32.next_down());
+        assert_eq!(below(0.0), -f32::from_bits(1));
+        assert_eq!(below(1e-300), -f32::from_bits(1));
+        assert_eq!(above(-1e-300), f32::from_bits(1));
+        assert_eq!(below(f64::MAX), f32::MAX);
+        assert_eq!(above(f64::MAX), f32::INFINITY);
+    }
+
+    #[test]
+    fn a_ray_in_the_plane_of_a_flat_box_enters_it() {
+        let space = AnchorSpace::new(Point::default(), 9.0);
+        let flat = Bounds { low: Point::new(0.0, -1.0, 2.0), high: Point::new(0.0, 1.0, 9.0) };
+        let ray = Ray { origin: Point::default(), direction: Vector::new(0.0, 0.0, 1.0) };
+        let slab = space.ray(&ray);
+        let near = slab.enter(&space.enclose(&flat), f32::INFINITY).expect("it lies in the box");
+        assert!(slab.unscaled(near) < 2.0 && slab.unscaled(near) > 1.999);
+        assert!(slab.enter(&space.enclose(&flat), slab.scaled_limit(1.0)).is_none());
+    }
+
+    proptest! {
+        /// The point at which a ray meets a box's content is never lost, for any sizes and any place of the anchor.
+        #[test]
+        fn no_point_of_the_content_is_lost(
+            origin in prop::array::uniform3(-4i32..5),
+            target in prop::array::uniform3(-4i32..5),
+            anchor in prop::array::uniform3(-4i32..5),
+            size in prop::sample::select(vec![1e-300, 1e-30, 0.1, 1.0, 1e30, 1e300]),
+            speed in prop::sample::select(vec![1e-200, 0.3, 1.0, 1e200]),
+        ) {
+            let point = |p: [i32; 3]| Point::from(p.map(|x| f64::from(x) * size));
+            let (origin, target, anchor) = (point(origin), point(target), point(anchor));
+            prop_assume!(origin != target);
+            let space = AnchorSpace::new(anchor, 8.0 * size);
+            let toward = target - origin;
+            let direction = Vector::from(toward.to_array().map(|x| x / size * speed));
+            let slab = space.ray(&Ray { origin, direction });
+            let content = space.enclose(&Bounds { low: target, high: target });
+            let t = size / speed;
+            prop_assume!(t.is_normal());
+            let near = slab.enter(&content, slab.scaled_limit(t * (1.0 + 1e-14)));
+            prop_assert!(near.is_some());
+            prop_assert!(slab.unscaled(near.unwrap()) <= t);
+        }
+
+        #[test]
+        fn a_larger_box_is_entered_no_later(
+            low in prop::array::uniform3(-9i32..9),
+            size in prop::array::uniform3(0i32..4),
+            more in prop::array::uniform6(0i32..3),
+            origin in prop::array::uniform3(-9i32..9),
+            direction in prop::array::uniform3(-3i32..4),
+        ) {
+            prop_assume!(direction != [0; 3]);
+            let space = AnchorSpace::new(Point::default(), 16.0);
+            let corner = |f: &dyn Fn(usize) -> i32| Point::from(std::array::from_fn::<f64, 3, _>(|k| f64::from(f(k))));
+            let inner = Bounds { low: corner(&|k| low[k]), high: corner(&|k| low[k] + size[k]) };
+            let outer = Bounds {
+                low: corner(&|k| low[k] - more[k]),
+                high: corner(&|k| low[k] + size[k] + more[k + 3]),
+            };
+            let ray = Ray { origin: corner(&|k| origin[k]), direction: (corner(&|k| direction[k])) - Point::default() };
+            let slab = space.ray(&ray);
+            if let Some(near) = slab.enter(&space.enclose(&inner), f32::INFINITY) {
+                let outer = slab.enter(&space.enclose(&outer), f32::INFINITY);
+                prop_assert!(outer.is_some_and(|outer| outer <= near));
+            }
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! Whether a tree is what a traversal takes it for.
+
+use super::Aggregate;
+use super::aggregate::MAX_DEPTH;
+use super::anchor_space::Box32;
+use super::statistics::walk;
+use crate::shape::{Primitive, Shapes};
+
+impl Aggregate {
+    /// Checks that every primitive that can be hit is in exactly one leaf, and every box around all that is below it;
+    /// and that the tree is not too deep. Tests call it after each build.
+    ///
+    /// # Errors
+    /// What is wrong, in words.
+    pub fn validate(&self, shapes: &Shapes) -> Result<(), String> {
+        let Some(root) = self.root else {
+            return self.check_primitives(shapes);
+        };
+        let mut places = 0;
+        for (node, depth) in walk(root, &self.below) {
+            if depth > MAX_DEPTH {
+                return Err(format!("a node at depth {depth}, but stacks are for {MAX_DEPTH}"));
+            }
+            let inside = if node.is_leaf() {
+                if node.first as usize != places {
+                    return Err(format!("a leaf begins at {}, but the one before ends at {places}", node.first));
+                }
+                places += node.count as usize;
+                let order = self.order.get(node.first as usize..places).ok_or("a leaf beyond the end")?;
+                order.iter().all(|primitive| node.bounds.contains(&self.box_of(shapes, *primitive)))
+            } else {
+                self.below[node.first as usize].0.iter().all(|child| node.bounds.contains(&child.bounds))
+            };
+            if !inside {
+                return Err(format!("something is outside the box of {node:?}"));
+            }
+        }
+        if places != self.order.len() {
+            return Err(format!("{places} of {} places are in leaves", self.order.len()));
+        }
+        self.check_primitives(shapes)
+    }
+
+    fn box_of(&self, shapes: &Shapes, primitive: Primitive) -> Box32 {
+        let bounds = if primitive.is_sphere() {
+            shapes.sphere(primitive.index()).bounds()
+        } else {
+            shapes.triangle(primitive.index()).bounds()
+        };
+        self.space.enclose(&bounds)
+    }
+
+    fn check_primitives(&self, shapes: &Shapes) -> Result<(), String> {
+        let mut order = self.order.clone();
+        order.sort();
+        let triangles = (0..shapes.triangle_count()).filter(|index| shapes.triangle(*index).can_be_hit());
+        let spheres = (0..shapes.sphere_count()).filter(|index| shapes.sphere(*index).can_be_hit());
+        let expected = triangles.map(Primitive::triangle).chain(spheres.map(Primitive::sphere));
+        if order.into_iter().eq(expected) { Ok(()) } else { Err("not every primitive is there once".into()) }
+    }
+}
