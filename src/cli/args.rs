@@ -1,0 +1,242 @@
+//! Options as typed.
+
+use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
+use feimos::accel::SplitMethod;
+use feimos::film::{ChannelName, ColorMap, View};
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+
+/// Hit and depth images of PBRT scenes.
+#[derive(Debug, Parser)]
+#[command(name = "feimos", version, max_term_width = 100)]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Render scenes to images.
+    ///
+    /// A scene is a .pbrt file, `-` for standard input, or a bare .ply or .obj, which is framed automatically.
+    Render(Box<RenderArgs>),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct RenderArgs {
+    /// Scenes: .pbrt files, `-`, or bare .ply or .obj meshes.
+    #[arg(required = true, value_name = "SCENE")]
+    pub(crate) scenes: Vec<PathBuf>,
+    #[command(flatten, next_help_heading = "Output")]
+    pub(crate) output: OutputArgs,
+    #[command(flatten, next_help_heading = "Region")]
+    pub(crate) region: RegionArgs,
+    #[command(flatten, next_help_heading = "Engine")]
+    pub(crate) engine: EngineArgs,
+    #[command(flatten, next_help_heading = "Batch")]
+    pub(crate) batch: BatchArgs,
+    #[command(flatten, next_help_heading = "Talk")]
+    pub(crate) talk: TalkArgs,
+    #[command(flatten)]
+    pub(crate) pbrt: PbrtArgs,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct OutputArgs {
+    /// Where the image goes; the extension (.png, .exr) tells the format, and {stem} and {accel} stand for the scene's
+    /// name and the accelerator. `-` writes to standard output: an EXR, with --view a PNG.
+    /// [default: the file name in the scene's Film; of a bare mesh, {stem}.png]
+    #[arg(short, long, alias = "outfile", value_name = "TEMPLATE")]
+    pub(crate) output: Option<String>,
+    /// Channels of an EXR [default: Z,t,A,id,prim].
+    #[arg(long, value_name = "CHANNELS", value_delimiter = ',', value_parser = channel)]
+    pub(crate) aov: Option<Vec<ChannelName>>,
+    /// What a PNG shows [default: depth].
+    #[arg(long)]
+    pub(crate) view: Option<View>,
+    /// Colours of a PNG's depths [default: turbo].
+    #[arg(long)]
+    pub(crate) colormap: Option<ColorMap>,
+    /// Depths at the ends of the colours, in scene units [default: of the hits].
+    #[arg(long, value_name = "NEAR,FAR", value_parser = numbers::<2>, allow_hyphen_values = true)]
+    pub(crate) range: Option<[f64; 2]>,
+    /// What Z and t of an EXR hold where nothing is hit: inf, nan, 0 or any number.
+    #[arg(long, value_name = "VALUE", default_value = "inf", allow_hyphen_values = true)]
+    pub(crate) miss: f32,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct RegionArgs {
+    /// Render only this part of the film, in fractions of it, y downwards, rounded as pbrt does.
+    #[arg(long, value_name = "X0,X1,Y0,Y1", value_parser = numbers::<4>, allow_hyphen_values = true)]
+    pub(crate) cropwindow: Option<[f64; 4]>,
+    /// Render only this part of the film, in pixels, upper ends exclusive.
+    #[arg(long, value_name = "X0,X1,Y0,Y1", value_parser = pixel_bounds, conflicts_with = "cropwindow")]
+    pub(crate) pixelbounds: Option<[u32; 4]>,
+    /// Width and height of the film, in place of the scene's.
+    #[arg(long, value_name = "WxH", value_parser = resolution)]
+    pub(crate) resolution: Option<[u32; 2]>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct EngineArgs {
+    /// How primitives are aggregated: none, middle, equal, sah or hlbvh [default: as the scene says, else sah].
+    #[arg(long, value_name = "METHOD")]
+    pub(crate) accel: Option<SplitMethod>,
+    /// Threads to use [default: all that the process may use].
+    #[arg(long, alias = "nthreads", value_name = "N")]
+    pub(crate) threads: Option<NonZeroUsize>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct BatchArgs {
+    /// With several scenes: overwrite images that exist.
+    #[arg(long, conflicts_with = "skip_existing")]
+    pub(crate) force: bool,
+    /// Leave out scenes whose image exists.
+    #[arg(long)]
+    pub(crate) skip_existing: bool,
+    /// Stop at the first scene that fails.
+    #[arg(long)]
+    pub(crate) fail_fast: bool,
+    /// Append a line of JSON for each scene to this file.
+    #[arg(long, value_name = "FILE.jsonl")]
+    pub(crate) manifest: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct TalkArgs {
+    /// Print errors only.
+    #[arg(short, long, conflicts_with = "verbose")]
+    pub(crate) quiet: bool,
+    /// Print more: what each phase found.
+    #[arg(short, long)]
+    pub(crate) verbose: bool,
+    /// Progress bars.
+    #[arg(long, value_name = "WHEN", default_value = "auto")]
+    pub(crate) progress: When,
+    /// Colours in messages.
+    #[arg(long, value_name = "WHEN", default_value = "auto")]
+    pub(crate) color: When,
+    /// Print counts and costs of the aggregate and of the rays.
+    #[arg(long)]
+    pub(crate) stats: bool,
+    /// Print a line of JSON for each image on standard output.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Take warnings for errors: exit with 1.
+    #[arg(long)]
+    pub(crate) strict: bool,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum When {
+    /// On a terminal.
+    Auto,
+    /// Everywhere.
+    Always,
+    /// Nowhere.
+    Never,
+}
+
+/// Flags of pbrt that mean nothing here; they are taken, with a note.
+#[derive(Debug, Args)]
+pub(crate) struct PbrtArgs {
+    #[arg(long, hide = true, action = ArgAction::SetTrue)]
+    quick: bool,
+    #[arg(long, hide = true, action = ArgAction::SetTrue)]
+    gpu: bool,
+    #[arg(long, hide = true, action = ArgAction::SetTrue)]
+    wavefront: bool,
+    #[arg(long, hide = true, action = ArgAction::SetTrue)]
+    interactive: bool,
+    #[arg(long, hide = true, action = ArgAction::SetTrue)]
+    force_diffuse: bool,
+    #[arg(long, hide = true, action = ArgAction::SetTrue)]
+    disable_pixel_jitter: bool,
+    #[arg(long, hide = true, action = ArgAction::SetTrue)]
+    disable_wavelength_jitter: bool,
+    #[arg(long, hide = true, action = ArgAction::SetTrue)]
+    disable_texture_filtering: bool,
+    #[arg(long, hide = true, action = ArgAction::SetTrue)]
+    write_partial_images: bool,
+    #[arg(long, hide = true)]
+    spp: Option<String>,
+    #[arg(long, hide = true)]
+    seed: Option<String>,
+    #[arg(long, hide = true)]
+    gpu_device: Option<String>,
+    #[arg(long, hide = true)]
+    display_server: Option<String>,
+    #[arg(long, hide = true)]
+    rendering_space: Option<String>,
+    #[arg(long, hide = true)]
+    log_level: Option<String>,
+}
+
+impl PbrtArgs {
+    /// Those that were typed.
+    pub(crate) fn given(&self) -> Vec<&'static str> {
+        let flags = [
+            (self.quick, "--quick"),
+            (self.gpu, "--gpu"),
+            (self.wavefront, "--wavefront"),
+            (self.interactive, "--interactive"),
+            (self.force_diffuse, "--force-diffuse"),
+            (self.disable_pixel_jitter, "--disable-pixel-jitter"),
+            (self.disable_wavelength_jitter, "--disable-wavelength-jitter"),
+            (self.disable_texture_filtering, "--disable-texture-filtering"),
+            (self.write_partial_images, "--write-partial-images"),
+            (self.spp.is_some(), "--spp"),
+            (self.seed.is_some(), "--seed"),
+            (self.gpu_device.is_some(), "--gpu-device"),
+            (self.display_server.is_some(), "--display-server"),
+            (self.rendering_space.is_some(), "--rendering-space"),
+            (self.log_level.is_some(), "--log-level"),
+        ];
+        flags.into_iter().filter_map(|(given, name)| given.then_some(name)).collect()
+    }
+}
+
+fn channel(name: &str) -> Result<ChannelName, String> {
+    name.parse().map_err(|_| format!("expected some of {}", ChannelName::ALL.map(ChannelName::as_str).join(", ")))
+}
+
+fn parts<const N: usize>(text: &str, separator: char) -> Result<[&str; N], String> {
+    let parts: Vec<&str> = text.split(separator).map(str::trim).collect();
+    let count = parts.len();
+    parts.try_into().map_err(|_| format!("expected {N} values separated by `{separator}`, found {count}"))
+}
+
+fn numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
+    let mut numbers = [0.0; N];
+    for (number, part) in numbers.iter_mut().zip(parts::<N>(text, ',')?) {
+        *number = part.parse().map_err(|_| format!("`{part}` is not a number"))?;
+        if !number.is_finite() {
+            return Err(format!("`{part}` is not a finite number"));
+        }
+    }
+    Ok(numbers)
+}
+
+fn pixel_bounds(text: &str) -> Result<[u32; 4], String> {
+    integers(parts(text, ',')?)
+}
+
+fn resolution(text: &str) -> Result<[u32; 2], String> {
+    let resolution = integers(parts(text, 'x')?)?;
+    const MAX_SIDE: u32 = 1 << 24;
+    match resolution {
+        [width, height] if width == 0 || height == 0 => Err("a film needs a pixel at least".to_owned()),
+        [width, height] if width.max(height) > MAX_SIDE => Err(format!("at most {MAX_SIDE} pixels along a side")),
+        resolution => Ok(resolution),
+    }
+}
+
+fn integers<const N: usize>(parts: [&str; N]) -> Result<[u32; N], String> {
+    let mut integers = [0; N];
+    for (integer, part) in integers.iter_mut().zip(parts) {
+        *integer = part.parse().map_err(|_| format!("`{part}` is not an integer from 0 to {}", u32::MAX))?;
+    }
+    Ok(integers)
+}

@@ -1,0 +1,124 @@
+//! Names of images: templates, and where they lead.
+
+use feimos::accel::SplitMethod;
+use feimos::error::{Error, Result};
+use std::path::{Path, PathBuf};
+
+/// Where an image goes.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub(crate) enum Destination {
+    /// Standard output.
+    Stdout,
+    /// A file.
+    File(PathBuf),
+}
+
+impl std::fmt::Display for Destination {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Destination::Stdout => f.write_str("-"),
+            Destination::File(path) => path.display().fmt(f),
+        }
+    }
+}
+
+/// `-o`, checked.
+#[derive(Debug, Clone)]
+pub(crate) struct OutputName {
+    template: Option<String>,
+}
+
+/// pbrt's name for a picture whose Film has none.
+const PBRT_DEFAULT: &str = "pbrt.exr";
+
+impl OutputName {
+    /// # Errors
+    /// A placeholder that does not exist.
+    pub(crate) fn new(template: Option<String>) -> Result<OutputName> {
+        if let Some(unknown) = template.as_deref().and_then(unknown_placeholder) {
+            let error = Error::usage(format!("the output name has an unknown placeholder `{unknown}`"));
+            return Err(error.note("known are {stem} and {accel}"));
+        }
+        Ok(OutputName { template })
+    }
+
+    /// Whether the name depends on what the scene file says.
+    pub(crate) fn needs_scene(&self, accel: Option<SplitMethod>) -> bool {
+        match &self.template {
+            None => true,
+            Some(template) => template.contains("{accel}") && accel.is_none(),
+        }
+    }
+
+    /// The name for `scene`, whose film is called `film_filename`.
+    pub(crate) fn destination(&self, scene: &Path, film_filename: Option<&str>, accel: SplitMethod) -> Destination {
+        let stem = stem(scene);
+        match &self.template {
+            Some(template) if template == "-" => Destination::Stdout,
+            Some(template) => {
+                Destination::File(template.replace("{stem}", &stem).replace("{accel}", accel.name()).into())
+            }
+            None => Destination::File(match film_filename {
+                Some(name) => name.into(),
+                None if feimos::scene::is_bare_mesh(scene) => format!("{stem}.png").into(),
+                None => PBRT_DEFAULT.into(),
+            }),
+        }
+    }
+}
+
+/// The scene's file name without its extension (and without `.gz`); `stdin` for standard input.
+fn stem(scene: &Path) -> String {
+    if scene == Path::new("-") {
+        return "stdin".to_owned();
+    }
+    let without = |path: &Path| path.file_stem().map(PathBuf::from).unwrap_or_default();
+    let stem = without(scene);
+    let zipped = scene.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("gz"));
+    let stem = if zipped { without(&stem) } else { stem };
+    stem.to_string_lossy().into_owned()
+}
+
+fn unknown_placeholder(template: &str) -> Option<&str> {
+    let mut rest = template;
+    while let Some(open) = rest.find('{') {
+        let close = open + rest[open..].find('}')? + 1;
+        let placeholder = &rest[open..close];
+        if !["{stem}", "{accel}"].contains(&placeholder) {
+            return Some(placeholder);
+        }
+        rest = &rest[close..];
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn name(template: Option<&str>, scene: &str, film: Option<&str>) -> String {
+        let output = OutputName::new(template.map(str::to_owned)).unwrap();
+        output.destination(Path::new(scene), film, SplitMethod::Sah).to_string()
+    }
+
+    #[test]
+    fn templates_are_filled_in() {
+        assert_eq!(name(Some("out/{stem}-{accel}.png"), "a/b.pbrt", None), "out/b-sah.png");
+        assert_eq!(name(Some("{stem}.exr"), "a/dragon.ply.gz", None), "dragon.exr");
+        assert_eq!(name(Some("{stem}.exr"), "-", None), "stdin.exr");
+        assert_eq!(name(Some("-"), "a.pbrt", None), "-");
+    }
+
+    #[test]
+    fn without_a_template_the_film_decides() {
+        assert_eq!(name(None, "a.pbrt", Some("film.png")), "film.png");
+        assert_eq!(name(None, "a.pbrt", None), "pbrt.exr");
+        assert_eq!(name(None, "a.ply", None), "a.png");
+    }
+
+    #[test]
+    fn unknown_placeholders_are_refused() {
+        assert!(OutputName::new(Some("{stem}-{camera}.png".into())).is_err());
+        assert!(OutputName::new(Some("{stem.png".into())).is_ok(), "an open brace is a name like any other");
+    }
+}

@@ -1,0 +1,64 @@
+//! One bar a phase, on standard error.
+
+use super::args::{TalkArgs, When};
+use super::terminal::AlwaysTerminal;
+use feimos::progress::Progress;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::io::IsTerminal;
+use std::time::Duration;
+
+/// The phases that take long.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Phase {
+    /// Scene file to geometry; how much there is to read is not known before.
+    Loading,
+    /// This many primitives into an aggregate.
+    Building(usize),
+    /// This many pixels.
+    Rendering(u64),
+}
+
+/// Whether and where bars are drawn.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ProgressBars {
+    when: When,
+}
+
+impl ProgressBars {
+    pub(crate) fn new(talk: &TalkArgs) -> ProgressBars {
+        let on_terminal = std::io::stderr().is_terminal() && !talk.quiet;
+        let when = match talk.progress {
+            When::Auto if on_terminal => When::Auto,
+            When::Auto => When::Never,
+            when => when,
+        };
+        ProgressBars { when }
+    }
+
+    /// Runs `work` under a bar, which is gone when it ends.
+    pub(crate) fn during<T>(&self, phase: Phase, work: impl FnOnce(Progress) -> T) -> T {
+        let target = match self.when {
+            When::Never => return work(Progress::SILENT),
+            When::Auto => ProgressDrawTarget::stderr(),
+            When::Always => ProgressDrawTarget::term_like(Box::new(AlwaysTerminal)),
+        };
+        let bar = bar(phase, target);
+        let result = work(Progress::new(&|count| bar.inc(count as u64)));
+        bar.finish_and_clear();
+        result
+    }
+}
+
+fn bar(phase: Phase, target: ProgressDrawTarget) -> ProgressBar {
+    let (length, template) = match phase {
+        Phase::Loading => (None, "{spinner} loading   {bytes} {elapsed}"),
+        Phase::Building(count) => (Some(count as u64), "  building  [{bar:40}] {human_pos}/{human_len} primitives {eta}"),
+        Phase::Rendering(pixels) => (Some(pixels), "  rendering [{bar:40}] {human_pos}/{human_len} pixels {eta}"),
+    };
+    let style = ProgressStyle::with_template(template).expect("a template written above").progress_chars("=> ");
+    let bar = ProgressBar::with_draw_target(length, target).with_style(style);
+    if length.is_none() {
+        bar.enable_steady_tick(Duration::from_millis(100));
+    }
+    bar
+}

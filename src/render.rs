@@ -1,0 +1,217 @@
+//! Tiles of rays in parallel, from a scene and its aggregate to an image.
+
+use crate::accel::{Aggregate, Hit, Work};
+use crate::camera::Camera;
+use crate::error::{Diagnostic, Error, ErrorKind, Result};
+use crate::film::{Channel, ChannelName, Image, PixelBounds, Samples};
+use crate::geometry::Ray;
+use crate::progress::Progress;
+use crate::shape::{Primitive, Shapes};
+use rayon::prelude::*;
+
+/// Pixels along a side of a tile. The picture does not depend on it.
+const TILE: u32 = 16;
+
+/// Pixels that can be rendered at once: more take more memory than a machine has.
+const MAX_PIXELS: u64 = 1 << 30;
+
+/// What to render.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RenderOptions {
+    /// The pixels wanted; within the film, and not empty.
+    pub data_window: PixelBounds,
+    /// The channels wanted; only these are made.
+    pub channels: Vec<ChannelName>,
+    /// What `Z` and `t` hold where nothing is hit.
+    pub miss: f32,
+    /// Whether to count nodes and primitives tested.
+    pub counted: bool,
+}
+
+/// An image and how it came about.
+#[derive(Debug)]
+pub struct Rendering {
+    /// The channels asked for.
+    pub image: Image,
+    /// Pixels that hit something.
+    pub hits: u64,
+    /// What all rays together cost, if that was asked for.
+    pub work: Option<Work>,
+}
+
+/// Casts one ray through the centre of every pixel wanted, on the threads of the current rayon pool.
+///
+/// `progress` counts pixels.
+///
+/// # Errors
+/// Where the image is larger than memory can hold.
+pub fn render(
+    camera: &Camera,
+    shapes: &Shapes,
+    aggregate: &Aggregate,
+    options: &RenderOptions,
+    progress: Progress,
+) -> Result<Rendering> {
+    let mut channels = allocate(options)?;
+    let tracer = Tracer { camera, shapes, aggregate, options, progress };
+    let bands = bands_of(&mut channels, &options.data_window);
+    let (hits, work) = bands.into_par_iter().map(|band| tracer.fill(band)).reduce(Default::default, |a, b| {
+        let mut work = a.1;
+        work += b.1;
+        (a.0 + b.0, work)
+    });
+    let [width, height] = camera.resolution;
+    let image = Image { display_window: (width, height), data_window: options.data_window, channels };
+    Ok(Rendering { image, hits, work: options.counted.then_some(work) })
+}
+
+fn allocate(options: &RenderOptions) -> Result<Vec<Channel>> {
+    let window = &options.data_window;
+    let too_large = |_| {
+        let (width, height) = (window.width(), window.height());
+        let message = format!("an image of {width} x {height} pixels is too large for this machine's memory");
+        Error::new(ErrorKind::Usage, Diagnostic::new(message).note("render it in parts, with --pixelbounds"))
+    };
+    let count = match window.area() {
+        area if area <= MAX_PIXELS => area as usize,
+        _ => return Err(too_large(())),
+    };
+    let allocate = |name: ChannelName| {
+        let samples = if name.is_integer() { zeros(count).map(Samples::U32) } else { zeros(count).map(Samples::F32) };
+        Ok(Channel { name, samples: samples.map_err(|_| too_large(()))? })
+    };
+    options.channels.iter().map(|name| allocate(*name)).collect()
+}
+
+/// A list of zeros, if there is memory for it.
+fn zeros<T: Copy + Default>(count: usize) -> std::result::Result<Vec<T>, std::collections::TryReserveError> {
+    let mut values = Vec::new();
+    values.try_reserve_exact(count)?;
+    values.resize(count, T::default());
+    Ok(values)
+}
+
+/// The same rows of every channel, one tile high.
+struct Band<'a> {
+    /// In film pixels.
+    bounds: PixelBounds,
+    channels: Vec<(ChannelName, BandSamples<'a>)>,
+}
+
+enum BandSamples<'a> {
+    F32(&'a mut [f32]),
+    U32(&'a mut [u32]),
+}
+
+fn bands_of<'a>(channels: &'a mut [Channel], window: &PixelBounds) -> Vec<Band<'a>> {
+    let rows = (window.y0..window.y1).step_by(TILE as usize);
+    let bounds = rows.map(|y0| PixelBounds { y0, y1: (y0 + TILE).min(window.y1), ..*window });
+    let mut bands: Vec<Band> = bounds.map(|bounds| Band { bounds, channels: Vec::new() }).collect();
+    let length = window.width() as usize * TILE as usize;
+    for channel in channels {
+        let name = channel.name;
+        match &mut channel.samples {
+            Samples::F32(values) => {
+                let parts = values.chunks_mut(length).map(|part| (name, BandSamples::F32(part)));
+                bands.iter_mut().zip(parts).for_each(|(band, part)| band.channels.push(part));
+            }
+            Samples::U32(values) => {
+                let parts = values.chunks_mut(length).map(|part| (name, BandSamples::U32(part)));
+                bands.iter_mut().zip(parts).for_each(|(band, part)| band.channels.push(part));
+            }
+        }
+    }
+    bands
+}
+
+/// What a tile knows of a pixel that hit.
+#[derive(Clone, Copy)]
+struct TileHit {
+    z: f32,
+    t: f32,
+    primitive: Primitive,
+}
+
+/// The hits of a tile, row by row.
+struct Tile {
+    bounds: PixelBounds,
+    hits: Vec<Option<TileHit>>,
+    work: Work,
+}
+
+struct Tracer<'a> {
+    camera: &'a Camera,
+    shapes: &'a Shapes,
+    aggregate: &'a Aggregate,
+    options: &'a RenderOptions,
+    progress: Progress<'a>,
+}
+
+impl Tracer<'_> {
+    /// Traces the tiles of a band and puts them into its channels; returns hits and work.
+    fn fill(&self, mut band: Band) -> (u64, Work) {
+        let columns: Vec<u32> = (band.bounds.x0..band.bounds.x1).step_by(TILE as usize).collect();
+        let tiles: Vec<Tile> = columns
+            .into_par_iter()
+            .map(|x0| self.trace(PixelBounds { x0, x1: (x0 + TILE).min(band.bounds.x1), ..band.bounds }))
+            .collect();
+        for (name, samples) in &mut band.channels {
+            tiles.iter().for_each(|tile| self.put(tile, &band.bounds, *name, samples));
+        }
+        let mut work = Work::default();
+        tiles.iter().for_each(|tile| work += tile.work);
+        (tiles.iter().map(|tile| tile.hits.iter().flatten().count() as u64).sum(), work)
+    }
+
+    fn trace(&self, bounds: PixelBounds) -> Tile {
+        let mut tile = Tile { bounds, hits: Vec::with_capacity(bounds.area() as usize), work: Work::default() };
+        for y in bounds.y0..bounds.y1 {
+            for x in bounds.x0..bounds.x1 {
+                let ray = self.camera.ray(x, y);
+                let hit = if self.options.counted {
+                    self.aggregate.closest_hit_counted(self.shapes, &ray, &mut tile.work)
+                } else {
+                    self.aggregate.closest_hit(self.shapes, &ray)
+                };
+                tile.hits.push(hit.map(|hit| TileHit::new(&hit, &ray)));
+            }
+        }
+        self.progress.advance(bounds.area() as usize);
+        tile
+    }
+
+    fn put(&self, tile: &Tile, band: &PixelBounds, name: ChannelName, samples: &mut BandSamples) {
+        let shapes = self.shapes;
+        let miss = self.options.miss;
+        match samples {
+            BandSamples::F32(values) => match name {
+                ChannelName::Z => put(tile, band, values, miss, |hit| hit.z),
+                ChannelName::T => put(tile, band, values, miss, |hit| hit.t),
+                _ => put(tile, band, values, 0.0, |_| 1.0),
+            },
+            BandSamples::U32(values) => match name {
+                ChannelName::Id => put(tile, band, values, 0, |hit| shapes.shape_number(hit.primitive)),
+                _ => put(tile, band, values, 0, |hit| shapes.number(hit.primitive) + 1),
+            },
+        }
+    }
+}
+
+impl TileHit {
+    /// Rounds to what images hold: `Z` is the ray's parameter, `t` the distance (rule E4, but for the last bit).
+    fn new(hit: &Hit, ray: &Ray) -> TileHit {
+        let speed = ray.direction.dot(ray.direction).sqrt();
+        TileHit { z: hit.t as f32, t: (hit.t * speed) as f32, primitive: hit.primitive }
+    }
+}
+
+/// Puts a tile's values into the rows of its band.
+fn put<T: Copy>(tile: &Tile, band: &PixelBounds, values: &mut [T], miss: T, of_hit: impl Fn(&TileHit) -> T) {
+    let (width, first) = (band.width() as usize, (tile.bounds.x0 - band.x0) as usize);
+    let rows = tile.hits.chunks_exact(tile.bounds.width() as usize);
+    for (row, hits) in values.chunks_exact_mut(width).zip(rows) {
+        for (value, hit) in row[first..].iter_mut().zip(hits) {
+            *value = hit.as_ref().map_or(miss, &of_hit);
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! A camera for a bare mesh.
+
+use super::{AcceleratorParameters, Film, LoadOptions, Scene, Warnings};
+use crate::camera::{Camera, Projection, ScreenWindow};
+use crate::error::{Diagnostic, Error, Result, SourceLocation};
+use crate::film::PixelBounds;
+use crate::geometry::{Bounds, Matrix, Point, Transform, Vector};
+use crate::mesh::Loaded;
+use crate::shape::Shapes;
+use std::path::Path;
+
+/// In degrees, across the shorter side of the film.
+const FIELD_OF_VIEW: f64 = 40.0;
+
+/// How much farther away the eye stands than the ball around the mesh needs.
+const MARGIN: f64 = 1.02;
+
+/// The scene of one mesh, seen whole from +z with y upwards and x to the right: the way its maker sees it, not
+/// mirrored by pbrt's left-handed camera.
+pub(super) fn scene_of_mesh(path: &Path, loaded: Loaded, options: &LoadOptions) -> Result<Scene> {
+    let resolution = options.resolution.unwrap_or([1280, 720]);
+    let mut warnings = Warnings::default();
+    loaded.warnings.into_iter().for_each(|warning| warnings.add_single(warning));
+    let finite = loaded.mesh.vertices.iter().copied().filter(|vertex| vertex.is_finite());
+    let world_from_camera = frame(&Bounds::of(finite));
+    let world_from_camera = world_from_camera.filter(Matrix::is_finite).ok_or_else(|| {
+        let message = "the mesh is too large to be framed automatically";
+        let diagnostic = Diagnostic::new(message).at(SourceLocation::file(path));
+        Error::bad_input(diagnostic.note("write a scene with a Scale and a LookAt around it"))
+    })?;
+    let mut shapes = Shapes::default();
+    let added = shapes.add_mesh(loaded.mesh.vertices, loaded.mesh.triangles, &Matrix::IDENTITY, 1);
+    added.map_err(|error| Error::bad_input(Diagnostic::new(error.to_string()).at(SourceLocation::file(path))))?;
+    shapes.add_transform(Matrix::IDENTITY);
+    let aspect = f64::from(resolution[0]) / f64::from(resolution[1]);
+    Ok(Scene {
+        camera: Camera {
+            world_from_camera,
+            projection: Projection::perspective(FIELD_OF_VIEW),
+            screen_window: ScreenWindow::of_aspect(aspect),
+            resolution,
+        },
+        film: Film { resolution, crop: PixelBounds::whole(resolution), filename: None },
+        accelerator: AcceleratorParameters::default(),
+        shapes,
+        shape_count: 1,
+        transform_count: 1,
+        warnings,
+        summary: None,
+    })
+}
+
+/// Where the camera stands to see all of `bounds`; `None` where no such place can be written in numbers.
+fn frame(bounds: &Bounds) -> Option<Matrix> {
+    if bounds.is_empty() {
+        return Some(Matrix::IDENTITY);
+    }
+    let centre = bounds.centre();
+    let to_corner = bounds.high - centre;
+    let radius = to_corner.dot(to_corner).sqrt();
+    let radius = if radius > 0.0 { radius } else { 1.0 };
+    let half_angle = (FIELD_OF_VIEW / 2.0).to_radians();
+    let eye = centre + Vector::new(0.0, 0.0, MARGIN * radius / half_angle.sin());
+    let ahead = Point::new(eye.x, eye.y, eye.z - radius);
+    let camera_from_world = Transform::look_at(eye, ahead, Vector::new(0.0, 1.0, 0.0))?;
+    Some(Transform::scale([-1.0, 1.0, 1.0]).times(&camera_from_world).inverse)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sees_the_whole_box_with_x_to_the_right() {
+        let bounds = Bounds { low: Point::new(-1.0, 2.0, -3.0), high: Point::new(5.0, 4.0, 1.0) };
+        let camera = frame(&bounds).unwrap();
+        let [eye_x, eye_y, eye_z] = camera.column(3);
+        assert_eq!((eye_x, eye_y), (2.0, 3.0));
+        assert!(eye_z > 1.0);
+        assert_eq!(camera.column(0), [1.0, 0.0, 0.0]);
+        assert_eq!(camera.column(1), [0.0, 1.0, 0.0]);
+        assert_eq!(camera.column(2), [0.0, 0.0, -1.0]);
+    }
+
+    #[test]
+    fn odd_sizes_do_not_break_it() {
+        assert!(frame(&Bounds::EMPTY).is_some());
+        let point = Point::new(1.0, 1.0, 1.0);
+        assert!(frame(&Bounds { low: point, high: point }).unwrap().is_finite());
+        let huge = Bounds { low: Point::new(-1e308, 0.0, 0.0), high: Point::new(1e308, 1.0, 1.0) };
+        assert!(frame(&huge).is_none_or(|camera| !camera.is_finite()));
+    }
+}

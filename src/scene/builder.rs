@@ -1,0 +1,355 @@
+//! From directives to a scene: the interpreter of scene files.
+
+use super::accelerator::AcceleratorParameters;
+use super::auto_frame::scene_of_mesh;
+use super::camera_parameters::CameraParameters;
+use super::film::FilmParameters;
+use super::graphics_state::{Block, GraphicsState};
+use super::parameters::Parameters;
+use super::parser::{Directive, Directives, Entity, Span, Statement, Text};
+use super::shape_statement::ShapeTarget;
+use super::source::Source;
+use super::transform_cache::TransformCache;
+use super::warnings::Warnings;
+use super::{LoadOptions, Scene};
+use crate::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
+use crate::geometry::{Point, Transform, Vector};
+use crate::mesh;
+use crate::progress::Progress;
+use crate::shape::Shapes;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// Files that include each other, at most.
+const MAX_INCLUDE_DEPTH: usize = 64;
+
+/// Reads a scene with all that it names, or a bare `.ply` or `.obj`; `-` is a scene on standard input.
+///
+/// `progress` counts bytes of scene files.
+pub fn load(path: &Path, options: &LoadOptions, progress: Progress) -> Result<Scene> {
+    match bare_mesh_reader(path) {
+        Some(read) => scene_of_mesh(path, read(path)?, options),
+        None => {
+            let mut builder = Builder::new(path, progress);
+            builder.read(path)?;
+            builder.finish(options)
+        }
+    }
+}
+
+/// What a scene says before its world begins, as far as names of images depend on it.
+#[derive(Debug, Clone, Default)]
+pub struct SceneOptions {
+    /// Where the scene's `Film` wants the picture.
+    pub film_filename: Option<String>,
+    /// How the scene wants to be aggregated.
+    pub accelerator: AcceleratorParameters,
+}
+
+/// Reads a scene no further than `WorldBegin`, and no mesh.
+pub fn read_options(path: &Path) -> Result<SceneOptions> {
+    if is_bare_mesh(path) {
+        return Ok(SceneOptions::default());
+    }
+    let mut builder = Builder::new(path, Progress::SILENT);
+    builder.only_options = true;
+    builder.read(path)?;
+    Ok(SceneOptions { film_filename: builder.film.filename, accelerator: builder.accelerator })
+}
+
+/// Whether a path names a mesh and not a scene: by its extension, `.gz` left aside.
+pub fn is_bare_mesh(path: &Path) -> bool {
+    bare_mesh_reader(path).is_some()
+}
+
+fn bare_mesh_reader(path: &Path) -> Option<fn(&Path) -> Result<mesh::Loaded>> {
+    let name = path.file_name()?.to_str()?.to_ascii_lowercase();
+    let name = name.strip_suffix(".gz").unwrap_or(&name);
+    if name.ends_with(".ply") {
+        Some(mesh::read_ply)
+    } else if name.ends_with(".obj") {
+        Some(mesh::read_obj)
+    } else {
+        None
+    }
+}
+
+struct Builder<'a> {
+    path: PathBuf,
+    /// Relative names count from here: the directory of the top-level file, as in pbrt.
+    directory: PathBuf,
+    progress: Progress<'a>,
+    only_options: bool,
+    state: GraphicsState,
+    in_world: bool,
+    /// Nothing further is to be read.
+    ended: bool,
+    camera: Option<CameraParameters>,
+    film: FilmParameters,
+    film_place: Option<SourceLocation>,
+    accelerator: AcceleratorParameters,
+    shapes: Shapes,
+    shape_count: u32,
+    transforms: TransformCache,
+    warnings: Warnings,
+    skipped: BTreeMap<&'static str, u64>,
+    /// The files being read, each included by the one before.
+    reading: Vec<PathBuf>,
+    files_entered: usize,
+}
+
+impl<'a> Builder<'a> {
+    fn new(path: &Path, progress: Progress<'a>) -> Builder<'a> {
+        Builder {
+            path: path.to_path_buf(),
+            directory: path.parent().unwrap_or(Path::new("")).to_path_buf(),
+            progress,
+            only_options: false,
+            state: GraphicsState::new(),
+            in_world: false,
+            ended: false,
+            camera: None,
+            film: FilmParameters::default(),
+            film_place: None,
+            accelerator: AcceleratorParameters::default(),
+            shapes: Shapes::default(),
+            shape_count: 0,
+            transforms: TransformCache::default(),
+            warnings: Warnings::default(),
+            skipped: BTreeMap::new(),
+            reading: Vec::new(),
+            files_entered: 0,
+        }
+    }
+
+    fn read(&mut self, path: &Path) -> Result<()> {
+        let source = Source::read(path)?;
+        let identity = path.canonicalize().unwrap_or_else(|_| path.to_path_buf());
+        self.reading.push(identity);
+        let file = self.files_entered;
+        self.files_entered += 1;
+        let mut seen = 0;
+        for directive in Directives::new(&source.path, &source.text) {
+            let directive = directive?;
+            self.progress.advance(directive.span.end - seen);
+            seen = directive.span.end;
+            self.obey(&directive, &source, file)?;
+            if self.ended {
+                break;
+            }
+        }
+        self.state.remember_place_of_innermost(file, |span| source.at(span));
+        self.reading.pop();
+        Ok(())
+    }
+
+    fn obey(&mut self, directive: &Directive, source: &Source, file: usize) -> Result<()> {
+        let keyword = &directive.keyword;
+        match &directive.statement {
+            Statement::Identity => self.state.current = Transform::IDENTITY,
+            Statement::Translate(offset) => self.concat(Transform::translate(*offset), directive, source),
+            Statement::Scale(factors) => self.concat(Transform::scale(*factors), directive, source),
+            Statement::Rotate([angle, x, y, z]) => {
+                self.concat(Transform::rotate(*angle, Vector::new(*x, *y, *z)), directive, source);
+            }
+            Statement::LookAt(numbers) => self.look_at(numbers, directive, source),
+            Statement::Transform(m) => self.state.current = affine(m, directive, source)?,
+            Statement::ConcatTransform(m) => self.concat(affine(m, directive, source)?, directive, source),
+            Statement::CoordinateSystem(name) => self.state.name(&name.text, self.state.current),
+            Statement::CoordSysTransform(name) => self.recall(name, source),
+            Statement::ReverseOrientation => {}
+            Statement::AttributeBegin => self.state.begin(Block::Attribute, file, keyword.clone()),
+            Statement::AttributeEnd => self.end(Block::Attribute, keyword, source)?,
+            Statement::TransformBegin => self.state.begin(Block::Transform, file, keyword.clone()),
+            Statement::TransformEnd => self.end(Block::Transform, keyword, source)?,
+            Statement::ObjectBegin(_) => {
+                self.warn_of_instances(keyword, source);
+                self.state.begin(Block::Object, file, keyword.clone());
+            }
+            Statement::ObjectEnd => self.end(Block::Object, keyword, source)?,
+            Statement::ObjectInstance(_) => self.warn_of_instances(keyword, source),
+            Statement::WorldBegin => self.begin_world(keyword, source)?,
+            Statement::WorldEnd => self.end_world(keyword, source)?,
+            Statement::Include(name) => self.include(name, source)?,
+            Statement::Camera(entity) => self.camera(entity, keyword, source)?,
+            Statement::Film(entity) => self.film(entity, keyword, source)?,
+            Statement::Accelerator(entity) => {
+                let mut parameters = Parameters::new("Accelerator", entity, source);
+                self.accelerator = AcceleratorParameters::read(&mut parameters)?;
+            }
+            Statement::Shape(entity) => self.shape(entity, keyword, source)?,
+            Statement::Ignored(keyword) => *self.skipped.entry(keyword).or_default() += 1,
+        }
+        Ok(())
+    }
+
+    fn concat(&mut self, leaf: Transform, directive: &Directive, source: &Source) {
+        if !leaf.matrix.is_finite() {
+            let message = "numbers beyond the range of f64, or none at all, make this transform infinite";
+            self.warnings.add("infinite transform", || Diagnostic::new(message).at(source.at(&directive.span)));
+        }
+        self.state.concat(&leaf);
+    }
+
+    fn look_at(&mut self, numbers: &[f64; 9], directive: &Directive, source: &Source) {
+        let [eye_x, eye_y, eye_z, look_x, look_y, look_z, up_x, up_y, up_z] = *numbers;
+        let (eye, look) = (Point::new(eye_x, eye_y, eye_z), Point::new(look_x, look_y, look_z));
+        match Transform::look_at(eye, look, Vector::new(up_x, up_y, up_z)) {
+            Some(camera_from_world) => self.concat(camera_from_world, directive, source),
+            None => self.warnings.add("parallel LookAt", || {
+                let message = "the up vector is parallel to the view: this LookAt does nothing";
+                Diagnostic::new(message).at(source.at(&directive.span)).note("expected eye, look and up with a plane between them")
+            }),
+        }
+    }
+
+    fn recall(&mut self, name: &Text, source: &Source) {
+        if !self.state.recall(&name.text) {
+            let message = format!("no coordinate system is called `{}`: ignored", name.text);
+            self.warnings.add(message.clone(), || Diagnostic::new(message).at(source.at(&name.span)));
+        }
+    }
+
+    fn end(&mut self, block: Block, keyword: &Span, source: &Source) -> Result<()> {
+        self.state.end(block).map_err(|open| match open {
+            None => source.error(keyword, format!("{} without {}", block.end(), block.begin())),
+            Some(open) => {
+                let message = format!("{} closes a block that {} began", block.end(), open.begin());
+                source.error(keyword, message).note(format!("expected {}", open.end()))
+            }
+        })
+    }
+
+    fn warn_of_instances(&mut self, keyword: &Span, source: &Source) {
+        let message = "object instances are not supported yet: left out";
+        self.warnings.add("instances", || Diagnostic::new(message).at(source.at(keyword)));
+    }
+
+    fn begin_world(&mut self, keyword: &Span, source: &Source) -> Result<()> {
+        if self.in_world {
+            return Err(source.error(keyword, "a second WorldBegin"));
+        }
+        self.in_world = true;
+        self.ended = self.only_options;
+        self.state.current = Transform::IDENTITY;
+        self.state.name("world", Transform::IDENTITY);
+        Ok(())
+    }
+
+    fn end_world(&mut self, keyword: &Span, source: &Source) -> Result<()> {
+        if !self.in_world {
+            return Err(source.error(keyword, "WorldEnd without WorldBegin"));
+        }
+        self.ended = true;
+        Ok(())
+    }
+
+    fn include(&mut self, name: &Text, source: &Source) -> Result<()> {
+        let path = self.directory.join(&*name.text);
+        let identity = path.canonicalize().unwrap_or_else(|_| path.clone());
+        if self.reading.contains(&identity) {
+            let message = format!("{} includes itself", path.display());
+            return Err(source.error(&name.span, message));
+        }
+        if self.reading.len() >= MAX_INCLUDE_DEPTH {
+            let message = format!("more than {MAX_INCLUDE_DEPTH} files include each other");
+            return Err(source.error(&name.span, message));
+        }
+        self.read(&path).map_err(|error| match error.kind() {
+            ErrorKind::MissingInput => error.note(format!("included from {}", source.at(&name.span))),
+            _ => error,
+        })
+    }
+
+    /// Camera, Film and their like belong before `WorldBegin`.
+    fn check_before_world(&self, name: &str, keyword: &Span, source: &Source) -> Result<()> {
+        if !self.in_world {
+            return Ok(());
+        }
+        let error = source.error(keyword, format!("{name} inside the world"));
+        Err(error.note("expected before WorldBegin"))
+    }
+
+    fn camera(&mut self, entity: &Entity, keyword: &Span, source: &Source) -> Result<()> {
+        self.check_before_world("Camera", keyword, source)?;
+        let mut parameters = Parameters::new("Camera", entity, source);
+        let camera = CameraParameters::read(&mut parameters, &self.state.current, &mut self.warnings)?;
+        parameters.finish(&mut self.warnings);
+        self.camera = Some(camera);
+        self.state.name("camera", self.state.current.inverted());
+        Ok(())
+    }
+
+    fn film(&mut self, entity: &Entity, keyword: &Span, source: &Source) -> Result<()> {
+        self.check_before_world("Film", keyword, source)?;
+        let mut parameters = Parameters::new("Film", entity, source);
+        self.film = FilmParameters::read(&mut parameters)?;
+        self.film_place = Some(source.at(keyword));
+        Ok(())
+    }
+
+    fn shape(&mut self, entity: &Entity, keyword: &Span, source: &Source) -> Result<()> {
+        if !self.in_world {
+            return Err(source.error(keyword, "Shape outside the world").note("expected after WorldBegin"));
+        }
+        let Some(number) = self.shape_count.checked_add(1) else {
+            return Err(source.error(keyword, format!("the scene has more than {} shapes", u32::MAX)));
+        };
+        self.shape_count = number;
+        if self.state.in_object() {
+            return Ok(());
+        }
+        let mut target = ShapeTarget {
+            shapes: &mut self.shapes,
+            transforms: &mut self.transforms,
+            warnings: &mut self.warnings,
+            directory: &self.directory,
+            number,
+            world_from_object: self.state.current.matrix,
+        };
+        target.add(Parameters::new("Shape", entity, source))
+    }
+
+    fn finish(self, options: &LoadOptions) -> Result<Scene> {
+        if let Some(open) = self.state.innermost() {
+            let message = format!("{} without {}", open.block.begin(), open.block.end());
+            let place = open.place.clone().unwrap_or_else(|| SourceLocation::file(&self.path));
+            return Err(Error::bad_input(Diagnostic::new(message).at(place)));
+        }
+        if !self.in_world {
+            let diagnostic = Diagnostic::new("the scene has no WorldBegin").at(SourceLocation::file(&self.path));
+            return Err(Error::bad_input(diagnostic.note("expected Camera and Film, WorldBegin, and then the shapes")));
+        }
+        let film = self.film.resolve(options.resolution).map_err(|message| {
+            let place = self.film_place.unwrap_or_else(|| SourceLocation::file(&self.path));
+            Error::bad_input(Diagnostic::new(message).at(place))
+        })?;
+        let camera = self.camera.unwrap_or_else(CameraParameters::default_camera).resolve(film.resolution);
+        Ok(Scene {
+            camera,
+            film,
+            accelerator: self.accelerator,
+            shapes: self.shapes,
+            shape_count: self.shape_count,
+            transform_count: self.transforms.len(),
+            warnings: self.warnings,
+            summary: summary(&self.skipped),
+        })
+    }
+}
+
+fn affine(m: &[f64; 16], directive: &Directive, source: &Source) -> Result<Transform> {
+    Transform::from_column_major(m).ok_or_else(|| {
+        let [a, b, c, d] = [m[3], m[7], m[11], m[15]];
+        let error = source.error(&directive.span, format!("the last row of the matrix is {a} {b} {c} {d}"));
+        error.note("expected 0 0 0 1 as numbers 4, 8, 12 and 16: matrices are column by column, and never projective")
+    })
+}
+
+fn summary(skipped: &BTreeMap<&'static str, u64>) -> Option<String> {
+    if skipped.is_empty() {
+        return None;
+    }
+    let counts: Vec<String> = skipped.iter().map(|(keyword, count)| format!("{count} {keyword}")).collect();
+    Some(format!("skipped, without influence on hit and depth: {}", counts.join(", ")))
+}

@@ -1,0 +1,57 @@
+//! The `Film` directive: resolution, crop, name.
+
+use super::parameters::Parameters;
+use crate::error::Result;
+use crate::film::PixelBounds;
+
+/// Which pixels there are and which are wanted.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Film {
+    /// Width and height of the whole film in pixels.
+    pub resolution: [u32; 2],
+    /// The pixels that the scene asks for; the whole film without a crop.
+    pub crop: PixelBounds,
+    /// Where the scene wants the picture.
+    pub filename: Option<String>,
+}
+
+/// What the directive says, before the command line has its say on the resolution.
+#[derive(Debug, Clone, Default)]
+pub(super) struct FilmParameters {
+    x_resolution: Option<u32>,
+    y_resolution: Option<u32>,
+    crop_window: Option<[f64; 4]>,
+    pixel_bounds: Option<[u32; 4]>,
+    pub(super) filename: Option<String>,
+}
+
+/// Pixels along a side at most.
+const MAX_SIDE: i64 = 1 << 24;
+
+impl FilmParameters {
+    pub(super) fn read(parameters: &mut Parameters) -> Result<FilmParameters> {
+        let x_resolution = parameters.integer("xresolution", 1, MAX_SIDE)?.map(|x| x as u32);
+        let y_resolution = parameters.integer("yresolution", 1, MAX_SIDE)?.map(|y| y as u32);
+        let crop_window = parameters.fixed_numbers::<4>("cropwindow")?;
+        let pixel_bounds = parameters.fixed_numbers::<4>("pixelbounds")?.map(|bounds| bounds.map(|bound| bound as u32));
+        let filename = parameters.string("filename")?.map(str::to_owned);
+        Ok(FilmParameters { x_resolution, y_resolution, crop_window, pixel_bounds, filename })
+    }
+
+    /// The film, 1280 x 720 by default, with `resolution` in place of the scene's.
+    ///
+    /// # Errors
+    /// The crop, where it has no pixel.
+    pub(super) fn resolve(self, resolution: Option<[u32; 2]>) -> std::result::Result<Film, String> {
+        let from_scene = [self.x_resolution.unwrap_or(1280), self.y_resolution.unwrap_or(720)];
+        let resolution = resolution.unwrap_or(from_scene);
+        let whole = PixelBounds::whole(resolution);
+        let crop = match (self.pixel_bounds, self.crop_window) {
+            (Some([x0, x1, y0, y1]), _) => PixelBounds { x0, x1, y0, y1 }.intersection(&whole),
+            (None, Some(window)) => PixelBounds::of_crop_window(window, resolution),
+            (None, None) => Some(whole),
+        };
+        let crop = crop.ok_or("the crop of the film has no pixel")?;
+        Ok(Film { resolution, crop, filename: self.filename })
+    }
+}

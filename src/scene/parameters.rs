@@ -1,0 +1,148 @@
+//! The parameters of a directive, looked up by name and checked.
+
+use super::parser::{Entity, Parameter, Span, Values};
+use super::source::Source;
+use super::spelling;
+use super::warnings::Warnings;
+use crate::error::{Diagnostic, Error, Result};
+
+/// The parameters of one directive. What nobody asked for is reported by [`Parameters::finish`].
+pub(super) struct Parameters<'a> {
+    /// The directive, for messages.
+    keyword: &'static str,
+    entity: &'a Entity<'a>,
+    source: &'a Source,
+    /// The names that mean something here.
+    known: Vec<&'static str>,
+}
+
+impl<'a> Parameters<'a> {
+    pub(super) fn new(keyword: &'static str, entity: &'a Entity<'a>, source: &'a Source) -> Parameters<'a> {
+        Parameters { keyword, entity, source, known: Vec::new() }
+    }
+
+    /// The name behind the keyword: `sphere`, `perspective`.
+    pub(super) fn entity_name(&self) -> &'a str {
+        &self.entity.name.text
+    }
+
+    /// Marks names as known and without influence.
+    pub(super) fn ignore(&mut self, names: &[&'static str]) {
+        self.known.extend_from_slice(names);
+    }
+
+    /// The last parameter of this name, as in pbrt-v3.
+    fn find(&mut self, name: &'static str) -> Option<&'a Parameter<'a>> {
+        self.known.push(name);
+        self.entity.parameters.iter().rfind(|parameter| parameter.name == name)
+    }
+
+    /// Whether the directive has a parameter of this name.
+    pub(super) fn has(&mut self, name: &'static str) -> bool {
+        self.find(name).is_some()
+    }
+
+    /// All numbers of a parameter.
+    pub(super) fn numbers(&mut self, name: &'static str) -> Result<Option<&'a [f64]>> {
+        let Some(parameter) = self.find(name) else { return Ok(None) };
+        match &parameter.values {
+            Values::Numbers(numbers) => Ok(Some(numbers)),
+            Values::None => Ok(Some(&[])),
+            _ => Err(self.source.error(&parameter.values_span, format!("`{name}` takes numbers"))),
+        }
+    }
+
+    /// Exactly N numbers.
+    pub(super) fn fixed_numbers<const N: usize>(&mut self, name: &'static str) -> Result<Option<[f64; N]>> {
+        let Some(numbers) = self.numbers(name)? else { return Ok(None) };
+        match numbers.try_into() {
+            Ok(numbers) => Ok(Some(numbers)),
+            Err(_) => {
+                let number = if N == 1 { "one number".to_owned() } else { format!("{N} numbers") };
+                Err(self.error_at(name, format!("`{name}` takes {number}, found {}", numbers.len())))
+            }
+        }
+    }
+
+    /// One number.
+    pub(super) fn number(&mut self, name: &'static str) -> Result<Option<f64>> {
+        Ok(self.fixed_numbers::<1>(name)?.map(|[number]| number))
+    }
+
+    /// One finite number above 0.
+    pub(super) fn positive_number(&mut self, name: &'static str) -> Result<Option<f64>> {
+        match self.number(name)? {
+            Some(number) if !(number > 0.0 && number.is_finite()) => {
+                Err(self.error_at(name, format!("`{name}` is {number}, expected a number above 0")))
+            }
+            number => Ok(number),
+        }
+    }
+
+    /// One integer from `least` to `most`.
+    pub(super) fn integer(&mut self, name: &'static str, least: i64, most: i64) -> Result<Option<i64>> {
+        let Some(number) = self.number(name)? else { return Ok(None) };
+        if number.fract() == 0.0 && number >= least as f64 && number <= most as f64 {
+            return Ok(Some(number as i64));
+        }
+        let message = format!("`{name}` is {number}, expected an integer from {least} to {most}");
+        Err(self.error_at(name, message))
+    }
+
+    /// One string.
+    pub(super) fn string(&mut self, name: &'static str) -> Result<Option<&'a str>> {
+        let Some(parameter) = self.find(name) else { return Ok(None) };
+        match &parameter.values {
+            Values::Strings(strings) if strings.len() == 1 => Ok(Some(&strings[0].text)),
+            _ => Err(self.source.error(&parameter.values_span, format!("`{name}` takes one string in quotes"))),
+        }
+    }
+
+    /// An error that points at the values of the last parameter called `name`.
+    pub(super) fn error_at(&self, name: &str, message: impl Into<String>) -> Error {
+        self.source.error(self.span_of(name), message)
+    }
+
+    fn span_of(&self, name: &str) -> &Span {
+        let parameter = self.entity.parameters.iter().rfind(|parameter| parameter.name == name);
+        parameter.map_or(&self.entity.name.span, |parameter| &parameter.values_span)
+    }
+
+    /// An error that points at the name behind the keyword.
+    pub(super) fn error_at_name(&self, message: impl Into<String>) -> Error {
+        self.source.error(&self.entity.name.span, message)
+    }
+
+    /// A warning, once a kind, that points at the parameter called `name`.
+    pub(super) fn warn(&self, name: &str, message: impl Into<String>, warnings: &mut Warnings) {
+        let kind = format!("{} {} {name}", self.keyword, self.entity.name.text);
+        warnings.add(kind, || Diagnostic::new(message).at(self.source.at(self.span_of(name))));
+    }
+
+    /// A warning, once a kind, that points at the name behind the keyword.
+    pub(super) fn warn_at_name(&self, kind: &str, diagnostic: Diagnostic, warnings: &mut Warnings) {
+        let kind = format!("{} {kind}", self.keyword);
+        warnings.add(kind, || diagnostic.at(self.source.at(&self.entity.name.span)));
+    }
+
+    /// Warns of parameters that nobody asked for.
+    pub(super) fn finish(self, warnings: &mut Warnings) {
+        for parameter in &self.entity.parameters {
+            if self.known.iter().any(|known| parameter.name == *known) {
+                continue;
+            }
+            let kind = format!("unknown {} {} {}", self.keyword, self.entity.name.text, parameter.name);
+            warnings.add(kind, || self.unknown(parameter));
+        }
+    }
+
+    fn unknown(&self, parameter: &Parameter) -> Diagnostic {
+        let (keyword, entity) = (self.keyword, &self.entity.name.text);
+        let message = format!("{keyword} \"{entity}\" has no parameter `{}`: ignored", parameter.name);
+        let diagnostic = Diagnostic::new(message).at(self.source.at(&parameter.span));
+        match spelling::closest(&parameter.name, self.known.iter().copied()) {
+            Some(known) => diagnostic.note(format!("did you mean `{known}`?")),
+            None => diagnostic,
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! The `Shape` directive: from parameters to geometry.
+
+use super::parameters::Parameters;
+use super::transform_cache::TransformCache;
+use super::warnings::Warnings;
+use crate::error::{Diagnostic, Error, Result};
+use crate::geometry::{Matrix, Point};
+use crate::mesh::{self, Loaded};
+use crate::shape::{CapacityError, Shapes, Sphere};
+use std::path::{Path, PathBuf};
+
+/// Where shapes go.
+pub(super) struct ShapeTarget<'a> {
+    pub(super) shapes: &'a mut Shapes,
+    pub(super) transforms: &'a mut TransformCache,
+    pub(super) warnings: &'a mut Warnings,
+    /// Relative file names count from here.
+    pub(super) directory: &'a Path,
+    /// The number of the statement, from 1.
+    pub(super) number: u32,
+    pub(super) world_from_object: Matrix,
+}
+
+/// Shapes of pbrt that feimos does not have.
+const UNSUPPORTED: [&str; 11] = [
+    "bilinearmesh", "cone", "curve", "cylinder", "disk", "heightfield", "hyperboloid", "loopsubdiv", "nurbs",
+    "paraboloid", "heightfield2",
+];
+
+/// What meshes may say about their surface without moving it.
+const SURFACE: [&str; 9] =
+    ["N", "S", "uv", "st", "faceIndices", "discarddegenerateUVs", "emissionfilename", "displacement", "edgelength"];
+
+/// Names that select what pbrt cuts away.
+const CUT_AWAY: [&str; 2] = ["alpha", "shadowalpha"];
+
+impl ShapeTarget<'_> {
+    /// Adds the shape; a shape that is not supported is a warning.
+    pub(super) fn add(&mut self, mut parameters: Parameters) -> Result<()> {
+        match parameters.entity_name() {
+            "sphere" => self.add_sphere(&mut parameters)?,
+            "trianglemesh" => self.add_triangle_mesh(&mut parameters)?,
+            "plymesh" => self.add_mesh_file(&mut parameters, mesh::read_ply)?,
+            "objmesh" => self.add_mesh_file(&mut parameters, mesh::read_obj)?,
+            other => {
+                self.warn_unsupported(&parameters, other);
+                return Ok(());
+            }
+        }
+        if parameters.has(CUT_AWAY[0]) {
+            parameters.warn(CUT_AWAY[0], "alpha is ignored: the whole surface is solid", self.warnings);
+        }
+        parameters.ignore(&CUT_AWAY);
+        parameters.finish(self.warnings);
+        Ok(())
+    }
+
+    fn warn_unsupported(&mut self, parameters: &Parameters, name: &str) {
+        let diagnostic = Diagnostic::new(format!("the shape `{name}` is not supported: left out"));
+        let supported = ["sphere", "trianglemesh", "plymesh", "objmesh"];
+        let diagnostic = match super::spelling::closest(name, supported.into_iter()) {
+            Some(known) if !UNSUPPORTED.contains(&name) => diagnostic.note(format!("did you mean `{known}`?")),
+            _ => diagnostic.note(format!("supported are {}", supported.join(", "))),
+        };
+        parameters.warn_at_name(name, diagnostic, self.warnings);
+    }
+
+    fn add_sphere(&mut self, parameters: &mut Parameters) -> Result<()> {
+        let radius = parameters.number("radius")?.unwrap_or(1.0);
+        self.warn_of_partial_sphere(parameters, radius)?;
+        let sphere = Sphere { world_from_object: self.world_from_object, radius };
+        if radius.is_nan() || radius <= 0.0 {
+            let message = format!("a sphere of radius {radius} is never hit");
+            parameters.warn("radius", message, self.warnings);
+        } else if !sphere.can_be_hit() {
+            let message = "a sphere under a singular or infinite transform is never hit";
+            parameters.warn_at_name("singular sphere", Diagnostic::new(message), self.warnings);
+        }
+        let transform = self.transforms.intern(&self.world_from_object, self.shapes);
+        let added = self.shapes.add_sphere(radius, transform, self.number);
+        added.map_err(|error| too_many(parameters, error))
+    }
+
+    fn warn_of_partial_sphere(&mut self, parameters: &mut Parameters, radius: f64) -> Result<()> {
+        let cut_below = parameters.number("zmin")?.is_some_and(|zmin| zmin > -radius);
+        let cut_above = parameters.number("zmax")?.is_some_and(|zmax| zmax < radius);
+        let cut_open = parameters.number("phimax")?.is_some_and(|phimax| phimax < 360.0);
+        for (cut, name) in [(cut_below, "zmin"), (cut_above, "zmax"), (cut_open, "phimax")] {
+            if cut {
+                let message = format!("`{name}` is not supported yet: the whole sphere is rendered");
+                parameters.warn(name, message, self.warnings);
+            }
+        }
+        Ok(())
+    }
+
+    fn add_triangle_mesh(&mut self, parameters: &mut Parameters) -> Result<()> {
+        parameters.ignore(&SURFACE);
+        let Some(coordinates) = parameters.numbers("P")? else {
+            return Err(parameters.error_at_name("a triangle mesh without vertices").note("expected \"point3 P\" [ ... ]"));
+        };
+        if coordinates.len() % 3 != 0 {
+            let message = format!("`P` has {} numbers, expected three a vertex", coordinates.len());
+            return Err(parameters.error_at("P", message));
+        }
+        let vertices: Vec<Point> = coordinates.chunks_exact(3).map(|p| Point::new(p[0], p[1], p[2])).collect();
+        let triangles = match parameters.numbers("indices")? {
+            Some(indices) => triangles_of(parameters, indices, vertices.len())?,
+            None if vertices.len() == 3 => vec![[0, 1, 2]],
+            None => {
+                let message = format!("a triangle mesh of {} vertices without `indices`", vertices.len());
+                return Err(parameters.error_at_name(message).note("only a mesh of 3 vertices needs none"));
+            }
+        };
+        self.add_mesh(parameters, vertices, triangles)
+    }
+
+    fn add_mesh_file(&mut self, parameters: &mut Parameters, read: fn(&Path) -> Result<Loaded>) -> Result<()> {
+        parameters.ignore(&SURFACE);
+        let Some(filename) = parameters.string("filename")? else {
+            let note = "expected \"string filename\" \"mesh.ply\"";
+            return Err(parameters.error_at_name("a mesh without a file name").note(note));
+        };
+        let path: PathBuf = self.directory.join(filename);
+        let loaded = read(&path).map_err(|error| {
+            let from = parameters.error_at("filename", "");
+            let place = from.diagnostic().location.as_ref().expect("a place in the scene").to_owned();
+            error.note(format!("named in {place}"))
+        })?;
+        loaded.warnings.into_iter().for_each(|warning| self.warnings.add_single(warning));
+        self.add_mesh(parameters, loaded.mesh.vertices, loaded.mesh.triangles)
+    }
+
+    fn add_mesh(&mut self, parameters: &Parameters, vertices: Vec<Point>, triangles: Vec<[u32; 3]>) -> Result<()> {
+        let finite_file = vertices.iter().all(|vertex| vertex.is_finite());
+        self.transforms.intern(&self.world_from_object, self.shapes);
+        let first = self.shapes.vertices().len();
+        let added = self.shapes.add_mesh(vertices, triangles, &self.world_from_object, self.number);
+        added.map_err(|error| too_many(parameters, error))?;
+        let lost = self.shapes.vertices()[first..].iter().filter(|vertex| !vertex.is_finite()).count();
+        if lost > 0 && !(finite_file || parameters.entity_name() == "trianglemesh") {
+            // The file's reader has counted them already.
+            return Ok(());
+        }
+        if lost > 0 {
+            let message = format!("{lost} vertices are infinite or not a number: their triangles are never hit");
+            parameters.warn_at_name("non-finite vertices", Diagnostic::new(message), self.warnings);
+        } else if self.world_from_object.is_finite() && self.world_from_object.is_singular() {
+            let message = "a mesh under a singular transform is flat";
+            parameters.warn_at_name("singular mesh", Diagnostic::new(message), self.warnings);
+        }
+        Ok(())
+    }
+}
+
+fn triangles_of(parameters: &Parameters, indices: &[f64], vertex_count: usize) -> Result<Vec<[u32; 3]>> {
+    if indices.len() % 3 != 0 {
+        let message = format!("`indices` has {} numbers, expected three a triangle", indices.len());
+        return Err(parameters.error_at("indices", message));
+    }
+    if let Some(place) = indices.iter().position(|index| !is_index(*index, vertex_count)) {
+        let (index, position) = (indices[place], place + 1);
+        let message = format!("index {index}, number {position} of `indices`, names no vertex");
+        let expected = match vertex_count {
+            0 => "the mesh has no vertices".to_owned(),
+            count => format!("expected an integer from 0 to {}: the mesh has {count} vertices", count - 1),
+        };
+        return Err(parameters.error_at("indices", message).note(expected));
+    }
+    Ok(indices.chunks_exact(3).map(|corners| [corners[0] as u32, corners[1] as u32, corners[2] as u32]).collect())
+}
+
+fn is_index(index: f64, vertex_count: usize) -> bool {
+    index >= 0.0 && index.fract() == 0.0 && index < vertex_count as f64 && index <= f64::from(u32::MAX)
+}
+
+fn too_many(parameters: &Parameters, error: CapacityError) -> Error {
+    parameters.error_at_name(error.to_string()).note("split the scene")
+}

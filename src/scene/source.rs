@@ -1,0 +1,37 @@
+//! The text of a scene file, and places in it.
+
+use super::parser::Span;
+use crate::error::{Diagnostic, Error, Result, SourceLocation};
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+/// One file, whole.
+#[derive(Debug)]
+pub(super) struct Source {
+    pub(super) path: PathBuf,
+    pub(super) text: Vec<u8>,
+}
+
+impl Source {
+    /// Reads a file, or standard input where `path` is `-`.
+    pub(super) fn read(path: &Path) -> Result<Source> {
+        let text = if path == Path::new("-") {
+            let mut text = Vec::new();
+            std::io::stdin().read_to_end(&mut text).map(|_| text)
+        } else {
+            std::fs::read(path)
+        };
+        let text = text.map_err(|error| Error::reading(path, &error))?;
+        Ok(Source { path: path.to_path_buf(), text })
+    }
+
+    /// The place of `span`.
+    pub(super) fn at(&self, span: &Span) -> SourceLocation {
+        SourceLocation::text(&self.path, &self.text, span.clone())
+    }
+
+    /// The scene is wrong at `span`.
+    pub(super) fn error(&self, span: &Span, message: impl Into<String>) -> Error {
+        Error::bad_input(Diagnostic::new(message).at(self.at(span)))
+    }
+}

@@ -1,0 +1,47 @@
+//! Transforms stored once, however many shapes share them (pbrt-v3's `TransformCache`).
+
+use crate::geometry::Matrix;
+use crate::shape::Shapes;
+use std::collections::HashMap;
+
+/// Finds matrices by their bits: two that act alike in every rounding are one.
+#[derive(Debug, Default)]
+pub(super) struct TransformCache {
+    number_of: HashMap<[u64; 12], u32>,
+    last: Option<(Matrix, u32)>,
+}
+
+impl TransformCache {
+    /// The number of `matrix` in `shapes`, where it is stored if it is new.
+    pub(super) fn intern(&mut self, matrix: &Matrix, shapes: &mut Shapes) -> u32 {
+        // Neighbouring shapes mostly share their transform. A NaN never equals itself and takes the long way.
+        if let Some((last, number)) = &self.last
+            && last == matrix
+            && last.bits() == matrix.bits()
+        {
+            return *number;
+        }
+        let number = *self.number_of.entry(matrix.bits()).or_insert_with(|| shapes.add_transform(*matrix));
+        self.last = Some((*matrix, number));
+        number
+    }
+
+    /// How many are stored.
+    pub(super) fn len(&self) -> usize {
+        self.number_of.len()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn equal_bits_share_a_place_and_signed_zeros_do_not() {
+        let (mut cache, mut shapes) = (TransformCache::default(), Shapes::default());
+        let zero = Matrix::translate([0.0, 0.0, 0.0]);
+        let negative_zero = Matrix::translate([-0.0, 0.0, 0.0]);
+        let numbers = [zero, zero, negative_zero, zero, negative_zero].map(|m| cache.intern(&m, &mut shapes));
+        assert_eq!((numbers, cache.len()), ([0, 0, 1, 0, 1], 2));
+    }
+}
