@@ -3,3 +3,4 @@
 pub mod decimal;
 pub mod error;
 pub mod geometry;
+pub mod scene;

@@ -1,0 +1,3 @@
+//! Scene files: text to directives, directives to geometry.
+
+pub mod spelling;
