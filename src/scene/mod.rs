@@ -1,3 +1,4 @@
 //! Scene files: text to directives, directives to geometry.
 
+pub mod parser;
 pub mod spelling;
