@@ -5,12 +5,79 @@
 /// Takes what C's `strtod` takes in the C locale except hexadecimal: a sign, digits with or without a point,
 /// an exponent, `inf` and `nan`. `None` where the token is anything else or has something after the number.
 pub fn parse(token: &[u8]) -> Option<f64> {
-    std::str::from_utf8(token).ok()?.parse().ok()
+    parse_short(token).or_else(|| std::str::from_utf8(token).ok()?.parse().ok())
+}
+
+/// Powers of ten that an `f64` holds exactly.
+const EXACT_POWERS: [f64; 23] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
+    1e21, 1e22,
+];
+
+/// Digits that a `u64` takes whatever they are.
+const SAFE_DIGITS: usize = 19;
+
+/// Clinger's fast path: the number `token` where its digits and the power of ten are both exact in `f64`, so that
+/// the one multiplication or division rounds once and correctly. `None` says nothing about `token`.
+fn parse_short(token: &[u8]) -> Option<f64> {
+    let (negative, unsigned) = match token {
+        [b'-', rest @ ..] => (true, rest),
+        [b'+', rest @ ..] => (false, rest),
+        _ => (false, token),
+    };
+    let (mut mantissa, mut rest) = digits(0, unsigned);
+    let mut count = unsigned.len() - rest.len();
+    let mut exponent = 0;
+    if let [b'.', fraction @ ..] = rest {
+        (mantissa, rest) = digits(mantissa, fraction);
+        let places = fraction.len() - rest.len();
+        count += places;
+        exponent = -i32::try_from(places).ok()?;
+    }
+    if let [b'e' | b'E', power @ ..] = rest {
+        exponent += short_exponent(power)?;
+        rest = &[];
+    }
+    if !rest.is_empty() || !(1..=SAFE_DIGITS).contains(&count) || mantissa > 1 << f64::MANTISSA_DIGITS {
+        return None;
+    }
+    let power = *EXACT_POWERS.get(usize::try_from(exponent.unsigned_abs()).ok()?)?;
+    let magnitude = if exponent < 0 { mantissa as f64 / power } else { mantissa as f64 * power };
+    Some(if negative { -magnitude } else { magnitude })
+}
+
+/// Appends the digits that `text` begins with to `number`, which wraps after [`SAFE_DIGITS`], and what is left.
+#[inline]
+fn digits(mut number: u64, text: &[u8]) -> (u64, &[u8]) {
+    let mut rest = text;
+    while let [digit @ b'0'..=b'9', after @ ..] = rest {
+        number = number.wrapping_mul(10).wrapping_add(u64::from(digit - b'0'));
+        rest = after;
+    }
+    (number, rest)
+}
+
+/// The exponent `text`, a sign and one to three digits.
+fn short_exponent(text: &[u8]) -> Option<i32> {
+    let (sign, unsigned) = match text {
+        [b'-', rest @ ..] => (-1, rest),
+        [b'+', rest @ ..] => (1, rest),
+        _ => (1, text),
+    };
+    let (magnitude, rest) = digits(0, unsigned);
+    let is_short = (1..=3).contains(&unsigned.len()) && rest.is_empty();
+    is_short.then(|| sign * magnitude as i32)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::parse;
+    use proptest::prelude::*;
+
+    use super::{parse, parse_short};
+
+    fn slowly(token: &str) -> Option<u64> {
+        token.parse::<f64>().ok().map(f64::to_bits)
+    }
 
     #[test]
     fn reads_the_forms_that_files_contain() {
@@ -37,5 +104,31 @@ mod tests {
             assert_eq!(parse(token.as_bytes()), None, "{token}");
         }
         assert_eq!(parse(b"\xff1"), None);
+    }
+
+    #[test]
+    fn the_fast_path_ends_where_it_must() {
+        let taken = ["9007199254740992", "-9007199254740992e22", "1e-22", "-0", "0.000000000000000001", "5.", ".5E+03"];
+        for token in taken {
+            assert_eq!(parse_short(token.as_bytes()).map(f64::to_bits), slowly(token), "{token}");
+        }
+        let left =
+            ["9007199254740993", "1e23", "1e-23", "18446744073709551617", "00000000000000000001", "1e0001", "inf"];
+        for token in left {
+            assert_eq!(parse_short(token.as_bytes()), None, "{token}");
+            assert_eq!(parse(token.as_bytes()).map(f64::to_bits), slowly(token), "{token}");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn agrees_with_the_standard_library(token in "[-+]?[0-9]{0,12}[.]?[0-9]{0,12}([eE][-+]?[0-9]{0,3})?") {
+            prop_assert_eq!(parse(token.as_bytes()).map(f64::to_bits), slowly(&token));
+        }
+
+        #[test]
+        fn agrees_with_the_standard_library_on_anything(token in "[-+.0-9eE]{0,12}") {
+            prop_assert_eq!(parse(token.as_bytes()).map(f64::to_bits), slowly(&token));
+        }
     }
 }

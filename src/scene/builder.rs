@@ -6,7 +6,7 @@ use super::camera_parameters::CameraParameters;
 use super::film::FilmParameters;
 use super::graphics_state::{Block, GraphicsState};
 use super::parameters::Parameters;
-use super::parser::{Directive, Directives, Entity, Span, Statement, Text};
+use super::parser::{ActiveTransform, Directive, Directives, Entity, Span, Statement, Text};
 use super::shape_statement::ShapeTarget;
 use super::source::Source;
 use super::transform_cache::TransformCache;
@@ -81,6 +81,8 @@ struct Builder<'a> {
     progress: Progress<'a>,
     only_options: bool,
     state: GraphicsState,
+    /// Which of two transforms the directives change; only that of the start time is kept.
+    active: ActiveTransform,
     in_world: bool,
     /// Nothing further is to be read.
     ended: bool,
@@ -106,6 +108,7 @@ impl<'a> Builder<'a> {
             progress,
             only_options: false,
             state: GraphicsState::new(),
+            active: ActiveTransform::All,
             in_world: false,
             ended: false,
             camera: None,
@@ -146,15 +149,17 @@ impl<'a> Builder<'a> {
     fn obey(&mut self, directive: &Directive, source: &Source, file: usize) -> Result<()> {
         let keyword = &directive.keyword;
         match &directive.statement {
-            Statement::Identity => self.state.current = Transform::IDENTITY,
+            Statement::Identity => self.replace(Transform::IDENTITY),
             Statement::Translate(offset) => self.concat(Transform::translate(*offset), directive, source),
             Statement::Scale(factors) => self.concat(Transform::scale(*factors), directive, source),
             Statement::Rotate([angle, x, y, z]) => {
                 self.concat(Transform::rotate(*angle, Vector::new(*x, *y, *z)), directive, source);
             }
             Statement::LookAt(numbers) => self.look_at(numbers, directive, source),
-            Statement::Transform(m) => self.state.current = affine(m, directive, source)?,
+            Statement::Transform(m) => self.replace(affine(m, directive, source)?),
             Statement::ConcatTransform(m) => self.concat(affine(m, directive, source)?, directive, source),
+            Statement::TransformTimes(_) => *self.skipped.entry("TransformTimes").or_default() += 1,
+            Statement::ActiveTransform(active) => self.activate(*active, directive, source),
             Statement::CoordinateSystem(name) => self.state.name(&name.text, self.state.current),
             Statement::CoordSysTransform(name) => self.recall(name, source),
             Statement::ReverseOrientation => {}
@@ -171,6 +176,12 @@ impl<'a> Builder<'a> {
             Statement::WorldBegin => self.begin_world(keyword, source)?,
             Statement::WorldEnd => self.end_world(keyword, source)?,
             Statement::Include(name) => self.include(name, source)?,
+            Statement::Import(name) => {
+                let current = self.state.current;
+                self.include(name, source)?;
+                self.state.current = current;
+            }
+            Statement::Attribute(entity) => self.attribute(entity, source),
             Statement::Camera(entity) => self.camera(entity, keyword, source)?,
             Statement::Film(entity) => self.film(entity, keyword, source)?,
             Statement::Accelerator(entity) => {
@@ -184,11 +195,38 @@ impl<'a> Builder<'a> {
     }
 
     fn concat(&mut self, leaf: Transform, directive: &Directive, source: &Source) {
+        if self.active == ActiveTransform::EndTime {
+            return;
+        }
         if !leaf.matrix.is_finite() {
             let message = "numbers beyond the range of f64, or none at all, make this transform infinite";
             self.warnings.add("infinite transform", || Diagnostic::new(message).at(source.at(&directive.span)));
         }
         self.state.concat(&leaf);
+    }
+
+    fn replace(&mut self, transform: Transform) {
+        if self.active != ActiveTransform::EndTime {
+            self.state.current = transform;
+        }
+    }
+
+    fn activate(&mut self, active: ActiveTransform, directive: &Directive, source: &Source) {
+        self.active = active;
+        if active == ActiveTransform::EndTime {
+            let message = "moving transforms are not supported: shapes stand where they are at the start time";
+            self.warnings.add("moving", || Diagnostic::new(message).at(source.at(&directive.span)));
+        }
+    }
+
+    /// Of the defaults that v4 can set, only those of shapes may matter.
+    fn attribute(&mut self, entity: &Entity, source: &Source) {
+        if entity.name.text == "shape" {
+            let message = "parameters of following shapes set by Attribute are ignored";
+            self.warnings.add("Attribute shape", || Diagnostic::new(message).at(source.at(&entity.name.span)));
+        } else {
+            *self.skipped.entry("Attribute").or_default() += 1;
+        }
     }
 
     fn look_at(&mut self, numbers: &[f64; 9], directive: &Directive, source: &Source) {

@@ -1,0 +1,51 @@
+//! A scene: what a file says, as far as hit and depth depend on it.
+
+mod accelerator;
+mod auto_frame;
+mod builder;
+mod camera_parameters;
+mod film;
+mod graphics_state;
+mod parameters;
+pub mod parser;
+mod shape_statement;
+mod source;
+pub mod spelling;
+mod transform_cache;
+mod warnings;
+
+pub use accelerator::AcceleratorParameters;
+pub use builder::{SceneOptions, is_bare_mesh, load, read_options};
+pub use film::Film;
+pub use warnings::{Warning, Warnings};
+
+use crate::camera::Camera;
+use crate::shape::Shapes;
+
+/// Everything that the picture depends on.
+#[derive(Debug)]
+pub struct Scene {
+    /// Decides the rays.
+    pub camera: Camera,
+    /// Decides which pixels are wanted, and the name of the picture.
+    pub film: Film,
+    /// How the scene wants to be aggregated.
+    pub accelerator: AcceleratorParameters,
+    /// The geometry.
+    pub shapes: Shapes,
+    /// `Shape` statements, those without geometry among them.
+    pub shape_count: u32,
+    /// Different transforms of those shapes: each is stored once.
+    pub transform_count: usize,
+    /// What was rendered other than the file may have meant.
+    pub warnings: Warnings,
+    /// One line on what was skipped because hit and depth do not depend on it, where anything was.
+    pub summary: Option<String>,
+}
+
+/// What the command line says about loading.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct LoadOptions {
+    /// Width and height of the film, in place of the file's.
+    pub resolution: Option<[u32; 2]>,
+}

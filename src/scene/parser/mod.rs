@@ -1,0 +1,83 @@
+//! The text of a scene to directives with their places, one at a time.
+//!
+//! The grammar is nom's, over bytes, because a file need not be UTF-8. A parser of the grammar hands back
+//! what is left of the text, whose length says where it stands. Nothing is kept of a directive that has been
+//! handed out, so that a file larger than the memory for its arrays never builds up as a tree. What the
+//! directives mean, which types and parameters there are and how many numbers make a point, is left to
+//! whoever takes them.
+
+mod complaint;
+mod directive;
+mod encoding;
+mod keyword;
+mod parameter;
+mod source;
+mod statement;
+#[cfg(test)]
+mod tests;
+mod token;
+mod value;
+
+use std::path::Path;
+
+use self::source::{Fault, Source};
+pub use self::statement::{ActiveTransform, Directive, Entity, Parameter, Span, Statement, Text, Values};
+use self::token::blanks;
+use crate::error::{Error, Result};
+
+/// The directives of one scene file, in order; ends after the first error.
+#[derive(Debug, Clone)]
+pub struct Directives<'a> {
+    source: Source<'a>,
+    /// What is left of the text: after an error nothing.
+    rest: &'a [u8],
+    /// Why this is no text at all, until it has been told.
+    unreadable: Option<Error>,
+    previous: Option<&'static str>,
+}
+
+impl<'a> Directives<'a> {
+    /// The directives of `source`, which errors call `path`.
+    pub fn new(path: &Path, source: &'a [u8]) -> Directives<'a> {
+        let source = Source::new(path, source);
+        let (rest, unreadable) = match encoding::text(&source) {
+            Ok(text) => (text, None),
+            Err(error) => (&[][..], Some(error)),
+        };
+        Directives { source, rest, unreadable, previous: None }
+    }
+
+    fn directive(&mut self) -> Result<Option<Directive<'a>>> {
+        let parsed = blanks(self.rest).and_then(|(rest, ())| match rest {
+            [] => Ok((rest, None)),
+            _ => self.source.directive(self.previous, rest).map(|(rest, parsed)| (rest, Some(parsed))),
+        });
+        match parsed {
+            Ok((rest, parsed)) => {
+                self.rest = rest;
+                self.previous = parsed.as_ref().map(|(name, _)| *name);
+                Ok(parsed.map(|(_, directive)| directive))
+            }
+            Err(nom::Err::Failure(Fault::Wrong(error)) | nom::Err::Error(Fault::Wrong(error))) => Err(error),
+            // The grammar turns a mismatch into a message where it is expected; this is for the one forgotten.
+            Err(_) => Err(self.source.no_directive(self.previous, self.rest)),
+        }
+    }
+}
+
+impl<'a> Iterator for Directives<'a> {
+    type Item = Result<Directive<'a>>;
+
+    fn next(&mut self) -> Option<Result<Directive<'a>>> {
+        let directive = match self.unreadable.take() {
+            Some(error) => Err(error),
+            None => self.directive(),
+        };
+        if directive.is_err() {
+            self.rest = &[];
+        }
+        directive.transpose()
+    }
+}
+
+impl std::iter::FusedIterator for Directives<'_> {}

@@ -1,0 +1,138 @@
+//! What a scene file says, before anybody has asked what it means.
+
+use std::borrow::Cow;
+use std::ops::Range;
+
+/// Bytes of the source, counted from 0.
+pub type Span = Range<usize>;
+
+/// One directive and where it stands.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Directive<'a> {
+    /// From the keyword to the end of the last argument.
+    pub span: Span,
+    /// The keyword alone.
+    pub keyword: Span,
+    /// What it says.
+    pub statement: Statement<'a>,
+}
+
+/// A directive with its arguments; numbers are as in the file, degrees and row order included.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Statement<'a> {
+    /// `Identity`
+    Identity,
+    /// `Translate x y z`
+    Translate([f64; 3]),
+    /// `Scale x y z`
+    Scale([f64; 3]),
+    /// `Rotate degrees x y z`
+    Rotate([f64; 4]),
+    /// `LookAt`: the eye, a point to look at, the up vector.
+    LookAt([f64; 9]),
+    /// `Transform m00 .. m33`: the matrix replaces the current one.
+    Transform([f64; 16]),
+    /// `ConcatTransform m00 .. m33`
+    ConcatTransform([f64; 16]),
+    /// `CoordinateSystem "name"`
+    CoordinateSystem(Text<'a>),
+    /// `CoordSysTransform "name"`
+    CoordSysTransform(Text<'a>),
+    /// `TransformTimes start end`
+    TransformTimes([f64; 2]),
+    /// `ActiveTransform StartTime | EndTime | All`
+    ActiveTransform(ActiveTransform),
+    /// `ReverseOrientation`
+    ReverseOrientation,
+    /// `AttributeBegin`
+    AttributeBegin,
+    /// `AttributeEnd`
+    AttributeEnd,
+    /// `Attribute "target" parameters`: defaults for what follows; the entity's name is the target.
+    Attribute(Entity<'a>),
+    /// `TransformBegin`
+    TransformBegin,
+    /// `TransformEnd`
+    TransformEnd,
+    /// `WorldBegin`
+    WorldBegin,
+    /// `WorldEnd`
+    WorldEnd,
+    /// `Include "file"`: the file is read in place of the directive.
+    Include(Text<'a>),
+    /// `Import "file"`: the file is read by itself, with a copy of the graphics state.
+    Import(Text<'a>),
+    /// `Camera "type" parameters`
+    Camera(Entity<'a>),
+    /// `Film "type" parameters`
+    Film(Entity<'a>),
+    /// `Accelerator "type" parameters`
+    Accelerator(Entity<'a>),
+    /// `Shape "type" parameters`
+    Shape(Entity<'a>),
+    /// `ObjectBegin "name"`
+    ObjectBegin(Text<'a>),
+    /// `ObjectEnd`
+    ObjectEnd,
+    /// `ObjectInstance "name"`
+    ObjectInstance(Text<'a>),
+    /// A directive without influence on hit and depth, by its keyword.
+    Ignored(&'static str),
+}
+
+/// Which of the two transforms of a moving scene the directives that follow change.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ActiveTransform {
+    /// That of the start time.
+    StartTime,
+    /// That of the end time.
+    EndTime,
+    /// Both.
+    All,
+}
+
+/// A quoted string.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Text<'a> {
+    /// What is between the quotes, escapes undone; bytes that are not UTF-8 are replaced.
+    pub text: Cow<'a, str>,
+    /// The string with its quotes.
+    pub span: Span,
+}
+
+/// Something that has a type and parameters: a camera, a film, a shape.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Entity<'a> {
+    /// Its type, such as `perspective`.
+    pub name: Text<'a>,
+    /// Its parameters in the order of the file; a name may occur twice.
+    pub parameters: Vec<Parameter<'a>>,
+}
+
+/// A declaration such as `"float fov"` and its values.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Parameter<'a> {
+    /// The declared type as it is spelled, such as `point` or `point3`.
+    pub type_name: Cow<'a, str>,
+    /// The declared name.
+    pub name: Cow<'a, str>,
+    /// The declaration with its quotes.
+    pub span: Span,
+    /// What it is set to.
+    pub values: Values<'a>,
+    /// The values with their brackets.
+    pub values_span: Span,
+}
+
+/// The values of a parameter. Their kind is that of the file, it need not fit the declared type.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Values<'a> {
+    /// Numbers; infinite where they are beyond the range of `f64`.
+    Numbers(Vec<f64>),
+    /// Quoted strings.
+    Strings(Vec<Text<'a>>),
+    /// `true` and `false`, in quotes too where the declared type is `bool`.
+    Booleans(Vec<bool>),
+    /// An empty array.
+    None,
+}

@@ -1,0 +1,230 @@
+//! The errors, as people read them.
+
+use super::message;
+
+/// The first line of an error and its notes, without the excerpt.
+fn brief(source: &str) -> String {
+    let message = message(source);
+    let lines = message.lines().filter(|line| !line.contains(" | ") && !line.ends_with(" |"));
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn unknown_directive() {
+    let expected = "a.pbrt:2:1: unknown directive `shap`
+   |
+ 2 | shap \"sphere\"
+   | ^^^^
+   = did you mean `Shape`?";
+    assert_eq!(message("WorldBegin\nshap \"sphere\"\n"), expected);
+}
+
+#[test]
+fn unclosed_bracket() {
+    let expected = "a.pbrt:2:14: this `[` is not closed
+   |
+ 2 |   \"point3 P\" [ 0 0 0 1
+   |              ^
+   = expected `]` before `Shape` at line 4, column 1";
+    assert_eq!(message("Shape \"trianglemesh\"\n  \"point3 P\" [ 0 0 0 1\n 2 3\nShape \"sphere\""), expected);
+}
+
+#[test]
+fn unclosed_string() {
+    let expected = "a.pbrt:1:9: this string is not closed
+   |
+ 1 | Include \"a.pbrt
+   |         ^
+   = a string ends with `\"` on the line where it begins";
+    assert_eq!(message("Include \"a.pbrt\nWorldBegin"), expected);
+    assert_eq!(message("Include \"a.pbrt"), expected);
+}
+
+#[test]
+fn too_few_numbers() {
+    let expected = "a.pbrt:2:1: `Translate` needs 3 numbers, but only 2 follow
+   |
+ 2 | Translate 1 2
+   | ^^^^^^^^^
+   = expected a number before `Shape` at line 3, column 1";
+    assert_eq!(message("WorldBegin\nTranslate 1 2\nShape \"sphere\""), expected);
+}
+
+#[test]
+fn too_many_numbers() {
+    let expected = "a.pbrt:1:17: the number `4` is one argument too many for `Translate`
+   |
+ 1 | Translate 1 2 3 4
+   |                 ^
+   = `Translate` takes 3 numbers";
+    assert_eq!(message("Translate 1 2 3 4\n"), expected);
+}
+
+#[test]
+fn word_for_a_number() {
+    let expected = "a.pbrt:1:9: found `foo` where a number is expected
+   |
+ 1 | Scale 1 foo 1
+   |         ^^^
+   = `Scale` takes 3 numbers";
+    assert_eq!(message("Scale 1 foo 1"), expected);
+}
+
+#[test]
+fn declaration_without_a_type() {
+    let expected = "a.pbrt:1:22: the parameter \"fov\" has no type
+   |
+ 1 | Camera \"perspective\" \"fov\" 45
+   |                      ^^^^^
+   = expected a type and a name, such as \"float radius\" or \"point3 P\"";
+    assert_eq!(message("Camera \"perspective\" \"fov\" 45"), expected);
+}
+
+#[test]
+fn mixed_kinds() {
+    let expected = "a.pbrt:1:28: found the string \"b\" in an array of numbers
+   |
+ 1 | Film \"image\" \"float a\" [ 1 \"b\" ]
+   |                            ^^^
+   = the array begins at line 1, column 24: is its `]` missing?";
+    assert_eq!(message("Film \"image\" \"float a\" [ 1 \"b\" ]"), expected);
+}
+
+#[test]
+fn stray_bracket() {
+    let expected = "a.pbrt:1:30: this `]` closes nothing
+   |
+ 1 | Shape \"sphere\" \"float r\" [1] ]
+   |                              ^
+   = there is no `[` that is still open before it";
+    assert_eq!(message("Shape \"sphere\" \"float r\" [1] ]"), expected);
+}
+
+#[test]
+fn two_values_without_brackets() {
+    let expected = "a.pbrt:1:28: found the number `2` where a parameter or a directive is expected
+   |
+ 1 | Shape \"sphere\" \"float r\" 1 2
+   |                            ^
+   = several values need brackets: `\"float r\" [...]`";
+    assert_eq!(message("Shape \"sphere\" \"float r\" 1 2"), expected);
+}
+
+#[test]
+fn the_others_in_brief() {
+    let cases = [
+        (
+            "Translate",
+            "1:1: `Translate` needs 3 numbers, but none follows\n   = expected a number before the end of the file",
+        ),
+        (
+            "Transform [1 0]",
+            "1:1: `Transform` needs 16 numbers, but only 2 follow\n   = expected a number before `]` at line 1, column 15",
+        ),
+        ("Scale [1 1 1", "1:7: this `[` is not closed\n   = expected `]` before the end of the file"),
+        ("Scale [1 1 1 1]", "1:14: the number `1` is one argument too many for `Scale`\n   = `Scale` takes 3 numbers"),
+        (
+            "Scale 1, 1, 1",
+            "1:8: found `,` where a number is expected\n   = `Scale` takes 3 numbers\n   = numbers are separated by blanks",
+        ),
+        ("Scale 1 1.2.3 1", "1:9: found `1.2.3` where a number is expected\n   = `Scale` takes 3 numbers"),
+        (
+            "Shape\nWorldEnd",
+            "1:1: `Shape` needs a string in quotes\n   = expected it before `WorldEnd` at line 2, column 1",
+        ),
+        (
+            "Shape sphere",
+            "1:7: found `sphere` where a string in quotes is expected\n   = a string needs quotes: \"sphere\"",
+        ),
+        (
+            "Shape \"s\" \"float r\"",
+            "1:11: the parameter `r` has no value\n   = expected a value before the end of the file",
+        ),
+        (
+            "Shape \"s\" \"float r\" \"float z\" 1",
+            "1:11: the parameter `r` has no value\n   = expected a value before the string \"float z\" at line 1, column 21",
+        ),
+        (
+            "Shape \"s\" \"string f\" foo",
+            "1:22: found `foo` where a value is expected\n   = a string needs quotes: \"foo\"",
+        ),
+        (
+            "Shape \"s\" \"bool b\" True",
+            "1:20: found `True` where a value is expected\n   = booleans are written `true`",
+        ),
+        (
+            "Shape \"s\" \"bool b\" [\"yes\"]",
+            "1:21: found the string \"yes\" where a boolean is expected\n   = expected `true` or `false`",
+        ),
+        ("Shape \"s\" \"float r\" 0x10", "1:21: found `0x10` where a value is expected\n   = `0x10` is not a number"),
+        ("Shape \"s\" \"float r\" ]", "1:21: found `]` where a value is expected"),
+        (
+            "Shape \"s\" \"float r\" [[1]]",
+            "1:22: found `[` in an array\n   = the array begins at line 1, column 21: is its `]` missing?",
+        ),
+        ("Shape \"s\" \"float r\" [1 true]", "1:24: found `true` where a number is expected"),
+        (
+            "Shape \"s\" \"string s\" [\"a\" 1]",
+            "1:27: found the number `1` in an array of strings\n   = the array begins at line 1, column 22: is its `]` missing?",
+        ),
+        (
+            "Shape \"s\" \"float r\" [1 \"float z\" 2",
+            "1:21: this `[` is not closed\n   = expected `]` before the string \"float z\" at line 1, column 24",
+        ),
+        (
+            "Material \"m\" \"rgb Kd\" [1 \"b\"]",
+            "1:26: found the string \"b\" in an array of numbers\n   = the array begins at line 1, column 23: is its `]` missing?",
+        ),
+        (
+            "Shape \"s\" \"\" 1",
+            "1:11: this string declares no parameter\n   = expected a type and a name, such as \"float radius\" or \"point3 P\"",
+        ),
+        (
+            "AttributeBegin 3",
+            "1:16: found the number `3` where a directive is expected\n   = `AttributeBegin` before it takes no more arguments",
+        ),
+        (
+            "Include \"a\" \"b\"",
+            "1:13: found the string \"b\" where a directive is expected\n   = `Include` before it takes no more arguments",
+        ),
+        (
+            "12",
+            "1:1: found the number `12` where a directive is expected\n   = a scene begins with a directive such as `LookAt` or `Camera`",
+        ),
+        ("Foo", "1:1: unknown directive `Foo`\n   = expected a directive such as `Shape` or `Translate`"),
+        (
+            "Include \"a\\d.pbrt\"",
+            "1:11: unknown escape `\\d` in a string\n   = write `\\\\` for a backslash; paths take `/` on every system",
+        ),
+        ("ActiveTransform Allx", "1:17: found `Allx` where `StartTime`, `EndTime` or `All` is expected"),
+        (
+            "ActiveTransform",
+            "1:1: `ActiveTransform` needs `StartTime`, `EndTime` or `All`\n   = expected it before the end of the file",
+        ),
+    ];
+    for (source, expected) in cases {
+        assert_eq!(brief(source), format!("a.pbrt:{expected}"), "{source}");
+    }
+}
+
+#[test]
+fn files_that_are_no_text() {
+    assert_eq!(
+        message(b"\x1f\x8b\x08"),
+        "a.pbrt: this file is compressed with gzip\n   = unpack it first: `gunzip` does"
+    );
+    let utf16 = "a.pbrt: this file is UTF-16 text\n   = expected ASCII or UTF-8: save it as UTF-8";
+    for source in [&b"\xff\xfeL\0o\0"[..], b"\xfe\xff\0L\0o", b"L\0o\0o\0", b"\0L\0o"] {
+        assert_eq!(message(source), utf16);
+    }
+    let binary = "a.pbrt: this is a binary file\n   = expected the text of a PBRT scene";
+    assert_eq!(message(b"\x7fELF\0\0\0"), binary);
+    assert!(message(b"\x80\x81\x82").contains("found bytes that are not text where a directive is expected"));
+}
+
+#[test]
+fn long_tokens_are_cut() {
+    let message = message("x".repeat(100_000));
+    assert!(message.len() < 500, "{message}");
+    assert!(message.starts_with(&format!("a.pbrt:1:1: unknown directive `{}...`\n", "x".repeat(40))));
+}
