@@ -212,7 +212,7 @@ fn numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
     let mut numbers = [0.0; N];
     for (number, part) in numbers.iter_mut().zip(parts::<N>(text, ',')?) {
         *number = part.parse().map_err(|_| format!("`{part}` is not a number"))?;
-        if !number.is_finite() {
+        if !f64::is_finite(*number) {
             return Err(format!("`{part}` is not a finite number"));
         }
     }

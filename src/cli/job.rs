@@ -40,7 +40,8 @@ impl Renderer<'_> {
     /// Renders `path`, on the threads of the current pool.
     pub(crate) fn render(&self, path: &Path) -> Result<Outcome> {
         let start = Instant::now();
-        let (scene, load) = timed(|| self.bars.during(Phase::Loading, |progress| scene::load(path, &self.plan.load, progress)));
+        let (scene, load) =
+            timed(|| self.bars.during(Phase::Loading, |progress| scene::load(path, &self.plan.load, progress)));
         let scene = scene?;
         self.report_scene(&scene);
         let options = build_options(self.plan.accel, &scene.accelerator, self.reporter);
@@ -56,10 +57,15 @@ impl Renderer<'_> {
         let primitives = scene.shapes.primitive_count();
         let (aggregate, build) = timed(|| {
             let anchor = scene.camera.anchor();
-            self.bars.during(Phase::Building(primitives), |progress| Aggregate::build(&scene.shapes, anchor, options, progress))
+            self.bars.during(Phase::Building(primitives), |progress| {
+                Aggregate::build(&scene.shapes, anchor, options, progress)
+            })
         });
         let statistics = aggregate.statistics();
-        self.reporter.detail(format_args!("built {} nodes over {primitives} primitives by {}", statistics.nodes, options.method));
+        self.reporter.detail(format_args!(
+            "built {} nodes over {primitives} primitives by {}",
+            statistics.nodes, options.method
+        ));
 
         let render_options = RenderOptions {
             data_window: window,
@@ -163,7 +169,13 @@ impl Renderer<'_> {
         ));
     }
 
-    fn report_image(&self, destination: &Destination, rendering: &Rendering, range: Option<DepthRange>, ms: &Milliseconds) {
+    fn report_image(
+        &self,
+        destination: &Destination,
+        rendering: &Rendering,
+        range: Option<DepthRange>,
+        ms: &Milliseconds,
+    ) {
         let window = &rendering.image.data_window;
         let depth = range.map_or(String::new(), |range| format!(", depth {} to {}", range.near, range.far));
         self.reporter.result(format_args!(
@@ -196,7 +208,11 @@ impl Renderer<'_> {
             format!("nodes       {} ({} leaves), depth {}", tree.nodes, tree.leaves, tree.depth),
             format!("SAH cost    {:.2}", tree.sah_cost),
             format!("tree        {} bytes", tree.bytes),
-            format!("per ray     {:.2} nodes, {:.2} primitives tested", work.nodes as f64 / rays, work.primitives as f64 / rays),
+            format!(
+                "per ray     {:.2} nodes, {:.2} primitives tested",
+                work.nodes as f64 / rays,
+                work.primitives as f64 / rays
+            ),
             format!("trace       {:.1} ms, {:.1} million rays a second", ms.trace, rays / ms.trace / 1e3),
         ];
         lines.iter().for_each(|line| self.reporter.line(line));

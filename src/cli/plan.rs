@@ -100,13 +100,21 @@ impl Plan {
         };
         match format {
             Format::Exr => {
-                let png_only = [("--view", self.view.is_some()), ("--colormap", self.colors.is_some()), ("--range", self.range.is_some())];
+                let png_only = [
+                    ("--view", self.view.is_some()),
+                    ("--colormap", self.colors.is_some()),
+                    ("--range", self.range.is_some()),
+                ];
                 refuse(&png_only, destination, "an EXR, which holds the values themselves")?;
                 let channels = self.aov.clone().unwrap_or_else(|| ChannelName::ALL.to_vec());
                 Ok(Picture::Exr { channels })
             }
             Format::Png => {
-                refuse(&[("--aov", self.aov.is_some())], destination, "a PNG; for channels give the output the extension .exr")?;
+                refuse(
+                    &[("--aov", self.aov.is_some())],
+                    destination,
+                    "a PNG; for channels give the output the extension .exr",
+                )?;
                 match self.view.unwrap_or(View::Depth) {
                     View::Hit => {
                         let depth_only = [("--colormap", self.colors.is_some()), ("--range", self.range.is_some())];

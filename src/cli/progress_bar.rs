@@ -52,7 +52,9 @@ impl ProgressBars {
 fn bar(phase: Phase, target: ProgressDrawTarget) -> ProgressBar {
     let (length, template) = match phase {
         Phase::Loading => (None, "{spinner} loading   {bytes} {elapsed}"),
-        Phase::Building(count) => (Some(count as u64), "  building  [{bar:40}] {human_pos}/{human_len} primitives {eta}"),
+        Phase::Building(count) => {
+            (Some(count as u64), "  building  [{bar:40}] {human_pos}/{human_len} primitives {eta}")
+        }
         Phase::Rendering(pixels) => (Some(pixels), "  rendering [{bar:40}] {human_pos}/{human_len} pixels {eta}"),
     };
     let style = ProgressStyle::with_template(template).expect("a template written above").progress_chars("=> ");

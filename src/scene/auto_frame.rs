@@ -40,7 +40,7 @@ pub(super) fn scene_of_mesh(path: &Path, loaded: Loaded, options: &LoadOptions) 
             screen_window: ScreenWindow::of_aspect(aspect),
             resolution,
         },
-        film: Film { resolution, crop: PixelBounds::whole(resolution), filename: None },
+        film: Film { resolution, crop: PixelBounds::of_film(resolution[0], resolution[1]), filename: None },
         accelerator: AcceleratorParameters::default(),
         shapes,
         shape_count: 1,

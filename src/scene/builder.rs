@@ -236,7 +236,9 @@ impl<'a> Builder<'a> {
             Some(camera_from_world) => self.concat(camera_from_world, directive, source),
             None => self.warnings.add("parallel LookAt", || {
                 let message = "the up vector is parallel to the view: this LookAt does nothing";
-                Diagnostic::new(message).at(source.at(&directive.span)).note("expected eye, look and up with a plane between them")
+                Diagnostic::new(message)
+                    .at(source.at(&directive.span))
+                    .note("expected eye, look and up with a plane between them")
             }),
         }
     }

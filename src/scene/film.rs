@@ -45,13 +45,15 @@ impl FilmParameters {
     pub(super) fn resolve(self, resolution: Option<[u32; 2]>) -> std::result::Result<Film, String> {
         let from_scene = [self.x_resolution.unwrap_or(1280), self.y_resolution.unwrap_or(720)];
         let resolution = resolution.unwrap_or(from_scene);
-        let whole = PixelBounds::whole(resolution);
+        let whole = PixelBounds::of_film(resolution[0], resolution[1]);
         let crop = match (self.pixel_bounds, self.crop_window) {
             (Some([x0, x1, y0, y1]), _) => PixelBounds { x0, x1, y0, y1 }.intersection(&whole),
             (None, Some(window)) => PixelBounds::of_crop_window(window, resolution),
-            (None, None) => Some(whole),
+            (None, None) => whole,
         };
-        let crop = crop.ok_or("the crop of the film has no pixel")?;
+        if crop.is_empty() {
+            return Err("the crop of the film has no pixel".to_owned());
+        }
         Ok(Film { resolution, crop, filename: self.filename })
     }
 }

@@ -23,8 +23,17 @@ pub(super) struct ShapeTarget<'a> {
 
 /// Shapes of pbrt that feimos does not have.
 const UNSUPPORTED: [&str; 11] = [
-    "bilinearmesh", "cone", "curve", "cylinder", "disk", "heightfield", "hyperboloid", "loopsubdiv", "nurbs",
-    "paraboloid", "heightfield2",
+    "bilinearmesh",
+    "cone",
+    "curve",
+    "cylinder",
+    "disk",
+    "heightfield",
+    "hyperboloid",
+    "loopsubdiv",
+    "nurbs",
+    "paraboloid",
+    "heightfield2",
 ];
 
 /// What meshes may say about their surface without moving it.
@@ -97,7 +106,9 @@ impl ShapeTarget<'_> {
     fn add_triangle_mesh(&mut self, parameters: &mut Parameters) -> Result<()> {
         parameters.ignore(&SURFACE);
         let Some(coordinates) = parameters.numbers("P")? else {
-            return Err(parameters.error_at_name("a triangle mesh without vertices").note("expected \"point3 P\" [ ... ]"));
+            return Err(parameters
+                .error_at_name("a triangle mesh without vertices")
+                .note("expected \"point3 P\" [ ... ]"));
         };
         if coordinates.len() % 3 != 0 {
             let message = format!("`P` has {} numbers, expected three a vertex", coordinates.len());

@@ -1,0 +1,49 @@
+//! Colour maps: from near to far in colours.
+
+use clap::ValueEnum;
+
+/// A colour, red, green, blue.
+pub(super) type Rgb = [u8; 3];
+
+/// How depth becomes colour. In each of them near is the bright or warm end, as if one carried the lamp.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, ValueEnum)]
+pub enum ColorMap {
+    /// Rainbow of even steps: near is red, far is dark blue
+    #[default]
+    Turbo,
+    /// Even to the eye, also to the colour-blind: near is yellow, far is dark violet
+    Viridis,
+    /// Near is white, far is black
+    Gray,
+}
+
+/// Entries of a colour table: more than the colours between two neighbours of any of the maps.
+pub(super) const TABLE_LENGTH: usize = 4096;
+
+impl ColorMap {
+    /// The name on the command line.
+    pub fn as_str(self) -> &'static str {
+        match self {
+            ColorMap::Turbo => "turbo",
+            ColorMap::Viridis => "viridis",
+            ColorMap::Gray => "gray",
+        }
+    }
+
+    /// The colours from near to far in equal steps.
+    pub(super) fn table(self) -> Vec<Rgb> {
+        let last = (TABLE_LENGTH - 1) as f64;
+        (0..TABLE_LENGTH).map(|index| self.color(index as f64 / last)).collect()
+    }
+
+    /// The colour at `position` between near (0) and far (1).
+    fn color(self, position: f64) -> Rgb {
+        let nearness = 1.0 - position;
+        let gradient = match self {
+            ColorMap::Turbo => colorous::TURBO,
+            ColorMap::Viridis => colorous::VIRIDIS,
+            ColorMap::Gray => return [(255.0 * nearness).round() as u8; 3],
+        };
+        gradient.eval_continuous(nearness).as_array()
+    }
+}
