@@ -38,8 +38,8 @@ impl View {
     }
 }
 
-/// A miss in the depth view.
-pub const MISS_IN_DEPTH: Rgb = [0, 0, 0];
+/// A miss in the depth view: a slate that no map comes near, dark enough to read as nothing.
+pub const MISS_IN_DEPTH: Rgb = [46, 52, 64];
 /// A hit in the hit view.
 pub const HIT: Rgb = [255, 0, 0];
 /// A miss in the hit view.
