@@ -2,4 +2,5 @@
 
 pub mod decimal;
 pub mod error;
+pub mod film;
 pub mod geometry;

@@ -1,0 +1,11 @@
+//! The film: the image that rendering fills, and one writer per format.
+
+mod channel;
+mod format;
+mod pixel_bounds;
+mod raster;
+
+pub use channel::{Channel, ChannelName, Samples};
+pub use format::Format;
+pub use pixel_bounds::PixelBounds;
+pub use raster::Image;
