@@ -1,5 +1,6 @@
 //! The film: the image that rendering fills, and one writer per format.
 
+pub mod atomic_file;
 mod channel;
 mod format;
 mod pixel_bounds;
