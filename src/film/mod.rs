@@ -2,6 +2,7 @@
 
 pub mod atomic_file;
 mod channel;
+pub mod exr_file;
 mod format;
 mod pixel_bounds;
 mod raster;
