@@ -1,13 +1,22 @@
 //! The film: the image that rendering fills, and one writer per format.
+//!
+//! An [`Image`] holds the channels somebody asked for, over the pixels somebody asked for. [`Format`] names
+//! the writer from the file's extension; [`atomic_file`] brings its bytes to the disk, whole or not at all.
 
 pub mod atomic_file;
 mod channel;
+mod color_map;
+mod depth_range;
 pub mod exr_file;
 mod format;
 mod pixel_bounds;
+pub mod png_file;
 mod raster;
 
 pub use channel::{Channel, ChannelName, Samples};
+pub use color_map::ColorMap;
+pub use depth_range::DepthRange;
 pub use format::Format;
 pub use pixel_bounds::PixelBounds;
+pub use png_file::View;
 pub use raster::Image;
