@@ -8,7 +8,7 @@ pub(super) type Rgb = [u8; 3];
 /// How depth becomes colour. In each of them near is the bright or warm end, as if one carried the lamp.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, ValueEnum)]
 pub enum ColorMap {
-    /// Rainbow of even steps: near is red, far is dark blue
+    /// Rainbow of even steps: near is red, far is blue, in the end almost black
     #[default]
     Turbo,
     /// Even to the eye, also to the colour-blind: near is yellow, far is dark violet
@@ -45,5 +45,36 @@ impl ColorMap {
             ColorMap::Gray => return [(255.0 * nearness).round() as u8; 3],
         };
         gradient.eval_continuous(nearness).as_array()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn clap_and_we_call_the_maps_by_the_same_names() {
+        for map in ColorMap::value_variants() {
+            assert_eq!(map.to_possible_value().unwrap().get_name(), map.as_str());
+        }
+    }
+
+    #[test]
+    fn near_is_bright_or_warm() {
+        let ends = |map: ColorMap| (map.color(0.0), map.color(1.0));
+        assert_eq!(ends(ColorMap::Gray), ([255; 3], [0; 3]));
+        let (near, far) = ends(ColorMap::Turbo);
+        assert!(near[0] > 2 * near[2] && far.iter().all(|value| *value < 50), "{near:?} {far:?}");
+        let blue = ColorMap::Turbo.color(0.9);
+        assert!(blue[2] > 2 * blue[0] && blue[2] > blue[1], "{blue:?}");
+        let (near, far) = ends(ColorMap::Viridis);
+        assert!(near[0] > 200 && near[1] > 200 && far[1] < 50, "{near:?} {far:?}");
+    }
+
+    #[test]
+    fn the_table_skips_no_gray() {
+        let table = ColorMap::Gray.table();
+        assert_eq!(table.len(), TABLE_LENGTH);
+        assert!((0..=255).rev().eq(table.chunk_by(|a, b| a == b).map(|run| run[0][0])));
     }
 }

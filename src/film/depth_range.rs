@@ -28,12 +28,9 @@ impl DepthRange {
     pub fn position(&self, z: f32) -> f64 {
         // In f64 the difference of two f32 neither overflows nor vanishes.
         let (z, near, far) = (f64::from(z), f64::from(self.near), f64::from(self.far));
-        if z == near {
-            return 0.0;
-        }
         let position = if near == far { z - near } else { (z - near) / (far - near) };
-        // Infinite ends can make a NaN, which this order of `max` and `min` takes for near.
-        position.max(0.0).min(1.0)
+        // Only infinite ends can make a NaN.
+        if position.is_nan() { 0.0 } else { position.clamp(0.0, 1.0) }
     }
 }
 

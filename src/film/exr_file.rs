@@ -2,7 +2,8 @@
 //!
 //! Scan lines in increasing order, each compressed by itself (`zips`), so that equal images are equal files: the
 //! default encoding of the `exr` crate writes its tiles in the order in which threads finish them. The crate's
-//! thread pool is off; lines are compressed in the pool that the caller runs in, and written in order.
+//! thread pool is off; lines are compressed in the pool that the caller runs in, and written in order. The header and
+//! the frame of the file are the crate's work; its ZIP is not used, since the one below takes less than half the time.
 
 use std::io::{self, Seek, Write};
 
@@ -24,10 +25,7 @@ pub const ATTRIBUTE: &str = "feimos";
 
 /// Scan lines that are compressed before they are written: enough to keep every thread busy, few enough that the
 /// compressed image never lies in memory as a whole.
-const BATCH: usize = 128;
-
-/// The level of deflate: measured on depth images, more takes twice the time for files hardly shorter.
-const LEVEL: u32 = 2;
+const BATCH: usize = 256;
 
 /// Writes `image` as an OpenEXR file with `json` in its [`ATTRIBUTE`].
 pub fn write(image: &Image, json: &str, out: &mut (impl Write + Seek)) -> io::Result<()> {
@@ -49,8 +47,10 @@ pub fn write(image: &Image, json: &str, out: &mut (impl Write + Seek)) -> io::Re
     .map_err(into_io)
 }
 
+/// A compressor, to be reset for each line. 1920 by 1080 with five channels, one thread: level 1 takes 155 ms for
+/// 15.7 MB, level 2 229 ms for 14.7 MB, level 4 243 ms for 14.5 MB, and the `exr` crate's own ZIP 402 ms for 14.4 MB.
 fn deflate() -> Compress {
-    Compress::new(Compression::new(LEVEL), true)
+    Compress::new(Compression::new(1), true)
 }
 
 /// The channels by name, byte for byte: the order that the format demands.
@@ -126,7 +126,9 @@ fn zip(bytes: &[u8], deflate: &mut Compress) -> io::Result<Option<Vec<u8>>> {
     let mut zipped = Vec::with_capacity(bytes.len() - 1);
     deflate.reset();
     let status = deflate.compress_vec(&differences, &mut zipped, FlushCompress::Finish)?;
-    Ok((status == Status::StreamEnd).then_some(zipped))
+    // Full before its end is no shorter; the vector may also have got more capacity than it was asked for.
+    let shorter = status == Status::StreamEnd && zipped.len() < bytes.len();
+    Ok(shorter.then_some(zipped))
 }
 
 /// An error of the disk as it came, any other as the input's.
@@ -134,5 +136,161 @@ fn into_io(error: ExrError) -> io::Error {
     match error {
         ExrError::Io(error) => error,
         other => io::Error::new(io::ErrorKind::InvalidInput, other.to_string()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::film::ChannelName;
+    use exr::prelude::{FlatImage, FlatSamples, ReadChannels, ReadLayers};
+    use proptest::prelude::*;
+    use std::io::Cursor;
+
+    const STRANGE: [f32; 8] =
+        [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, -0.0, 0.0, 0.1, f32::MAX, f32::MIN_POSITIVE / 2.0];
+
+    fn channel(name: ChannelName, length: usize) -> Channel {
+        let samples = match name.is_integer() {
+            false => {
+                Samples::F32((0..length).map(|i| STRANGE[i % 8] * if i % 3 == 0 { 1.0 } else { i as f32 }).collect())
+            }
+            true => Samples::U32((0..length).map(|i| (i as u32 + 1).wrapping_mul(2_654_435_761) | 1 << 24).collect()),
+        };
+        Channel { name, samples }
+    }
+
+    fn picture(film: (u32, u32), data_window: PixelBounds, names: &[ChannelName]) -> Image {
+        let length = data_window.area() as usize;
+        let channels = names.iter().map(|name| channel(*name, length)).collect();
+        Image { display_window: film, data_window, channels }
+    }
+
+    fn encoded(image: &Image, json: &str) -> Vec<u8> {
+        let mut out = Cursor::new(Vec::new());
+        write(image, json, &mut out).unwrap();
+        out.into_inner()
+    }
+
+    fn decoded(file: &[u8]) -> FlatImage {
+        let read = exr::prelude::read().no_deep_data().largest_resolution_level().all_channels();
+        read.all_layers().all_attributes().pedantic().from_buffered(Cursor::new(file)).unwrap()
+    }
+
+    fn bits(samples: &Samples) -> Vec<u32> {
+        match samples {
+            Samples::F32(values) => values.iter().map(|value| value.to_bits()).collect(),
+            Samples::U32(values) => values.clone(),
+        }
+    }
+
+    fn decoded_bits(samples: &FlatSamples) -> Samples {
+        match samples {
+            FlatSamples::F32(values) => Samples::F32(values.clone()),
+            FlatSamples::U32(values) => Samples::U32(values.clone()),
+            FlatSamples::F16(_) => panic!("half"),
+        }
+    }
+
+    /// Writes `image`, reads it with the crate's reader, and compares all there is.
+    fn assert_survives(image: &Image) {
+        let file = decoded(&encoded(image, "{}"));
+        let window = image.data_window;
+        let (width, height) = image.display_window;
+        assert_eq!(file.attributes.display_window, integer_bounds(PixelBounds::of_film(width, height)).unwrap());
+        assert_eq!(file.attributes.pixel_aspect, 1.0);
+        assert_eq!(file.layer_data.len(), 1);
+        let layer = &file.layer_data[0];
+        assert_eq!(layer.size, Vec2(window.width() as usize, window.height() as usize));
+        assert_eq!(layer.attributes.layer_position, Vec2(window.x0 as i32, window.y0 as i32));
+        assert_eq!(layer.channel_data.list.len(), image.channels.len());
+        for (found, expected) in layer.channel_data.list.iter().zip(sorted_channels(image)) {
+            assert_eq!(found.name.to_string(), expected.name.as_str());
+            let samples = decoded_bits(&found.sample_data);
+            assert_eq!(std::mem::discriminant(&samples), std::mem::discriminant(&expected.samples));
+            assert_eq!(bits(&samples), bits(&expected.samples), "{:?}", expected.name);
+        }
+    }
+
+    #[test]
+    fn every_bit_survives() {
+        assert_survives(&picture((70, 300), PixelBounds::of_film(70, 300), &ChannelName::ALL));
+    }
+
+    #[test]
+    fn a_crop_keeps_its_place_in_the_film() {
+        let crop = PixelBounds { x0: 17, x1: 60, y0: 130, y1: 271 };
+        assert_survives(&picture((70, 300), crop, &ChannelName::ALL));
+    }
+
+    #[test]
+    fn one_pixel_and_one_channel_are_enough() {
+        for name in ChannelName::ALL {
+            assert_survives(&picture((1, 1), PixelBounds::of_film(1, 1), &[name]));
+        }
+    }
+
+    #[test]
+    fn lines_are_zipped_alone_in_increasing_order() {
+        let file = decoded(&encoded(&picture((9, 9), PixelBounds::of_film(9, 9), &ChannelName::ALL), "{}"));
+        let encoding = file.layer_data[0].encoding;
+        assert_eq!(encoding.compression, exr::compression::Compression::ZIP1);
+        assert_eq!(encoding.line_order, LineOrder::Increasing);
+    }
+
+    #[test]
+    fn the_one_attribute_holds_the_callers_text_in_utf8() {
+        let json = format!(r#"{{"scene":"Käse 🧀.pbrt","long":"{}"}}"#, "x".repeat(5000));
+        let file = decoded(&encoded(&picture((2, 2), PixelBounds::of_film(2, 2), &[ChannelName::Z]), &json));
+        assert!(file.attributes.other.is_empty());
+        let other: Vec<_> = file.layer_data[0].attributes.other.iter().collect();
+        let [(name, AttributeValue::Text(text))] = other[..] else { panic!("{other:?}") };
+        assert_eq!((name.to_string().as_str(), text.as_slice()), (ATTRIBUTE, json.as_bytes()));
+    }
+
+    #[test]
+    fn equal_images_are_equal_files_on_any_number_of_threads() {
+        let image = picture((64, 300), PixelBounds::of_film(64, 300), &ChannelName::ALL);
+        let first = encoded(&image, "{}");
+        for threads in [1, 2] {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            for _ in 0..6 {
+                assert!(pool.install(|| encoded(&image, "{}")) == first, "{threads} threads");
+            }
+        }
+    }
+
+    #[test]
+    fn channels_may_come_in_any_order() {
+        let mut image = picture((8, 8), PixelBounds::of_film(8, 8), &ChannelName::ALL);
+        let first = encoded(&image, "{}");
+        image.channels.reverse();
+        assert!(encoded(&image, "{}") == first);
+    }
+
+    #[test]
+    fn what_the_format_cannot_hold_is_an_error() {
+        let none = picture((1, 1), PixelBounds::of_film(1, 1), &[]);
+        assert!(write(&none, "{}", &mut Cursor::new(Vec::new())).is_err());
+        let far = PixelBounds { x0: u32::MAX - 1, x1: u32::MAX, y0: 0, y1: 1 };
+        let far = picture((u32::MAX, 1), far, &[ChannelName::Z]);
+        assert!(write(&far, "{}", &mut Cursor::new(Vec::new())).is_err());
+    }
+
+    proptest! {
+        #[test]
+        fn any_bits_survive(width in 1u32..40, rows in prop::collection::vec(any::<u32>(), 1..6), flat: bool) {
+            // Flat rows are zipped, noisy ones are stored as they are.
+            let noise = |x: u32, seed: u32| (x + 1).wrapping_mul(seed | 1).wrapping_mul(2_654_435_761).rotate_left(13);
+            let value = |x: u32, seed: u32| if flat { seed } else { noise(x, seed) };
+            let values: Vec<u32> = rows.iter().flat_map(|seed| (0..width).map(|x| value(x, *seed))).collect();
+            let floats = values.iter().map(|bits| f32::from_bits(*bits)).collect();
+            let data_window = PixelBounds { x0: 3, x1: 3 + width, y0: 1, y1: 1 + rows.len() as u32 };
+            let channels = vec![
+                Channel { name: ChannelName::T, samples: Samples::F32(floats) },
+                Channel { name: ChannelName::Id, samples: Samples::U32(values) },
+            ];
+            assert_survives(&Image { display_window: (50, 10), data_window, channels });
+        }
     }
 }

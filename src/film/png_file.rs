@@ -38,8 +38,9 @@ impl View {
     }
 }
 
-/// A miss in the depth view: a slate that no map comes near, dark enough to read as nothing.
-pub const MISS_IN_DEPTH: Rgb = [46, 52, 64];
+/// A miss in the depth view: a pale sky, which no colour map passes near, not even gray, and which stands off
+/// the dark far ends, where things meet the background.
+pub const MISS_IN_DEPTH: Rgb = [184, 200, 224];
 /// A hit in the hit view.
 pub const HIT: Rgb = [255, 0, 0];
 /// A miss in the hit view.
@@ -56,17 +57,20 @@ pub fn write_hit(image: &Image, out: &mut impl Write) -> io::Result<()> {
 pub fn write_depth(image: &Image, colors: ColorMap, range: DepthRange, out: &mut impl Write) -> io::Result<()> {
     let (z, a) = (needed(image, ChannelName::Z)?, needed(image, ChannelName::A)?);
     let table = colors.table();
+    // Rounds by hand: `round` is a call where the target has no instruction for it.
     let color = |z: f32| table[(range.position(z) * (TABLE_LENGTH - 1) as f64 + 0.5) as usize];
     let pixels = z.par_iter().zip(a).map(|(z, a)| if *a != 0.0 { color(*z) } else { MISS_IN_DEPTH });
     encode(image, pixels, out)
 }
 
 fn needed(image: &Image, name: ChannelName) -> io::Result<&[f32]> {
-    let missing = || io::Error::new(io::ErrorKind::InvalidInput, format!("no channel {}", name.as_str()));
-    image.validate().map_err(|problem| io::Error::new(io::ErrorKind::InvalidInput, problem))?;
-    image.measures(name).ok_or_else(missing)
+    let invalid = |problem: String| io::Error::new(io::ErrorKind::InvalidInput, problem);
+    image.validate().map_err(invalid)?;
+    image.measures(name).ok_or_else(|| invalid(format!("no channel {}", name.as_str())))
 }
 
+/// Filter `Sub` and the fast deflate made for PNG. Depth of 1920 by 1080, one thread: 6 ms and 0.70 MB; with
+/// adaptive filters 27 ms and 0.67 MB, with zlib's default level besides 104 ms and 0.49 MB.
 fn encode(image: &Image, pixels: impl IndexedParallelIterator<Item = Rgb>, out: &mut impl Write) -> io::Result<()> {
     let rgb: Vec<Rgb> = pixels.collect();
     let (width, height) = (image.data_window.width(), image.data_window.height());
@@ -82,5 +86,87 @@ fn into_io(error: ImageError) -> io::Error {
     match error {
         ImageError::IoError(error) => error,
         other => io::Error::other(other),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::film::{Channel, PixelBounds, Samples};
+    use image::RgbImage;
+
+    fn picture(z: &[f32], a: &[f32], width: u32) -> Image {
+        let channel = |name, values: &[f32]| Channel { name, samples: Samples::F32(values.to_vec()) };
+        Image {
+            display_window: (width + 5, 20),
+            data_window: PixelBounds { x0: 5, x1: 5 + width, y0: 2, y1: 2 + a.len() as u32 / width },
+            channels: vec![channel(ChannelName::A, a), channel(ChannelName::Z, z)],
+        }
+    }
+
+    fn decoded(write: impl FnOnce(&mut Vec<u8>) -> io::Result<()>) -> RgbImage {
+        let mut file = Vec::new();
+        write(&mut file).unwrap();
+        image::load_from_memory(&file).unwrap().into_rgb8()
+    }
+
+    fn depth(z: &[f32], a: &[f32], colors: ColorMap, range: DepthRange) -> Vec<Rgb> {
+        let picture = picture(z, a, z.len() as u32);
+        decoded(|out| write_depth(&picture, colors, range, out)).pixels().map(|pixel| pixel.0).collect()
+    }
+
+    #[test]
+    fn clap_and_we_call_the_views_by_the_same_names() {
+        for view in View::value_variants() {
+            assert_eq!(view.to_possible_value().unwrap().get_name(), view.as_str());
+        }
+    }
+
+    #[test]
+    fn hits_are_red_and_misses_yellow() {
+        let mut picture = picture(&[], &[1.0, 0.0, 0.0, 0.0, 1.0, 0.0], 3);
+        picture.channels.truncate(1);
+        let rgb = decoded(|out| write_hit(&picture, out));
+        assert_eq!(rgb.dimensions(), (3, 2));
+        let red: Vec<(u32, u32)> = (0..6).map(|i| (i % 3, i / 3)).filter(|(x, y)| rgb[(*x, *y)].0 == HIT).collect();
+        assert_eq!(red, [(0, 0), (1, 1)]);
+        assert_eq!(rgb.pixels().filter(|pixel| pixel.0 == MISS).count(), 4);
+    }
+
+    #[test]
+    fn depth_goes_from_near_to_far_and_what_misses_hold_does_not_show() {
+        let z = [1.0, 3.0, f32::INFINITY, 0.0, f32::NAN, 2.0, 2.0];
+        let a = [1.0, 1.0, 1.0, 1.0, 0.0, 0.0, 1.0];
+        let pixels = depth(&z, &a, ColorMap::Gray, DepthRange { near: 1.0, far: 3.0 });
+        let gray = |value| [value; 3];
+        assert_eq!(pixels[..4], [gray(255), gray(0), gray(0), gray(255)]);
+        assert_eq!(pixels[4..6], [MISS_IN_DEPTH; 2]);
+        assert!((127..=128).contains(&pixels[6][0]));
+    }
+
+    #[test]
+    fn one_depth_makes_one_colour() {
+        for colors in ColorMap::value_variants() {
+            let pixels = depth(&[2.0, 2.0], &[1.0, 1.0], *colors, DepthRange { near: 2.0, far: 2.0 });
+            assert_eq!(pixels, [colors.table()[0]; 2]);
+        }
+    }
+
+    #[test]
+    fn no_map_passes_near_the_colour_of_a_miss() {
+        let distance = |a: &Rgb, b: &Rgb| (0..3).map(|i| (i32::from(a[i]) - i32::from(b[i])).pow(2)).sum::<i32>();
+        for colors in ColorMap::value_variants() {
+            let closest = colors.table().iter().map(|color| distance(color, &MISS_IN_DEPTH)).min().unwrap();
+            assert!(closest > 25 * 25, "{colors:?}: {closest}");
+        }
+    }
+
+    #[test]
+    fn a_missing_channel_is_an_error() {
+        let mut picture = picture(&[1.0], &[1.0], 1);
+        picture.channels.truncate(1);
+        let range = DepthRange { near: 0.0, far: 1.0 };
+        let error = write_depth(&picture, ColorMap::Turbo, range, &mut Vec::new()).unwrap_err();
+        assert_eq!(error.to_string(), "no channel Z");
     }
 }
