@@ -1,6 +1,6 @@
 //! Tiles of rays in parallel, from a scene and its aggregate to an image.
 
-use crate::accel::{Aggregate, Hit, Work};
+use crate::accel::{Aggregate, Hit, Tracer, Work};
 use crate::camera::Camera;
 use crate::error::{Diagnostic, Error, ErrorKind, Result};
 use crate::film::{Channel, ChannelName, Image, PixelBounds, Samples};
@@ -53,9 +53,9 @@ pub fn render(
     progress: Progress,
 ) -> Result<Rendering> {
     let mut channels = allocate(options)?;
-    let tracer = Tracer { camera, shapes, aggregate, options, progress };
+    let renderer = Renderer { camera, shapes, aggregate, options, progress };
     let bands = bands_of(&mut channels, &options.data_window);
-    let (hits, work) = bands.into_par_iter().map(|band| tracer.fill(band)).reduce(Default::default, |a, b| {
+    let (hits, work) = bands.into_par_iter().map(|band| renderer.fill(band)).reduce(Default::default, |a, b| {
         let mut work = a.1;
         work += b.1;
         (a.0 + b.0, work)
@@ -139,7 +139,7 @@ struct Tile {
     work: Work,
 }
 
-struct Tracer<'a> {
+struct Renderer<'a> {
     camera: &'a Camera,
     shapes: &'a Shapes,
     aggregate: &'a Aggregate,
@@ -147,7 +147,7 @@ struct Tracer<'a> {
     progress: Progress<'a>,
 }
 
-impl Tracer<'_> {
+impl Renderer<'_> {
     /// Traces the tiles of a band and puts them into its channels; returns hits and work.
     fn fill(&self, mut band: Band) -> (u64, Work) {
         let columns: Vec<u32> = (band.bounds.x0..band.bounds.x1).step_by(TILE as usize).collect();
@@ -165,13 +165,14 @@ impl Tracer<'_> {
 
     fn trace(&self, bounds: PixelBounds) -> Tile {
         let mut tile = Tile { bounds, hits: Vec::with_capacity(bounds.area() as usize), work: Work::default() };
+        let mut tracer = Tracer::new(self.aggregate, self.shapes);
         for y in bounds.y0..bounds.y1 {
             for x in bounds.x0..bounds.x1 {
                 let ray = self.camera.ray(x, y);
                 let hit = if self.options.counted {
-                    self.aggregate.closest_hit_counted(self.shapes, &ray, &mut tile.work)
+                    tracer.closest_hit_counted(&ray, &mut tile.work)
                 } else {
-                    self.aggregate.closest_hit(self.shapes, &ray)
+                    tracer.closest_hit(&ray)
                 };
                 tile.hits.push(hit.map(|hit| TileHit::new(&hit, &ray)));
             }

@@ -67,12 +67,13 @@ impl AnchorSpace {
             let direction = ray.direction[k] * direction_scale;
             let negative = direction < 0.0;
             let inverse = (1.0 / direction.abs()) as f32;
-            let near_inverse = (inverse * SHRINK).min(f32::MAX);
-            let far_inverse = inverse * GROW;
+            let sign = if negative { -1.0 } else { 1.0 };
             slab.negative[k] = negative;
             (slab.near_origin[k], slab.far_origin[k]) = if negative { (low, high) } else { (high, low) };
-            let sign = if negative { -1.0 } else { 1.0 };
-            (slab.near_inverse[k], slab.far_inverse[k]) = (sign * near_inverse, sign * far_inverse);
+            // Never infinite, or a ray that starts a rounding before a face would reach it too late.
+            slab.near_inverse[k] = sign * (inverse * SHRINK).min(f32::MAX);
+            // Infinite where the direction is 0: then the ray never leaves.
+            slab.far_inverse[k] = sign * inverse * GROW;
         }
         slab
     }
@@ -84,39 +85,38 @@ const SHRINK: f32 = 1.0 - 8.0 * (f32::EPSILON / 2.0);
 const GROW: f32 = 1.0 + 8.0 * (f32::EPSILON / 2.0);
 
 /// A ray in anchor space, prepared for [`SlabRay::enter`].
+///
+/// The face where the ray enters a slab is measured from the end of the origin's bracket that is nearer to it, and
+/// divided by a direction too large; the other face from the other end, by a direction too small.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SlabRay {
     /// Whether the ray runs towards lower coordinates: then it enters a slab at its high face.
     negative: [bool; 3],
-    /// The end of the origin's bracket from which the near face is farther, less negative.
     near_origin: [f32; 3],
-    /// The other end.
     far_origin: [f32; 3],
-    /// 1/direction, its absolute value rounded down and never infinite.
     near_inverse: [f32; 3],
-    /// 1/direction, its absolute value rounded up.
     far_inverse: [f32; 3],
     /// Anchor space and the scaled direction count `t` in other units: how many of them are one.
     scaled_t_per_t: f64,
 }
 
 impl SlabRay {
-    /// The scaled `t` at which the ray enters the box, never too late, or `None` where it misses the box or enters
-    /// it after `scaled_limit` (Kay and Kajiya's slabs, 1986; rounding as Ize, "Robust BVH Ray Traversal", 2013).
+    /// The scaled `t` at which the ray enters the box, never too late, or `None` where it misses the box (Kay and
+    /// Kajiya's slabs, 1986; rounding as Ize, "Robust BVH Ray Traversal", 2013).
+    ///
+    /// Rays of a tile share their signs, so the choice of faces is foreseen by the processor; choosing with minima and
+    /// maxima, in four lanes or for two boxes at once, took 1.1 and 1.9 times as long.
     #[inline]
-    pub(super) fn enter(&self, bounds: &Box32, scaled_limit: f32) -> Option<f32> {
+    pub(super) fn enter(&self, low: &[f32; 4], high: &[f32; 4]) -> Option<f32> {
         let mut near = 0.0f32;
         let mut far = f32::INFINITY;
         for k in 0..3 {
-            let (low, high) = (bounds.low[k], bounds.high[k]);
-            let (near_face, far_face) = if self.negative[k] { (high, low) } else { (low, high) };
-            let enter = (near_face - self.near_origin[k]) * self.near_inverse[k];
-            let leave = (far_face - self.far_origin[k]) * self.far_inverse[k];
-            near = larger(enter, near);
-            far = smaller(leave, far);
+            let (near_face, far_face) = if self.negative[k] { (high[k], low[k]) } else { (low[k], high[k]) };
+            near = larger((near_face - self.near_origin[k]) * self.near_inverse[k], near);
+            far = smaller((far_face - self.far_origin[k]) * self.far_inverse[k], far);
         }
         // A product may underflow by less than the least normal number; a hit lies strictly within the box.
-        (near <= far + f32::MIN_POSITIVE && near <= scaled_limit).then_some(near)
+        (near <= far + f32::MIN_POSITIVE).then_some(near)
     }
 
     /// `t` in scaled units, never too small: nothing at `t` or before it may be culled.
@@ -172,6 +172,12 @@ fn power_of_two(exponent: i32) -> f64 {
 }
 
 impl Box32 {
+    /// The corners in four lanes, the last one free.
+    pub(super) fn corners(&self) -> ([f32; 4], [f32; 4]) {
+        let ([x0, y0, z0], [x1, y1, z1]) = (self.low, self.high);
+        ([x0, y0, z0, 0.0], [x1, y1, z1, 0.0])
+    }
+
     /// The box of nothing.
     pub(super) const EMPTY: Box32 = Box32 { low: [f32::INFINITY; 3], high: [f32::NEG_INFINITY; 3] };
 
@@ -215,6 +221,11 @@ mod tests {
     use crate::geometry::Vector;
     use proptest::prelude::*;
 
+    fn enter(slab: &SlabRay, bounds: &Box32) -> Option<f32> {
+        let (low, high) = bounds.corners();
+        slab.enter(&low, &high)
+    }
+
     #[test]
     fn rounding_is_strict_and_avoids_zero() {
         assert_eq!(below(1.0), 1.0f32.next_down());
@@ -231,9 +242,9 @@ mod tests {
         let flat = Bounds { low: Point::new(0.0, -1.0, 2.0), high: Point::new(0.0, 1.0, 9.0) };
         let ray = Ray { origin: Point::default(), direction: Vector::new(0.0, 0.0, 1.0) };
         let slab = space.ray(&ray);
-        let near = slab.enter(&space.enclose(&flat), f32::INFINITY).expect("it lies in the box");
+        let near = enter(&slab, &space.enclose(&flat)).expect("it lies in the box");
         assert!(slab.unscaled(near) < 2.0 && slab.unscaled(near) > 1.999);
-        assert!(slab.enter(&space.enclose(&flat), slab.scaled_limit(1.0)).is_none());
+        assert!(near > slab.scaled_limit(1.0) && near <= slab.scaled_limit(2.0));
     }
 
     proptest! {
@@ -256,9 +267,10 @@ mod tests {
             let content = space.enclose(&Bounds { low: target, high: target });
             let t = size / speed;
             prop_assume!(t.is_normal());
-            let near = slab.enter(&content, slab.scaled_limit(t * (1.0 + 1e-14)));
+            let near = enter(&slab, &content);
             prop_assert!(near.is_some());
             prop_assert!(slab.unscaled(near.unwrap()) <= t);
+            prop_assert!(near.unwrap() <= slab.scaled_limit(t));
         }
 
         #[test]
@@ -279,8 +291,8 @@ mod tests {
             };
             let ray = Ray { origin: corner(&|k| origin[k]), direction: (corner(&|k| direction[k])) - Point::default() };
             let slab = space.ray(&ray);
-            if let Some(near) = slab.enter(&space.enclose(&inner), f32::INFINITY) {
-                let outer = slab.enter(&space.enclose(&outer), f32::INFINITY);
+            if let Some(near) = enter(&slab, &space.enclose(&inner)) {
+                let outer = enter(&slab, &space.enclose(&outer));
                 prop_assert!(outer.is_some_and(|outer| outer <= near));
             }
         }

@@ -124,7 +124,7 @@ impl Emitter<'_> {
         below.push(Children::PLACEHOLDER);
         let left = self.node(run.start..middle, bits, below);
         let right = self.node(middle..run.end, bits, below);
-        below[children] = Children([left, right]);
+        below[children] = Children::new(&left, &right);
         Node::inner(left.bounds.union(&right.bounds), children as u32)
     }
 
@@ -160,12 +160,11 @@ fn join_by_sah(treelets: &mut [Subtree]) -> Subtree {
         treelet.root.shifted(base)
     };
     for place in 0..below.len() {
-        for side in 0..2 {
-            let node = below[place].0[side];
-            if node.is_leaf() {
-                below[place].0[side] = graft(node, &mut below);
-            }
-        }
+        let grafted = [0, 1].map(|side| {
+            let node = below[place].node(side);
+            if node.is_leaf() { graft(node, &mut below) } else { node }
+        });
+        below[place] = Children::new(&grafted[0], &grafted[1]);
     }
     if root.is_leaf() {
         root = graft(root, &mut below);

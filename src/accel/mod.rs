@@ -17,4 +17,4 @@ mod validate;
 pub use aggregate::{Aggregate, BuildOptions};
 pub use split_method::SplitMethod;
 pub use statistics::Statistics;
-pub use traversal::{Hit, Work};
+pub use traversal::{Hit, Tracer, Work};

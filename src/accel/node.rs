@@ -2,9 +2,8 @@
 
 use super::anchor_space::Box32;
 
-/// A node of 32 bytes.
+/// A node as it is built and walked over.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[repr(C, align(32))]
 pub(super) struct Node {
     /// Around everything below, in anchor space.
     pub(super) bounds: Box32,
@@ -14,8 +13,6 @@ pub(super) struct Node {
     /// Primitives of a leaf; 0 tells an inner node.
     pub(super) count: u32,
 }
-
-const _: () = assert!(size_of::<Node>() == 32);
 
 impl Node {
     /// A leaf with `count > 0` primitives.
@@ -43,21 +40,59 @@ impl Node {
     }
 }
 
-/// The two children of an inner node, in one cache line.
+/// The two children of an inner node as they are stored: in one cache line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(64))]
-pub(super) struct Children(pub(super) [Node; 2]);
+pub(super) struct Children(pub(super) [PackedNode; 2]);
+
+/// A node of 32 bytes: two registers of four lanes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct PackedNode {
+    /// The low corner of the box, and the bits of [`Node::first`].
+    pub(super) low: [f32; 4],
+    /// The high corner of the box, and the bits of [`Node::count`].
+    pub(super) high: [f32; 4],
+}
 
 const _: () = assert!(size_of::<Children>() == 64);
 
+impl PackedNode {
+    pub(super) fn first(&self) -> u32 {
+        self.low[3].to_bits()
+    }
+
+    pub(super) fn count(&self) -> u32 {
+        self.high[3].to_bits()
+    }
+
+    fn pack(node: &Node) -> PackedNode {
+        let (mut low, mut high) = node.bounds.corners();
+        (low[3], high[3]) = (f32::from_bits(node.first), f32::from_bits(node.count));
+        PackedNode { low, high }
+    }
+
+    fn unpack(&self) -> Node {
+        let ([x0, y0, z0, _], [x1, y1, z1, _]) = (self.low, self.high);
+        Node { bounds: Box32 { low: [x0, y0, z0], high: [x1, y1, z1] }, first: self.first(), count: self.count() }
+    }
+}
+
 impl Children {
     /// Holds a place until both children are known.
-    pub(super) const PLACEHOLDER: Children =
-        Children([Node { bounds: Box32 { low: [0.0; 3], high: [0.0; 3] }, first: 0, count: 0 }; 2]);
+    pub(super) const PLACEHOLDER: Children = Children([PackedNode { low: [0.0; 4], high: [0.0; 4] }; 2]);
+
+    pub(super) fn new(left: &Node, right: &Node) -> Children {
+        Children([PackedNode::pack(left), PackedNode::pack(right)])
+    }
+
+    /// The left (0) or the right (1) child.
+    pub(super) fn node(&self, side: usize) -> Node {
+        self.0[side].unpack()
+    }
 
     /// The same children in a list in which everything below them lies `by` places further on.
     pub(super) fn shifted(self, by: usize) -> Children {
-        Children(self.0.map(|node| node.shifted(by)))
+        Children::new(&self.node(0).shifted(by), &self.node(1).shifted(by))
     }
 }
 
@@ -74,7 +109,7 @@ impl Subtree {
         let root = Node::inner(left.root.bounds.union(&right.root.bounds), 0);
         let right_base = 1 + left.below.len();
         let mut below = Vec::with_capacity(right_base + right.below.len());
-        below.push(Children([left.root.shifted(1), right.root.shifted(right_base)]));
+        below.push(Children::new(&left.root.shifted(1), &right.root.shifted(right_base)));
         below.extend(left.below.into_iter().map(|children| children.shifted(1)));
         below.extend(right.below.into_iter().map(|children| children.shifted(right_base)));
         Subtree { root, below }

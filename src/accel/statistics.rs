@@ -46,9 +46,9 @@ pub(super) fn walk(root: Node, below: &[Children]) -> impl Iterator<Item = (Node
     std::iter::from_fn(move || {
         let (node, depth) = stack.pop()?;
         if !node.is_leaf() {
-            let [left, right] = below[node.first as usize].0;
-            stack.push((right, depth + 1));
-            stack.push((left, depth + 1));
+            let children = &below[node.first as usize];
+            stack.push((children.node(1), depth + 1));
+            stack.push((children.node(0), depth + 1));
         }
         Some((node, depth))
     })

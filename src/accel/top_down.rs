@@ -63,7 +63,7 @@ impl TopDown<'_> {
         let (left, right) = primitives.split_at_mut(middle);
         let left = self.node(left, first, depth + 1, below);
         let right = self.node(right, first + middle, depth + 1, below);
-        below[children] = Children([left, right]);
+        below[children] = Children::new(&left, &right);
         Node::inner(bounds, children as u32)
     }
 

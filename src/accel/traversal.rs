@@ -3,7 +3,7 @@
 use super::Aggregate;
 use super::aggregate::MAX_DEPTH;
 use super::anchor_space::SlabRay;
-use super::node::Node;
+use super::node::{Children, PackedNode};
 use crate::geometry::{Bounds, Ray};
 use crate::shape::{Primitive, Shapes};
 
@@ -32,132 +32,137 @@ impl std::ops::AddAssign for Work {
     }
 }
 
+/// A child that waits: it is entered at `near`.
+#[derive(Clone, Copy)]
+struct Waiting {
+    near: f32,
+    first: u32,
+    count: u32,
+}
+
 /// Children that wait, farthest first. Each level of the tree leaves one at most.
 struct Stack {
-    waiting: [(f32, u32, bool); MAX_DEPTH + 1],
+    waiting: [Waiting; MAX_DEPTH + 1],
     len: usize,
 }
 
-/// The traversal of one ray.
-struct Traversal<'a, const COUNTED: bool> {
+/// Casts rays, one after the other. Each thread has its own.
+pub struct Tracer<'a> {
     aggregate: &'a Aggregate,
     shapes: &'a Shapes,
-    ray: &'a Ray,
-    slab: SlabRay,
-    best: Option<Hit>,
-    /// The `t` of the best hit in the units of the slab test: what is entered later is culled.
-    limit: f32,
-    work: Work,
+    stack: Stack,
 }
 
-impl Aggregate {
+impl<'a> Tracer<'a> {
+    /// For rays through `aggregate`, which was built over `shapes`.
+    pub fn new(aggregate: &'a Aggregate, shapes: &'a Shapes) -> Tracer<'a> {
+        let nobody = Waiting { near: 0.0, first: 0, count: 0 };
+        Tracer { aggregate, shapes, stack: Stack { waiting: [nobody; MAX_DEPTH + 1], len: 0 } }
+    }
+
     /// The nearest hit of `ray`; of several at one `t`, the primitive that comes first in the file (rule E3).
-    pub fn closest_hit(&self, shapes: &Shapes, ray: &Ray) -> Option<Hit> {
-        self.traverse::<false>(shapes, ray).0
+    pub fn closest_hit(&mut self, ray: &Ray) -> Option<Hit> {
+        self.trace::<false>(ray, &mut Work::default())
     }
 
-    /// As [`Aggregate::closest_hit`], adding to `work` what it took.
-    pub fn closest_hit_counted(&self, shapes: &Shapes, ray: &Ray, work: &mut Work) -> Option<Hit> {
-        let (hit, more) = self.traverse::<true>(shapes, ray);
-        *work += more;
-        hit
+    /// As [`Tracer::closest_hit`], adding to `work` what it took.
+    pub fn closest_hit_counted(&mut self, ray: &Ray, work: &mut Work) -> Option<Hit> {
+        self.trace::<true>(ray, work)
     }
 
-    fn traverse<const COUNTED: bool>(&self, shapes: &Shapes, ray: &Ray) -> (Option<Hit>, Work) {
-        let (Some(root), true) = (self.root, ray.can_hit()) else {
-            return (None, Work::default());
-        };
-        let slab = self.space.ray(ray);
-        let mut traversal = Traversal::<COUNTED> {
-            aggregate: self,
-            shapes,
-            ray,
-            slab,
-            best: None,
-            limit: f32::INFINITY,
-            work: Work::default(),
-        };
-        traversal.run(root);
-        (traversal.best, traversal.work)
+    fn trace<const COUNTED: bool>(&mut self, ray: &Ray, work: &mut Work) -> Option<Hit> {
+        let root = self.aggregate.root.as_ref().filter(|_| ray.can_hit())?;
+        let slab = self.aggregate.space.ray(ray);
+        if COUNTED {
+            work.nodes += 1;
+        }
+        let (low, high) = root.bounds.corners();
+        slab.enter(&low, &high)?;
+        let mut nearest =
+            Nearest { aggregate: self.aggregate, shapes: self.shapes, ray, slab, hit: None, limit: f32::INFINITY };
+        let mut next = Some((root.first, root.count));
+        self.stack.len = 0;
+        while let Some((first, count)) = next {
+            next = if count > 0 {
+                if COUNTED {
+                    work.primitives += u64::from(count);
+                }
+                nearest.test_leaf(first, count);
+                None
+            } else {
+                if COUNTED {
+                    work.nodes += 2;
+                }
+                nearest.nearer_child(&self.aggregate.below[first as usize], &mut self.stack)
+            };
+            next = next.or_else(|| self.stack.pop(nearest.limit));
+        }
+        nearest.hit
     }
 }
 
-impl<const COUNTED: bool> Traversal<'_, COUNTED> {
-    fn run(&mut self, root: Node) {
-        let mut stack = Stack { waiting: [(0.0, 0, false); MAX_DEPTH + 1], len: 0 };
-        let mut next = self.enter(&root).map(|_| root);
-        while let Some(node) = next {
-            next = if node.is_leaf() { None } else { self.nearer_child(&node, &mut stack) };
-            if node.is_leaf() {
-                self.test_leaf(&node);
-            }
-            if next.is_none() {
-                next = self.pop(&mut stack);
-            }
-        }
-    }
-
+impl Stack {
+    /// The nearest waiting child that is entered before `limit`.
     #[inline]
-    fn enter(&mut self, node: &Node) -> Option<f32> {
-        if COUNTED {
-            self.work.nodes += 1;
-        }
-        self.slab.enter(&node.bounds, self.limit)
-    }
-
-    /// The child that is entered first; the other one waits.
-    #[inline]
-    fn nearer_child(&mut self, node: &Node, stack: &mut Stack) -> Option<Node> {
-        let [left, right] = &self.aggregate.below[node.first as usize].0;
-        match (self.enter(left), self.enter(right)) {
-            (Some(to_left), Some(to_right)) => {
-                let right_first = to_right < to_left;
-                let (nearer, to_farther) = if right_first { (right, to_left) } else { (left, to_right) };
-                stack.waiting[stack.len] = (to_farther, node.first, !right_first);
-                stack.len += 1;
-                Some(*nearer)
-            }
-            (Some(_), None) => Some(*left),
-            (None, Some(_)) => Some(*right),
-            (None, None) => None,
-        }
-    }
-
-    /// The nearest waiting node that a better hit has not overtaken.
-    #[inline]
-    fn pop(&mut self, stack: &mut Stack) -> Option<Node> {
-        while stack.len > 0 {
-            stack.len -= 1;
-            let (near, children, right) = stack.waiting[stack.len];
-            if near <= self.limit {
-                return Some(self.aggregate.below[children as usize].0[usize::from(right)]);
+    fn pop(&mut self, limit: f32) -> Option<(u32, u32)> {
+        while self.len > 0 {
+            self.len -= 1;
+            let Waiting { near, first, count } = self.waiting[self.len];
+            if near <= limit {
+                return Some((first, count));
             }
         }
         None
     }
+}
 
+/// The nearest hit of a ray so far.
+struct Nearest<'a> {
+    aggregate: &'a Aggregate,
+    shapes: &'a Shapes,
+    ray: &'a Ray,
+    slab: SlabRay,
+    hit: Option<Hit>,
+    /// The `t` of the hit in the units of the slab test: what is entered later is culled.
+    limit: f32,
+}
+
+impl Nearest<'_> {
+    /// The child that is entered first, if any; the other one waits.
     #[inline]
-    fn test_leaf(&mut self, leaf: &Node) {
-        let first = leaf.first as usize;
-        for &primitive in &self.aggregate.order[first..first + leaf.count as usize] {
-            if COUNTED {
-                self.work.primitives += 1;
+    fn nearer_child(&self, children: &Children, stack: &mut Stack) -> Option<(u32, u32)> {
+        let [left, right] = &children.0;
+        let enter = |node: &PackedNode| self.slab.enter(&node.low, &node.high).filter(|near| *near <= self.limit);
+        let child = |node: &PackedNode| Some((node.first(), node.count()));
+        match (enter(left), enter(right)) {
+            (Some(to_left), Some(to_right)) => {
+                let right_first = to_right < to_left;
+                let (nearer, farther, near) =
+                    if right_first { (right, left, to_left) } else { (left, right, to_right) };
+                stack.waiting[stack.len] = Waiting { near, first: farther.first(), count: farther.count() };
+                stack.len += 1;
+                child(nearer)
             }
-            self.test(primitive);
+            (Some(_), None) => child(left),
+            (None, Some(_)) => child(right),
+            (None, None) => None,
         }
     }
 
     #[inline]
-    fn test(&mut self, primitive: Primitive) {
-        if primitive.is_sphere() {
-            let sphere = self.shapes.sphere(primitive.index());
-            if let Some(t) = sphere.intersect(self.ray) {
-                self.offer(t, primitive, || sphere.bounds());
-            }
-        } else {
-            let triangle = self.shapes.triangle(primitive.index());
-            if let Some(t) = triangle.intersect(self.ray) {
-                self.offer(t, primitive, || triangle.bounds());
+    fn test_leaf(&mut self, first: u32, count: u32) {
+        let first = first as usize;
+        for &primitive in &self.aggregate.order[first..first + count as usize] {
+            if primitive.is_sphere() {
+                let sphere = self.shapes.sphere(primitive.index());
+                if let Some(t) = sphere.intersect(self.ray) {
+                    self.offer(t, primitive, || sphere.bounds());
+                }
+            } else {
+                let triangle = self.shapes.triangle(primitive.index());
+                if let Some(t) = triangle.intersect(self.ray) {
+                    self.offer(t, primitive, || triangle.bounds());
+                }
             }
         }
     }
@@ -168,17 +173,16 @@ impl<const COUNTED: bool> Traversal<'_, COUNTED> {
     /// counts only if the ray enters that box, and not before it does; then every node around it is entered no
     /// later, and the answer is the same for every tree, and for none.
     fn offer(&mut self, t: f64, primitive: Primitive, bounds: impl FnOnce() -> Bounds) {
-        if self.best.is_some_and(|best| t > best.t) {
+        if self.hit.is_some_and(|best| t > best.t) {
             return;
         }
-        let Some(entry) = self.slab.enter(&self.aggregate.space.enclose(&bounds()), f32::INFINITY) else {
-            return;
-        };
+        let (low, high) = self.aggregate.space.enclose(&bounds()).corners();
+        let Some(entry) = self.slab.enter(&low, &high) else { return };
         let t = t.max(self.slab.unscaled(entry));
         let better =
-            self.best.is_none_or(|best| t < best.t || (t == best.t && self.shapes.precedes(primitive, best.primitive)));
+            self.hit.is_none_or(|best| t < best.t || (t == best.t && self.shapes.precedes(primitive, best.primitive)));
         if better {
-            self.best = Some(Hit { t, primitive });
+            self.hit = Some(Hit { t, primitive });
             self.limit = self.slab.scaled_limit(t);
         }
     }

@@ -29,7 +29,10 @@ impl Aggregate {
                 let order = self.order.get(node.first as usize..places).ok_or("a leaf beyond the end")?;
                 order.iter().all(|primitive| node.bounds.contains(&self.box_of(shapes, *primitive)))
             } else {
-                self.below[node.first as usize].0.iter().all(|child| node.bounds.contains(&child.bounds))
+                {
+                    let children = &self.below[node.first as usize];
+                    [0, 1].iter().all(|side| node.bounds.contains(&children.node(*side).bounds))
+                }
             };
             if !inside {
                 return Err(format!("something is outside the box of {node:?}"));
