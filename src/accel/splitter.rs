@@ -8,8 +8,13 @@ use rayon::prelude::*;
 /// What visiting a node costs, in units of testing a primitive.
 pub(super) const NODE_COST: f32 = 1.0;
 
-/// Bins an axis of the binned surface area heuristic.
+/// Bins an axis of the binned surface area heuristic, at most.
 const BINS: usize = 16;
+
+/// Bins for a list of `count` primitives: short lists, most of all, are not worth many.
+fn bins_for(count: usize) -> usize {
+    (count / 2).clamp(4, BINS)
+}
 
 /// Lists longer than this are binned by several threads.
 const PARALLEL_BINNING: usize = 1 << 16;
@@ -139,18 +144,19 @@ struct Bins {
     low: [f32; 3],
     /// Bins per unit; 0 on an axis without extent.
     per_unit: [f32; 3],
+    count: usize,
 }
 
 impl Bins {
-    fn new(centres: &Box32) -> Bins {
-        let per_unit = centres.extent().map(|extent| if extent > 0.0 { BINS as f32 / extent } else { 0.0 });
-        Bins { low: centres.low, per_unit }
+    fn new(centres: &Box32, count: usize) -> Bins {
+        let per_unit = centres.extent().map(|extent| if extent > 0.0 { count as f32 / extent } else { 0.0 });
+        Bins { low: centres.low, per_unit, count }
     }
 
     #[inline]
     fn index(&self, centre: f32, axis: usize) -> usize {
         // A NaN, from infinite boxes, becomes 0.
-        (((centre - self.low[axis]) * self.per_unit[axis]) as usize).min(BINS - 1)
+        (((centre - self.low[axis]) * self.per_unit[axis]) as u32 as usize).min(self.count - 1)
     }
 }
 
@@ -192,13 +198,13 @@ fn fill_in_parallel(bins: &Bins, primitives: &[BuildPrimitive]) -> [[Bin; BINS];
 /// The plane of the least cost over all axes; `None` where all centres are in one place.
 fn best_plane(primitives: &[BuildPrimitive]) -> Option<Plane> {
     let centres = centre_bounds(primitives);
-    let bins = Bins::new(&centres);
+    let bins = Bins::new(&centres, bins_for(primitives.len()));
     let filled = fill_in_parallel(&bins, primitives);
     let mut best: Option<Plane> = None;
     for axis in (0..3).filter(|axis| bins.per_unit[*axis] > 0.0) {
-        let right_costs = costs_from_the_right(&filled[axis]);
+        let right_costs = costs_from_the_right(&filled[axis][..bins.count]);
         let mut left = Bin { bounds: Box32::EMPTY, count: 0 };
-        for left_bins in 1..BINS {
+        for left_bins in 1..bins.count {
             let bin = &filled[axis][left_bins - 1];
             left = Bin { bounds: left.bounds.union(&bin.bounds), count: left.count + bin.count };
             if left.count == 0 || left.count as usize == primitives.len() {
@@ -214,10 +220,10 @@ fn best_plane(primitives: &[BuildPrimitive]) -> Option<Plane> {
 }
 
 /// For each bin, half area times count of it and all to its right.
-fn costs_from_the_right(bins: &[Bin; BINS]) -> [f32; BINS] {
+fn costs_from_the_right(bins: &[Bin]) -> [f32; BINS] {
     let mut costs = [0.0; BINS];
     let mut right = Bin { bounds: Box32::EMPTY, count: 0 };
-    for k in (1..BINS).rev() {
+    for k in (1..bins.len()).rev() {
         right = Bin { bounds: right.bounds.union(&bins[k].bounds), count: right.count + bins[k].count };
         costs[k] = if right.count > 0 { right.count as f32 * right.bounds.half_area() } else { 0.0 };
     }

@@ -16,17 +16,18 @@ impl Aggregate {
         let Some(root) = self.root else {
             return self.check_primitives(shapes);
         };
-        let mut places = 0;
+        let mut taken = vec![false; self.order.len()];
         for (node, depth) in walk(root, &self.below) {
             if depth > MAX_DEPTH {
                 return Err(format!("a node at depth {depth}, but stacks are for {MAX_DEPTH}"));
             }
             let inside = if node.is_leaf() {
-                if node.first as usize != places {
-                    return Err(format!("a leaf begins at {}, but the one before ends at {places}", node.first));
+                let places = node.first as usize..node.first as usize + node.count as usize;
+                let order = self.order.get(places.clone()).ok_or("a leaf beyond the end")?;
+                if taken[places.clone()].contains(&true) {
+                    return Err(format!("places {places:?} are in two leaves"));
                 }
-                places += node.count as usize;
-                let order = self.order.get(node.first as usize..places).ok_or("a leaf beyond the end")?;
+                taken[places].fill(true);
                 order.iter().all(|primitive| node.bounds.contains(&self.box_of(shapes, *primitive)))
             } else {
                 {
@@ -38,8 +39,8 @@ impl Aggregate {
                 return Err(format!("something is outside the box of {node:?}"));
             }
         }
-        if places != self.order.len() {
-            return Err(format!("{places} of {} places are in leaves", self.order.len()));
+        if taken.contains(&false) {
+            return Err("a place is in no leaf".into());
         }
         self.check_primitives(shapes)
     }

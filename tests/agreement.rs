@@ -1,0 +1,197 @@
+//! Every accelerator gives the picture of the plain list, bit for bit.
+//!
+//! Coordinates are small integers, so that ties, shared edges, rays through vertices and directions with zero
+//! components appear by themselves.
+
+mod common;
+
+use common::{agreed_picture, assert_same, picture, scene, whole};
+use feimos::accel::{BuildOptions, SplitMethod};
+use feimos::camera::{Camera, Projection, ScreenWindow};
+use feimos::film::{ChannelName, PixelBounds};
+use feimos::geometry::{Matrix, Point, Transform, Vector};
+use feimos::shape::Shapes;
+use proptest::prelude::*;
+use std::path::PathBuf;
+
+type Corner = [i32; 3];
+
+#[derive(Debug, Clone)]
+struct Ball {
+    centre: Corner,
+    stretch: [i32; 3],
+    radius: i32,
+}
+
+#[derive(Debug, Clone)]
+struct Setting {
+    triangles: Vec<[Corner; 3]>,
+    balls: Vec<Ball>,
+    /// Makes the numbers less round, where it is not 0: a rotation in degrees.
+    turn: i32,
+    eye: Corner,
+    orthographic: bool,
+    resolution: [u32; 2],
+}
+
+fn corner(size: i32) -> impl Strategy<Value = Corner> {
+    prop::array::uniform3(-size..=size)
+}
+
+fn ball() -> impl Strategy<Value = Ball> {
+    (corner(4), prop::array::uniform3(-1i32..4), 0i32..3).prop_map(|(centre, stretch, radius)| Ball {
+        centre,
+        stretch,
+        radius,
+    })
+}
+
+fn setting() -> impl Strategy<Value = Setting> {
+    let triangle = prop::array::uniform3(corner(4));
+    (
+        prop::collection::vec(triangle, 0..60),
+        prop::collection::vec(ball(), 0..12),
+        prop::sample::select(vec![0, 0, 90, 37]),
+        corner(6),
+        any::<bool>(),
+        prop::sample::select(vec![[9, 9], [17, 5], [1, 1], [8, 8]]),
+    )
+        .prop_map(|(triangles, balls, turn, eye, orthographic, resolution)| Setting {
+            triangles,
+            balls,
+            turn,
+            eye,
+            orthographic,
+            resolution,
+        })
+}
+
+impl Setting {
+    fn shapes(&self) -> Shapes {
+        let turn = Transform::rotate(f64::from(self.turn), Vector::new(1.0, 2.0, 3.0)).matrix;
+        let mut shapes = Shapes::default();
+        let (first, second) = self.triangles.split_at(self.triangles.len() / 2);
+        add_mesh(&mut shapes, first, &turn, 1);
+        for (ball, shape) in self.balls.iter().zip(2..) {
+            let place = Matrix::translate(ball.centre.map(f64::from)).times(&turn);
+            let transform = shapes.add_transform(place.times(&Matrix::scale(ball.stretch.map(f64::from))));
+            shapes.add_sphere(f64::from(ball.radius), transform, shape).unwrap();
+        }
+        add_mesh(&mut shapes, second, &turn, 100);
+        shapes
+    }
+
+    fn camera(&self) -> Camera {
+        let eye = Point::from(self.eye.map(f64::from));
+        let look_at = Transform::look_at(eye, Point::default(), Vector::new(0.0, 1.0, 0.0));
+        let projection = if self.orthographic { Projection::Orthographic } else { Projection::perspective(90.0) };
+        let size = if self.orthographic { 6.0 } else { 1.0 };
+        Camera {
+            world_from_camera: look_at.unwrap_or(Transform::translate([0.0, 0.0, 5.0])).inverse,
+            projection,
+            screen_window: ScreenWindow { x0: -size, x1: size, y0: -size, y1: size },
+            resolution: self.resolution,
+        }
+    }
+}
+
+fn add_mesh(shapes: &mut Shapes, triangles: &[[Corner; 3]], world_from_object: &Matrix, shape: u32) {
+    let vertices = triangles.iter().flatten().map(|corner| Point::from(corner.map(f64::from))).collect();
+    let indices = (0..triangles.len() as u32).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
+    shapes.add_mesh(vertices, indices, world_from_object, shape).unwrap();
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(400) })]
+
+    #[test]
+    fn accelerators_agree(setting in setting()) {
+        agreed_picture(&setting.camera(), &setting.shapes());
+    }
+
+    /// Pixels of a crop are those of the whole picture.
+    #[test]
+    fn crops_agree(setting in setting(), x in 0u32..9, y in 0u32..9) {
+        let (camera, shapes) = (setting.camera(), setting.shapes());
+        let [width, height] = camera.resolution;
+        let crop = PixelBounds { x0: x % width, x1: width, y0: y % height, y1: height };
+        let options = BuildOptions::new(SplitMethod::Sah);
+        let image = picture(&camera, &shapes, options, 2, whole(&camera)).image;
+        let part = picture(&camera, &shapes, options, 1, crop).image;
+        let (prim, part) = (image.numbers(ChannelName::Prim).unwrap(), part.numbers(ChannelName::Prim).unwrap());
+        for (row, y) in (crop.y0..crop.y1).enumerate() {
+            let of_whole = &prim[(y * width + crop.x0) as usize..(y * width + crop.x1) as usize];
+            let columns = crop.width() as usize;
+            prop_assert_eq!(of_whole, &part[row * columns..(row + 1) * columns]);
+        }
+    }
+}
+
+/// Scenes at the limits of arithmetic: no panic, no NaN, and no accelerator that sees something else.
+#[test]
+fn hard_scenes_agree_and_hold_no_nan() {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/hard");
+    let mut count = 0;
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_none_or(|extension| extension != "pbrt") {
+            continue;
+        }
+        let scene = scene(&path);
+        let image = agreed_picture(&scene.camera, &scene.shapes).image;
+        for name in [ChannelName::Z, ChannelName::T] {
+            let nan = image.measures(name).unwrap().iter().filter(|value| value.is_nan()).count();
+            assert_eq!(nan, 0, "{}", path.display());
+        }
+        count += 1;
+    }
+    assert_eq!(count, 40);
+}
+
+/// The `none` of a scene is the list, and equal trees are equal whatever built them.
+#[test]
+fn trees_do_not_depend_on_the_number_of_threads() {
+    let grid: Vec<[Corner; 3]> = (0..20_000)
+        .map(|k| {
+            [[k % 100, k / 100 % 100, k / 10_000], [k % 100 + 1, k / 100 % 100, 3], [k % 100, k / 100 % 100 + 1, 1]]
+        })
+        .collect();
+    let mut shapes = Shapes::default();
+    add_mesh(&mut shapes, &grid, &Matrix::IDENTITY, 1);
+    for method in SplitMethod::ALL {
+        let trees = [1, 2, 5].map(|threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            let options = BuildOptions::new(method);
+            pool.install(|| {
+                feimos::accel::Aggregate::build(&shapes, Point::default(), options, feimos::progress::Progress::SILENT)
+            })
+        });
+        assert!(trees[0] == trees[1] && trees[0] == trees[2], "{method}");
+    }
+}
+
+/// A tie between a triangle and a sphere, and between triangles of two meshes: the first in the file wins.
+#[test]
+fn ties_go_to_the_first_in_the_file() {
+    let mut shapes = Shapes::default();
+    let plate = [[[-9, -9, 2], [9, -9, 2], [0, 9, 2]]];
+    let transform = shapes.add_transform(Matrix::translate([0.0, 0.0, 3.0]));
+    let camera = Camera {
+        world_from_camera: Matrix::IDENTITY,
+        projection: Projection::perspective(90.0),
+        screen_window: ScreenWindow::of_aspect(1.0),
+        resolution: [1, 1],
+    };
+    let first = |shapes: &Shapes| agreed_picture(&camera, shapes).image.numbers(ChannelName::Prim).unwrap()[0];
+    shapes.add_sphere(1.0, transform, 1).unwrap();
+    add_mesh(&mut shapes, &plate, &Matrix::IDENTITY, 2);
+    assert_eq!(first(&shapes), 1);
+    let mut reversed = Shapes::default();
+    add_mesh(&mut reversed, &plate, &Matrix::IDENTITY, 1);
+    add_mesh(&mut reversed, &plate, &Matrix::IDENTITY, 2);
+    let transform = reversed.add_transform(Matrix::translate([0.0, 0.0, 3.0]));
+    reversed.add_sphere(1.0, transform, 3).unwrap();
+    let image = agreed_picture(&camera, &reversed).image;
+    assert_eq!(image.numbers(ChannelName::Prim).unwrap()[0], 1);
+    assert_same(&image, &image, "an image and itself");
+}

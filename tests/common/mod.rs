@@ -1,0 +1,75 @@
+//! What several test files need: rendering to memory, and comparing images by their bits.
+// Each test file is a crate of its own and uses some of this.
+#![allow(dead_code)]
+
+use feimos::accel::{Aggregate, BuildOptions, SplitMethod};
+use feimos::camera::Camera;
+use feimos::film::{Channel, ChannelName, Image, PixelBounds, Samples};
+use feimos::progress::Progress;
+use feimos::render::{RenderOptions, Rendering, render};
+use feimos::scene::{LoadOptions, Scene, load};
+use feimos::shape::Shapes;
+use std::path::Path;
+
+/// Loads a scene that must load.
+pub fn scene(path: &Path) -> Scene {
+    load(path, &LoadOptions::default(), Progress::SILENT).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Builds, checks the tree, and renders every channel of `window` on `threads` threads.
+pub fn picture(
+    camera: &Camera,
+    shapes: &Shapes,
+    options: BuildOptions,
+    threads: usize,
+    window: PixelBounds,
+) -> Rendering {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+    pool.install(|| {
+        let aggregate = Aggregate::build(shapes, camera.anchor(), options, Progress::SILENT);
+        aggregate.validate(shapes).unwrap_or_else(|wrong| panic!("{options:?}: {wrong}"));
+        let channels = ChannelName::ALL.to_vec();
+        let render_options = RenderOptions { data_window: window, channels, miss: f32::INFINITY, counted: false };
+        render(camera, shapes, &aggregate, &render_options, Progress::SILENT).unwrap()
+    })
+}
+
+/// All pixels of the film.
+pub fn whole(camera: &Camera) -> PixelBounds {
+    let [width, height] = camera.resolution;
+    PixelBounds::of_film(width, height)
+}
+
+/// Renders with every accelerator, two leaf sizes and several numbers of threads, and asserts that no bit differs
+/// from the plain list on one thread, which is returned.
+pub fn agreed_picture(camera: &Camera, shapes: &Shapes) -> Rendering {
+    let window = whole(camera);
+    let reference = picture(camera, shapes, BuildOptions::new(SplitMethod::None), 1, window);
+    for method in SplitMethod::ALL {
+        for (max_leaf, threads) in [(4, 2), (1, 1), (16, 3)] {
+            let other = picture(camera, shapes, BuildOptions { method, max_leaf }, threads, window);
+            assert_same(&reference.image, &other.image, &format!("{method}, leaves of {max_leaf}, {threads} threads"));
+            assert_eq!(reference.hits, other.hits);
+        }
+    }
+    reference
+}
+
+/// Asserts that two images are equal bit for bit.
+pub fn assert_same(expected: &Image, found: &Image, what: &str) {
+    assert_eq!(expected.data_window, found.data_window, "{what}");
+    for (a, b) in expected.channels.iter().zip(&found.channels) {
+        assert_eq!(a.name, b.name, "{what}");
+        let (a_bits, b_bits) = (bits(a), bits(b));
+        let different = a_bits.iter().zip(&b_bits).filter(|(a, b)| a != b).count();
+        assert_eq!(different, 0, "{what}: {different} samples of {} differ", a.name.as_str());
+    }
+}
+
+/// The samples of a channel as bits.
+pub fn bits(channel: &Channel) -> Vec<u32> {
+    match &channel.samples {
+        Samples::F32(values) => values.iter().map(|value| value.to_bits()).collect(),
+        Samples::U32(values) => values.clone(),
+    }
+}

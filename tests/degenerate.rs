@@ -1,0 +1,134 @@
+//! Degenerate input through every builder.
+
+mod common;
+
+use common::agreed_picture;
+use feimos::camera::{Camera, Projection, ScreenWindow};
+use feimos::geometry::{Matrix, Point, Transform, Vector};
+use feimos::shape::Shapes;
+
+fn camera() -> Camera {
+    let eye = Point::new(0.0, 0.0, -4.0);
+    let look_at = Transform::look_at(eye, Point::default(), Vector::new(0.0, 1.0, 0.0)).unwrap();
+    Camera {
+        world_from_camera: look_at.inverse,
+        projection: Projection::perspective(90.0),
+        screen_window: ScreenWindow::of_aspect(1.0),
+        resolution: [7, 7],
+    }
+}
+
+/// The small triangle in front of the camera, moved along the view.
+fn triangle(z: f64) -> [Point; 3] {
+    [Point::new(-2.0, -2.0, z), Point::new(2.0, -2.0, z), Point::new(0.0, 2.0, z)]
+}
+
+fn mesh(triangles: impl IntoIterator<Item = [Point; 3]>) -> Shapes {
+    let vertices: Vec<Point> = triangles.into_iter().flatten().collect();
+    let indices = (0..vertices.len() as u32 / 3).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
+    let mut shapes = Shapes::default();
+    shapes.add_mesh(vertices, indices, &Matrix::IDENTITY, 1).unwrap();
+    shapes
+}
+
+fn spheres(all: impl IntoIterator<Item = (Matrix, f64)>) -> Shapes {
+    let mut shapes = Shapes::default();
+    for (matrix, radius) in all {
+        let transform = shapes.add_transform(matrix);
+        shapes.add_sphere(radius, transform, 1).unwrap();
+    }
+    shapes
+}
+
+/// Pixels of the triangle at z = 0: their centres are 8/7 apart there, three lie in the row below the middle, one in
+/// the middle row and one above it.
+const IN_TRIANGLE: u64 = 5;
+
+/// Hits of the 49 pixels, on which all builders agree.
+fn hits(shapes: &Shapes) -> u64 {
+    agreed_picture(&camera(), shapes).hits
+}
+
+#[test]
+fn nothing() {
+    assert_eq!(hits(&Shapes::default()), 0);
+    assert_eq!(hits(&mesh([])), 0);
+}
+
+#[test]
+fn one() {
+    assert_eq!(hits(&mesh([triangle(0.0)])), IN_TRIANGLE);
+    assert!(hits(&spheres([(Matrix::IDENTITY, 1.0)])) > 0);
+}
+
+#[test]
+fn all_equal() {
+    assert_eq!(hits(&mesh([triangle(0.0); 1000])), IN_TRIANGLE);
+    assert_eq!(hits(&spheres([(Matrix::IDENTITY, 1.0); 100])), hits(&spheres([(Matrix::IDENTITY, 1.0)])));
+}
+
+#[test]
+fn zero_area() {
+    let point = Point::new(0.0, 0.0, 1.0);
+    let collinear = [Point::new(-1.0, -1.0, 0.0), Point::new(0.0, 0.0, 0.0), Point::new(1.0, 1.0, 0.0)];
+    assert_eq!(hits(&mesh([[point; 3], collinear])), 0);
+    let mixed = [[point; 3], triangle(1.0), collinear, triangle(0.0)];
+    assert_eq!(hits(&mesh(mixed)), IN_TRIANGLE);
+}
+
+#[test]
+fn non_finite() {
+    let mut shapes = vec![triangle(0.0)];
+    for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for axis in 0..3 {
+            let mut corners = triangle(-1.0);
+            let mut coordinates = corners[1].to_array();
+            coordinates[axis] = wrong;
+            corners[1] = coordinates.into();
+            shapes.push(corners);
+        }
+    }
+    assert_eq!(hits(&mesh(shapes)), IN_TRIANGLE);
+    let wrong = [
+        (Matrix::IDENTITY, f64::NAN),
+        (Matrix::IDENTITY, f64::INFINITY),
+        (Matrix::IDENTITY, 0.0),
+        (Matrix::IDENTITY, -1.0),
+        (Matrix::translate([f64::NAN, 0.0, 0.0]), 1.0),
+        (Matrix::scale([1.0, 0.0, 1.0]), 1.0),
+        (Matrix::scale([1.0, f64::INFINITY, 1.0]), 1.0),
+    ];
+    assert_eq!(hits(&spheres(wrong)), 0);
+}
+
+#[test]
+fn the_ends_of_the_range() {
+    let huge = [Point::new(-1e308, -1e308, 1e308), Point::new(1e308, -1e308, 1e308), Point::new(0.0, 1e308, 1e308)];
+    let tiny = triangle(0.0).map(|p| Point::new(p.x * 1e-320, p.y * 1e-320, 0.0));
+    assert!(hits(&mesh([huge, triangle(0.0), tiny])) >= IN_TRIANGLE);
+    let sizes = [1e-308, 1e-200, 1.0, 1e200, 1e307];
+    assert!(hits(&spheres(sizes.map(|size| (Matrix::scale([size; 3]), 1.0)))) > 0);
+}
+
+/// Neither recursion nor a stack may overflow.
+#[test]
+fn ten_thousand_equal_centroids() {
+    let around = (1..=10_000).map(|k| triangle(0.0).map(|p| Point::new(p.x * f64::from(k), p.y * f64::from(k), 0.0)));
+    assert_eq!(hits(&mesh(around)), 49);
+}
+
+#[test]
+fn ten_thousand_parallel_layers() {
+    let layers = (0..10_000).map(|k| triangle(f64::from(k) * 1e-4));
+    assert_eq!(hits(&mesh(layers)), IN_TRIANGLE);
+}
+
+/// Sizes that halve again and again lead to the deepest trees of the middle split.
+#[test]
+fn sizes_that_halve_again_and_again() {
+    let shrinking =
+        (0..1000).map(|k| triangle(0.0).map(|p| Point::new(p.x * 0.5f64.powi(k), p.y * 0.5f64.powi(k), -p.z)));
+    assert_eq!(hits(&mesh(shrinking)), IN_TRIANGLE);
+    let towards_the_eye = (0..1000).map(|k| triangle(-4.0 + 4.0 * 0.5f64.powi(k)));
+    assert!(hits(&mesh(towards_the_eye)) >= IN_TRIANGLE);
+}

@@ -1,0 +1,41 @@
+//! The Stanford dragon against sums computed independently, in `f64` under the rules of `docs/accuracy.md`.
+
+mod common;
+
+use common::{picture, scene};
+use feimos::accel::{BuildOptions, SplitMethod};
+use feimos::film::ChannelName;
+use std::path::Path;
+
+/// Hit pixels, the sum of `Z` and that of `t`; each value rounded to `f32` before it is added.
+fn sums(name: &str, method: SplitMethod) -> (u64, f64, f64) {
+    let scene = scene(&Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes").join(name));
+    let rendering = picture(&scene.camera, &scene.shapes, BuildOptions::new(method), 2, scene.film.crop);
+    let sum = |channel| {
+        let values = rendering.image.measures(channel).unwrap().iter();
+        values.filter(|value| value.is_finite()).map(|value| f64::from(*value)).sum()
+    };
+    (rendering.hits, sum(ChannelName::Z), sum(ChannelName::T))
+}
+
+fn assert_close(found: f64, expected: f64, tolerance: f64) {
+    assert!((found - expected).abs() <= tolerance, "{found}, expected {expected} +- {tolerance}");
+}
+
+#[test]
+fn from_the_front() {
+    for method in [SplitMethod::Middle, SplitMethod::Equal, SplitMethod::Sah, SplitMethod::Hlbvh] {
+        let (hits, z, t) = sums("dragon.pbrt", method);
+        assert_eq!(hits, 64_870, "{method}");
+        assert_close(z, 158_857.985, 0.002);
+        assert_close(t, 175_275.204, 0.002);
+    }
+}
+
+#[test]
+fn from_nearer_by() {
+    let (hits, z, t) = sums("dragon-close.pbrt", SplitMethod::Sah);
+    assert_eq!(hits, 1_218_314);
+    assert_close(z, 3_758_891.294, 0.02);
+    assert_close(t, 3_981_616.334, 0.02);
+}
