@@ -1,64 +1,81 @@
-//! Mesh files: PLY and OBJ, plain or gzipped, to triangles in object space.
+//! Mesh files to triangles: PLY and OBJ, either of them compressed with gzip.
+//!
+//! A mesh keeps the order of its file: faces in file order, and the triangles of a face in the order that
+//! [`polygon`] fixes, because a triangle's place is the primitive id that pictures store.
+//!
+//! Numbers follow rule R1 of `docs/accuracy.md`.
 
-mod file;
+mod faces;
+mod gzip;
 mod obj;
 mod ply;
-mod polygon;
+pub mod polygon;
+mod quote;
+mod signature;
+mod tally;
+#[cfg(test)]
+mod tests;
 
-use crate::error::{Diagnostic, Result, SourceLocation};
-use crate::geometry::Point;
 use std::path::Path;
 
-/// The geometry of one file in object space.
+use crate::error::{Diagnostic, Error, Result, SourceLocation};
+use crate::geometry::Point;
+
+pub use obj::parse_obj;
+pub use ply::parse_ply;
+
+/// The geometry of one file, in object space.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct TriangleMesh {
-    /// The corners, as the file has them: some may be infinite or NaN.
+    /// The corners; not finite where the file says so, which makes its triangles ones that are never hit.
     pub vertices: Vec<Point>,
-    /// Indices of three vertices each, all in range; faces in the order of the file (rule E3).
+    /// Three places in `vertices` each, in the order of the file.
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// A mesh and what its reader has to say about it.
+/// A mesh, and what is odd about the file without making it unusable.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Loaded {
     /// The geometry.
     pub mesh: TriangleMesh,
-    /// What was left out or will never be hit.
+    /// To be shown to the user; a repeated oddity is counted and told once, at its first place.
     pub warnings: Vec<Diagnostic>,
 }
 
-/// Reads a PLY file: ASCII or binary, gzipped or not.
+/// Reads the PLY file `path`.
 pub fn read_ply(path: &Path) -> Result<Loaded> {
-    parse_ply(path, &file::read(path)?)
+    parse_ply(path, &read(path)?)
 }
 
-/// Reads a Wavefront OBJ file, gzipped or not.
+/// Reads the OBJ file `path`. Material libraries that it names are not opened.
 pub fn read_obj(path: &Path) -> Result<Loaded> {
-    parse_obj(path, &file::read(path)?)
+    parse_obj(path, &read(path)?)
 }
 
-/// Reads the PLY file in `bytes`; `path` is for messages.
-pub fn parse_ply(path: &Path, bytes: &[u8]) -> Result<Loaded> {
-    Ok(with_common_warnings(path, ply::parse(path, bytes)?))
+fn read(path: &Path) -> Result<Vec<u8>> {
+    std::fs::read(path).map_err(|error| Error::reading(path, &error))
 }
 
-/// Reads the OBJ file in `bytes`; `path` is for messages.
-pub fn parse_obj(path: &Path, bytes: &[u8]) -> Result<Loaded> {
-    Ok(with_common_warnings(path, obj::parse(path, bytes)?))
+impl Loaded {
+    /// Adds the warnings that any format can give rise to.
+    fn new(path: &Path, mesh: TriangleMesh, mut warnings: Vec<Diagnostic>) -> Loaded {
+        let broken = mesh.vertices.iter().filter(|vertex| !vertex.is_finite()).count();
+        if broken > 0 {
+            let message = format!("{} with an infinite or NaN coordinate", tally::counted(broken as u64, "vertex"));
+            let warning = Diagnostic::new(message).at(SourceLocation::file(path));
+            warnings.push(warning.note("triangles that use such a vertex are never hit"));
+        }
+        if mesh.triangles.is_empty() {
+            warnings.push(empty(path, mesh.vertices.len()));
+        }
+        Loaded { mesh, warnings }
+    }
 }
 
-fn with_common_warnings(path: &Path, mut loaded: Loaded) -> Loaded {
-    let TriangleMesh { vertices, triangles } = &loaded.mesh;
-    let mut warn = |message: String| {
-        loaded.warnings.push(Diagnostic::new(message).at(SourceLocation::file(path)));
+fn empty(path: &Path, vertices: usize) -> Diagnostic {
+    let message = match vertices {
+        0 => "the mesh is empty: it has no faces".to_string(),
+        _ => format!("the mesh has no faces, only {}", tally::counted(vertices as u64, "vertex")),
     };
-    if triangles.is_empty() {
-        warn(format!("the mesh has {} vertices and no faces: there is nothing to hit", vertices.len()));
-    }
-    let lost = vertices.iter().filter(|vertex| !vertex.is_finite()).count();
-    if lost > 0 {
-        let of = vertices.len();
-        warn(format!("{lost} of {of} vertices are infinite or not a number: their triangles are never hit"));
-    }
-    loaded
+    Diagnostic::new(message).at(SourceLocation::file(path)).note("nothing of it can be hit")
 }

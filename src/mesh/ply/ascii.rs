@@ -1,85 +1,121 @@
-//! Bodies of decimal numbers.
+//! Values as text, between blanks and ends of line.
 
-use super::body::{Body, Fault, Values};
-use super::header::{Number, shorten};
-use crate::decimal;
-use crate::error::SourceLocation;
+use std::ops::Range;
 use std::path::Path;
 
-/// Numbers between blanks; where lines end means nothing.
-pub(super) struct AsciiBody<'a> {
+use super::header::Scalar;
+use super::values::{Fault, Run, Values};
+use crate::decimal;
+use crate::error::{Diagnostic, SourceLocation};
+use crate::mesh::tally::Tally;
+
+/// The text from some place on.
+#[derive(Clone)]
+pub(super) struct Ascii<'a> {
     path: &'a Path,
-    bytes: &'a [u8],
-    position: usize,
+    text: &'a [u8],
+    at: usize,
+    token: usize,
 }
 
-impl<'a> AsciiBody<'a> {
-    pub(super) fn new(path: &'a Path, bytes: &'a [u8], position: usize) -> AsciiBody<'a> {
-        AsciiBody { path, bytes, position }
+impl<'a> Ascii<'a> {
+    /// The values of `text` from `start` on.
+    pub(super) fn new(path: &'a Path, text: &'a [u8], start: usize) -> Ascii<'a> {
+        Ascii { path, text, at: start, token: start }
     }
 
     #[inline]
-    fn token(&mut self) -> Values<&'a [u8]> {
-        let rest = &self.bytes[self.position..];
-        let start = rest.iter().position(|byte| *byte > b' ').unwrap_or(rest.len());
-        let rest = &rest[start..];
-        let length = rest.iter().position(|byte| *byte <= b' ').unwrap_or(rest.len());
-        self.position += start + length;
-        if length == 0 {
-            return Err(Fault { message: "the file ends here".to_owned(), position: self.position });
+    fn token(&mut self) -> Result<&'a [u8], Fault> {
+        let is_blank = |byte: &u8| *byte <= b' ';
+        let mut rest = &self.text[self.at..];
+        while let [first, tail @ ..] = rest
+            && is_blank(first)
+        {
+            rest = tail;
         }
+        self.token = self.text.len() - rest.len();
+        if rest.is_empty() {
+            self.at = self.token;
+            return Err(Fault::End);
+        }
+        let length = rest.iter().position(is_blank).unwrap_or(rest.len());
+        self.at = self.token + length;
         Ok(&rest[..length])
     }
-
-    #[cold]
-    fn not_a_number(&self, token: &[u8]) -> Fault {
-        let found = shorten(&String::from_utf8_lossy(token));
-        Fault { message: format!("found `{found}`, expected a number"), position: self.position - token.len() }
-    }
 }
 
-impl Body for AsciiBody<'_> {
+impl Values for Ascii<'_> {
     #[inline]
-    fn number(&mut self, number: Number) -> Values<f64> {
-        let token = self.token()?;
-        match decimal::parse(token) {
-            Some(value) if number == Number::Float32 => Ok(f64::from(value as f32)),
-            Some(value) => Ok(value),
-            None => Err(self.not_a_number(token)),
+    fn real(&mut self, kind: Scalar) -> Result<f64, Fault> {
+        match kind {
+            Scalar::F64 => decimal::parse(self.token()?).ok_or(Fault::NotANumber),
+            Scalar::F32 => decimal::parse(self.token()?).map(|value| f64::from(value as f32)).ok_or(Fault::NotANumber),
+            _ => self.integer(kind).map(|value| value as f64),
         }
     }
 
     #[inline]
-    fn skip(&mut self, _: Number) -> Values<()> {
-        self.token().map(|_| ())
+    fn integer(&mut self, _: Scalar) -> Result<i64, Fault> {
+        parse_integer(self.token()?).ok_or(Fault::NotAnInteger)
     }
 
-    fn least_size(_: Number) -> usize {
-        // A digit and a blank; the last blank of the file may be missing.
-        2
+    fn skip(&mut self, run: Run) -> Result<(), Fault> {
+        (0..run.values).try_for_each(|_| self.token().map(drop))
     }
 
-    fn position(&self) -> usize {
-        self.position
+    fn bytes_left(&self) -> u64 {
+        (self.text.len() - self.at) as u64
     }
 
-    fn remaining(&self) -> usize {
-        self.bytes.len() - self.position + 1
+    /// A digit for each, and a blank between them.
+    #[inline]
+    fn least_bytes(run: Run) -> u64 {
+        run.values.saturating_mul(2).saturating_sub(1)
     }
 
-    fn is_at_end(&self) -> bool {
-        self.bytes[self.position..].iter().all(|byte| *byte <= b' ')
+    fn last(&self) -> Range<usize> {
+        self.token..self.at
     }
 
-    fn location(&self, position: usize) -> SourceLocation {
-        let blanks = self.bytes[position..].iter().take_while(|byte| **byte <= b' ').count();
-        // At the end of the file the last number is the better place.
-        let start = if position + blanks < self.bytes.len() {
-            position + blanks
-        } else {
-            self.bytes.trim_ascii_end().len().saturating_sub(1)
-        };
-        let length = self.bytes[start..].iter().take_while(|byte| **byte > b' ').count();
-        SourceLocation::text(self.path, self.bytes, start..start + length)
+    fn location(&self, span: Range<usize>) -> SourceLocation {
+        SourceLocation::text(self.path, self.text, span)
     }
+
+    fn warning(&self, tally: Tally, noun: &str) -> Option<Diagnostic> {
+        tally.in_text(self.path, self.text, noun)
+    }
+
+    fn rest(&self) -> Range<usize> {
+        let rest = &self.text[self.at..];
+        let blanks = rest.iter().position(|byte| *byte > b' ').unwrap_or(rest.len());
+        self.at + blanks..self.text.len()
+    }
+
+    /// A header that lists one property too many or too few is often noticed only here.
+    fn is_inside_line(&self) -> bool {
+        let rest = &self.text[self.at..];
+        rest.iter().find(|byte| !matches!(byte, b' ' | b'\t')).is_some_and(|byte| !matches!(byte, b'\n' | b'\r'))
+    }
+}
+
+/// A whole number; one beyond `i64` is none that a mesh can mean.
+#[inline]
+fn parse_integer(token: &[u8]) -> Option<i64> {
+    let (is_negative, digits) = match token {
+        [b'-', digits @ ..] => (true, digits),
+        [b'+', digits @ ..] => (false, digits),
+        digits => (false, digits),
+    };
+    if digits.is_empty() || digits.len() > 18 {
+        return None;
+    }
+    let mut value = 0;
+    for byte in digits {
+        let digit = byte.wrapping_sub(b'0');
+        if digit > 9 {
+            return None;
+        }
+        value = value * 10 + i64::from(digit);
+    }
+    Some(if is_negative { -value } else { value })
 }

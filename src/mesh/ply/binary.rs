@@ -1,106 +1,197 @@
-//! Bodies of binary numbers.
+//! Values as bytes, one right after the other.
 
-use super::body::{Body, Fault, Values};
-use super::header::Number;
-use crate::error::SourceLocation;
 use std::marker::PhantomData;
+use std::ops::Range;
 use std::path::Path;
 
+use super::header::Scalar;
+use super::step::Layout;
+use super::values::{Fault, Run, Values};
+use crate::error::{Diagnostic, SourceLocation};
+use crate::geometry::Point;
+use crate::mesh::faces::Faces;
+use crate::mesh::tally::Tally;
+
 /// The order of the bytes of a number.
-pub(super) trait ByteOrder {
-    /// Turns the first bytes of a number into the little-endian order.
-    fn little<const N: usize>(bytes: [u8; N]) -> [u8; N];
+pub(super) trait ByteOrder: Clone {
+    /// Whether the most significant byte comes first.
+    const IS_BIG: bool;
 }
 
+/// The least significant byte first.
+#[derive(Clone)]
 pub(super) struct LittleEndian;
+
+/// The most significant byte first.
+#[derive(Clone)]
 pub(super) struct BigEndian;
 
 impl ByteOrder for LittleEndian {
-    #[inline]
-    fn little<const N: usize>(bytes: [u8; N]) -> [u8; N] {
-        bytes
-    }
+    const IS_BIG: bool = false;
 }
 
 impl ByteOrder for BigEndian {
-    #[inline]
-    fn little<const N: usize>(mut bytes: [u8; N]) -> [u8; N] {
-        bytes.reverse();
-        bytes
-    }
+    const IS_BIG: bool = true;
 }
 
-/// Numbers one after the other, without gaps.
-pub(super) struct BinaryBody<'a, Order> {
+/// The bytes from some place on.
+#[derive(Clone)]
+pub(super) struct Binary<'a, Order> {
     path: &'a Path,
     bytes: &'a [u8],
-    position: usize,
+    at: usize,
+    last: usize,
     order: PhantomData<Order>,
 }
 
-impl<'a, Order: ByteOrder> BinaryBody<'a, Order> {
-    pub(super) fn new(path: &'a Path, bytes: &'a [u8], position: usize) -> BinaryBody<'a, Order> {
-        BinaryBody { path, bytes, position, order: PhantomData }
+impl<'a, Order: ByteOrder> Binary<'a, Order> {
+    /// The values of `bytes` from `start` on.
+    pub(super) fn new(path: &'a Path, bytes: &'a [u8], start: usize) -> Self {
+        Binary { path, bytes, at: start, last: start, order: PhantomData }
+    }
+
+    /// The bytes of the next value, the least significant one first.
+    #[inline]
+    fn take<const N: usize>(&mut self) -> Result<[u8; N], Fault> {
+        self.last = self.at;
+        let bytes = self.bytes[self.at..].first_chunk().ok_or(Fault::End)?;
+        self.at += N;
+        Ok(Self::ordered(*bytes))
     }
 
     #[inline]
-    fn take<const N: usize>(&mut self) -> Values<[u8; N]> {
-        match self.bytes[self.position..].first_chunk::<N>() {
-            Some(bytes) => {
-                self.position += N;
-                Ok(Order::little(*bytes))
-            }
-            None => Err(self.ends()),
+    fn ordered<const N: usize>(mut bytes: [u8; N]) -> [u8; N] {
+        if Order::IS_BIG {
+            bytes.reverse();
         }
+        bytes
     }
 
-    #[cold]
-    fn ends(&self) -> Fault {
-        Fault { message: "the file ends here".to_owned(), position: self.bytes.len() }
+    /// The corners in a list, if they are three and all of them below `limit`.
+    #[inline]
+    fn triangle(list: &[u8], limit: u32) -> Option<[u32; 3]> {
+        let [3, a0, a1, a2, a3, b0, b1, b2, b3, c0, c1, c2, c3] = *list.first_chunk::<TRIANGLE>()? else {
+            return None;
+        };
+        let corners = [[a0, a1, a2, a3], [b0, b1, b2, b3], [c0, c1, c2, c3]].map(Self::ordered).map(u32::from_le_bytes);
+        corners.iter().all(|corner| *corner < limit).then_some(corners)
+    }
+
+    /// The points at `offsets` in records of `stride` bytes; the loop has no decisions left.
+    fn gather<const N: usize>(
+        records: &[u8],
+        stride: usize,
+        offsets: [usize; 3],
+        real: impl Fn([u8; N]) -> f64,
+    ) -> Option<Vec<Point>> {
+        let value = |record: &[u8], offset: usize| {
+            let bytes = record.get(offset..offset + N)?.try_into().ok()?;
+            Some(real(Self::ordered(bytes)))
+        };
+        let point = |record: &[u8]| {
+            Some(Point::new(value(record, offsets[0])?, value(record, offsets[1])?, value(record, offsets[2])?))
+        };
+        let mut points = Vec::with_capacity(records.len() / stride);
+        for record in records.chunks_exact(stride) {
+            points.push(point(record)?);
+        }
+        Some(points)
     }
 }
 
-impl<Order: ByteOrder> Body for BinaryBody<'_, Order> {
+impl<Order: ByteOrder> Values for Binary<'_, Order> {
     #[inline]
-    fn number(&mut self, number: Number) -> Values<f64> {
-        Ok(match number {
-            Number::Int8 => f64::from(i8::from_le_bytes(self.take()?)),
-            Number::Uint8 => f64::from(u8::from_le_bytes(self.take()?)),
-            Number::Int16 => f64::from(i16::from_le_bytes(self.take()?)),
-            Number::Uint16 => f64::from(u16::from_le_bytes(self.take()?)),
-            Number::Int32 => f64::from(i32::from_le_bytes(self.take()?)),
-            Number::Uint32 => f64::from(u32::from_le_bytes(self.take()?)),
-            Number::Float32 => f64::from(f32::from_le_bytes(self.take()?)),
-            Number::Float64 => f64::from_le_bytes(self.take()?),
-        })
+    fn real(&mut self, kind: Scalar) -> Result<f64, Fault> {
+        match kind {
+            Scalar::F32 => self.take().map(|bytes| f64::from(f32::from_le_bytes(bytes))),
+            Scalar::F64 => self.take().map(f64::from_le_bytes),
+            _ => self.integer(kind).map(|value| value as f64),
+        }
     }
 
     #[inline]
-    fn skip(&mut self, number: Number) -> Values<()> {
-        if self.remaining() < number.size() {
-            return Err(self.ends());
+    fn integer(&mut self, kind: Scalar) -> Result<i64, Fault> {
+        match kind {
+            Scalar::I8 => self.take().map(|bytes| i64::from(i8::from_le_bytes(bytes))),
+            Scalar::U8 => self.take().map(|bytes| i64::from(u8::from_le_bytes(bytes))),
+            Scalar::I16 => self.take().map(|bytes| i64::from(i16::from_le_bytes(bytes))),
+            Scalar::U16 => self.take().map(|bytes| i64::from(u16::from_le_bytes(bytes))),
+            Scalar::I32 => self.take().map(|bytes| i64::from(i32::from_le_bytes(bytes))),
+            Scalar::U32 => self.take().map(|bytes| i64::from(u32::from_le_bytes(bytes))),
+            Scalar::F32 | Scalar::F64 => Err(Fault::NotAnInteger),
         }
-        self.position += number.size();
+    }
+
+    #[inline]
+    fn skip(&mut self, run: Run) -> Result<(), Fault> {
+        self.last = self.at;
+        if run.bytes > self.bytes_left() {
+            return Err(Fault::End);
+        }
+        self.at += run.bytes as usize;
         Ok(())
     }
 
-    fn least_size(number: Number) -> usize {
-        number.size()
+    fn bytes_left(&self) -> u64 {
+        (self.bytes.len() - self.at) as u64
     }
 
-    fn position(&self) -> usize {
-        self.position
+    #[inline]
+    fn least_bytes(run: Run) -> u64 {
+        run.bytes
     }
 
-    fn remaining(&self) -> usize {
-        self.bytes.len() - self.position
+    fn last(&self) -> Range<usize> {
+        self.last..self.at
     }
 
-    fn is_at_end(&self) -> bool {
-        self.remaining() == 0
+    fn location(&self, span: Range<usize>) -> SourceLocation {
+        SourceLocation::byte(self.path, span.start as u64)
     }
 
-    fn location(&self, position: usize) -> SourceLocation {
-        SourceLocation::byte(self.path, position as u64)
+    fn warning(&self, tally: Tally, noun: &str) -> Option<Diagnostic> {
+        tally.in_binary(self.path, noun)
+    }
+
+    fn rest(&self) -> Range<usize> {
+        let is_padding = self.bytes[self.at..].iter().all(|byte| matches!(byte, b'\n' | b'\r' | 0));
+        if is_padding { self.bytes.len()..self.bytes.len() } else { self.at..self.bytes.len() }
+    }
+
+    fn is_inside_line(&self) -> bool {
+        false
+    }
+
+    fn points(&mut self, count: u64, stride: usize, offsets: [usize; 3], kind: Scalar) -> Option<Vec<Point>> {
+        let size = usize::try_from(count).ok()?.checked_mul(stride)?;
+        let records = self.bytes[self.at..].get(..size)?;
+        let points = match kind {
+            Scalar::F32 => Self::gather(records, stride, offsets, |bytes| f64::from(f32::from_le_bytes(bytes))),
+            Scalar::F64 => Self::gather(records, stride, offsets, f64::from_le_bytes),
+            _ => None,
+        }?;
+        self.at += size;
+        Some(points)
+    }
+
+    fn triangles(&mut self, count: u64, layout: &Layout, faces: &mut Faces) -> u64 {
+        let Layout { lead, count: Scalar::U8 | Scalar::I8, item: Scalar::I32 | Scalar::U32, trail } = *layout else {
+            return 0;
+        };
+        let lead = lead.bytes as usize;
+        let stride = lead + TRIANGLE + trail.bytes as usize;
+        // As an unsigned number, a negative index is too large for this as well.
+        let limit = faces.vertex_count().min(1 << 31) as u32;
+        let mut read = 0;
+        for record in self.bytes[self.at..].chunks_exact(stride).take(count as usize) {
+            let Some(corners) = Self::triangle(&record[lead..], limit) else { break };
+            faces.push_triangle(corners);
+            read += 1;
+        }
+        self.at += read * stride;
+        read as u64
     }
 }
+
+/// Bytes of a list of three corners.
+const TRIANGLE: usize = 1 + 3 * 4;

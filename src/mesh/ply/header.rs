@@ -1,258 +1,220 @@
-//! The header: which elements follow, in which encoding.
+//! The header of a PLY file: what follows, in which order and in which form.
 
-use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use std::ops::Range;
 use std::path::Path;
 
-/// How the body is written.
+use super::line::{Lines, Words};
+use crate::error::{Diagnostic, Error, Result, SourceLocation};
+use crate::mesh::signature;
+
+/// How the values are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Encoding {
     Ascii,
-    BinaryLittleEndian,
-    BinaryBigEndian,
+    LittleEndian,
+    BigEndian,
 }
 
 /// The type of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Number {
-    Int8,
-    Uint8,
-    Int16,
-    Uint16,
-    Int32,
-    Uint32,
-    Float32,
-    Float64,
+pub(super) enum Scalar {
+    I8,
+    U8,
+    I16,
+    U16,
+    I32,
+    U32,
+    F32,
+    F64,
 }
 
-impl Number {
-    fn from_name(name: &str) -> Option<Number> {
+impl Scalar {
+    fn parse(name: &[u8]) -> Option<Scalar> {
         Some(match name {
-            "char" | "int8" => Number::Int8,
-            "uchar" | "uint8" => Number::Uint8,
-            "short" | "int16" => Number::Int16,
-            "ushort" | "uint16" => Number::Uint16,
-            "int" | "int32" => Number::Int32,
-            "uint" | "uint32" => Number::Uint32,
-            "float" | "float32" => Number::Float32,
-            "double" | "float64" => Number::Float64,
+            b"char" | b"int8" => Scalar::I8,
+            b"uchar" | b"uint8" => Scalar::U8,
+            b"short" | b"int16" => Scalar::I16,
+            b"ushort" | b"uint16" => Scalar::U16,
+            b"int" | b"int32" => Scalar::I32,
+            b"uint" | b"uint32" => Scalar::U32,
+            b"float" | b"float32" => Scalar::F32,
+            b"double" | b"float64" => Scalar::F64,
             _ => return None,
         })
     }
 
-    /// Bytes in a binary file.
+    /// Bytes of a binary value.
     pub(super) fn size(self) -> usize {
         match self {
-            Number::Int8 | Number::Uint8 => 1,
-            Number::Int16 | Number::Uint16 => 2,
-            Number::Int32 | Number::Uint32 | Number::Float32 => 4,
-            Number::Float64 => 8,
+            Scalar::I8 | Scalar::U8 => 1,
+            Scalar::I16 | Scalar::U16 => 2,
+            Scalar::I32 | Scalar::U32 | Scalar::F32 => 4,
+            Scalar::F64 => 8,
         }
     }
 
-    /// Whether it has no fraction.
     pub(super) fn is_integer(self) -> bool {
-        !matches!(self, Number::Float32 | Number::Float64)
+        !matches!(self, Scalar::F32 | Scalar::F64)
     }
 }
 
-/// One number, or a count and as many numbers.
+/// What a property holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
-    Scalar(Number),
-    List { count: Number, item: Number },
+pub(super) enum Shape {
+    One(Scalar),
+    List { count: Scalar, item: Scalar },
 }
 
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Property {
     pub(super) name: String,
-    pub(super) kind: Kind,
+    pub(super) shape: Shape,
 }
 
+/// A kind of record and how many of them follow.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Element {
     pub(super) name: String,
     pub(super) count: u64,
     pub(super) properties: Vec<Property>,
+    /// Its line in the header.
+    pub(super) span: Range<usize>,
 }
 
-impl Element {
-    /// The place of the property called `name`.
-    pub(super) fn property(&self, name: &str) -> Option<usize> {
-        self.properties.iter().position(|property| property.name == name)
-    }
-}
-
+/// What the header says.
 #[derive(Debug)]
 pub(super) struct Header {
     pub(super) encoding: Encoding,
     pub(super) elements: Vec<Element>,
-    /// Where the body begins.
-    pub(super) end: usize,
+    /// Bytes up to the first value.
+    pub(super) size: usize,
+    pub(super) warnings: Vec<Diagnostic>,
 }
 
 impl Header {
-    pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Header> {
-        let mut lines = Lines { bytes, position: 0, lone_cr: false };
-        let magic = lines.next();
-        if !magic.as_ref().is_some_and(|line| bytes[line.clone()].trim_ascii() == b"ply") {
-            return Err(not_a_ply(path, bytes));
-        }
-        lines.lone_cr = bytes[..lines.position].ends_with(b"\r");
-        let mut parser = HeaderParser { path, bytes, encoding: None, elements: Vec::new() };
-        for line in &mut lines {
-            if parser.obey(&line)? {
-                let Some(encoding) = parser.encoding else {
-                    return Err(parser.error(
-                        &line,
-                        "the header ends without a format",
-                        "expected `format ascii 1.0` or another encoding",
-                    ));
-                };
-                return Ok(Header { encoding, elements: parser.elements, end: lines.position });
+    /// Reads the header at the start of `content`.
+    pub(super) fn parse(path: &Path, content: &[u8]) -> Result<Header> {
+        let mut reader = Reader::begin(path, content)?;
+        let mut header = Header { encoding: reader.encoding()?, elements: Vec::new(), size: 0, warnings: Vec::new() };
+        while let Some(line) = reader.lines.next() {
+            let words = Words::new(content, line.clone());
+            match words.get(0) {
+                b"end_header" => {
+                    header.size = reader.lines.position();
+                    return Ok(header);
+                }
+                b"comment" | b"obj_info" | b"" => {}
+                b"element" => header.elements.push(reader.element(&words)?),
+                b"property" => reader.property(&words, header.elements.last_mut())?,
+                _ if header.elements.is_empty() => header.warnings.push(reader.stray_line(line)),
+                _ => return Err(reader.unknown_keyword(&words)),
             }
         }
-        let end = bytes.len()..bytes.len();
-        Err(parser.error(&end, "the file ends within the header", "expected `end_header`"))
+        let diagnostic = Diagnostic::new("the header has no end").at(SourceLocation::file(path));
+        Err(Error::bad_input(diagnostic.note("expected a line `end_header`: the file may be cut off")))
     }
 }
 
-/// What the file is instead, as far as its first bytes tell.
-fn not_a_ply(path: &Path, bytes: &[u8]) -> Error {
-    let what = if bytes.is_empty() {
-        "the file is empty"
-    } else if bytes.starts_with(b"version https://git-lfs") {
-        "this is a Git LFS pointer, not the mesh: fetch it with `git lfs pull`"
-    } else if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
-        "this is UTF-16 text, not a PLY file"
-    } else if bytes.starts_with(b"v ") || bytes.starts_with(b"# ") {
-        "this is not a PLY file; it may be an OBJ, which \"objmesh\" reads"
-    } else {
-        "this is not a PLY file"
-    };
-    let diagnostic = Diagnostic::new(what).at(SourceLocation::line(path, 1));
-    Error::bad_input(diagnostic.note("expected `ply` in the first line"))
-}
-
-/// Lines of the header. Each ends with LF, CR LF or CR; binary data begin right after the last one's end, so a
-/// line feed behind a carriage return is part of the end only where the header's lines do not end with CR alone.
-struct Lines<'a> {
-    bytes: &'a [u8],
-    position: usize,
-    lone_cr: bool,
-}
-
-impl Iterator for Lines<'_> {
-    type Item = Range<usize>;
-
-    fn next(&mut self) -> Option<Range<usize>> {
-        let rest = &self.bytes[self.position..];
-        if rest.is_empty() {
-            return None;
-        }
-        let length = rest.iter().position(|byte| *byte == b'\n' || *byte == b'\r').unwrap_or(rest.len());
-        let end = match rest.get(length) {
-            Some(b'\r') if rest.get(length + 1) == Some(&b'\n') && !self.lone_cr => length + 2,
-            Some(_) => length + 1,
-            None => length,
-        };
-        let line = self.position..self.position + length;
-        self.position += end;
-        Some(line)
-    }
-}
-
-struct HeaderParser<'a> {
+struct Reader<'a> {
     path: &'a Path,
-    bytes: &'a [u8],
-    encoding: Option<Encoding>,
-    elements: Vec<Element>,
+    content: &'a [u8],
+    lines: Lines<'a>,
 }
 
-impl HeaderParser<'_> {
-    fn error(&self, line: &Range<usize>, message: impl Into<String>, note: &str) -> Error {
-        let location = SourceLocation::text(self.path, self.bytes, line.clone());
-        Error::bad_input(Diagnostic::new(message).at(location).note(note))
-    }
-
-    /// Takes one line in; whether it was the last.
-    fn obey(&mut self, line: &Range<usize>) -> Result<bool> {
-        let text = String::from_utf8_lossy(&self.bytes[line.clone()]);
-        let words: Vec<&str> = text.split_ascii_whitespace().collect();
-        match words[..] {
-            [] | ["comment" | "obj_info", ..] => {}
-            ["format", encoding, ..] => self.encoding = Some(self.encoding(line, encoding)?),
-            ["element", name, count, ..] => self.element(line, name, count)?,
-            ["property", "list", count, item, name, ..] => {
-                let kind = Kind::List { count: self.count_type(line, count)?, item: self.number(line, item)? };
-                self.property(line, name, kind)?;
-            }
-            ["property", number, name, ..] => {
-                let kind = Kind::Scalar(self.number(line, number)?);
-                self.property(line, name, kind)?;
-            }
-            ["end_header", ..] => return Ok(true),
-            [word, ..] => {
-                let message = format!("`{}` in the header", shorten(word));
-                let note = "expected format, comment, obj_info, element NAME COUNT, property TYPE NAME or end_header";
-                return Err(self.error(line, message, note));
-            }
+impl<'a> Reader<'a> {
+    fn begin(path: &'a Path, content: &'a [u8]) -> Result<Reader<'a>> {
+        let mark = content.len() - signature::without_utf8_mark(content).len();
+        let mut lines = Lines::new(content, mark);
+        let first = lines.next().unwrap_or(mark..content.len());
+        if content[first].trim_ascii() == b"ply" {
+            return Ok(Reader { path, content, lines });
         }
-        Ok(false)
+        let diagnostic = match signature::describe(content) {
+            Some(found) => Diagnostic::new(format!("not a PLY mesh: this is {found}")),
+            None => Diagnostic::new("not a PLY mesh").note("expected the first line to be `ply`"),
+        };
+        Err(Error::bad_input(diagnostic.at(SourceLocation::file(path))))
     }
 
-    fn encoding(&self, line: &Range<usize>, name: &str) -> Result<Encoding> {
-        match name {
-            "ascii" => Ok(Encoding::Ascii),
-            "binary_little_endian" => Ok(Encoding::BinaryLittleEndian),
-            "binary_big_endian" => Ok(Encoding::BinaryBigEndian),
-            _ => {
-                let message = format!("the format `{}` is unknown", shorten(name));
-                Err(self.error(line, message, "expected ascii, binary_little_endian or binary_big_endian"))
-            }
+    fn encoding(&mut self) -> Result<Encoding> {
+        let content = self.content;
+        let is_comment =
+            |line: &Range<usize>| matches!(Words::new(content, line.clone()).get(0), b"comment" | b"obj_info" | b"");
+        let line = self.lines.find(|line| !is_comment(line)).unwrap_or(content.len()..content.len());
+        let words = Words::new(content, line);
+        let known = "expected `format`, one of ascii, binary_little_endian and binary_big_endian, and the version 1.0";
+        if words.get(0) != b"format" {
+            return Err(self.wrong(&words, 0, "the encoding is missing", known));
+        }
+        let encoding = match words.get(1) {
+            b"ascii" => Encoding::Ascii,
+            b"binary_little_endian" => Encoding::LittleEndian,
+            b"binary_big_endian" => Encoding::BigEndian,
+            _ => return Err(self.wrong(&words, 1, format!("unknown encoding {}", words.quoted(1)), known)),
+        };
+        match words.get(2) {
+            b"1.0" => Ok(encoding),
+            _ => Err(self.wrong(&words, 2, format!("unknown version {}", words.quoted(2)), known)),
         }
     }
 
-    fn number(&self, line: &Range<usize>, name: &str) -> Result<Number> {
-        Number::from_name(name).ok_or_else(|| {
-            let message = format!("`{}` is no type of a property", shorten(name));
-            let note = "expected char, uchar, short, ushort, int, uint, float, double, or int8 to float64";
-            self.error(line, message, note)
+    fn element(&self, words: &Words) -> Result<Element> {
+        if words.get(1).is_empty() {
+            return Err(self.wrong(words, 1, "an element without a name", "expected `element NAME COUNT`"));
+        }
+        let count = str::from_utf8(words.get(2)).ok().and_then(|word| word.parse().ok());
+        let Some(count) = count else {
+            let message = format!("{} is not a number of elements", words.quoted(2));
+            return Err(self.wrong(words, 2, message, "expected `element NAME COUNT`"));
+        };
+        Ok(Element { name: words.text(1), count, properties: Vec::new(), span: words.line() })
+    }
+
+    fn property(&self, words: &Words, element: Option<&mut Element>) -> Result<()> {
+        let Some(element) = element else {
+            return Err(self.wrong(words, 0, "a property before any element", "expected `element NAME COUNT` first"));
+        };
+        let (shape, name) = match words.get(1) {
+            b"list" => (Shape::List { count: self.count_type(words)?, item: self.scalar(words, 3)? }, 4),
+            _ => (Shape::One(self.scalar(words, 1)?), 2),
+        };
+        if words.get(name).is_empty() {
+            let form = "expected `property TYPE NAME` or `property list TYPE TYPE NAME`";
+            return Err(self.wrong(words, name, "a property without a name", form));
+        }
+        element.properties.push(Property { name: words.text(name), shape });
+        Ok(())
+    }
+
+    fn count_type(&self, words: &Words) -> Result<Scalar> {
+        let scalar = self.scalar(words, 2)?;
+        if scalar.is_integer() {
+            return Ok(scalar);
+        }
+        let message = format!("the length of a list cannot be a {}", words.quoted(2));
+        Err(self.wrong(words, 2, message, "expected an integer type, such as uchar"))
+    }
+
+    fn scalar(&self, words: &Words, at: usize) -> Result<Scalar> {
+        Scalar::parse(words.get(at)).ok_or_else(|| {
+            let known = "expected one of char, uchar, short, ushort, int, uint, float, double, int8, uint8, int16, \
+                         uint16, int32, uint32, float32 and float64";
+            self.wrong(words, at, format!("unknown type {}", words.quoted(at)), known)
         })
     }
 
-    fn count_type(&self, line: &Range<usize>, name: &str) -> Result<Number> {
-        let number = self.number(line, name)?;
-        if number.is_integer() {
-            return Ok(number);
-        }
-        Err(self.error(line, format!("a list whose count is a `{name}`"), "expected an integer type"))
+    fn stray_line(&self, line: Range<usize>) -> Diagnostic {
+        let location = SourceLocation::text(self.path, self.content, line);
+        Diagnostic::new("skipped a header line of unknown meaning").at(location).note("a comment begins with `comment`")
     }
 
-    fn element(&mut self, line: &Range<usize>, name: &str, count: &str) -> Result<()> {
-        let Ok(count) = count.parse() else {
-            let message = format!("element {} has `{}` as its count", shorten(name), shorten(count));
-            return Err(self.error(line, message, "expected an integer of 0 or more"));
-        };
-        if self.elements.iter().any(|element| element.name == name) {
-            let message = format!("a second element called {}", shorten(name));
-            return Err(self.error(line, message, "expected each element once"));
-        }
-        self.elements.push(Element { name: name.to_owned(), count, properties: Vec::new() });
-        Ok(())
+    fn unknown_keyword(&self, words: &Words) -> Error {
+        let known = "expected one of element, property, comment, obj_info and end_header";
+        self.wrong(words, 0, format!("unknown header line {}", words.quoted(0)), known)
     }
 
-    fn property(&mut self, line: &Range<usize>, name: &str, kind: Kind) -> Result<()> {
-        let Some(element) = self.elements.last_mut() else {
-            return Err(self.error(line, "a property before any element", "expected element NAME COUNT first"));
-        };
-        element.properties.push(Property { name: name.to_owned(), kind });
-        Ok(())
+    fn wrong(&self, words: &Words, at: usize, message: impl Into<String>, note: &str) -> Error {
+        let location = SourceLocation::text(self.path, self.content, words.span(at));
+        Error::bad_input(Diagnostic::new(message).at(location).note(note))
     }
-}
-
-/// A word from a file, cut to what fits a message.
-pub(super) fn shorten(word: &str) -> String {
-    const MAX: usize = 40;
-    if word.chars().count() <= MAX { word.to_owned() } else { word.chars().take(MAX).chain("...".chars()).collect() }
 }

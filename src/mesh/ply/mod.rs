@@ -1,29 +1,42 @@
-//! The PLY format (Greg Turk, 1994), with what files in the wild make of it.
+//! PLY: a header that describes elements and their properties, and their values as text or bytes.
+//!
+//! Read are the properties x, y and z of the element `vertex`, and the list `vertex_indices` or `vertex_index` of the
+//! element `face`; all else is skipped, whatever it is.
 
 mod ascii;
 mod binary;
 mod body;
-mod elements;
+mod complaint;
+mod face;
 mod header;
-#[cfg(test)]
-mod tests;
+mod line;
+mod step;
+mod values;
+mod vertex;
 
-use super::Loaded;
-use crate::error::Result;
-use ascii::AsciiBody;
-use binary::{BigEndian, BinaryBody, LittleEndian};
-use header::{Encoding, Header};
 use std::path::Path;
 
-pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Loaded> {
-    let header = Header::parse(path, bytes)?;
+use self::ascii::Ascii;
+use self::binary::{BigEndian, Binary, LittleEndian};
+use self::header::{Encoding, Header};
+use super::{Loaded, gzip};
+use crate::error::Result;
+
+/// Reads the bytes of a PLY file, compressed or not; `path` is for messages only.
+pub fn parse_ply(path: &Path, bytes: &[u8]) -> Result<Loaded> {
+    let content = gzip::decompressed(path, bytes)?;
+    parse(path, &content).map_err(|error| match gzip::recognises(bytes) {
+        true => error.note("places count in the decompressed file"),
+        false => error,
+    })
+}
+
+fn parse(path: &Path, content: &[u8]) -> Result<Loaded> {
+    let header = Header::parse(path, content)?;
+    let start = header.size;
     match header.encoding {
-        Encoding::Ascii => elements::read(&header, path, AsciiBody::new(path, bytes, header.end)),
-        Encoding::BinaryLittleEndian => {
-            elements::read(&header, path, BinaryBody::<LittleEndian>::new(path, bytes, header.end))
-        }
-        Encoding::BinaryBigEndian => {
-            elements::read(&header, path, BinaryBody::<BigEndian>::new(path, bytes, header.end))
-        }
+        Encoding::Ascii => body::read(path, content, Ascii::new(path, content, start), header),
+        Encoding::LittleEndian => body::read(path, content, Binary::<LittleEndian>::new(path, content, start), header),
+        Encoding::BigEndian => body::read(path, content, Binary::<BigEndian>::new(path, content, start), header),
     }
 }

@@ -1,0 +1,89 @@
+//! What the encodings of PLY have in common: numbers in a row.
+
+use std::ops::Range;
+
+use super::header::Scalar;
+use super::step::Layout;
+use crate::error::{Diagnostic, SourceLocation};
+use crate::geometry::Point;
+use crate::mesh::faces::Faces;
+use crate::mesh::tally::Tally;
+
+/// Why a value could not be read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Fault {
+    End,
+    NotANumber,
+    NotAnInteger,
+    NegativeLength,
+    ListTooLong,
+}
+
+/// Values in a row: how many, and the bytes that they take in a binary file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) struct Run {
+    pub(super) values: u64,
+    pub(super) bytes: u64,
+}
+
+impl Run {
+    /// `values` numbers of one type.
+    #[inline]
+    pub(super) fn of(kind: Scalar, values: u64) -> Run {
+        Run { values, bytes: values.saturating_mul(kind.size() as u64) }
+    }
+
+    pub(super) fn plus(self, other: Run) -> Run {
+        let values = self.values.saturating_add(other.values);
+        Run { values, bytes: self.bytes.saturating_add(other.bytes) }
+    }
+
+    pub(super) fn times(self, count: u64) -> Run {
+        Run { values: self.values.saturating_mul(count), bytes: self.bytes.saturating_mul(count) }
+    }
+}
+
+/// The values of a file in their order; a clone goes on from the same place.
+pub(super) trait Values: Clone {
+    /// The next value, as a coordinate.
+    fn real(&mut self, kind: Scalar) -> Result<f64, Fault>;
+
+    /// The next value, as a length or an index.
+    fn integer(&mut self, kind: Scalar) -> Result<i64, Fault>;
+
+    /// Leaves values out.
+    fn skip(&mut self, run: Run) -> Result<(), Fault>;
+
+    /// Bytes that have not been read.
+    fn bytes_left(&self) -> u64;
+
+    /// The bytes that values take at the end of a file, at least.
+    fn least_bytes(run: Run) -> u64;
+
+    /// The bytes of the value that was read last.
+    fn last(&self) -> Range<usize>;
+
+    /// The bytes that have not been read, without what may be padding.
+    fn rest(&self) -> Range<usize>;
+
+    /// Whether more values follow on the line of the last one.
+    fn is_inside_line(&self) -> bool;
+
+    /// The place of the bytes `span`.
+    fn location(&self, span: Range<usize>) -> SourceLocation;
+
+    /// The warning of a tally over this file.
+    fn warning(&self, tally: Tally, noun: &str) -> Option<Diagnostic>;
+
+    /// Reads `count` points at `offsets` in records of `stride` bytes; `None`, and nothing read, where that
+    /// is no faster than value by value.
+    fn points(&mut self, _count: u64, _stride: usize, _offsets: [usize; 3], _kind: Scalar) -> Option<Vec<Point>> {
+        None
+    }
+
+    /// Reads up to `count` faces as long as they are good triangles; how many they were. None, where that is no
+    /// faster than value by value.
+    fn triangles(&mut self, _count: u64, _layout: &Layout, _faces: &mut Faces) -> u64 {
+        0
+    }
+}

@@ -1,0 +1,42 @@
+//! What a file is that is not the mesh it is called: told by its first bytes.
+
+/// First bytes, and what they are the mark of.
+const SIGNATURES: [(&[u8], &str); 17] = [
+    (b"version https://git-lfs.github.com/spec", "a Git LFS pointer: the mesh itself has not been fetched"),
+    (b"\xff\xfe", "UTF-16 text"),
+    (b"\xfe\xff", "UTF-16 text"),
+    (b"\x1f\x8b", "gzip data compressed twice"),
+    (b"PK\x03\x04", "a ZIP archive"),
+    (b"\xfd7zXZ", "xz data"),
+    (b"BZh", "bzip2 data"),
+    (b"\x28\xb5\x2f\xfd", "zstd data"),
+    (b"glTF", "a glTF mesh"),
+    (b"OFF", "an OFF mesh"),
+    (b"solid ", "an STL mesh"),
+    (b"\x89PNG", "a PNG picture"),
+    (b"\xff\xd8\xff", "a JPEG picture"),
+    (b"<", "an XML or HTML document"),
+    (b"{", "a JSON document"),
+    (b"ply\n", "a PLY mesh"),
+    (b"ply\r", "a PLY mesh"),
+];
+
+const UTF8_MARK: &[u8] = b"\xef\xbb\xbf";
+
+/// What `bytes` look like, in words that continue "this is".
+pub(super) fn describe(bytes: &[u8]) -> Option<&'static str> {
+    if bytes.is_empty() {
+        return Some("an empty file");
+    }
+    // Text in ASCII characters of two bytes each, without the mark that tells their order.
+    if matches!(bytes, [0, 1..=127, 0, 1..=127, ..] | [1..=127, 0, 1..=127, 0, ..]) {
+        return Some("UTF-16 text");
+    }
+    let known = SIGNATURES.iter().find(|(mark, _)| bytes.starts_with(mark));
+    known.map(|(_, name)| *name)
+}
+
+/// `bytes` without the mark that some editors put before UTF-8 text.
+pub(super) fn without_utf8_mark(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(UTF8_MARK).unwrap_or(bytes)
+}
