@@ -173,7 +173,7 @@ fn arctangent_of_inverse(n: u32, unit: &BigInt) -> BigInt {
     let mut k = 0u32;
     while power.bits() > 0 {
         let term = &power / (2 * k + 1);
-        if k % 2 == 0 {
+        if k.is_multiple_of(2) {
             sum += term;
         } else {
             sum -= term;

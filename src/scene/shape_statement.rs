@@ -110,7 +110,7 @@ impl ShapeTarget<'_> {
                 .error_at_name("a triangle mesh without vertices")
                 .note("expected \"point3 P\" [ ... ]"));
         };
-        if coordinates.len() % 3 != 0 {
+        if !coordinates.len().is_multiple_of(3) {
             let message = format!("`P` has {} numbers, expected three a vertex", coordinates.len());
             return Err(parameters.error_at("P", message));
         }
@@ -165,7 +165,7 @@ impl ShapeTarget<'_> {
 }
 
 fn triangles_of(parameters: &Parameters, indices: &[f64], vertex_count: usize) -> Result<Vec<[u32; 3]>> {
-    if indices.len() % 3 != 0 {
+    if !indices.len().is_multiple_of(3) {
         let message = format!("`indices` has {} numbers, expected three a triangle", indices.len());
         return Err(parameters.error_at("indices", message));
     }

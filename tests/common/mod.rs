@@ -12,12 +12,12 @@ use feimos::shape::Shapes;
 use std::path::Path;
 
 /// Loads a scene that must load.
-pub fn scene(path: &Path) -> Scene {
+pub(crate) fn scene(path: &Path) -> Scene {
     load(path, &LoadOptions::default(), Progress::SILENT).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Builds, checks the tree, and renders every channel of `window` on `threads` threads.
-pub fn picture(
+pub(crate) fn picture(
     camera: &Camera,
     shapes: &Shapes,
     options: BuildOptions,
@@ -35,14 +35,14 @@ pub fn picture(
 }
 
 /// All pixels of the film.
-pub fn whole(camera: &Camera) -> PixelBounds {
+pub(crate) fn whole(camera: &Camera) -> PixelBounds {
     let [width, height] = camera.resolution;
     PixelBounds::of_film(width, height)
 }
 
 /// Renders with every accelerator, two leaf sizes and several numbers of threads, and asserts that no bit differs
 /// from the plain list on one thread, which is returned.
-pub fn agreed_picture(camera: &Camera, shapes: &Shapes) -> Rendering {
+pub(crate) fn agreed_picture(camera: &Camera, shapes: &Shapes) -> Rendering {
     let window = whole(camera);
     let reference = picture(camera, shapes, BuildOptions::new(SplitMethod::None), 1, window);
     for method in SplitMethod::ALL {
@@ -56,7 +56,7 @@ pub fn agreed_picture(camera: &Camera, shapes: &Shapes) -> Rendering {
 }
 
 /// Asserts that two images are equal bit for bit.
-pub fn assert_same(expected: &Image, found: &Image, what: &str) {
+pub(crate) fn assert_same(expected: &Image, found: &Image, what: &str) {
     assert_eq!(expected.data_window, found.data_window, "{what}");
     for (a, b) in expected.channels.iter().zip(&found.channels) {
         assert_eq!(a.name, b.name, "{what}");
@@ -67,7 +67,7 @@ pub fn assert_same(expected: &Image, found: &Image, what: &str) {
 }
 
 /// The samples of a channel as bits.
-pub fn bits(channel: &Channel) -> Vec<u32> {
+pub(crate) fn bits(channel: &Channel) -> Vec<u32> {
     match &channel.samples {
         Samples::F32(values) => values.iter().map(|value| value.to_bits()).collect(),
         Samples::U32(values) => values.clone(),

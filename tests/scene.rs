@@ -1,0 +1,308 @@
+//! What scene files mean: cameras, transforms, shapes, and what is said about mistakes.
+
+use feimos::error::ErrorKind;
+use feimos::film::PixelBounds;
+use feimos::geometry::Point;
+use feimos::progress::Progress;
+use feimos::scene::{LoadOptions, Scene, load, read_options};
+use feimos::shape::Primitive;
+use std::path::Path;
+use tempfile::TempDir;
+
+/// A folder with files in it; the first one is loaded.
+fn folder(files: &[(&str, &str)]) -> TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, text) in files {
+        let path = folder.path().join(name);
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        std::fs::write(path, text).unwrap();
+    }
+    folder
+}
+
+fn load_files(files: &[(&str, &str)]) -> Result<Scene, String> {
+    let folder = folder(files);
+    let path = folder.path().join(files[0].0);
+    let root = format!("{}/", folder.path().display());
+    load(&path, &LoadOptions::default(), Progress::SILENT).map_err(|error| error.to_string().replace(&root, ""))
+}
+
+fn scene(text: &str) -> Scene {
+    load_files(&[("a.pbrt", text)]).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn error(text: &str) -> String {
+    load_files(&[("a.pbrt", text)]).unwrap_err()
+}
+
+/// Messages of the warnings without their places, and how often each applied.
+fn warnings(scene: &Scene) -> Vec<(String, u64)> {
+    scene.warnings.iter().map(|warning| (warning.first.message.clone(), warning.count)).collect()
+}
+
+fn vertex(scene: &Scene, index: usize) -> [f64; 3] {
+    scene.shapes.vertices()[index].to_array()
+}
+
+const TRIANGLE: &str = "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0 ]\n";
+
+/// Rays that pbrt-v3 printed, in single precision and with directions of length 1.
+#[test]
+fn cameras_are_those_of_pbrt() {
+    let rows = include_str!("pbrt3-camera-rays.tsv").lines().filter(|line| !line.starts_with('#')).skip(1);
+    let mut count = 0;
+    for row in rows {
+        let columns: Vec<&str> = row.split('\t').collect();
+        let number = |column: usize| columns[column].parse::<f64>().unwrap();
+        let film =
+            format!("Film \"image\" \"integer xresolution\" {} \"integer yresolution\" {}", columns[2], columns[3]);
+        let camera = scene(&format!("{}\n{}\n{film}\nWorldBegin", columns[0], columns[1])).camera;
+        let ray = camera.ray(number(4) as u32, number(5) as u32);
+        let direction = ray.direction.normalized();
+        for axis in 0..3 {
+            assert!((ray.origin[axis] - number(6 + axis)).abs() < 2e-5, "{row}: {:?}", ray.origin);
+            assert!((direction[axis] - number(9 + axis)).abs() < 2e-6, "{row}: {direction:?}");
+        }
+        count += 1;
+    }
+    assert_eq!(count, 15);
+}
+
+#[test]
+fn a_scale_before_look_at_mirrors_the_view() {
+    let plain = scene("LookAt 0 0 -5  0 0 0  0 1 0  Camera \"perspective\" WorldBegin").camera;
+    let mirrored = scene("Scale -1 1 1  LookAt 0 0 -5  0 0 0  0 1 0  Camera \"perspective\" WorldBegin").camera;
+    let [width, _] = plain.resolution;
+    assert_eq!(plain.ray(3, 5).direction, mirrored.ray(width - 1 - 3, 5).direction);
+    let after = scene("LookAt 0 0 -5  0 0 0  0 1 0  Scale 2 2 2  Camera \"perspective\" WorldBegin").camera;
+    assert_eq!(after.anchor(), Point::new(0.0, 0.0, -2.5), "the world is twice as large, so the eye is half as far");
+}
+
+#[test]
+fn without_camera_and_film_pbrts_defaults_hold() {
+    let scene = scene("WorldBegin");
+    assert_eq!(scene.film.resolution, [1280, 720]);
+    assert_eq!(scene.camera.ray(639, 359).direction.z, 1.0);
+    assert_eq!((scene.film.filename, scene.accelerator.name), (None, None));
+}
+
+#[test]
+fn camera_parameters() {
+    let camera = |parameters: &str| {
+        let film = "Film \"image\" \"integer xresolution\" 4 \"integer yresolution\" 2";
+        scene(&format!("Camera \"perspective\" {parameters}\n{film}\nWorldBegin")).camera
+    };
+    assert_eq!(camera("\"float halffov\" 45").ray(3, 0).direction.to_array(), [1.5, 0.5, 1.0]);
+    assert_eq!(camera("\"float frameaspectratio\" 1").ray(3, 0).direction.to_array(), [0.75, 0.5, 1.0]);
+    let window = camera("\"float screenwindow\" [ 0 8 0 4 ] \"float fov\" 90");
+    assert_eq!(window.ray(3, 0).direction.to_array(), [7.0, 3.0, 1.0]);
+}
+
+#[test]
+fn film_parameters() {
+    let film = |parameters: &str| scene(&format!("Film \"rgb\" {parameters} WorldBegin")).film;
+    let small = "\"integer xresolution\" 7 \"integer yresolution\" [ 5 ]";
+    let cropped = film(&format!("{small} \"float cropwindow\" [ 0.3 1 0 0.5 ] \"string filename\" \"out/a.exr\""));
+    assert_eq!(cropped.crop, PixelBounds { x0: 3, x1: 7, y0: 0, y1: 3 });
+    assert_eq!(cropped.filename.as_deref(), Some("out/a.exr"));
+    let bounds = film(&format!("{small} \"integer pixelbounds\" [ 1 3 0 99 ]"));
+    assert_eq!(bounds.crop, PixelBounds { x0: 1, x1: 3, y0: 0, y1: 5 });
+}
+
+#[test]
+fn transforms_nest_and_are_restored() {
+    let scene = scene(&format!(
+        "WorldBegin
+        Translate 1 0 0
+        AttributeBegin Scale 2 2 2 TransformBegin Rotate 90 0 0 1 {TRIANGLE} TransformEnd {TRIANGLE} AttributeEnd
+        {TRIANGLE}
+        CoordinateSystem \"here\" Identity {TRIANGLE} CoordSysTransform \"here\" {TRIANGLE}
+        ConcatTransform [ 1 0 0 0  0 1 0 0  0 0 1 0  0 0 7 1 ] {TRIANGLE}
+        Transform 1 0 0 0  0 1 0 0  0 0 1 0  0 0 7 1 {TRIANGLE}"
+    ));
+    let second_corners: Vec<[f64; 3]> = (0..7).map(|k| vertex(&scene, 3 * k + 1)).collect();
+    let expected = [[1., 2., 0.], [3., 0., 0.], [2., 0., 0.], [1., 0., 0.], [2., 0., 0.], [2., 0., 7.], [1., 0., 7.]];
+    assert_eq!(second_corners, expected);
+    assert_eq!((scene.shape_count, scene.transform_count), (7, 6), "two shapes share `Translate 1 0 0`");
+}
+
+#[test]
+fn the_cameras_coordinate_system_moves_with_it() {
+    let scene = scene(&format!(
+        "LookAt 0 0 -5  0 0 0  0 1 0  Camera \"perspective\" WorldBegin CoordSysTransform \"camera\" {TRIANGLE}"
+    ));
+    assert_eq!(vertex(&scene, 1), [1.0, 0.0, -5.0]);
+}
+
+#[test]
+fn mirrored_meshes_keep_their_places() {
+    let scene = scene(&format!("WorldBegin Scale -1 1 1 ReverseOrientation {TRIANGLE}"));
+    assert_eq!((vertex(&scene, 1), vertex(&scene, 2)), ([-1.0, 0.0, 0.0], [0.0, 1.0, 0.0]));
+    assert_eq!(warnings(&scene), []);
+}
+
+#[test]
+fn spellings_of_both_versions() {
+    let scene = scene(
+        "Integrator \"path\" Camera \"perspective\" \"float fov\" [ 40 ]
+        ColorSpace \"srgb\" Option \"bool disablepixeljitter\" true
+        WorldBegin
+        Material \"diffuse\" \"rgb reflectance\" [ 1 0 0 ]
+        Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"t.png\"
+        Shape \"trianglemesh\" \"point P\" [ 0,0,0  1,0,0  0,1,.5 ] \"integer indices\" [ 0 1 2 ] # v3
+        Shape \"trianglemesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1e0 +5E-1 ] \"point2 uv\" [ 0 0  1 0  0 1 ]
+        MakeNamedMaterial \"m\" \"string type\" \"matte\"",
+    );
+    assert_eq!(vertex(&scene, 2), vertex(&scene, 5));
+    assert_eq!(warnings(&scene), []);
+    let summary = "skipped, without influence on hit and depth: 1 ColorSpace, 1 Integrator, 1 MakeNamedMaterial, \
+                   1 Material, 1 Option, 1 Texture";
+    assert_eq!(scene.summary.as_deref(), Some(summary));
+}
+
+#[test]
+fn shapes_count_whether_they_are_supported_or_not() {
+    let scene = scene(&format!(
+        "WorldBegin {TRIANGLE} Shape \"disk\" Shape \"disk\" Shape \"sphere\" Shape \"spehre\" {TRIANGLE}"
+    ));
+    assert_eq!(scene.shape_count, 6);
+    let shapes = &scene.shapes;
+    assert_eq!(shapes.shape_number(Primitive::triangle(1)), 6);
+    assert_eq!((shapes.shape_number(Primitive::sphere(0)), shapes.number(Primitive::sphere(0))), (4, 1));
+    let expected = ["the shape `disk` is not supported: left out", "the shape `spehre` is not supported: left out"];
+    assert_eq!(warnings(&scene), [(expected[0].to_owned(), 2), (expected[1].to_owned(), 1)]);
+    let second = scene.warnings.iter().nth(1).unwrap();
+    assert_eq!(second.first.notes, ["did you mean `sphere`?"]);
+}
+
+#[test]
+fn what_is_rendered_otherwise_is_warned_of() {
+    let scene = scene(
+        "WorldBegin
+        Shape \"sphere\" \"float zmin\" -1 \"float phimax\" 360
+        Shape \"sphere\" \"float zmin\" -0.5 \"float radious\" 2
+        Shape \"sphere\" \"float radius\" 0
+        Scale 1 0 1 Shape \"sphere\"
+        LookAt 0 0 0 0 1 0 0 1 0
+        CoordSysTransform \"nowhere\"
+        ObjectBegin \"o\" Shape \"sphere\" ObjectEnd ObjectInstance \"o\"
+        Identity Translate 1e999 0 0",
+    );
+    let expected = [
+        "`zmin` is not supported yet: the whole sphere is rendered",
+        "Shape \"sphere\" has no parameter `radious`: ignored",
+        "a sphere of radius 0 is never hit",
+        "a sphere under a singular or infinite transform is never hit",
+        "the up vector is parallel to the view: this LookAt does nothing",
+        "no coordinate system is called `nowhere`: ignored",
+        "object instances are not supported yet: left out",
+        "numbers beyond the range of f64, or none at all, make this transform infinite",
+    ];
+    let counts = [1, 1, 1, 1, 1, 1, 2, 1];
+    let found: Vec<(String, u64)> = expected.iter().map(|m| (*m).to_owned()).zip(counts).collect();
+    assert_eq!(warnings(&scene), found);
+    assert_eq!(scene.shapes.sphere_count(), 4, "those that are never hit keep their numbers");
+}
+
+#[test]
+fn included_files_are_found_beside_the_top_level_scene() {
+    let files = [
+        ("a.pbrt", "WorldBegin Include \"parts/b.pbrt\" Include \"parts/b.pbrt\""),
+        ("parts/b.pbrt", "Translate 1 0 0 Include \"c.pbrt\""),
+        ("c.pbrt", TRIANGLE),
+    ];
+    let scene = load_files(&files).unwrap();
+    assert_eq!((vertex(&scene, 0), vertex(&scene, 3)), ([1.0, 0.0, 0.0], [2.0, 0.0, 0.0]));
+    let missing = load_files(&[("a.pbrt", "WorldBegin\nInclude \"b.pbrt\"")]).unwrap_err();
+    let expected = "b.pbrt: cannot read: No such file or directory (os error 2)\n   = included from a.pbrt:2:9";
+    assert_eq!(missing, expected);
+    let circle = [("a.pbrt", "Include \"b.pbrt\""), ("b.pbrt", "Include \"a.pbrt\"")];
+    assert!(load_files(&circle).unwrap_err().starts_with("b.pbrt:1:9: a.pbrt includes itself"));
+}
+
+#[test]
+fn meshes_are_found_beside_the_scene() {
+    let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    let text = "WorldBegin Shape \"objmesh\" \"string filename\" \"meshes/m.obj\"";
+    let scene = load_files(&[("a.pbrt", text), ("meshes/m.obj", obj)]).unwrap();
+    assert_eq!(scene.shapes.triangle_count(), 1);
+    let missing = load_files(&[("a.pbrt", text)]).unwrap_err();
+    let expected = "meshes/m.obj: cannot read: No such file or directory (os error 2)\n   = named in a.pbrt:1:46";
+    assert_eq!(missing, expected);
+}
+
+#[test]
+fn a_bare_mesh_is_framed() {
+    let obj = "v -1 -1 0\nv 3 -1 0\nv 1 2 4\nf 1 2 3\n";
+    let scene = load_files(&[("m.obj", obj)]).unwrap();
+    let eye = scene.camera.anchor();
+    assert_eq!((eye.x, eye.y), (1.0, 0.5));
+    assert!(eye.z > 4.0);
+    let empty = load_files(&[("m.obj", "# nothing\n")]).unwrap();
+    assert_eq!((empty.shapes.triangle_count(), warnings(&empty).len()), (0, 1));
+}
+
+#[test]
+fn mistakes_of_order() {
+    assert!(error("Shape \"sphere\"").starts_with("a.pbrt:1:1: Shape outside the world"));
+    assert!(error("WorldBegin Camera \"perspective\"").starts_with("a.pbrt:1:12: Camera inside the world"));
+    assert!(error("WorldBegin WorldBegin").starts_with("a.pbrt:1:12: a second WorldBegin"));
+    assert!(error("Scale 1 1 1").starts_with("a.pbrt: the scene has no WorldBegin"));
+    assert!(error("WorldBegin AttributeEnd").starts_with("a.pbrt:1:12: AttributeEnd without AttributeBegin"));
+    let crossed = error("WorldBegin TransformBegin AttributeEnd");
+    assert!(crossed.starts_with("a.pbrt:1:27: AttributeEnd closes a block that TransformBegin began"), "{crossed}");
+    let open = error("WorldBegin\nAttributeBegin\n  AttributeBegin\n  AttributeEnd\n");
+    assert_eq!(open, "a.pbrt:2:1: AttributeBegin without AttributeEnd\n   |\n 2 | AttributeBegin\n   | ^^^^^^^^^^^^^^");
+}
+
+#[test]
+fn mistakes_of_value() {
+    let cases = [
+        ("Camera \"perspective\" \"float fov\" 180", "a.pbrt:1:34: a field of view of 180 degrees"),
+        ("Camera \"perspective\" \"float fov\" [ 1 2 ]", "a.pbrt:1:34: `fov` takes one number, found 2"),
+        ("Camera \"spherical\"", "a.pbrt:1:8: the camera `spherical` is not supported"),
+        ("Scale 0 1 1 Camera \"perspective\"", "a.pbrt:1:20: the camera's matrix is not finite"),
+        ("Film \"image\" \"integer xresolution\" 0", "a.pbrt:1:36: `xresolution` is 0, expected an integer from 1 to"),
+        ("Film \"image\" \"integer yresolution\" 1.5", "a.pbrt:1:36: `yresolution` is 1.5"),
+        ("Film \"image\" \"string filename\" 7", "a.pbrt:1:32: `filename` takes one string in quotes"),
+        (
+            "Film \"image\" \"float cropwindow\" [ 0 0 0 1 ]\nWorldBegin",
+            "a.pbrt:1:1: the crop of the film has no pixel",
+        ),
+        ("Transform [ 1 0 0 0  0 1 0 0  0 0 1 1  0 0 0 1 ]", "a.pbrt:1:1: the last row of the matrix is 0 0 1 1"),
+        ("WorldBegin Shape \"trianglemesh\"", "a.pbrt:1:18: a triangle mesh without vertices"),
+        ("WorldBegin Shape \"trianglemesh\" \"point3 P\" [ 0 0 ]", "a.pbrt:1:44: `P` has 2 numbers"),
+        ("WorldBegin Shape \"plymesh\"", "a.pbrt:1:18: a mesh without a file name"),
+    ];
+    for (text, expected) in cases {
+        let found = error(text);
+        assert!(found.starts_with(expected), "{found}");
+    }
+    assert_eq!(
+        error(
+            "WorldBegin\nShape \"trianglemesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0 ]\n  \"integer indices\" [ 0 1 3 ]"
+        ),
+        "a.pbrt:3:21: index 3, number 3 of `indices`, names no vertex\n   |\n 3 |   \"integer indices\" [ 0 1 3 ]\n   \
+         |                     ^^^^^^^^^\n   = expected an integer from 0 to 2: the mesh has 3 vertices"
+    );
+}
+
+#[test]
+fn options_are_read_without_the_world() {
+    let files = [(
+        "a.pbrt",
+        "Film \"image\" \"string filename\" \"a.png\" Accelerator \"bvh\" \"string splitmethod\" \"hlbvh\" \
+         \"integer maxnodeprims\" 2 WorldBegin Shape \"plymesh\" \"string filename\" \"missing.ply\" nonsense",
+    )];
+    let folder = folder(&files);
+    let options = read_options(&folder.path().join("a.pbrt")).unwrap();
+    assert_eq!(options.film_filename.as_deref(), Some("a.png"));
+    assert_eq!(options.accelerator.split_method.as_deref(), Some("hlbvh"));
+    assert_eq!(options.accelerator.max_leaf, Some(2));
+}
+
+#[test]
+fn a_missing_scene_is_a_missing_input() {
+    let missing = load(Path::new("no/such.pbrt"), &LoadOptions::default(), Progress::SILENT).unwrap_err();
+    assert_eq!(missing.kind(), ErrorKind::MissingInput);
+}
