@@ -53,6 +53,9 @@ impl Renderer<'_> {
             let error = Error::usage("a depth PNG of a part of the film needs --range near,far");
             return Err(error.note("else every part would have colours of its own; or write an .exr"));
         }
+        if let Destination::File(path) = &destination {
+            atomic_file::check(path)?;
+        }
 
         let primitives = scene.shapes.primitive_count();
         let (aggregate, build) = timed(|| {

@@ -50,6 +50,22 @@ impl OutputName {
         }
     }
 
+    /// A name as any scene would get it; `None` where scenes have a say in the format.
+    pub(crate) fn example(&self) -> Option<Destination> {
+        let template = self.template.as_deref()?;
+        let extension = template.rsplit('.').next().unwrap_or(template);
+        match template {
+            "-" => Some(Destination::Stdout),
+            _ if extension.contains('{') => None,
+            _ => Some(Destination::File(template.into())),
+        }
+    }
+
+    /// Whether the template tells scenes apart by their names.
+    pub(crate) fn has_stem(&self) -> bool {
+        self.template.as_ref().is_some_and(|template| template.contains("{stem}"))
+    }
+
     /// The name for `scene`, whose film is called `film_filename`.
     pub(crate) fn destination(&self, scene: &Path, film_filename: Option<&str>, accel: SplitMethod) -> Destination {
         let stem = stem(scene);
@@ -114,6 +130,16 @@ mod tests {
         assert_eq!(name(None, "a.pbrt", Some("film.png")), "film.png");
         assert_eq!(name(None, "a.pbrt", None), "pbrt.exr");
         assert_eq!(name(None, "a.ply", None), "a.png");
+    }
+
+    #[test]
+    fn an_example_is_known_where_the_format_is() {
+        let example = |template: &str| OutputName::new(Some(template.into())).unwrap().example();
+        assert_eq!(example("-"), Some(Destination::Stdout));
+        assert_eq!(example("{stem}.jpg"), Some(Destination::File("{stem}.jpg".into())));
+        assert_eq!(example("a"), Some(Destination::File("a".into())));
+        assert_eq!(example("out.d/{stem}"), None, "of a.exr.pbrt that is an EXR");
+        assert_eq!(OutputName::new(None).unwrap().example(), None);
     }
 
     #[test]

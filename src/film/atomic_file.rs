@@ -39,13 +39,31 @@ const MAX_LINKS: usize = 40;
 /// - Of a file that has several names (hard links) only this one gets the new content.
 pub fn write_file(path: &Path, overwrite: Overwrite, write: impl FnOnce(&mut Out) -> io::Result<()>) -> Result<u64> {
     match fs::metadata(path) {
-        Ok(found) if found.is_dir() => Err(Error::creating(path, &io::ErrorKind::IsADirectory.into())),
+        Ok(found) if found.is_dir() => Err(is_directory(path)),
         Ok(found) if !found.is_file() => write_through(path, write),
         Ok(_) if overwrite == Overwrite::No => Err(exists(path)),
         Ok(_) => replace(path, overwrite, Some(writable(path)?), write),
         // Also where the reason is another one, such as a file in the place of a directory: creation will tell.
         Err(_) => replace(path, overwrite, None, write),
     }
+}
+
+/// Tells of errors that [`write_file`] would make for certain, so that nobody waits for an image that has no place.
+pub fn check(path: &Path) -> Result<()> {
+    let target = follow_links(path).map_err(|error| Error::creating(path, &error))?;
+    match fs::metadata(&target) {
+        Ok(found) if found.is_dir() => Err(is_directory(path)),
+        Ok(_) => Ok(()),
+        Err(_) => match fs::metadata(directory_of(&target)) {
+            Ok(directory) if directory.is_dir() => Ok(()),
+            Ok(_) => Err(Error::creating(path, &io::ErrorKind::NotADirectory.into())),
+            Err(error) => Err(creating(path, &target, &error)),
+        },
+    }
+}
+
+fn is_directory(path: &Path) -> Error {
+    Error::creating(path, &io::ErrorKind::IsADirectory.into())
 }
 
 fn exists(path: &Path) -> Error {
