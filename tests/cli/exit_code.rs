@@ -112,6 +112,21 @@ mod unix {
     }
 
     #[test]
+    fn the_umask_decides_who_may_read_a_new_image() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = Folder::new();
+        for (umask, expected) in [("022", 0o644), ("077", 0o600), ("002", 0o664)] {
+            let script = format!("umask {umask}; exec \"$@\" -o {umask}.exr");
+            let render = folder.command("ball.pbrt");
+            let mut shell = std::process::Command::new("sh");
+            shell.current_dir(folder.path("")).args(["-c", &script, "sh"]).arg(render.get_program());
+            assert!(shell.args(render.get_args()).output().unwrap().status.success());
+            let mode = fs::metadata(folder.path(&format!("{umask}.exr"))).unwrap().permissions().mode();
+            assert_eq!(mode & 0o777, expected, "umask {umask}");
+        }
+    }
+
+    #[test]
     fn a_linked_output_is_written_through_its_link() {
         let folder = Folder::new();
         symlink("real.exr", folder.path("a.exr")).unwrap();
