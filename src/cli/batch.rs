@@ -92,7 +92,7 @@ fn distinct_outputs(scenes: &[PathBuf], plan: &Plan) -> Result<Vec<Option<Destin
     for path in scenes {
         let output = output_of(path, plan);
         if let Some(output) = &output
-            && let Some(other) = taken.insert(output.clone(), path)
+            && let Some(other) = taken.insert(output.resolved(), path)
         {
             let message = format!("{} and {} would both be written to {output}", other.display(), path.display());
             return Err(Error::usage(message).note(match plan.output_name.has_stem() {

@@ -13,6 +13,21 @@ pub(crate) enum Destination {
     File(PathBuf),
 }
 
+impl Destination {
+    /// The same place by the one name that all its spellings share, as far as its directory exists.
+    pub(crate) fn resolved(&self) -> Destination {
+        let Destination::File(path) = self else { return self.clone() };
+        let directory = match path.parent() {
+            Some(parent) if parent != Path::new("") => parent,
+            _ => Path::new("."),
+        };
+        match (directory.canonicalize(), path.file_name()) {
+            (Ok(directory), Some(name)) => Destination::File(directory.join(name)),
+            _ => self.clone(),
+        }
+    }
+}
+
 impl std::fmt::Display for Destination {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {

@@ -97,6 +97,20 @@ fn two_scenes_for_one_image_are_refused_before_any_work() {
 }
 
 #[test]
+fn one_image_by_two_spellings_is_one_image() {
+    let folder = Folder::new().with("second.pbrt", BALL.replace("film.exr", "./film.exr"));
+    folder.render("ball.pbrt second.pbrt --force").failed(2, "would both be written to ./film.exr");
+    assert!(folder.images().is_empty());
+}
+
+#[test]
+fn standard_input_may_be_one_of_the_scenes() {
+    let folder = Folder::new();
+    folder.render_input("- ball.pbrt -o {stem}.exr", BALL).succeeded();
+    assert!(folder.bytes("stdin.exr") == folder.bytes("ball.exr"));
+}
+
+#[test]
 fn scenes_of_one_name_are_not_told_to_use_what_they_use() {
     let folder = Folder::new();
     let run = folder.render("ball.pbrt ./ball.pbrt -o {stem}.exr").exited(2);
