@@ -76,6 +76,11 @@ impl OutputName {
         }
     }
 
+    /// Whether the user gave a name at all.
+    pub(crate) fn is_given(&self) -> bool {
+        self.template.is_some()
+    }
+
     /// Whether the template tells scenes apart by their names.
     pub(crate) fn has_stem(&self) -> bool {
         self.template.as_ref().is_some_and(|template| template.contains("{stem}"))

@@ -148,8 +148,13 @@ fn all_threads() -> usize {
 }
 
 fn depth_range([near, far]: [f64; 2]) -> Result<DepthRange> {
-    if near < far {
-        return Ok(DepthRange { near: near as f32, far: far as f32 });
+    let range = DepthRange { near: near as f32, far: far as f32 };
+    if !range.near.is_finite() || !range.far.is_finite() {
+        let error = Error::usage(format!("--range {near},{far} is beyond the depths that an image can hold"));
+        return Err(error.note(format!("expected numbers from {:e} to {:e}", f32::MIN, f32::MAX)));
+    }
+    if near < far && range.near < range.far {
+        return Ok(range);
     }
     Err(Error::usage(format!("--range {near},{far} is empty")).note("expected near,far with near < far"))
 }

@@ -190,6 +190,8 @@ fn a_range_is_stretched_over_the_colours_and_clamps() {
     folder.render("ball.pbrt -o b.png --colormap gray --range -2,-1").succeeded();
     assert_eq!(folder.png("b.png")[CENTRE].0, [0; 3]);
     folder.render("ball.pbrt -o c.png --range 5,5").failed(2, "--range 5,5 is empty");
+    folder.render("ball.pbrt -o c.png --range 1,1.00000000001").failed(2, "is empty");
+    folder.render("ball.pbrt -o c.png --range 1,1e39").failed(2, "beyond the depths that an image can hold");
 }
 
 #[test]
@@ -207,6 +209,16 @@ fn flags_without_a_meaning_for_the_format_are_refused() {
         folder.render(&format!("ball.pbrt {flags}")).failed(2, "has no meaning for a.");
     }
     assert!(folder.images().is_empty());
+}
+
+#[test]
+fn where_an_unfit_name_comes_from_is_said() {
+    let scene = crate::folder::BALL.replace("film.exr", "film.tga");
+    let folder = Folder::new().with("old.pbrt", scene);
+    let note = "\n   = this name comes from the scene; -o gives another one\n";
+    folder.render("ball.pbrt --view hit").failed(2, "--view has no meaning for film.exr").said(note);
+    folder.render("old.pbrt").failed(2, "film.tga: unknown image format `.tga`").said(note);
+    folder.render("ball.pbrt --view hit -o a.exr").failed(2, "--view has no meaning for a.exr").did_not_say(note);
 }
 
 #[test]
