@@ -3,7 +3,6 @@
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 use feimos::accel::SplitMethod;
 use feimos::film::{ChannelName, ColorMap, View};
-use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 /// Hit and depth images of PBRT scenes.
@@ -61,7 +60,7 @@ pub(crate) struct OutputArgs {
     #[arg(long, value_name = "NEAR,FAR", value_parser = numbers::<2>, allow_hyphen_values = true)]
     pub(crate) range: Option<[f64; 2]>,
     /// What Z and t of an EXR hold where nothing is hit: inf, nan, 0 or any number.
-    #[arg(long, value_name = "VALUE", default_value = "inf", allow_hyphen_values = true)]
+    #[arg(long, value_name = "VALUE", default_value = "inf", value_parser = miss, allow_hyphen_values = true)]
     pub(crate) miss: f32,
 }
 
@@ -71,7 +70,8 @@ pub(crate) struct RegionArgs {
     #[arg(long, value_name = "X0,X1,Y0,Y1", value_parser = numbers::<4>, allow_hyphen_values = true)]
     pub(crate) cropwindow: Option<[f64; 4]>,
     /// Render only this part of the film, in pixels, upper ends exclusive.
-    #[arg(long, value_name = "X0,X1,Y0,Y1", value_parser = pixel_bounds, conflicts_with = "cropwindow")]
+    #[arg(long, value_name = "X0,X1,Y0,Y1", value_parser = pixel_bounds, allow_hyphen_values = true)]
+    #[arg(conflicts_with = "cropwindow")]
     pub(crate) pixelbounds: Option<[u32; 4]>,
     /// Width and height of the film, in place of the scene's.
     #[arg(long, value_name = "WxH", value_parser = resolution)]
@@ -84,8 +84,8 @@ pub(crate) struct EngineArgs {
     #[arg(long, value_name = "METHOD")]
     pub(crate) accel: Option<SplitMethod>,
     /// Threads to use [default: all that the process may use].
-    #[arg(long, alias = "nthreads", value_name = "N")]
-    pub(crate) threads: Option<NonZeroUsize>,
+    #[arg(long, alias = "nthreads", value_name = "N", value_parser = threads)]
+    pub(crate) threads: Option<usize>,
 }
 
 #[derive(Debug, Args)]
@@ -200,6 +200,18 @@ impl PbrtArgs {
 
 fn channel(name: &str) -> Result<ChannelName, String> {
     name.parse().map_err(|_| format!("expected some of {}", ChannelName::ALL.map(ChannelName::as_str).join(", ")))
+}
+
+fn miss(text: &str) -> Result<f32, String> {
+    text.parse().map_err(|_| "expected inf, nan or a number".to_owned())
+}
+
+/// Threads at most: a typing error should not take the machine down.
+const MAX_THREADS: usize = 4096;
+
+fn threads(text: &str) -> Result<usize, String> {
+    let threads = text.parse().ok().filter(|threads| (1..=MAX_THREADS).contains(threads));
+    threads.ok_or_else(|| format!("expected a number from 1 to {MAX_THREADS}"))
 }
 
 fn parts<const N: usize>(text: &str, separator: char) -> Result<[&str; N], String> {

@@ -33,6 +33,7 @@ pub(crate) fn render(args: RenderArgs, reporter: &Reporter) -> Result<u8> {
 
     let mut code = 0;
     let mut failed = Vec::new();
+    let mut untried = 0;
     for (place, path) in args.scenes.iter().enumerate() {
         let known = outputs.as_ref().and_then(|outputs| outputs[place].as_ref());
         let existing = existing_output(path, known, &plan);
@@ -63,13 +64,19 @@ pub(crate) fn render(args: RenderArgs, reporter: &Reporter) -> Result<u8> {
                 manifest.as_mut().map_or(Ok(()), |manifest| manifest.add(&entry))?;
                 failed.push(format!("{name} (exit code {exit_code})"));
                 if args.batch.fail_fast {
+                    untried = args.scenes.len() - place - 1;
                     break;
                 }
             }
         }
     }
     if batch && !failed.is_empty() {
-        reporter.line(format_args!("{} of {} scenes failed:", failed.len(), args.scenes.len()));
+        let untried = match untried {
+            0 => String::new(),
+            1 => ", and 1 was not tried".to_owned(),
+            _ => format!(", and {untried} were not tried"),
+        };
+        reporter.line(format_args!("{} of {} scenes failed{untried}:", failed.len(), args.scenes.len()));
         failed.iter().for_each(|line| reporter.line(format_args!("  {line}")));
     }
     Ok(code)
@@ -85,10 +92,13 @@ fn distinct_outputs(scenes: &[PathBuf], plan: &Plan) -> Result<Vec<Option<Destin
     for path in scenes {
         let output = output_of(path, plan);
         if let Some(output) = &output
-            && let Some(other) = taken.insert(output.clone(), path)
+            && let Some(other) = taken.insert(output.resolved(), path)
         {
             let message = format!("{} and {} would both be written to {output}", other.display(), path.display());
-            return Err(Error::usage(message).note("use -o with {stem} in the name, such as -o 'out/{stem}.png'"));
+            return Err(Error::usage(message).note(match plan.output_name.has_stem() {
+                true => "scenes of the same name need a command each",
+                false => "use -o with {stem} in the name, such as -o 'out/{stem}.png'",
+            }));
         }
         outputs.push(output);
     }

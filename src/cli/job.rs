@@ -46,12 +46,18 @@ impl Renderer<'_> {
         self.report_scene(&scene);
         let options = build_options(self.plan.accel, &scene.accelerator, self.reporter);
         let destination = self.plan.output_name.destination(path, scene.film.filename.as_deref(), options.method);
-        let picture = self.plan.picture(&destination)?;
+        let picture = self.plan.picture(&destination).map_err(|error| match self.plan.output_name.is_given() {
+            true => error,
+            false => error.note("this name comes from the scene; -o gives another one"),
+        })?;
         let window = self.plan.data_window(&scene.film)?;
         let whole = [window.width(), window.height()] == scene.film.resolution;
         if !whole && matches!(picture, Picture::Depth { range: None, .. }) {
             let error = Error::usage("a depth PNG of a part of the film needs --range near,far");
             return Err(error.note("else every part would have colours of its own; or write an .exr"));
+        }
+        if let Destination::File(path) = &destination {
+            atomic_file::check(path)?;
         }
 
         let primitives = scene.shapes.primitive_count();

@@ -13,6 +13,21 @@ pub(crate) enum Destination {
     File(PathBuf),
 }
 
+impl Destination {
+    /// The same place by the one name that all its spellings share, as far as its directory exists.
+    pub(crate) fn resolved(&self) -> Destination {
+        let Destination::File(path) = self else { return self.clone() };
+        let directory = match path.parent() {
+            Some(parent) if parent != Path::new("") => parent,
+            _ => Path::new("."),
+        };
+        match (directory.canonicalize(), path.file_name()) {
+            (Ok(directory), Some(name)) => Destination::File(directory.join(name)),
+            _ => self.clone(),
+        }
+    }
+}
+
 impl std::fmt::Display for Destination {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
@@ -48,6 +63,27 @@ impl OutputName {
             None => true,
             Some(template) => template.contains("{accel}") && accel.is_none(),
         }
+    }
+
+    /// A name as any scene would get it; `None` where scenes have a say in the format.
+    pub(crate) fn example(&self) -> Option<Destination> {
+        let template = self.template.as_deref()?;
+        let extension = template.rsplit('.').next().unwrap_or(template);
+        match template {
+            "-" => Some(Destination::Stdout),
+            _ if extension.contains('{') => None,
+            _ => Some(Destination::File(template.into())),
+        }
+    }
+
+    /// Whether the user gave a name at all.
+    pub(crate) fn is_given(&self) -> bool {
+        self.template.is_some()
+    }
+
+    /// Whether the template tells scenes apart by their names.
+    pub(crate) fn has_stem(&self) -> bool {
+        self.template.as_ref().is_some_and(|template| template.contains("{stem}"))
     }
 
     /// The name for `scene`, whose film is called `film_filename`.
@@ -114,6 +150,16 @@ mod tests {
         assert_eq!(name(None, "a.pbrt", Some("film.png")), "film.png");
         assert_eq!(name(None, "a.pbrt", None), "pbrt.exr");
         assert_eq!(name(None, "a.ply", None), "a.png");
+    }
+
+    #[test]
+    fn an_example_is_known_where_the_format_is() {
+        let example = |template: &str| OutputName::new(Some(template.into())).unwrap().example();
+        assert_eq!(example("-"), Some(Destination::Stdout));
+        assert_eq!(example("{stem}.jpg"), Some(Destination::File("{stem}.jpg".into())));
+        assert_eq!(example("a"), Some(Destination::File("a".into())));
+        assert_eq!(example("out.d/{stem}"), None, "of a.exr.pbrt that is an EXR");
+        assert_eq!(OutputName::new(None).unwrap().example(), None);
     }
 
     #[test]

@@ -46,9 +46,6 @@ impl Picture {
     }
 }
 
-/// Threads at most: a typing error should not take the machine down.
-const MAX_THREADS: usize = 4096;
-
 impl Plan {
     pub(crate) fn new(args: &RenderArgs) -> Result<Plan> {
         let OutputArgs { output, aov, view, colormap, range, miss } = &args.output;
@@ -59,11 +56,11 @@ impl Plan {
         if args.talk.json && output.as_deref() == Some("-") {
             return Err(Error::usage("--json and -o - would both write to standard output"));
         }
-        Ok(Plan {
+        let plan = Plan {
             output_name: OutputName::new(output.clone())?,
             load: LoadOptions { resolution },
             accel: args.engine.accel,
-            threads: threads(args.engine.threads.map(usize::from))?,
+            threads: args.engine.threads.unwrap_or_else(all_threads),
             miss: *miss,
             stats: args.talk.stats,
             aov: aov.clone(),
@@ -72,7 +69,10 @@ impl Plan {
             range: range.map(depth_range).transpose()?,
             cropwindow,
             pixelbounds,
-        })
+        };
+        // Mistakes that any scene would show are shown before the first one is read.
+        plan.output_name.example().map_or(Ok(()), |example| plan.picture(&example).map(|_| ()))?;
+        Ok(plan)
     }
 
     /// The pixels to render of `film`: the command line's region, else the scene's.
@@ -142,19 +142,19 @@ fn first_repeated(channels: &[ChannelName]) -> Option<ChannelName> {
     channels.iter().enumerate().find(|item| repeated(*item)).map(|(_, channel)| *channel)
 }
 
-fn threads(asked: Option<usize>) -> Result<usize> {
-    match asked {
-        Some(threads) if threads > MAX_THREADS => {
-            Err(Error::usage(format!("--threads {threads} is more than the {MAX_THREADS} allowed")))
-        }
-        Some(threads) => Ok(threads),
-        None => Ok(std::thread::available_parallelism().map_or(1, usize::from)),
-    }
+/// All that the process may use.
+fn all_threads() -> usize {
+    std::thread::available_parallelism().map_or(1, usize::from)
 }
 
 fn depth_range([near, far]: [f64; 2]) -> Result<DepthRange> {
-    if near < far {
-        return Ok(DepthRange { near: near as f32, far: far as f32 });
+    let range = DepthRange { near: near as f32, far: far as f32 };
+    if !range.near.is_finite() || !range.far.is_finite() {
+        let error = Error::usage(format!("--range {near},{far} is beyond the depths that an image can hold"));
+        return Err(error.note(format!("expected numbers from {:e} to {:e}", f32::MIN, f32::MAX)));
+    }
+    if near < far && range.near < range.far {
+        return Ok(range);
     }
     Err(Error::usage(format!("--range {near},{far} is empty")).note("expected near,far with near < far"))
 }

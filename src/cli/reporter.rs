@@ -44,7 +44,10 @@ impl Reporter {
         for warning in warnings.iter() {
             match warning.count {
                 1 => self.print("warning", AnsiColor::Yellow, &warning.first),
-                count => self.print("warning", AnsiColor::Yellow, format_args!("{} ({count} times)", warning.first)),
+                count => {
+                    let first = warning.first.clone().note(format!("the first of {count}"));
+                    self.print("warning", AnsiColor::Yellow, first);
+                }
             }
         }
     }

@@ -39,13 +39,32 @@ const MAX_LINKS: usize = 40;
 /// - Of a file that has several names (hard links) only this one gets the new content.
 pub fn write_file(path: &Path, overwrite: Overwrite, write: impl FnOnce(&mut Out) -> io::Result<()>) -> Result<u64> {
     match fs::metadata(path) {
-        Ok(found) if found.is_dir() => Err(Error::creating(path, &io::ErrorKind::IsADirectory.into())),
+        Ok(found) if found.is_dir() => Err(is_directory(path)),
         Ok(found) if !found.is_file() => write_through(path, write),
         Ok(_) if overwrite == Overwrite::No => Err(exists(path)),
         Ok(_) => replace(path, overwrite, Some(writable(path)?), write),
         // Also where the reason is another one, such as a file in the place of a directory: creation will tell.
         Err(_) => replace(path, overwrite, None, write),
     }
+}
+
+/// Tells of errors that [`write_file`] would make for certain, so that nobody waits for an image that has no place.
+pub fn check(path: &Path) -> Result<()> {
+    let target = follow_links(path).map_err(|error| Error::creating(path, &error))?;
+    match fs::metadata(&target) {
+        Ok(found) if found.is_dir() => Err(is_directory(path)),
+        Ok(_) => Ok(()),
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(Error::creating(path, &error)),
+        Err(_) => match fs::metadata(directory_of(&target)) {
+            Ok(directory) if directory.is_dir() => Ok(()),
+            Ok(_) => Err(Error::creating(path, &io::ErrorKind::NotADirectory.into())),
+            Err(error) => Err(creating(path, &target, &error)),
+        },
+    }
+}
+
+fn is_directory(path: &Path) -> Error {
+    Error::creating(path, &io::ErrorKind::IsADirectory.into())
 }
 
 fn exists(path: &Path) -> Error {
@@ -159,6 +178,9 @@ mod tests {
     use super::*;
     use crate::error::ErrorKind;
 
+    /// `ENOENT`, and the same number on Windows.
+    const NO_SUCH_FILE: i32 = 2;
+
     fn directory() -> tempfile::TempDir {
         tempfile::tempdir().unwrap()
     }
@@ -257,8 +279,13 @@ mod tests {
         let missing = directory.path().join("out/deep");
         let error = write_text(&missing.join("a.exr"), Overwrite::Yes, "").unwrap_err();
         assert_eq!(error.kind(), ErrorKind::Output);
-        assert_eq!(error.diagnostic().notes, [format!("create the directory `{}` first", missing.display())]);
-        assert!(!error.to_string().contains(".feimos-"), "the name of the temporary file helps nobody: {error}");
+        let missing = missing.display();
+        // The name of the temporary file would help nobody.
+        let expected = format!(
+            "{missing}/a.exr: cannot create: {}\n   = create the directory `{missing}` first",
+            io::Error::from_raw_os_error(NO_SUCH_FILE)
+        );
+        assert_eq!(error.to_string(), expected);
     }
 
     #[test]
@@ -270,6 +297,23 @@ mod tests {
         write_text(&file, Overwrite::Yes, "").unwrap();
         let error = write_text(&file.join("a.exr"), Overwrite::Yes, "").unwrap_err();
         assert!(error.kind() == ErrorKind::Output && error.diagnostic().notes.is_empty(), "{error}");
+    }
+
+    #[test]
+    fn a_check_foretells_the_errors_of_writing_and_writes_nothing() {
+        let directory = directory();
+        let (file, missing) = (directory.path().join("file"), directory.path().join("out/a.exr"));
+        write_text(&file, Overwrite::Yes, "old").unwrap();
+        for path in [directory.path().to_path_buf(), file.join("a.exr"), missing] {
+            let foretold = check(&path).unwrap_err();
+            assert_eq!(foretold.kind(), write_text(&path, Overwrite::Yes, "").unwrap_err().kind());
+            assert_eq!(foretold.to_string(), write_text(&path, Overwrite::Yes, "").unwrap_err().to_string());
+        }
+        for path in [file.clone(), directory.path().join("new"), "new".into()] {
+            check(&path).unwrap();
+        }
+        assert_eq!(fs::read_to_string(&file).unwrap(), "old");
+        assert_eq!(names_in(directory.path()), ["file"]);
     }
 
     #[test]
@@ -324,6 +368,50 @@ mod tests {
             let link = directory.path().join("link");
             symlink("link", &link).unwrap();
             assert_eq!(write_text(&link, Overwrite::Yes, "").unwrap_err().kind(), ErrorKind::Output);
+            assert_eq!(check(&link).unwrap_err().kind(), ErrorKind::Output);
+        }
+
+        #[test]
+        fn a_link_is_checked_by_where_it_leads() {
+            let directory = directory();
+            let (link, lost) = (directory.path().join("link"), directory.path().join("lost"));
+            symlink("new", &link).unwrap();
+            symlink("out/new", &lost).unwrap();
+            check(&link).unwrap();
+            let missing = directory.path().join("out");
+            let note = format!("create the directory `{}` first", missing.display());
+            assert_eq!(check(&lost).unwrap_err().diagnostic().notes, [note]);
+        }
+
+        #[test]
+        fn a_failing_writer_leaves_the_old_file_behind_a_link() {
+            let directory = directory();
+            let (real, link) = (directory.path().join("real"), directory.path().join("link"));
+            write_text(&real, Overwrite::Yes, "old").unwrap();
+            symlink("real", &link).unwrap();
+            write_and_fail(&link, io::ErrorKind::Other);
+            assert_eq!(fs::read_to_string(&link).unwrap(), "old");
+            assert_eq!(names_in(directory.path()), ["link", "real"]);
+        }
+
+        #[test]
+        fn an_existing_file_behind_a_link_is_kept_where_it_must_be() {
+            let directory = directory();
+            let (real, link) = (directory.path().join("real"), directory.path().join("link"));
+            write_text(&real, Overwrite::Yes, "old").unwrap();
+            symlink("real", &link).unwrap();
+            assert_eq!(write_text(&link, Overwrite::No, "new").unwrap_err().kind(), ErrorKind::Output);
+            assert_eq!(fs::read_to_string(&real).unwrap(), "old");
+        }
+
+        #[test]
+        fn the_other_names_of_a_file_keep_the_old_one() {
+            let directory = directory();
+            let (path, other) = (directory.path().join("a"), directory.path().join("b"));
+            write_text(&path, Overwrite::Yes, "old").unwrap();
+            fs::hard_link(&path, &other).unwrap();
+            write_text(&path, Overwrite::Yes, "new").unwrap();
+            assert_eq!(fs::read_to_string(&other).unwrap(), "old");
         }
 
         #[test]

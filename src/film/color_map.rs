@@ -72,6 +72,27 @@ mod tests {
     }
 
     #[test]
+    fn no_map_jumps() {
+        for map in ColorMap::value_variants() {
+            let table = map.table();
+            let steps = table.windows(2).flat_map(|pair| (0..3).map(|i| pair[0][i].abs_diff(pair[1][i])));
+            assert!(steps.max().unwrap() <= 2, "{map:?}");
+        }
+    }
+
+    #[test]
+    fn a_colour_stands_for_one_depth_and_its_neighbours() {
+        for map in ColorMap::value_variants() {
+            let table = map.table();
+            let mut places = std::collections::HashMap::new();
+            for (place, color) in table.iter().enumerate() {
+                let first = *places.entry(color).or_insert(place);
+                assert!(place - first <= TABLE_LENGTH / 50, "{map:?}: {color:?} at {first} and {place}");
+            }
+        }
+    }
+
+    #[test]
     fn the_table_skips_no_gray() {
         let table = ColorMap::Gray.table();
         assert_eq!(table.len(), TABLE_LENGTH);

@@ -145,6 +145,47 @@ mod tests {
     }
 
     #[test]
+    fn depths_beyond_the_range_get_the_colours_of_its_ends() {
+        for colors in ColorMap::value_variants() {
+            let (table, range) = (colors.table(), DepthRange { near: 1.0, far: 3.0 });
+            let z = [f32::NEG_INFINITY, -7.0, 1.0, 3.0, 3.1, f32::MAX, f32::INFINITY];
+            let (near, far) = (table[0], table[TABLE_LENGTH - 1]);
+            assert_eq!(depth(&z, &[1.0; 7], *colors, range), [near, near, near, far, far, far, far], "{colors:?}");
+        }
+    }
+
+    #[test]
+    fn a_crop_is_a_picture_of_its_own_size() {
+        let picture = picture(&[1.0; 12], &[1.0; 12], 4);
+        let range = DepthRange { near: 0.0, far: 1.0 };
+        assert_eq!(decoded(|out| write_hit(&picture, out)).dimensions(), (4, 3));
+        assert_eq!(decoded(|out| write_depth(&picture, ColorMap::Gray, range, out)).dimensions(), (4, 3));
+    }
+
+    #[test]
+    fn rows_go_from_the_top_and_from_the_left() {
+        let picture = picture(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0], &[1.0; 6], 3);
+        let range = DepthRange { near: 0.0, far: 5.0 };
+        let rgb = decoded(|out| write_depth(&picture, ColorMap::Gray, range, out));
+        assert!(rgb.pixels().is_sorted_by(|before, after| before.0[0] > after.0[0]));
+        assert_eq!((rgb[(0, 0)].0, rgb[(2, 1)].0), ([255; 3], [0; 3]));
+    }
+
+    #[test]
+    fn equal_images_are_equal_files_on_any_number_of_threads() {
+        let z: Vec<f32> = (0..512 * 16).map(|i| (i as f32).sin()).collect();
+        let picture = picture(&z, &vec![1.0; z.len()], 512);
+        let files = [1, 2, 5].map(|threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            let mut file = Vec::new();
+            let range = DepthRange { near: -1.0, far: 1.0 };
+            pool.install(|| write_depth(&picture, ColorMap::Turbo, range, &mut file)).unwrap();
+            file
+        });
+        assert!(files[0] == files[1] && files[0] == files[2]);
+    }
+
+    #[test]
     fn one_depth_makes_one_colour() {
         for colors in ColorMap::value_variants() {
             let pixels = depth(&[2.0, 2.0], &[1.0, 1.0], *colors, DepthRange { near: 2.0, far: 2.0 });

@@ -1,0 +1,146 @@
+//! Several scenes at once.
+
+use crate::folder::{BALL, Folder, WARNED, json_lines};
+
+const BROKEN: &str = "WorldBegin\nShape\n";
+
+/// Three scenes, the second of them broken.
+fn three() -> Folder {
+    Folder::new().with("broken.pbrt", BROKEN).with("second.pbrt", BALL)
+}
+
+#[test]
+fn each_scene_gets_its_image() {
+    let folder = three();
+    folder.render("ball.pbrt second.pbrt -o {stem}.exr").succeeded();
+    assert_eq!(folder.images(), ["ball.exr", "second.exr"]);
+}
+
+#[test]
+fn a_scene_that_fails_does_not_stop_the_others() {
+    let folder = three();
+    let run = folder.render("ball.pbrt broken.pbrt second.pbrt -o {stem}.exr").failed(65, "broken.pbrt:2:1:");
+    assert!(run.stderr.ends_with("1 of 3 scenes failed:\n  broken.pbrt (exit code 65)\n"), "{}", run.stderr);
+    assert_eq!(folder.images(), ["ball.exr", "second.exr"]);
+}
+
+#[test]
+fn fail_fast_stops_at_the_first_failure() {
+    let folder = three();
+    let run = folder.render("ball.pbrt broken.pbrt second.pbrt -o {stem}.exr --fail-fast").exited(65);
+    let expected = "1 of 3 scenes failed, and 1 was not tried:\n  broken.pbrt (exit code 65)\n";
+    assert!(run.stderr.ends_with(expected), "{}", run.stderr);
+    assert_eq!(folder.images(), ["ball.exr"]);
+}
+
+#[test]
+fn the_highest_exit_code_is_that_of_the_batch() {
+    let folder = three().with("warned.pbrt", WARNED);
+    folder.render("gone.pbrt broken.pbrt ball.pbrt -o {stem}.exr").exited(66);
+    folder.render("broken.pbrt warned.pbrt --strict --resolution 2x2 -o {stem}-2.exr").exited(65);
+    folder.render("warned.pbrt second.pbrt --strict --resolution 2x2 -o {stem}-3.exr").exited(1);
+}
+
+#[test]
+fn an_existing_image_is_an_error_and_is_kept() {
+    let folder = three().with("second.exr", "old");
+    folder.render("ball.pbrt second.pbrt -o {stem}.exr").failed(73, "second.exr: exists already");
+    assert_eq!(folder.text("second.exr"), "old");
+    assert_eq!(folder.images(), ["ball.exr", "second.exr"]);
+}
+
+#[test]
+fn an_existing_image_of_the_films_name_is_an_error_too() {
+    let folder = Folder::new().with("warned.pbrt", WARNED).with("film.exr", "old");
+    folder.render("warned.pbrt ball.pbrt --resolution 2x2").failed(73, "film.exr: exists already");
+    assert_eq!(folder.text("film.exr"), "old");
+}
+
+#[test]
+fn force_overwrites() {
+    let folder = three().with("second.exr", "old");
+    folder.render("ball.pbrt second.pbrt -o {stem}.exr --force").succeeded();
+    assert!(folder.bytes("second.exr") == folder.bytes("ball.exr"));
+}
+
+#[test]
+fn skip_existing_renders_the_others() {
+    let folder = three().with("second.exr", "old");
+    folder.render("ball.pbrt second.pbrt -o {stem}.exr --skip-existing -v").succeeded().said("second.pbrt: skipped");
+    assert_eq!(folder.text("second.exr"), "old");
+    assert_eq!(folder.images(), ["ball.exr", "second.exr"]);
+}
+
+#[test]
+fn skip_existing_works_for_one_scene() {
+    let folder = Folder::new().with("film.exr", "old");
+    folder.render("ball.pbrt --skip-existing").succeeded();
+    assert_eq!(folder.text("film.exr"), "old");
+}
+
+#[test]
+fn to_force_and_to_skip_is_a_contradiction() {
+    Folder::new().render("ball.pbrt --force --skip-existing").failed(2, "cannot be used with");
+}
+
+#[test]
+fn two_scenes_for_one_image_are_refused_before_any_work() {
+    let folder = three();
+    let run = folder.render("ball.pbrt second.pbrt -o one.exr").exited(2);
+    let expected = "error: ball.pbrt and second.pbrt would both be written to one.exr
+   = use -o with {stem} in the name, such as -o 'out/{stem}.png'
+";
+    assert_eq!(run.stderr, expected);
+    folder.render("ball.pbrt second.pbrt").failed(2, "would both be written to film.exr");
+    folder.render("ball.pbrt second.pbrt -o - --view hit").failed(2, "would both be written to -");
+    assert!(folder.images().is_empty());
+}
+
+#[test]
+fn one_image_by_two_spellings_is_one_image() {
+    let folder = Folder::new().with("second.pbrt", BALL.replace("film.exr", "./film.exr"));
+    folder.render("ball.pbrt second.pbrt --force").failed(2, "would both be written to ./film.exr");
+    assert!(folder.images().is_empty());
+}
+
+#[test]
+fn standard_input_may_be_one_of_the_scenes() {
+    let folder = Folder::new();
+    folder.render_input("- ball.pbrt -o {stem}.exr", BALL).succeeded();
+    assert!(folder.bytes("stdin.exr") == folder.bytes("ball.exr"));
+}
+
+#[test]
+fn scenes_of_one_name_are_not_told_to_use_what_they_use() {
+    let folder = Folder::new();
+    let run = folder.render("ball.pbrt ./ball.pbrt -o {stem}.exr").exited(2);
+    let expected = "error: ball.pbrt and ./ball.pbrt would both be written to ball.exr
+   = scenes of the same name need a command each
+";
+    assert_eq!(run.stderr, expected);
+}
+
+#[test]
+fn the_manifest_has_a_line_for_each_scene() {
+    let folder = three().with("warned.pbrt", WARNED).with("second.exr", "old");
+    let arguments = "ball.pbrt broken.pbrt second.pbrt warned.pbrt -o {stem}.exr --skip-existing --strict \
+                     --resolution 3x3 --manifest all.jsonl";
+    folder.render(arguments).exited(65);
+    let lines = json_lines(&folder.text("all.jsonl"));
+    let column = |key: &str| lines.iter().map(|line| line[key].clone()).collect::<Vec<_>>();
+    assert_eq!(column("scene"), ["ball.pbrt", "broken.pbrt", "second.pbrt", "warned.pbrt"]);
+    assert_eq!(column("status"), ["done", "failed", "skipped", "done"]);
+    assert_eq!(column("exit_code"), [0, 65, 0, 1]);
+    assert!(lines[1]["error"].as_str().unwrap().starts_with("broken.pbrt:2:1: "));
+    assert!(lines[0]["error"].is_null() && lines[1]["image"].is_null() && lines[2]["image"].is_null());
+    assert_eq!((&lines[0]["image"]["output"], &lines[0]["image"]["width"]), (&"ball.exr".into(), &3.into()));
+}
+
+#[test]
+fn a_manifest_goes_on_where_it_ended() {
+    let folder = Folder::new();
+    for _ in 0..2 {
+        folder.render("ball.pbrt --manifest all.jsonl").succeeded();
+    }
+    assert_eq!(json_lines(&folder.text("all.jsonl")).len(), 2);
+}

@@ -1,0 +1,225 @@
+//! A folder of its own for each test, and what the program does in it.
+
+use assert_cmd::cargo::cargo_bin;
+use exr::meta::attribute::{AttributeValue, Text};
+use exr::prelude::{FlatSamples, ReadChannels, ReadLayers};
+use image::RgbImage;
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::PathBuf;
+use tempfile::TempDir;
+
+/// A ball before a triangle that stands askew: 13 by 7 pixels, most of them misses.
+pub(crate) const BALL: &str = r#"
+LookAt 0 0 -5  0 0 0  0 1 0
+Camera "perspective" "float fov" 40
+Film "rgb" "integer xresolution" 13 "integer yresolution" 7 "string filename" "film.exr"
+WorldBegin
+Shape "sphere" "float radius" 1
+Translate 0.5 0 2
+Shape "trianglemesh" "point3 P" [-2 -1 0  2 -1 0.5  0 2 0] "integer indices" [0 1 2]
+"#;
+
+/// Columns and rows of [`BALL`].
+pub(crate) const SIZE: (u32, u32) = (13, 7);
+
+/// Whatever is hit, one part of it is left out with a warning.
+pub(crate) const WARNED: &str = "WorldBegin\nShape \"disk\"\nShape \"disk\"\n";
+
+/// A folder that vanishes with its test.
+pub(crate) struct Folder(TempDir);
+
+/// How the program ended.
+#[derive(Debug)]
+pub(crate) struct Run {
+    pub(crate) code: i32,
+    pub(crate) stdout: Vec<u8>,
+    pub(crate) stderr: String,
+}
+
+impl Folder {
+    /// With [`BALL`] in `ball.pbrt`.
+    pub(crate) fn new() -> Folder {
+        Folder(tempfile::tempdir().unwrap()).with("ball.pbrt", BALL)
+    }
+
+    pub(crate) fn with(self, name: &str, content: impl AsRef<[u8]>) -> Folder {
+        fs::write(self.path(name), content).unwrap();
+        self
+    }
+
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    /// `feimos render` with `arguments`, which are separated by blanks.
+    pub(crate) fn command(&self, arguments: &str) -> std::process::Command {
+        let mut command = std::process::Command::new(cargo_bin!("feimos"));
+        command.current_dir(self.0.path()).env_remove("NO_COLOR").env_remove("CLICOLOR_FORCE");
+        command.arg("render").args(arguments.split_whitespace());
+        command
+    }
+
+    /// Runs [`Folder::command`] with an empty standard input.
+    pub(crate) fn render(&self, arguments: &str) -> Run {
+        self.render_input(arguments, "")
+    }
+
+    /// Runs [`Folder::command`] with `input` on its standard input. Standard output carries results only.
+    pub(crate) fn render_input(&self, arguments: &str, input: &str) -> Run {
+        let mut command = assert_cmd::Command::from_std(self.command(arguments));
+        let output = command.write_stdin(input).output().unwrap();
+        let run = Run {
+            code: output.status.code().expect("an exit code and no signal"),
+            stdout: output.stdout,
+            stderr: String::from_utf8(output.stderr).unwrap(),
+        };
+        let results = ["--json", "-o -"].iter().any(|flag| arguments.contains(flag));
+        assert!(results || run.stdout.is_empty(), "{arguments}: {run:?}");
+        run
+    }
+
+    /// Names of all files but scenes and meshes, in order.
+    pub(crate) fn images(&self) -> Vec<String> {
+        let entries = fs::read_dir(self.0.path()).unwrap();
+        let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+        let mut images: Vec<String> = names.filter(|name| !name.contains(".pbrt") && !name.contains(".ply")).collect();
+        images.retain(|name| !name.ends_with(".obj"));
+        images.sort();
+        images
+    }
+
+    pub(crate) fn bytes(&self, name: &str) -> Vec<u8> {
+        fs::read(self.path(name)).unwrap()
+    }
+
+    pub(crate) fn text(&self, name: &str) -> String {
+        String::from_utf8(self.bytes(name)).unwrap()
+    }
+
+    pub(crate) fn exr(&self, name: &str) -> Exr {
+        Exr::read(&self.bytes(name))
+    }
+
+    pub(crate) fn png(&self, name: &str) -> RgbImage {
+        png(&self.bytes(name))
+    }
+
+    /// Renders with `arguments` to an EXR and reads it.
+    pub(crate) fn rendered(&self, arguments: &str) -> Exr {
+        self.render(&format!("{arguments} -o rendered.exr")).succeeded();
+        self.exr("rendered.exr")
+    }
+}
+
+impl Run {
+    #[track_caller]
+    pub(crate) fn succeeded(self) -> Run {
+        self.exited(0)
+    }
+
+    #[track_caller]
+    pub(crate) fn exited(self, code: i32) -> Run {
+        assert_eq!(self.code, code, "{}", self.stderr);
+        self
+    }
+
+    /// Exited with `code` after a message with `part` in it.
+    #[track_caller]
+    pub(crate) fn failed(self, code: i32, part: &str) -> Run {
+        let run = self.exited(code).said(part);
+        assert!(run.stderr.contains("error: "), "{}", run.stderr);
+        run
+    }
+
+    #[track_caller]
+    pub(crate) fn said(self, part: &str) -> Run {
+        assert!(self.stderr.contains(part), "no `{part}` in:\n{}", self.stderr);
+        self
+    }
+
+    #[track_caller]
+    pub(crate) fn did_not_say(self, part: &str) -> Run {
+        assert!(!self.stderr.contains(part), "`{part}` in:\n{}", self.stderr);
+        self
+    }
+
+    /// The lines of `--json`.
+    pub(crate) fn json(&self) -> Vec<serde_json::Value> {
+        json_lines(std::str::from_utf8(&self.stdout).unwrap())
+    }
+}
+
+pub(crate) fn json_lines(text: &str) -> Vec<serde_json::Value> {
+    text.lines().map(|line| serde_json::from_str(line).unwrap()).collect()
+}
+
+pub(crate) fn png(bytes: &[u8]) -> RgbImage {
+    image::load_from_memory_with_format(bytes, image::ImageFormat::Png).unwrap().into_rgb8()
+}
+
+/// An EXR as the exr crate reads it.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Exr {
+    /// Columns and rows of the whole film.
+    pub(crate) film: (usize, usize),
+    /// The first column and row of the data window.
+    pub(crate) origin: (i32, i32),
+    /// Columns and rows of the data window.
+    pub(crate) size: (usize, usize),
+    /// The bits of each channel's samples.
+    pub(crate) bits: BTreeMap<String, Vec<u32>>,
+    /// Those channels that hold `u32` and not `f32`.
+    pub(crate) integers: Vec<String>,
+    /// The attribute `feimos`.
+    pub(crate) header: serde_json::Value,
+}
+
+impl Exr {
+    pub(crate) fn read(bytes: &[u8]) -> Exr {
+        let read = exr::prelude::read().no_deep_data().largest_resolution_level().all_channels();
+        let read = read.all_layers().all_attributes().pedantic();
+        let file = read.from_buffered(std::io::Cursor::new(bytes)).unwrap();
+        let [layer] = &file.layer_data[..] else { panic!("one layer") };
+        let AttributeValue::Text(header) = &layer.attributes.other[&Text::from("feimos")] else {
+            panic!("the attribute is a text")
+        };
+        let origin = layer.attributes.layer_position;
+        let film = file.attributes.display_window.size;
+        let mut exr = Exr {
+            film: (film.width(), film.height()),
+            origin: (origin.x(), origin.y()),
+            size: (layer.size.width(), layer.size.height()),
+            bits: BTreeMap::new(),
+            integers: Vec::new(),
+            header: serde_json::from_slice(header.as_slice()).unwrap(),
+        };
+        for channel in &layer.channel_data.list {
+            let name = channel.name.to_string();
+            let bits = match &channel.sample_data {
+                FlatSamples::F32(values) => values.iter().map(|value| value.to_bits()).collect(),
+                FlatSamples::U32(values) => {
+                    exr.integers.push(name.clone());
+                    values.clone()
+                }
+                FlatSamples::F16(_) => panic!("{name} holds halves"),
+            };
+            exr.bits.insert(name, bits);
+        }
+        exr
+    }
+
+    pub(crate) fn channels(&self) -> Vec<&str> {
+        self.bits.keys().map(String::as_str).collect()
+    }
+
+    pub(crate) fn measures(&self, name: &str) -> Vec<f32> {
+        self.bits[name].iter().map(|bits| f32::from_bits(*bits)).collect()
+    }
+
+    /// The values of channel `name` where nothing was hit; needs `A`.
+    pub(crate) fn at_misses(&self, name: &str) -> Vec<f32> {
+        let pairs = self.measures(name).into_iter().zip(self.measures("A"));
+        pairs.filter(|(_, a)| *a == 0.0).map(|(value, _)| value).collect()
+    }
+}

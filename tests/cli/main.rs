@@ -1,0 +1,10 @@
+//! The program as people run it: flags, files, streams, exit codes and messages.
+
+mod batch;
+mod engine;
+mod exit_code;
+mod folder;
+mod message;
+mod output;
+mod region;
+mod talk;
