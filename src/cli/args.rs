@@ -59,9 +59,9 @@ pub(crate) struct OutputArgs {
     /// Depths at the ends of the colours, in scene units [default: of the hits].
     #[arg(long, value_name = "NEAR,FAR", value_parser = numbers::<2>, allow_hyphen_values = true)]
     pub(crate) range: Option<[f64; 2]>,
-    /// What Z and t of an EXR hold where nothing is hit: inf, nan, 0 or any number.
-    #[arg(long, value_name = "VALUE", default_value = "inf", value_parser = miss, allow_hyphen_values = true)]
-    pub(crate) miss: f32,
+    /// What Z and t of an EXR hold where nothing is hit: inf, nan, 0 or any number [default: inf].
+    #[arg(long, value_name = "VALUE", value_parser = miss, allow_hyphen_values = true)]
+    pub(crate) miss: Option<f32>,
 }
 
 #[derive(Debug, Args)]

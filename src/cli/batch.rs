@@ -1,11 +1,12 @@
-//! Several scenes, one after the other.
+//! Scenes, one after the other.
 
-use super::args::RenderArgs;
-use super::job::{Outcome, Renderer, build_options, no_threads};
+use super::args::{BatchArgs, RenderArgs};
+use super::job::{Outcome, Renderer};
 use super::manifest::{Entry, Manifest, Status};
 use super::output_name::Destination;
 use super::plan::Plan;
 use super::progress_bar::ProgressBars;
+use super::record::Record;
 use super::reporter::Reporter;
 use feimos::accel::SplitMethod;
 use feimos::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
@@ -14,8 +15,11 @@ use feimos::scene::{self, SceneOptions};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-/// Warnings under `--strict`.
+/// The exit code of warnings under `--strict`.
 const WARNED: u8 = 1;
+
+/// Builds recurse as deep as their trees, up to a hundred levels.
+const STACK_BYTES: usize = 8 << 20;
 
 /// Renders all scenes and returns the exit code: the highest of any scene.
 pub(crate) fn render(args: RenderArgs, reporter: &Reporter) -> Result<u8> {
@@ -23,67 +27,121 @@ pub(crate) fn render(args: RenderArgs, reporter: &Reporter) -> Result<u8> {
     for flag in args.pbrt.given() {
         reporter.note(format_args!("{flag} has no meaning here and is ignored"));
     }
-    let batch = args.scenes.len() > 1;
-    let outputs = if batch { Some(distinct_outputs(&args.scenes, &plan)?) } else { None };
-    let mut manifest = args.batch.manifest.as_deref().map(Manifest::open).transpose()?;
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(plan.threads).stack_size(STACK_BYTES).build();
-    let pool = pool.map_err(|error| no_threads(&error))?;
-    let overwrite = if batch && !args.batch.force { Overwrite::No } else { Overwrite::Yes };
-    let renderer = Renderer { plan: &plan, reporter, bars: ProgressBars::new(&args.talk), overwrite };
+    let several = args.scenes.len() > 1;
+    let outputs = if several { distinct_outputs(&args.scenes, &plan)? } else { vec![None; args.scenes.len()] };
+    let overwrite = if several && !args.batch.force { Overwrite::No } else { Overwrite::Yes };
+    let batch = Batch {
+        renderer: Renderer { plan: &plan, reporter, bars: ProgressBars::new(&args.talk), overwrite },
+        manifest: args.batch.manifest.as_deref().map(Manifest::open).transpose()?,
+        pool: thread_pool(plan.threads)?,
+        args: &args.batch,
+        json: args.talk.json,
+        strict: args.talk.strict,
+        failed: Vec::new(),
+    };
+    batch.run(&args.scenes, &outputs)
+}
 
-    let mut code = 0;
-    let mut failed = Vec::new();
-    let mut untried = 0;
-    for (place, path) in args.scenes.iter().enumerate() {
-        let known = outputs.as_ref().and_then(|outputs| outputs[place].as_ref());
-        let existing = existing_output(path, known, &plan);
-        let name = path.display().to_string();
-        let entry = |status, exit_code| Entry { scene: &name, status, exit_code, error: None, image: None };
-        if args.batch.skip_existing && existing.is_some() {
-            reporter.detail(format_args!("{name}: skipped, its image exists"));
-            manifest.as_mut().map_or(Ok(()), |manifest| manifest.add(&entry(Status::Skipped, 0)))?;
-            continue;
+fn thread_pool(threads: usize) -> Result<rayon::ThreadPool> {
+    rayon::ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK_BYTES).build().map_err(|error| {
+        let diagnostic = Diagnostic::new(format!("cannot start {threads} threads: {error}"));
+        Error::new(ErrorKind::TryAgain, diagnostic.note("use fewer, with --threads"))
+    })
+}
+
+struct Batch<'a> {
+    renderer: Renderer<'a>,
+    manifest: Option<Manifest>,
+    pool: rayon::ThreadPool,
+    args: &'a BatchArgs,
+    json: bool,
+    strict: bool,
+    /// A line for each scene that failed.
+    failed: Vec<String>,
+}
+
+impl Batch<'_> {
+    /// `outputs` are the places of the images as far as they are known.
+    fn run(mut self, scenes: &[PathBuf], outputs: &[Option<Destination>]) -> Result<u8> {
+        let mut code = 0;
+        let mut tried = 0;
+        for (path, output) in scenes.iter().zip(outputs) {
+            let result = self.try_one(path, output.as_ref());
+            code = code.max(self.take_note(path, result)?);
+            tried += 1;
+            if self.args.fail_fast && !self.failed.is_empty() {
+                break;
+            }
         }
-        let result = match existing {
-            Some(output) if overwrite == Overwrite::No => Err(exists(&output)),
-            _ => pool.install(|| renderer.render(path)),
-        };
-        let printed = result.and_then(|outcome| outcome.print_json(&args.talk).map(|()| outcome));
-        match printed {
-            Ok(Outcome { record, warned }) => {
-                let exit_code = if warned && args.talk.strict { WARNED } else { 0 };
-                code = code.max(exit_code);
-                let entry = Entry { image: Some(&record), ..entry(Status::Done, exit_code) };
-                manifest.as_mut().map_or(Ok(()), |manifest| manifest.add(&entry))?;
+        if scenes.len() > 1 {
+            self.report_failed(scenes.len(), scenes.len() - tried);
+        }
+        Ok(code)
+    }
+
+    /// `None` where the scene is skipped.
+    fn try_one(&self, path: &Path, output: Option<&Destination>) -> Result<Option<Outcome>> {
+        match existing_output(path, output, self.renderer.plan) {
+            Some(_) if self.args.skip_existing => return Ok(None),
+            Some(existing) if self.renderer.overwrite == Overwrite::No => return Err(exists(&existing)),
+            _ => {}
+        }
+        let outcome = self.pool.install(|| self.renderer.render(path))?;
+        if self.json {
+            outcome.print_json()?;
+        }
+        Ok(Some(outcome))
+    }
+
+    /// Tells the user and the manifest how it went; returns the scene's exit code.
+    fn take_note(&mut self, path: &Path, result: Result<Option<Outcome>>) -> Result<u8> {
+        let name = path.display().to_string();
+        match result {
+            Ok(None) => {
+                self.renderer.reporter.detail(format_args!("{name}: skipped, its image exists"));
+                self.record(&name, Status::Skipped, 0, None, None)
+            }
+            Ok(Some(Outcome { record, warned })) => {
+                let exit_code = if warned && self.strict { WARNED } else { 0 };
+                self.record(&name, Status::Done, exit_code, None, Some(&record))
             }
             Err(error) => {
-                reporter.error(&error);
+                self.renderer.reporter.error(&error);
                 let exit_code = error.kind().exit_code();
-                code = code.max(exit_code);
-                let entry = Entry { error: Some(error.to_string()), ..entry(Status::Failed, exit_code) };
-                manifest.as_mut().map_or(Ok(()), |manifest| manifest.add(&entry))?;
-                failed.push(format!("{name} (exit code {exit_code})"));
-                if args.batch.fail_fast {
-                    untried = args.scenes.len() - place - 1;
-                    break;
-                }
+                self.failed.push(format!("{name} (exit code {exit_code})"));
+                self.record(&name, Status::Failed, exit_code, Some(error.to_string()), None)
             }
         }
     }
-    if batch && !failed.is_empty() {
+
+    fn record(
+        &mut self,
+        scene: &str,
+        status: Status,
+        exit_code: u8,
+        error: Option<String>,
+        image: Option<&Record>,
+    ) -> Result<u8> {
+        if let Some(manifest) = &mut self.manifest {
+            manifest.add(&Entry { scene, status, exit_code, error, image })?;
+        }
+        Ok(exit_code)
+    }
+
+    fn report_failed(&self, count: usize, untried: usize) {
+        if self.failed.is_empty() {
+            return;
+        }
         let untried = match untried {
             0 => String::new(),
             1 => ", and 1 was not tried".to_owned(),
             _ => format!(", and {untried} were not tried"),
         };
-        reporter.line(format_args!("{} of {} scenes failed{untried}:", failed.len(), args.scenes.len()));
-        failed.iter().for_each(|line| reporter.line(format_args!("  {line}")));
+        let reporter = self.renderer.reporter;
+        reporter.line(format_args!("{} of {count} scenes failed{untried}:", self.failed.len()));
+        self.failed.iter().for_each(|line| reporter.line(format_args!("  {line}")));
     }
-    Ok(code)
 }
-
-/// Builds recurse as deep as their trees, up to a hundred levels.
-const STACK_BYTES: usize = 8 << 20;
 
 /// Where each scene's image goes, as far as the files can be read; two scenes for one image are an error.
 fn distinct_outputs(scenes: &[PathBuf], plan: &Plan) -> Result<Vec<Option<Destination>>> {
@@ -115,7 +173,7 @@ fn output_of(path: &Path, plan: &Plan) -> Option<Destination> {
         return None;
     }
     let SceneOptions { film_filename, accelerator } = scene::read_options(path).ok()?;
-    let method = build_options(plan.accel, &accelerator, &Reporter::silent()).method;
+    let method = plan.build_options(&accelerator, &Reporter::silent()).method;
     Some(plan.output_name.destination(path, film_filename.as_deref(), method))
 }
 

@@ -5,10 +5,12 @@ mod batch;
 mod job;
 mod manifest;
 mod output_name;
+mod picture;
 mod plan;
 mod progress_bar;
 mod record;
 mod reporter;
+mod summary;
 mod terminal;
 
 use args::{Cli, Command};

@@ -2,10 +2,12 @@
 
 use super::args::{OutputArgs, RegionArgs, RenderArgs};
 use super::output_name::{Destination, OutputName};
-use feimos::accel::SplitMethod;
+use super::picture::Picture;
+use super::reporter::Reporter;
+use feimos::accel::{BuildOptions, SplitMethod};
 use feimos::error::{Error, Result};
 use feimos::film::{ChannelName, ColorMap, DepthRange, Format, PixelBounds, View};
-use feimos::scene::{Film, LoadOptions};
+use feimos::scene::{AcceleratorParameters, Film, LoadOptions};
 
 /// How every scene of the command is rendered.
 #[derive(Debug)]
@@ -14,36 +16,14 @@ pub(crate) struct Plan {
     pub(crate) load: LoadOptions,
     pub(crate) accel: Option<SplitMethod>,
     pub(crate) threads: usize,
-    pub(crate) miss: f32,
     pub(crate) stats: bool,
+    miss: Option<f32>,
     aov: Option<Vec<ChannelName>>,
     view: Option<View>,
     colors: Option<ColorMap>,
     range: Option<DepthRange>,
     cropwindow: Option<[f64; 4]>,
     pixelbounds: Option<[u32; 4]>,
-}
-
-/// What goes into one file.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Picture {
-    /// Data.
-    Exr { channels: Vec<ChannelName> },
-    /// Hit and miss.
-    Hit,
-    /// Colours; the range is that of the hits where none is given.
-    Depth { colors: ColorMap, range: Option<DepthRange> },
-}
-
-impl Picture {
-    /// The channels that have to be rendered for it.
-    pub(crate) fn channels(&self) -> Vec<ChannelName> {
-        match self {
-            Picture::Exr { channels } => channels.clone(),
-            Picture::Hit => View::Hit.channels().to_vec(),
-            Picture::Depth { .. } => View::Depth.channels().to_vec(),
-        }
-    }
 }
 
 impl Plan {
@@ -99,34 +79,49 @@ impl Plan {
             Destination::File(path) => Format::of_path(path)?,
         };
         match format {
-            Format::Exr => {
-                let png_only = [
-                    ("--view", self.view.is_some()),
-                    ("--colormap", self.colors.is_some()),
-                    ("--range", self.range.is_some()),
-                ];
-                refuse(&png_only, destination, "an EXR, which holds the values themselves")?;
-                let channels = self.aov.clone().unwrap_or_else(|| ChannelName::ALL.to_vec());
-                Ok(Picture::Exr { channels })
-            }
-            Format::Png => {
-                refuse(
-                    &[("--aov", self.aov.is_some())],
-                    destination,
-                    "a PNG; for channels give the output the extension .exr",
-                )?;
-                match self.view.unwrap_or(View::Depth) {
-                    View::Hit => {
-                        let depth_only = [("--colormap", self.colors.is_some()), ("--range", self.range.is_some())];
-                        refuse(&depth_only, destination, "a hit view, which has two colours")?;
-                        Ok(Picture::Hit)
-                    }
-                    View::Depth => {
-                        Ok(Picture::Depth { colors: self.colors.unwrap_or(ColorMap::Turbo), range: self.range })
-                    }
-                }
-            }
+            Format::Exr => self.exr(destination),
+            Format::Png => self.png(destination),
         }
+    }
+
+    fn exr(&self, destination: &Destination) -> Result<Picture> {
+        let of_png =
+            [("--view", self.view.is_some()), ("--colormap", self.colors.is_some()), ("--range", self.range.is_some())];
+        refuse(&of_png, destination, "an EXR, which holds the values themselves")?;
+        let channels = self.aov.clone().unwrap_or_else(|| ChannelName::ALL.to_vec());
+        Ok(Picture::Exr { channels, miss: self.miss.unwrap_or(f32::INFINITY) })
+    }
+
+    fn png(&self, destination: &Destination) -> Result<Picture> {
+        let of_exr = [("--aov", self.aov.is_some()), ("--miss", self.miss.is_some())];
+        refuse(&of_exr, destination, "a PNG; for channels give the output the extension .exr")?;
+        match self.view.unwrap_or_default() {
+            View::Hit => {
+                let of_depth = [("--colormap", self.colors.is_some()), ("--range", self.range.is_some())];
+                refuse(&of_depth, destination, "a hit view, which has two colours")?;
+                Ok(Picture::Hit)
+            }
+            View::Depth => Ok(Picture::Depth { colors: self.colors.unwrap_or_default(), range: self.range }),
+        }
+    }
+
+    /// How to build: by the command line's method, else the scene's, else `sah`.
+    pub(crate) fn build_options(&self, accelerator: &AcceleratorParameters, reporter: &Reporter) -> BuildOptions {
+        let from_scene = method_of_scene(accelerator);
+        if let (None, Err(unknown)) = (self.accel, &from_scene) {
+            reporter.note(format_args!("the scene's accelerator `{unknown}` is not known here: sah is used"));
+        }
+        let max_leaf = accelerator.max_leaf.map_or(BuildOptions::MAX_LEAF, |count| count as usize);
+        BuildOptions { method: self.accel.or(from_scene.ok()).unwrap_or(SplitMethod::Sah), max_leaf }
+    }
+}
+
+/// What the scene asks for, or the name that means nothing here.
+fn method_of_scene(accelerator: &AcceleratorParameters) -> std::result::Result<SplitMethod, &str> {
+    match (accelerator.name.as_deref(), accelerator.split_method.as_deref()) {
+        (None, _) | (Some("bvh"), None) => Ok(SplitMethod::Sah),
+        (Some("bvh"), Some(name)) => name.parse().map_err(|_| name),
+        (Some(name), _) => Err(name),
     }
 }
 

@@ -1,0 +1,97 @@
+//! What goes into one file, and how it gets there.
+
+use super::output_name::Destination;
+use feimos::error::{Error, Result};
+use feimos::film::atomic_file::{self, Overwrite};
+use feimos::film::{ChannelName, ColorMap, DepthRange, Image, View, exr_file, png_file};
+use std::io::{self, Cursor, Seek, Write};
+use std::path::Path;
+
+/// A file's content, as far as the command line decides it.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Picture {
+    /// Data; `miss` is what `Z` and `t` hold where nothing is hit.
+    Exr { channels: Vec<ChannelName>, miss: f32 },
+    /// Hit and miss.
+    Hit,
+    /// Colours; the range is that of the hits where none is given.
+    Depth { colors: ColorMap, range: Option<DepthRange> },
+}
+
+impl Picture {
+    /// The channels that have to be rendered for it.
+    pub(crate) fn channels(&self) -> Vec<ChannelName> {
+        match self {
+            Picture::Exr { channels, .. } => channels.clone(),
+            Picture::Hit => View::Hit.channels().to_vec(),
+            Picture::Depth { .. } => View::Depth.channels().to_vec(),
+        }
+    }
+
+    /// What `Z` and `t` hold where nothing is hit; pictures for people do not look at it.
+    pub(crate) fn miss(&self) -> f32 {
+        match self {
+            Picture::Exr { miss, .. } => *miss,
+            Picture::Hit | Picture::Depth { .. } => f32::INFINITY,
+        }
+    }
+
+    /// The range of depths that `image` is shown in; `None` where it shows no depths, or hits nothing.
+    pub(crate) fn range(&self, image: &Image) -> Option<DepthRange> {
+        match self {
+            Picture::Depth { range, .. } => range.or_else(|| DepthRange::of_hits(image)),
+            Picture::Exr { .. } | Picture::Hit => None,
+        }
+    }
+
+    /// Writes `image`.
+    pub(crate) fn write(&self, image: &Image, destination: &Destination, overwrite: Overwrite) -> Result<()> {
+        match destination {
+            Destination::File(path) => {
+                atomic_file::write_file(path, overwrite, |out| self.encode(image, out))?;
+                Ok(())
+            }
+            Destination::Stdout => {
+                let mut bytes = Cursor::new(Vec::new());
+                let encoded = self.encode(image, &mut bytes);
+                write_to_stdout(encoded.map(|()| bytes.into_inner()))
+            }
+        }
+    }
+
+    fn encode(&self, image: &Image, out: &mut (impl Write + Seek)) -> io::Result<()> {
+        match self {
+            Picture::Exr { miss, .. } => exr_file::write(image, &exr_header(*miss), out),
+            Picture::Hit => png_file::write_hit(image, out),
+            Picture::Depth { colors, .. } => {
+                // Without a hit there is no range, and no pixel that would ask for it.
+                let range = self.range(image).unwrap_or(DepthRange { near: 0.0, far: 1.0 });
+                png_file::write_depth(image, *colors, range, out)
+            }
+        }
+    }
+}
+
+/// Writes all of `bytes`, unless making them failed.
+pub(crate) fn write_to_stdout(bytes: io::Result<Vec<u8>>) -> Result<()> {
+    let written = bytes.and_then(|bytes| {
+        let mut stdout = io::stdout().lock();
+        stdout.write_all(&bytes).and_then(|()| stdout.flush())
+    });
+    written.map_err(|error| Error::writing(Path::new("standard output"), &error))
+}
+
+/// The one attribute of an EXR that is ours: what the numbers mean.
+fn exr_header(miss: f32) -> String {
+    let miss = if miss.is_finite() { serde_json::json!(miss) } else { serde_json::json!(miss.to_string()) };
+    let header = serde_json::json!({
+        "version": env!("CARGO_PKG_VERSION"),
+        "Z": "planar depth along the view axis, in camera units",
+        "t": "distance from the ray's origin, in world units",
+        "A": "1 hit, 0 miss",
+        "id": "number of the Shape statement, from 1; 0 miss",
+        "prim": "number of the primitive, from 1; 0 miss",
+        "miss": miss,
+    });
+    header.to_string()
+}

@@ -1,0 +1,58 @@
+//! What a person reads about a scene and its image.
+
+use super::job::Finished;
+use super::record::Milliseconds;
+use super::reporter::Reporter;
+use feimos::film::DepthRange;
+use feimos::scene::Scene;
+
+/// Warnings, what was skipped, and what there is.
+pub(super) fn report_scene(scene: &Scene, reporter: &Reporter) {
+    reporter.warnings(&scene.warnings);
+    if let Some(summary) = &scene.summary {
+        reporter.note(summary);
+    }
+    let shapes = &scene.shapes;
+    reporter.detail(format_args!(
+        "loaded {} shapes: {} triangles, {} spheres, {} transforms, {} bytes",
+        scene.shape_count,
+        shapes.triangle_count(),
+        shapes.sphere_count(),
+        scene.transform_count,
+        shapes.bytes(),
+    ));
+}
+
+/// One line on the image.
+pub(super) fn report_image(finished: &Finished, range: Option<DepthRange>, reporter: &Reporter) {
+    let window = &finished.rendering.image.data_window;
+    let depth = range.map_or(String::new(), |range| format!(", depth {} to {}", range.near, range.far));
+    let Milliseconds { load, build, trace, write, .. } = finished.ms;
+    reporter.result(format_args!(
+        "{}: {} x {} pixels, {} hit{depth} (load {load:.0}, build {build:.0}, trace {trace:.0}, write {write:.0} ms)",
+        finished.destination,
+        window.width(),
+        window.height(),
+        finished.rendering.hits,
+    ));
+}
+
+/// The lines of `--stats`.
+pub(super) fn report_statistics(scene: &Scene, finished: &Finished, reporter: &Reporter) {
+    let (tree, ms, shapes) = (&finished.statistics, &finished.ms, &scene.shapes);
+    let rays = finished.rendering.image.data_window.area() as f64;
+    let work = finished.rendering.work.unwrap_or_default();
+    let (nodes, primitives) = (work.nodes as f64 / rays, work.primitives as f64 / rays);
+    let lines = [
+        format!("shapes      {} under {} transforms", scene.shape_count, scene.transform_count),
+        format!("primitives  {} triangles, {} spheres", shapes.triangle_count(), shapes.sphere_count()),
+        format!("geometry    {} bytes", shapes.bytes()),
+        format!("accelerator {}, built in {:.1} ms", finished.method, ms.build),
+        format!("nodes       {} ({} leaves), depth {}", tree.nodes, tree.leaves, tree.depth),
+        format!("SAH cost    {:.2}", tree.sah_cost),
+        format!("tree        {} bytes", tree.bytes),
+        format!("per ray     {nodes:.2} nodes, {primitives:.2} primitives tested"),
+        format!("trace       {:.1} ms, {:.2} million rays a second", ms.trace, rays / ms.trace / 1e3),
+    ];
+    lines.iter().for_each(|line| reporter.line(line));
+}
