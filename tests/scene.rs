@@ -221,6 +221,16 @@ fn included_files_are_found_beside_the_top_level_scene() {
 }
 
 #[test]
+fn includes_have_a_depth_at_most() {
+    let names: Vec<String> = (0..80).map(|k| format!("{k}.pbrt")).collect();
+    let texts: Vec<String> = (0..80).map(|k| format!("Include \"{}.pbrt\"", k + 1)).collect();
+    let files: Vec<(&str, &str)> =
+        names.iter().zip(&texts).map(|(name, text)| (name.as_str(), text.as_str())).collect();
+    let message = load_files(&files).unwrap_err();
+    assert!(message.starts_with("63.pbrt:1:9: more than 64 files include each other"), "{message}");
+}
+
+#[test]
 fn meshes_are_found_beside_the_scene() {
     let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     let text = "WorldBegin Shape \"objmesh\" \"string filename\" \"meshes/m.obj\"";

@@ -81,10 +81,12 @@ impl Batch<'_> {
 
     /// `None` where the scene is skipped.
     fn try_one(&self, path: &Path, output: Option<&Destination>) -> Result<Option<Outcome>> {
-        match existing_output(path, output, self.renderer.plan) {
+        let keep_existing = self.args.skip_existing || self.renderer.overwrite == Overwrite::No;
+        let existing = if keep_existing { existing_output(path, output, self.renderer.plan) } else { None };
+        match existing {
             Some(_) if self.args.skip_existing => return Ok(None),
-            Some(existing) if self.renderer.overwrite == Overwrite::No => return Err(exists(&existing)),
-            _ => {}
+            Some(existing) => return Err(exists(&existing)),
+            None => {}
         }
         let outcome = self.pool.install(|| self.renderer.render(path))?;
         if self.json {

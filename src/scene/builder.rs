@@ -8,7 +8,7 @@ use super::graphics_state::{Block, GraphicsState};
 use super::parameters::Parameters;
 use super::parser::{ActiveTransform, Directive, Directives, Entity, Span, Statement, Text};
 use super::shape_statement::ShapeTarget;
-use super::source::Source;
+use super::source::{Place, Source};
 use super::transform_cache::TransformCache;
 use super::warnings::Warnings;
 use super::{LoadOptions, Scene};
@@ -19,9 +19,13 @@ use crate::progress::Progress;
 use crate::shape::Shapes;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::rc::Rc;
 
 /// Files that include each other, at most.
 const MAX_INCLUDE_DEPTH: usize = 64;
+
+/// Files read, at most: a few that include each other twice would be read for ever.
+const MAX_FILES: usize = 100_000;
 
 /// Reads a scene with all that it names, or a bare `.ply` or `.obj`; `-` is a scene on standard input.
 ///
@@ -88,7 +92,7 @@ struct Builder<'a> {
     ended: bool,
     camera: Option<CameraParameters>,
     film: FilmParameters,
-    film_place: Option<SourceLocation>,
+    film_place: Option<Place>,
     accelerator: AcceleratorParameters,
     shapes: Shapes,
     shape_count: u32,
@@ -97,7 +101,7 @@ struct Builder<'a> {
     skipped: BTreeMap<&'static str, u64>,
     /// The files being read, each included by the one before.
     reading: Vec<PathBuf>,
-    files_entered: usize,
+    files_read: usize,
 }
 
 impl<'a> Builder<'a> {
@@ -121,32 +125,30 @@ impl<'a> Builder<'a> {
             warnings: Warnings::default(),
             skipped: BTreeMap::new(),
             reading: Vec::new(),
-            files_entered: 0,
+            files_read: 0,
         }
     }
 
     fn read(&mut self, path: &Path) -> Result<()> {
-        let source = Source::read(path)?;
+        let source = Rc::new(Source::read(path)?);
         let identity = path.canonicalize().unwrap_or_else(|_| path.to_path_buf());
         self.reading.push(identity);
-        let file = self.files_entered;
-        self.files_entered += 1;
+        self.files_read += 1;
         let mut seen = 0;
         for directive in Directives::new(&source.path, &source.text) {
             let directive = directive?;
             self.progress.advance(directive.span.end - seen);
             seen = directive.span.end;
-            self.obey(&directive, &source, file)?;
+            self.obey(&directive, &source)?;
             if self.ended {
                 break;
             }
         }
-        self.state.remember_place_of_innermost(file, |span| source.at(span));
         self.reading.pop();
         Ok(())
     }
 
-    fn obey(&mut self, directive: &Directive, source: &Source, file: usize) -> Result<()> {
+    fn obey(&mut self, directive: &Directive, source: &Rc<Source>) -> Result<()> {
         let keyword = &directive.keyword;
         match &directive.statement {
             Statement::Identity => self.replace(Transform::IDENTITY),
@@ -163,13 +165,13 @@ impl<'a> Builder<'a> {
             Statement::CoordinateSystem(name) => self.state.name(&name.text, self.state.current),
             Statement::CoordSysTransform(name) => self.recall(name, source),
             Statement::ReverseOrientation => {}
-            Statement::AttributeBegin => self.state.begin(Block::Attribute, file, keyword.clone()),
+            Statement::AttributeBegin => self.state.begin(Block::Attribute, Place::new(source, keyword)),
             Statement::AttributeEnd => self.end(Block::Attribute, keyword, source)?,
-            Statement::TransformBegin => self.state.begin(Block::Transform, file, keyword.clone()),
+            Statement::TransformBegin => self.state.begin(Block::Transform, Place::new(source, keyword)),
             Statement::TransformEnd => self.end(Block::Transform, keyword, source)?,
             Statement::ObjectBegin(_) => {
                 self.warn_of_instances(keyword, source);
-                self.state.begin(Block::Object, file, keyword.clone());
+                self.state.begin(Block::Object, Place::new(source, keyword));
             }
             Statement::ObjectEnd => self.end(Block::Object, keyword, source)?,
             Statement::ObjectInstance(_) => self.warn_of_instances(keyword, source),
@@ -194,7 +196,7 @@ impl<'a> Builder<'a> {
         Ok(())
     }
 
-    fn concat(&mut self, leaf: Transform, directive: &Directive, source: &Source) {
+    fn concat(&mut self, leaf: Transform, directive: &Directive, source: &Rc<Source>) {
         if self.active == ActiveTransform::EndTime {
             return;
         }
@@ -211,7 +213,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    fn activate(&mut self, active: ActiveTransform, directive: &Directive, source: &Source) {
+    fn activate(&mut self, active: ActiveTransform, directive: &Directive, source: &Rc<Source>) {
         self.active = active;
         if active == ActiveTransform::EndTime {
             let message = "moving transforms are not supported: shapes stand where they are at the start time";
@@ -220,7 +222,7 @@ impl<'a> Builder<'a> {
     }
 
     /// Of the defaults that v4 can set, only those of shapes may matter.
-    fn attribute(&mut self, entity: &Entity, source: &Source) {
+    fn attribute(&mut self, entity: &Entity, source: &Rc<Source>) {
         if entity.name.text == "shape" {
             let message = "parameters of following shapes set by Attribute are ignored";
             self.warnings.add("Attribute shape", || Diagnostic::new(message).at(source.at(&entity.name.span)));
@@ -229,7 +231,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    fn look_at(&mut self, numbers: &[f64; 9], directive: &Directive, source: &Source) {
+    fn look_at(&mut self, numbers: &[f64; 9], directive: &Directive, source: &Rc<Source>) {
         let [eye_x, eye_y, eye_z, look_x, look_y, look_z, up_x, up_y, up_z] = *numbers;
         let (eye, look) = (Point::new(eye_x, eye_y, eye_z), Point::new(look_x, look_y, look_z));
         match Transform::look_at(eye, look, Vector::new(up_x, up_y, up_z)) {
@@ -243,14 +245,14 @@ impl<'a> Builder<'a> {
         }
     }
 
-    fn recall(&mut self, name: &Text, source: &Source) {
+    fn recall(&mut self, name: &Text, source: &Rc<Source>) {
         if !self.state.recall(&name.text) {
             let message = format!("no coordinate system is called `{}`: ignored", name.text);
             self.warnings.add(message.clone(), || Diagnostic::new(message).at(source.at(&name.span)));
         }
     }
 
-    fn end(&mut self, block: Block, keyword: &Span, source: &Source) -> Result<()> {
+    fn end(&mut self, block: Block, keyword: &Span, source: &Rc<Source>) -> Result<()> {
         self.state.end(block).map_err(|open| match open {
             None => source.error(keyword, format!("{} without {}", block.end(), block.begin())),
             Some(open) => {
@@ -260,12 +262,12 @@ impl<'a> Builder<'a> {
         })
     }
 
-    fn warn_of_instances(&mut self, keyword: &Span, source: &Source) {
+    fn warn_of_instances(&mut self, keyword: &Span, source: &Rc<Source>) {
         let message = "object instances are not supported yet: left out";
         self.warnings.add("instances", || Diagnostic::new(message).at(source.at(keyword)));
     }
 
-    fn begin_world(&mut self, keyword: &Span, source: &Source) -> Result<()> {
+    fn begin_world(&mut self, keyword: &Span, source: &Rc<Source>) -> Result<()> {
         if self.in_world {
             return Err(source.error(keyword, "a second WorldBegin"));
         }
@@ -276,7 +278,7 @@ impl<'a> Builder<'a> {
         Ok(())
     }
 
-    fn end_world(&mut self, keyword: &Span, source: &Source) -> Result<()> {
+    fn end_world(&mut self, keyword: &Span, source: &Rc<Source>) -> Result<()> {
         if !self.in_world {
             return Err(source.error(keyword, "WorldEnd without WorldBegin"));
         }
@@ -284,7 +286,7 @@ impl<'a> Builder<'a> {
         Ok(())
     }
 
-    fn include(&mut self, name: &Text, source: &Source) -> Result<()> {
+    fn include(&mut self, name: &Text, source: &Rc<Source>) -> Result<()> {
         let path = self.directory.join(&*name.text);
         let identity = path.canonicalize().unwrap_or_else(|_| path.clone());
         if self.reading.contains(&identity) {
@@ -295,6 +297,9 @@ impl<'a> Builder<'a> {
             let message = format!("more than {MAX_INCLUDE_DEPTH} files include each other");
             return Err(source.error(&name.span, message));
         }
+        if self.files_read >= MAX_FILES {
+            return Err(source.error(&name.span, format!("the scene includes more than {MAX_FILES} files")));
+        }
         self.read(&path).map_err(|error| match error.kind() {
             ErrorKind::MissingInput => error.note(format!("included from {}", source.at(&name.span))),
             _ => error,
@@ -302,7 +307,7 @@ impl<'a> Builder<'a> {
     }
 
     /// Camera, Film and their like belong before `WorldBegin`.
-    fn check_before_world(&self, name: &str, keyword: &Span, source: &Source) -> Result<()> {
+    fn check_before_world(&self, name: &str, keyword: &Span, source: &Rc<Source>) -> Result<()> {
         if !self.in_world {
             return Ok(());
         }
@@ -310,7 +315,7 @@ impl<'a> Builder<'a> {
         Err(error.note("expected before WorldBegin"))
     }
 
-    fn camera(&mut self, entity: &Entity, keyword: &Span, source: &Source) -> Result<()> {
+    fn camera(&mut self, entity: &Entity, keyword: &Span, source: &Rc<Source>) -> Result<()> {
         self.check_before_world("Camera", keyword, source)?;
         let mut parameters = Parameters::new("Camera", entity, source);
         let camera = CameraParameters::read(&mut parameters, &self.state.current, &mut self.warnings)?;
@@ -320,15 +325,15 @@ impl<'a> Builder<'a> {
         Ok(())
     }
 
-    fn film(&mut self, entity: &Entity, keyword: &Span, source: &Source) -> Result<()> {
+    fn film(&mut self, entity: &Entity, keyword: &Span, source: &Rc<Source>) -> Result<()> {
         self.check_before_world("Film", keyword, source)?;
         let mut parameters = Parameters::new("Film", entity, source);
         self.film = FilmParameters::read(&mut parameters)?;
-        self.film_place = Some(source.at(keyword));
+        self.film_place = Some(Place::new(source, keyword));
         Ok(())
     }
 
-    fn shape(&mut self, entity: &Entity, keyword: &Span, source: &Source) -> Result<()> {
+    fn shape(&mut self, entity: &Entity, keyword: &Span, source: &Rc<Source>) -> Result<()> {
         if !self.in_world {
             return Err(source.error(keyword, "Shape outside the world").note("expected after WorldBegin"));
         }
@@ -352,17 +357,15 @@ impl<'a> Builder<'a> {
 
     fn finish(self, options: &LoadOptions) -> Result<Scene> {
         if let Some(open) = self.state.innermost() {
-            let message = format!("{} without {}", open.block.begin(), open.block.end());
-            let place = open.place.clone().unwrap_or_else(|| SourceLocation::file(&self.path));
-            return Err(Error::bad_input(Diagnostic::new(message).at(place)));
+            return Err(open.place.error(format!("{} without {}", open.block.begin(), open.block.end())));
         }
         if !self.in_world {
             let diagnostic = Diagnostic::new("the scene has no WorldBegin").at(SourceLocation::file(&self.path));
             return Err(Error::bad_input(diagnostic.note("expected Camera and Film, WorldBegin, and then the shapes")));
         }
-        let film = self.film.resolve(options.resolution).map_err(|message| {
-            let place = self.film_place.unwrap_or_else(|| SourceLocation::file(&self.path));
-            Error::bad_input(Diagnostic::new(message).at(place))
+        let film = self.film.resolve(options.resolution).map_err(|message| match self.film_place {
+            Some(place) => place.error(message),
+            None => Error::bad_input(Diagnostic::new(message).at(SourceLocation::file(&self.path))),
         })?;
         let camera = self.camera.unwrap_or_else(CameraParameters::default_camera).resolve(film.resolution);
         Ok(Scene {
@@ -378,7 +381,7 @@ impl<'a> Builder<'a> {
     }
 }
 
-fn affine(m: &[f64; 16], directive: &Directive, source: &Source) -> Result<Transform> {
+fn affine(m: &[f64; 16], directive: &Directive, source: &Rc<Source>) -> Result<Transform> {
     Transform::from_column_major(m).ok_or_else(|| {
         let [a, b, c, d] = [m[3], m[7], m[11], m[15]];
         let error = source.error(&directive.span, format!("the last row of the matrix is {a} {b} {c} {d}"));

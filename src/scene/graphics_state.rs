@@ -1,7 +1,6 @@
 //! What directives change for those that follow: the current transform, and blocks around it.
 
-use super::parser::Span;
-use crate::error::SourceLocation;
+use super::source::Place;
 use crate::geometry::Transform;
 use std::collections::HashMap;
 
@@ -37,20 +36,14 @@ impl Block {
 }
 
 /// A block that is not closed yet.
-#[derive(Debug)]
 pub(super) struct OpenBlock {
     pub(super) block: Block,
-    /// Which file it began in, counted as they are entered.
-    file: usize,
-    /// The directive that began it.
-    span: Span,
-    /// The same as a place to show, once its file has been read to the end.
-    pub(super) place: Option<SourceLocation>,
+    /// Where it began.
+    pub(super) place: Place,
     outer: Transform,
 }
 
 /// The current transform with what surrounds it.
-#[derive(Debug)]
 pub(super) struct GraphicsState {
     /// The current transform and its tracked inverse (rule R3).
     pub(super) current: Transform,
@@ -69,8 +62,8 @@ impl GraphicsState {
     }
 
     /// Opens a block.
-    pub(super) fn begin(&mut self, block: Block, file: usize, span: Span) {
-        self.open.push(OpenBlock { block, file, span, place: None, outer: self.current });
+    pub(super) fn begin(&mut self, block: Block, place: Place) {
+        self.open.push(OpenBlock { block, place, outer: self.current });
     }
 
     /// Closes the innermost block, which must be a `block`.
@@ -90,13 +83,6 @@ impl GraphicsState {
     /// The innermost block that is still open.
     pub(super) fn innermost(&self) -> Option<&OpenBlock> {
         self.open.last()
-    }
-
-    /// At the end of `file`: keeps the place of its innermost block that is still open, for a message.
-    pub(super) fn remember_place_of_innermost(&mut self, file: usize, place: impl FnOnce(&Span) -> SourceLocation) {
-        if let Some(open) = self.open.last_mut().filter(|open| open.file == file) {
-            open.place = Some(place(&open.span));
-        }
     }
 
     /// Whether shapes now belong to an object that is only defined here.

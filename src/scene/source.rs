@@ -4,6 +4,7 @@ use super::parser::Span;
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use std::io::Read;
 use std::path::{Path, PathBuf};
+use std::rc::Rc;
 
 /// One file, whole.
 #[derive(Debug)]
@@ -33,5 +34,23 @@ impl Source {
     /// The scene is wrong at `span`.
     pub(super) fn error(&self, span: &Span, message: impl Into<String>) -> Error {
         Error::bad_input(Diagnostic::new(message).at(self.at(span)))
+    }
+}
+
+/// A place that may have to be shown later. Finding its line takes a walk through the file, which most never need.
+#[derive(Clone)]
+pub(super) struct Place {
+    source: Rc<Source>,
+    span: Span,
+}
+
+impl Place {
+    pub(super) fn new(source: &Rc<Source>, span: &Span) -> Place {
+        Place { source: Rc::clone(source), span: span.clone() }
+    }
+
+    /// The scene is wrong here.
+    pub(super) fn error(&self, message: impl Into<String>) -> Error {
+        self.source.error(&self.span, message)
     }
 }

@@ -12,6 +12,10 @@ pub struct Warning {
     pub count: u64,
 }
 
+/// Kinds that are told apart; what comes after them is counted together. A file that is wrong in more ways than these
+/// is not what it should be, and finding the place of each would take the square of its size.
+const MAX_KINDS: usize = 200;
+
 /// All warnings of a scene in the order of their first places.
 #[derive(Debug, Default)]
 pub struct Warnings {
@@ -23,16 +27,25 @@ impl Warnings {
     /// Counts one warning of `kind`, which must not name a place; `first` is asked for only once a kind.
     pub(super) fn add(&mut self, kind: impl Into<String>, first: impl FnOnce() -> Diagnostic) {
         let list = &mut self.list;
-        let place = *self.place_of_kind.entry(kind.into()).or_insert_with(|| {
+        let kind = kind.into();
+        let known = self.place_of_kind.contains_key(&kind);
+        if !known && list.len() >= MAX_KINDS {
+            if list.len() == MAX_KINDS {
+                list.push(Warning { first: Diagnostic::new("more warnings of other kinds"), count: 0 });
+            }
+            list[MAX_KINDS].count += 1;
+            return;
+        }
+        let place = *self.place_of_kind.entry(kind).or_insert_with(|| {
             list.push(Warning { first: first(), count: 0 });
             list.len() - 1
         });
         list[place].count += 1;
     }
 
-    /// Adds one warning that stands for itself.
+    /// Adds one warning that stands for itself: what it says is its kind.
     pub(super) fn add_single(&mut self, diagnostic: Diagnostic) {
-        self.list.push(Warning { first: diagnostic, count: 1 });
+        self.add(diagnostic.to_string(), || diagnostic);
     }
 
     /// The warnings, a kind each.
@@ -59,5 +72,15 @@ mod tests {
         warnings.add("curve", || Diagnostic::new("a curve"));
         let counts = warnings.iter().map(|warning| (warning.first.message.as_str(), warning.count));
         assert_eq!(counts.collect::<Vec<_>>(), [("a disk in line 1", 3), ("a curve", 1)]);
+    }
+
+    #[test]
+    fn kinds_without_end_are_counted_together() {
+        let mut warnings = Warnings::default();
+        for kind in 0..1000 {
+            warnings.add(kind.to_string(), || Diagnostic::new("odd"));
+        }
+        assert_eq!(warnings.iter().count(), MAX_KINDS + 1);
+        assert_eq!(warnings.iter().last().map(|warning| warning.count), Some(1000 - MAX_KINDS as u64));
     }
 }

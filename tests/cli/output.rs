@@ -205,7 +205,7 @@ fn an_image_without_a_hit_is_an_image() {
 fn flags_without_a_meaning_for_the_format_are_refused() {
     let folder = Folder::new();
     let cases = ["-o a.exr --view hit", "-o a.exr --range 1,2", "-o a.exr --colormap gray", "-o a.png --aov Z"];
-    for flags in cases.into_iter().chain(["-o a.png --view hit --range 1,2"]) {
+    for flags in cases.into_iter().chain(["-o a.png --view hit --range 1,2", "-o a.png --miss 0"]) {
         folder.render(&format!("ball.pbrt {flags}")).failed(2, "has no meaning for a.");
     }
     assert!(folder.images().is_empty());
