@@ -87,19 +87,28 @@ impl fmt::Display for Diagnostic {
     /// `path:line:column: message`, then the line with a caret under what is meant, then the notes.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(location) = &self.location {
-            write!(f, "{location}: ")?;
+            write!(f, "{}: ", printable(&location.to_string()))?;
         }
-        write!(f, "{}", self.message)?;
+        write!(f, "{}", printable(&self.message))?;
         if let Some(Position::Text { line, excerpt, .. }) = self.location.as_ref().map(|l| &l.position) {
             let number = line.to_string();
             let margin = " ".repeat(number.len());
             write!(f, "\n {margin} |\n {number} | {}\n {margin} | {}", excerpt.text, excerpt.carets())?;
         }
         for note in &self.notes {
-            write!(f, "\n   = {note}")?;
+            write!(f, "\n   = {}", printable(note))?;
         }
         Ok(())
     }
+}
+
+/// A line of a message that quotes names from files: cut where it is too long to be read, and without anything that
+/// would command the terminal.
+fn printable(line: &str) -> String {
+    const MAX: usize = 500;
+    let cut = line.chars().count() > MAX;
+    let shown = line.chars().take(MAX).map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c });
+    shown.chain(cut.then_some("...").into_iter().flat_map(str::chars)).collect()
 }
 
 /// A place in an input file.
@@ -252,7 +261,7 @@ impl Error {
     /// `path` could not be read.
     pub fn reading(path: &Path, error: &std::io::Error) -> Error {
         use std::io::ErrorKind as Io;
-        let missing = matches!(error.kind(), Io::NotFound | Io::IsADirectory | Io::NotADirectory);
+        let missing = matches!(error.kind(), Io::NotFound | Io::IsADirectory | Io::NotADirectory | Io::InvalidFilename);
         let kind = if missing { ErrorKind::MissingInput } else { ErrorKind::of_io(error, ErrorKind::Io) };
         Error::new(kind, Diagnostic::new(format!("cannot read: {error}")).at(SourceLocation::file(path)))
     }
@@ -314,6 +323,14 @@ mod tests {
         let shown = located(b"Identity\n\tScale 1 foo 1\r\nWorldBegin", 18..21);
         let expected = "a.pbrt:2:10: found `foo`\n   |\n 2 |  Scale 1 foo 1\n   |          ^^^\n   = expected a number";
         assert_eq!(shown, expected);
+    }
+
+    #[test]
+    fn names_from_files_neither_flood_nor_command_the_terminal() {
+        let name = format!("\x1b[31m{}", "x".repeat(1_000_000));
+        let shown = Diagnostic::new(name).note("a\nb").to_string();
+        assert!(shown.starts_with("\u{fffd}[31mxxx") && shown.ends_with("...\n   = a\u{fffd}b"), "{shown}");
+        assert!(shown.len() < 600);
     }
 
     #[test]

@@ -41,6 +41,7 @@ pub mod error;
 pub mod exact;
 pub mod film;
 pub mod geometry;
+mod input;
 pub mod mesh;
 pub mod progress;
 pub mod render;

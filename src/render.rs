@@ -76,18 +76,26 @@ fn allocate(options: &RenderOptions) -> Result<Vec<Channel>> {
         area if area <= MAX_PIXELS => area as usize,
         _ => return Err(too_large(())),
     };
-    let allocate = |name: ChannelName| {
-        let samples = if name.is_integer() { zeros(count).map(Samples::U32) } else { zeros(count).map(Samples::F32) };
-        Ok(Channel { name, samples: samples.map_err(|_| too_large(()))? })
+    // All of them before the first is touched, so that too much is refused at once.
+    let reserve = |name: &ChannelName| {
+        let samples =
+            if name.is_integer() { reserved(count).map(Samples::U32) } else { reserved(count).map(Samples::F32) };
+        Ok(Channel { name: *name, samples: samples.map_err(|_| too_large(()))? })
     };
-    options.channels.iter().map(|name| allocate(*name)).collect()
+    let mut channels = options.channels.iter().map(reserve).collect::<Result<Vec<Channel>>>()?;
+    for channel in &mut channels {
+        match &mut channel.samples {
+            Samples::F32(values) => values.resize(count, 0.0),
+            Samples::U32(values) => values.resize(count, 0),
+        }
+    }
+    Ok(channels)
 }
 
-/// A list of zeros, if there is memory for it.
-fn zeros<T: Copy + Default>(count: usize) -> std::result::Result<Vec<T>, std::collections::TryReserveError> {
+/// An empty list with room for `count` values, if there is memory for it.
+fn reserved<T>(count: usize) -> std::result::Result<Vec<T>, std::collections::TryReserveError> {
     let mut values = Vec::new();
     values.try_reserve_exact(count)?;
-    values.resize(count, T::default());
     Ok(values)
 }
 

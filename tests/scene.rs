@@ -193,15 +193,44 @@ fn what_is_rendered_otherwise_is_warned_of() {
         "Shape \"sphere\" has no parameter `radious`: ignored",
         "a sphere of radius 0 is never hit",
         "a sphere under a singular or infinite transform is never hit",
-        "the up vector is parallel to the view: this LookAt does nothing",
+        "the up vector is parallel to the view, or the eye too far away: this LookAt does nothing",
         "no coordinate system is called `nowhere`: ignored",
         "object instances are not supported yet: left out",
-        "numbers beyond the range of f64, or none at all, make this transform infinite",
+        "the numbers of this transform are beyond the range of f64, or no numbers",
     ];
     let counts = [1, 1, 1, 1, 1, 1, 2, 1];
     let found: Vec<(String, u64)> = expected.iter().map(|m| (*m).to_owned()).zip(counts).collect();
     assert_eq!(warnings(&scene), found);
     assert_eq!(scene.shapes.sphere_count(), 4, "those that are never hit keep their numbers");
+}
+
+#[test]
+fn nothing_that_matters_is_left_out_in_silence() {
+    let scene = scene(
+        "Film \"image\" \"integer xresolutoin\" 64 \"float diagonal\" 35
+        Accelerator \"bvh\" \"string splitmethd\" \"equal\" \"integer maxnodeprims\" 1000
+        WorldBegin
+        Shape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 0 0 0 1 0 ] \"texture displacement\" \"d\" \"float alpha\" 1
+        Shape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 0 0 0 1 0 ] \"texture alpha\" \"leaf\"
+        WorldEnd Shape \"sphere\"",
+    );
+    let expected = [
+        "Film \"image\" has no parameter `xresolutoin`: ignored",
+        "Accelerator \"bvh\" has no parameter `splitmethd`: ignored",
+        "displacement is ignored: the surface stays where it is",
+        "alpha is ignored: the whole surface is solid",
+        "what follows WorldEnd is ignored: one world is one picture",
+    ];
+    assert_eq!(warnings(&scene), expected.map(|message| (message.to_owned(), 1)));
+    assert_eq!(scene.accelerator.max_leaf, Some(255));
+}
+
+#[test]
+fn misspelt_names_of_what_is_missing_are_told() {
+    let message = error("WorldBegin Shape \"trianglemesh\" \"point3 p\" [ 0 0 0 1 0 0 0 1 0 ]");
+    assert!(message.contains("\n   = did you mean `P` by `p`?"), "{message}");
+    let message = error("Camera \"perspectiv\"");
+    assert!(message.contains("\n   = did you mean `perspective`?"), "{message}");
 }
 
 #[test]
@@ -248,6 +277,8 @@ fn a_bare_mesh_is_framed() {
     let eye = scene.camera.anchor();
     assert_eq!((eye.x, eye.y), (1.0, 0.5));
     assert!(eye.z > 4.0);
+    let floor = load_files(&[("m.obj", "v 0 0 0\nv 1 0 0\nv 1 0 1\nf 1 2 3\n")]).unwrap();
+    assert!(floor.camera.anchor().y > 0.5, "a flat mesh is not seen along its edge");
     let empty = load_files(&[("m.obj", "# nothing\n")]).unwrap();
     assert_eq!((empty.shapes.triangle_count(), warnings(&empty).len()), (0, 1));
 }
@@ -271,7 +302,13 @@ fn mistakes_of_value() {
         ("Camera \"perspective\" \"float fov\" 180", "a.pbrt:1:34: a field of view of 180 degrees"),
         ("Camera \"perspective\" \"float fov\" [ 1 2 ]", "a.pbrt:1:34: `fov` takes one number, found 2"),
         ("Camera \"spherical\"", "a.pbrt:1:8: the camera `spherical` is not supported"),
-        ("Scale 0 1 1 Camera \"perspective\"", "a.pbrt:1:20: the camera's matrix is not finite"),
+        ("Scale 0 1 1 Camera \"perspective\"", "a.pbrt:1:1: this Scale by 0 cannot be undone"),
+        ("LookAt 1 1 1 1 1 1 0 1 0 Camera \"perspective\"", "a.pbrt:1:1: this LookAt has no direction"),
+        ("Rotate 10 0 0 0 Camera \"perspective\"", "a.pbrt:1:1: the axis of this Rotate has no length"),
+        ("Camera \"perspective\" \"float screenwindow\" [ 0 0 0 0 ]", "a.pbrt:1:43: the screen window has no extent"),
+        ("Film \"image\" \"float cropwindow\" [ 0 20 0 20 ]", "a.pbrt:1:33: `cropwindow` takes fractions"),
+        ("Film \"image\" \"integer pixelbounds\" [ 0 1.5 0 20 ]", "a.pbrt:1:36: `pixelbounds` takes four integers"),
+        ("Include \"\"", "a.pbrt:1:9: the name of the file is empty"),
         ("Film \"image\" \"integer xresolution\" 0", "a.pbrt:1:36: `xresolution` is 0, expected an integer from 1 to"),
         ("Film \"image\" \"integer yresolution\" 1.5", "a.pbrt:1:36: `yresolution` is 1.5"),
         ("Film \"image\" \"string filename\" 7", "a.pbrt:1:32: `filename` takes one string in quotes"),
@@ -292,8 +329,8 @@ fn mistakes_of_value() {
         error(
             "WorldBegin\nShape \"trianglemesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0 ]\n  \"integer indices\" [ 0 1 3 ]"
         ),
-        "a.pbrt:3:21: index 3, number 3 of `indices`, names no vertex\n   |\n 3 |   \"integer indices\" [ 0 1 3 ]\n   \
-         |                     ^^^^^^^^^\n   = expected an integer from 0 to 2: the mesh has 3 vertices"
+        "a.pbrt:3:27: index 3, number 3 of `indices`, names no vertex\n   |\n 3 |   \"integer indices\" [ 0 1 3 ]\n   \
+         |                           ^\n   = expected an integer from 0 to 2"
     );
 }
 

@@ -63,6 +63,11 @@ impl Aggregate {
         Aggregate { space, root: Some(root), below, order }
     }
 
+    /// Primitives that can be hit.
+    pub fn primitive_count(&self) -> usize {
+        self.order.len()
+    }
+
     /// Counts and costs of the tree.
     pub fn statistics(&self) -> Statistics {
         Statistics::of(self)

@@ -109,6 +109,7 @@ impl Renderer<'_> {
         let statistics = aggregate.statistics();
         let (nodes, method) = (statistics.nodes, build.method);
         self.reporter.detail(format_args!("built {nodes} nodes over {primitives} primitives by {method}"));
+        summary::note_dead(primitives - aggregate.primitive_count(), primitives, self.reporter);
 
         let options = RenderOptions {
             data_window: window,

@@ -109,7 +109,9 @@ impl Plan {
     pub(crate) fn build_options(&self, accelerator: &AcceleratorParameters, reporter: &Reporter) -> BuildOptions {
         let from_scene = method_of_scene(accelerator);
         if let (None, Err(unknown)) = (self.accel, &from_scene) {
-            reporter.note(format_args!("the scene's accelerator `{unknown}` is not known here: sah is used"));
+            reporter.note(format_args!(
+                "the scene asks for the accelerator `{unknown}`, which is unknown here: sah is used"
+            ));
         }
         let max_leaf = accelerator.max_leaf.map_or(BuildOptions::MAX_LEAF, |count| count as usize);
         BuildOptions { method: self.accel.or(from_scene.ok()).unwrap_or(SplitMethod::Sah), max_leaf }

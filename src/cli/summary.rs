@@ -23,8 +23,18 @@ pub(super) fn report_scene(scene: &Scene, reporter: &Reporter) {
     ));
 }
 
+/// A note on primitives that no ray can hit.
+pub(super) fn note_dead(dead: usize, of: usize, reporter: &Reporter) {
+    if dead > 0 {
+        reporter.note(format_args!("{dead} of {of} primitives can never be hit: no area, or not finite"));
+    }
+}
+
 /// One line on the image.
 pub(super) fn report_image(finished: &Finished, range: Option<DepthRange>, reporter: &Reporter) {
+    if finished.rendering.hits == 0 {
+        reporter.note("no ray hits anything");
+    }
     let window = &finished.rendering.image.data_window;
     let depth = range.map_or(String::new(), |range| format!(", depth {} to {}", range.near, range.far));
     let Milliseconds { load, build, trace, write, .. } = finished.ms;

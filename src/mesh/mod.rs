@@ -18,8 +18,9 @@ mod tests;
 
 use std::path::Path;
 
-use crate::error::{Diagnostic, Error, Result, SourceLocation};
+use crate::error::{Diagnostic, Result, SourceLocation};
 use crate::geometry::Point;
+use crate::input;
 
 pub use obj::parse_obj;
 pub use ply::parse_ply;
@@ -44,23 +45,19 @@ pub struct Loaded {
 
 /// Reads the PLY file `path`.
 pub fn read_ply(path: &Path) -> Result<Loaded> {
-    parse_ply(path, &read(path)?)
+    parse_ply(path, &input::read(path)?)
 }
 
 /// Reads the OBJ file `path`. Material libraries that it names are not opened.
 pub fn read_obj(path: &Path) -> Result<Loaded> {
-    parse_obj(path, &read(path)?)
-}
-
-fn read(path: &Path) -> Result<Vec<u8>> {
-    std::fs::read(path).map_err(|error| Error::reading(path, &error))
+    parse_obj(path, &input::read(path)?)
 }
 
 impl Loaded {
     /// Adds the warnings that any format can give rise to.
     fn new(path: &Path, mesh: TriangleMesh, mut warnings: Vec<Diagnostic>) -> Loaded {
         let broken = mesh.vertices.iter().filter(|vertex| !vertex.is_finite()).count();
-        if broken > 0 {
+        if broken > 0 && !mesh.triangles.is_empty() {
             let message = format!("{} with an infinite or NaN coordinate", tally::counted(broken as u64, "vertex"));
             let warning = Diagnostic::new(message).at(SourceLocation::file(path));
             warnings.push(warning.note("triangles that use such a vertex are never hit"));

@@ -22,7 +22,8 @@ impl AcceleratorParameters {
             return Ok(AcceleratorParameters { name, ..AcceleratorParameters::default() });
         }
         let split_method = parameters.string("splitmethod")?.map(str::to_owned);
-        let max_leaf = parameters.integer("maxnodeprims", 1, 255)?.map(|count| count as u32);
+        // Larger ones are clamped, as in pbrt.
+        let max_leaf = parameters.integer("maxnodeprims", 1, i32::MAX.into())?.map(|count| count.min(255) as u32);
         Ok(AcceleratorParameters { name, split_method, max_leaf })
     }
 }

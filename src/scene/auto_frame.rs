@@ -4,7 +4,7 @@ use super::{AcceleratorParameters, Film, LoadOptions, Scene, Warnings};
 use crate::camera::{Camera, Projection, ScreenWindow};
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::film::PixelBounds;
-use crate::geometry::{Bounds, Matrix, Point, Transform, Vector};
+use crate::geometry::{Bounds, Matrix, Transform, Vector};
 use crate::mesh::Loaded;
 use crate::shape::Shapes;
 use std::path::Path;
@@ -12,11 +12,14 @@ use std::path::Path;
 /// In degrees, across the shorter side of the film.
 const FIELD_OF_VIEW: f64 = 40.0;
 
+/// A mesh thinner than this, in parts of its size, would be hard to see along its edge.
+const FLAT: f64 = 0.01;
+
 /// How much farther away the eye stands than the ball around the mesh needs.
 const MARGIN: f64 = 1.02;
 
 /// The scene of one mesh, seen whole from +z with y upwards and x to the right: the way its maker sees it, not
-/// mirrored by pbrt's left-handed camera.
+/// mirrored by pbrt's left-handed camera. A mesh that is flat in x or y is seen from the side and above as well.
 pub(super) fn scene_of_mesh(path: &Path, loaded: Loaded, options: &LoadOptions) -> Result<Scene> {
     let resolution = options.resolution.unwrap_or([1280, 720]);
     let mut warnings = Warnings::default();
@@ -60,8 +63,10 @@ fn frame(bounds: &Bounds) -> Option<Matrix> {
     let radius = to_corner.dot(to_corner).sqrt();
     let radius = if radius > 0.0 { radius } else { 1.0 };
     let half_angle = (FIELD_OF_VIEW / 2.0).to_radians();
-    let eye = centre + Vector::new(0.0, 0.0, MARGIN * radius / half_angle.sin());
-    let ahead = Point::new(eye.x, eye.y, eye.z - radius);
+    let flat = to_corner.x.min(to_corner.y) < FLAT * radius;
+    let towards_eye = if flat { Vector::new(1.0, 1.0, 2.0).normalized() } else { Vector::new(0.0, 0.0, 1.0) };
+    let eye = centre + towards_eye * (MARGIN * radius / half_angle.sin());
+    let ahead = eye + towards_eye * -radius;
     let camera_from_world = Transform::look_at(eye, ahead, Vector::new(0.0, 1.0, 0.0))?;
     Some(Transform::scale([-1.0, 1.0, 1.0]).times(&camera_from_world).inverse)
 }
@@ -69,6 +74,7 @@ fn frame(bounds: &Bounds) -> Option<Matrix> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::Point;
 
     #[test]
     fn sees_the_whole_box_with_x_to_the_right() {

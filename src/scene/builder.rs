@@ -12,7 +12,7 @@ use super::source::{Place, Source};
 use super::transform_cache::TransformCache;
 use super::warnings::Warnings;
 use super::{LoadOptions, Scene};
-use crate::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
+use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::geometry::{Point, Transform, Vector};
 use crate::mesh;
 use crate::progress::Progress;
@@ -90,6 +90,8 @@ struct Builder<'a> {
     in_world: bool,
     /// Nothing further is to be read.
     ended: bool,
+    /// Why the current transform first had no finite inverse, and where.
+    singular: Option<(&'static str, Place)>,
     camera: Option<CameraParameters>,
     film: FilmParameters,
     film_place: Option<Place>,
@@ -115,6 +117,7 @@ impl<'a> Builder<'a> {
             active: ActiveTransform::All,
             in_world: false,
             ended: false,
+            singular: None,
             camera: None,
             film: FilmParameters::default(),
             film_place: None,
@@ -136,11 +139,19 @@ impl<'a> Builder<'a> {
         self.files_read += 1;
         let mut seen = 0;
         for directive in Directives::new(&source.path, &source.text) {
-            let directive = directive?;
+            let directive = match directive {
+                // What follows the end of the world may be anything.
+                Err(_) if self.ended => break,
+                directive => directive?,
+            };
             self.progress.advance(directive.span.end - seen);
             seen = directive.span.end;
-            self.obey(&directive, &source)?;
             if self.ended {
+                self.warn_of_the_rest(&directive, &source);
+                break;
+            }
+            self.obey(&directive, &source)?;
+            if self.only_options && self.in_world {
                 break;
             }
         }
@@ -148,17 +159,22 @@ impl<'a> Builder<'a> {
         Ok(())
     }
 
+    fn warn_of_the_rest(&mut self, directive: &Directive, source: &Source) {
+        let message = "what follows WorldEnd is ignored: one world is one picture";
+        self.warnings.add("after the world", || Diagnostic::new(message).at(source.at(&directive.span)));
+    }
+
     fn obey(&mut self, directive: &Directive, source: &Rc<Source>) -> Result<()> {
         let keyword = &directive.keyword;
         match &directive.statement {
-            Statement::Identity => self.replace(Transform::IDENTITY),
+            Statement::Identity => self.replace(Transform::IDENTITY, directive, source),
             Statement::Translate(offset) => self.concat(Transform::translate(*offset), directive, source),
             Statement::Scale(factors) => self.concat(Transform::scale(*factors), directive, source),
             Statement::Rotate([angle, x, y, z]) => {
                 self.concat(Transform::rotate(*angle, Vector::new(*x, *y, *z)), directive, source);
             }
             Statement::LookAt(numbers) => self.look_at(numbers, directive, source),
-            Statement::Transform(m) => self.replace(affine(m, directive, source)?),
+            Statement::Transform(m) => self.replace(affine(m, directive, source)?, directive, source),
             Statement::ConcatTransform(m) => self.concat(affine(m, directive, source)?, directive, source),
             Statement::TransformTimes(_) => *self.skipped.entry("TransformTimes").or_default() += 1,
             Statement::ActiveTransform(active) => self.activate(*active, directive, source),
@@ -189,6 +205,7 @@ impl<'a> Builder<'a> {
             Statement::Accelerator(entity) => {
                 let mut parameters = Parameters::new("Accelerator", entity, source);
                 self.accelerator = AcceleratorParameters::read(&mut parameters)?;
+                parameters.finish_with_suggestions(&mut self.warnings);
             }
             Statement::Shape(entity) => self.shape(entity, keyword, source)?,
             Statement::Ignored(keyword) => *self.skipped.entry(keyword).or_default() += 1,
@@ -196,20 +213,28 @@ impl<'a> Builder<'a> {
         Ok(())
     }
 
+    /// Multiplies the current transform, and remembers where it first went wrong.
     fn concat(&mut self, leaf: Transform, directive: &Directive, source: &Rc<Source>) {
         if self.active == ActiveTransform::EndTime {
             return;
         }
         if !leaf.matrix.is_finite() {
-            let message = "numbers beyond the range of f64, or none at all, make this transform infinite";
-            self.warnings.add("infinite transform", || Diagnostic::new(message).at(source.at(&directive.span)));
+            let message = why_not_finite(&directive.statement);
+            self.warnings.add(message, || Diagnostic::new(message).at(source.at(&directive.span)));
         }
         self.state.concat(&leaf);
+        if self.singular.is_none() && !self.state.current.inverse.is_finite() {
+            self.singular = Some((why_not_finite(&directive.statement), Place::new(source, &directive.span)));
+        }
     }
 
-    fn replace(&mut self, transform: Transform) {
+    fn replace(&mut self, transform: Transform, directive: &Directive, source: &Rc<Source>) {
         if self.active != ActiveTransform::EndTime {
             self.state.current = transform;
+            self.singular = None;
+            if !transform.inverse.is_finite() {
+                self.singular = Some((why_not_finite(&directive.statement), Place::new(source, &directive.span)));
+            }
         }
     }
 
@@ -237,7 +262,8 @@ impl<'a> Builder<'a> {
         match Transform::look_at(eye, look, Vector::new(up_x, up_y, up_z)) {
             Some(camera_from_world) => self.concat(camera_from_world, directive, source),
             None => self.warnings.add("parallel LookAt", || {
-                let message = "the up vector is parallel to the view: this LookAt does nothing";
+                let message =
+                    "the up vector is parallel to the view, or the eye too far away: this LookAt does nothing";
                 Diagnostic::new(message)
                     .at(source.at(&directive.span))
                     .note("expected eye, look and up with a plane between them")
@@ -272,7 +298,6 @@ impl<'a> Builder<'a> {
             return Err(source.error(keyword, "a second WorldBegin"));
         }
         self.in_world = true;
-        self.ended = self.only_options;
         self.state.current = Transform::IDENTITY;
         self.state.name("world", Transform::IDENTITY);
         Ok(())
@@ -287,6 +312,9 @@ impl<'a> Builder<'a> {
     }
 
     fn include(&mut self, name: &Text, source: &Rc<Source>) -> Result<()> {
+        if name.text.is_empty() {
+            return Err(source.error(&name.span, "the name of the file is empty"));
+        }
         let path = self.directory.join(&*name.text);
         let identity = path.canonicalize().unwrap_or_else(|_| path.clone());
         if self.reading.contains(&identity) {
@@ -300,10 +328,7 @@ impl<'a> Builder<'a> {
         if self.files_read >= MAX_FILES {
             return Err(source.error(&name.span, format!("the scene includes more than {MAX_FILES} files")));
         }
-        self.read(&path).map_err(|error| match error.kind() {
-            ErrorKind::MissingInput => error.note(format!("included from {}", source.at(&name.span))),
-            _ => error,
-        })
+        self.read(&path).map_err(|error| error.note(format!("included from {}", source.at(&name.span))))
     }
 
     /// Camera, Film and their like belong before `WorldBegin`.
@@ -318,6 +343,9 @@ impl<'a> Builder<'a> {
     fn camera(&mut self, entity: &Entity, keyword: &Span, source: &Rc<Source>) -> Result<()> {
         self.check_before_world("Camera", keyword, source)?;
         let mut parameters = Parameters::new("Camera", entity, source);
+        if let (Some((reason, place)), false) = (&self.singular, self.state.current.inverse.is_finite()) {
+            return Err(place.error(*reason).note("so the camera, which comes after it, has no place"));
+        }
         let camera = CameraParameters::read(&mut parameters, &self.state.current, &mut self.warnings)?;
         parameters.finish(&mut self.warnings);
         self.camera = Some(camera);
@@ -329,13 +357,15 @@ impl<'a> Builder<'a> {
         self.check_before_world("Film", keyword, source)?;
         let mut parameters = Parameters::new("Film", entity, source);
         self.film = FilmParameters::read(&mut parameters)?;
+        parameters.finish_with_suggestions(&mut self.warnings);
         self.film_place = Some(Place::new(source, keyword));
         Ok(())
     }
 
     fn shape(&mut self, entity: &Entity, keyword: &Span, source: &Rc<Source>) -> Result<()> {
         if !self.in_world {
-            return Err(source.error(keyword, "Shape outside the world").note("expected after WorldBegin"));
+            let error = source.error(keyword, "Shape outside the world").note("expected after WorldBegin");
+            return Err(error.note("or is this file a part that another one includes?"));
         }
         let Some(number) = self.shape_count.checked_add(1) else {
             return Err(source.error(keyword, format!("the scene has more than {} shapes", u32::MAX)));
@@ -378,6 +408,17 @@ impl<'a> Builder<'a> {
             warnings: self.warnings,
             summary: summary(&self.skipped),
         })
+    }
+}
+
+/// What makes the matrix of a directive infinite, or its inverse.
+fn why_not_finite(statement: &Statement) -> &'static str {
+    match statement {
+        Statement::Rotate([angle, ..]) if angle.is_finite() => "the axis of this Rotate has no length, or is too long",
+        Statement::LookAt(_) => "this LookAt has no direction: eye and look are one point, or up has no length",
+        Statement::Scale(factors) if factors.contains(&0.0) => "this Scale by 0 cannot be undone",
+        Statement::Transform(_) | Statement::ConcatTransform(_) => "this matrix has no finite inverse",
+        _ => "the numbers of this transform are beyond the range of f64, or no numbers",
     }
 }
 

@@ -1,6 +1,7 @@
 //! The `Camera` directive.
 
 use super::parameters::Parameters;
+use super::spelling;
 use super::warnings::Warnings;
 use crate::camera::{Camera, Projection, ScreenWindow};
 use crate::error::Result;
@@ -42,12 +43,15 @@ impl CameraParameters {
             "orthographic" => Projection::Orthographic,
             other => {
                 let message = format!("the camera `{other}` is not supported");
-                return Err(parameters.error_at_name(message).note("expected \"perspective\" or \"orthographic\""));
+                let error = parameters.error_at_name(message);
+                return Err(match spelling::closest(other, ["perspective", "orthographic"].into_iter()) {
+                    Some(known) => error.note(format!("did you mean `{known}`?")),
+                    None => error.note("expected \"perspective\" or \"orthographic\""),
+                });
             }
         };
         let frame_aspect_ratio = parameters.positive_number("frameaspectratio")?;
-        let screen_window = parameters.fixed_numbers::<4>("screenwindow")?;
-        let screen_window = screen_window.map(|[x0, x1, y0, y1]| ScreenWindow { x0, x1, y0, y1 });
+        let screen_window = screen_window(parameters)?;
         if parameters.number("lensradius")?.is_some_and(|radius| radius != 0.0) {
             parameters.warn("lensradius", "the lens radius is ignored: every ray starts at one point", warnings);
         }
@@ -65,6 +69,16 @@ impl CameraParameters {
             resolution,
         }
     }
+}
+
+/// The window must show something: two different finite numbers along each side.
+fn screen_window(parameters: &mut Parameters) -> Result<Option<ScreenWindow>> {
+    let Some([x0, x1, y0, y1]) = parameters.fixed_numbers::<4>("screenwindow")? else { return Ok(None) };
+    if [x0, x1, y0, y1].iter().all(|number| number.is_finite()) && x0 != x1 && y0 != y1 {
+        return Ok(Some(ScreenWindow { x0, x1, y0, y1 }));
+    }
+    let error = parameters.error_at("screenwindow", "the screen window has no extent, or none that is finite");
+    Err(error.note("expected x0 x1 y0 y1 with x0 < x1 and y0 < y1"))
 }
 
 /// In degrees; pbrt's `halffov` counts twice and wins.

@@ -33,7 +33,16 @@ impl FilmParameters {
         let x_resolution = parameters.integer("xresolution", 1, MAX_SIDE)?.map(|x| x as u32);
         let y_resolution = parameters.integer("yresolution", 1, MAX_SIDE)?.map(|y| y as u32);
         let crop_window = parameters.fixed_numbers::<4>("cropwindow")?;
-        let pixel_bounds = parameters.fixed_numbers::<4>("pixelbounds")?.map(|bounds| bounds.map(|bound| bound as u32));
+        if crop_window.is_some_and(|window| !window.iter().all(|fraction| (0.0..=1.0).contains(fraction))) {
+            let error = parameters.error_at("cropwindow", "`cropwindow` takes fractions of the film, from 0 to 1");
+            return Err(error.note("expected x0 x1 y0 y1; `pixelbounds` takes pixels"));
+        }
+        let pixel_bounds = parameters.fixed_numbers::<4>("pixelbounds")?;
+        if pixel_bounds.is_some_and(|bounds| bounds.iter().any(|bound| bound.fract() != 0.0 || !bound.is_finite())) {
+            return Err(parameters.error_at("pixelbounds", "`pixelbounds` takes four integers: x0 x1 y0 y1"));
+        }
+        // Bounds beyond the film are cut off at its edges, as in pbrt.
+        let pixel_bounds = pixel_bounds.map(|bounds| bounds.map(|bound| bound as u32));
         let filename = parameters.string("filename")?.map(str::to_owned);
         Ok(FilmParameters { x_resolution, y_resolution, crop_window, pixel_bounds, filename })
     }

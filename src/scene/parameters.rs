@@ -4,7 +4,7 @@ use super::parser::{Entity, Parameter, Span, Values};
 use super::source::Source;
 use super::spelling;
 use super::warnings::Warnings;
-use crate::error::{Diagnostic, Error, Result};
+use crate::error::{Diagnostic, Error, Result, SourceLocation};
 
 /// The parameters of one directive. What nobody asked for is reported by [`Parameters::finish`].
 pub(super) struct Parameters<'a> {
@@ -93,14 +93,21 @@ impl<'a> Parameters<'a> {
     pub(super) fn string(&mut self, name: &'static str) -> Result<Option<&'a str>> {
         let Some(parameter) = self.find(name) else { return Ok(None) };
         match &parameter.values {
-            Values::Strings(strings) if strings.len() == 1 => Ok(Some(&strings[0].text)),
-            _ => Err(self.source.error(&parameter.values_span, format!("`{name}` takes one string in quotes"))),
+            Values::Strings(strings) if strings.len() == 1 && !strings[0].text.is_empty() => Ok(Some(&strings[0].text)),
+            _ => Err(self
+                .source
+                .error(&parameter.values_span, format!("`{name}` takes one string in quotes that is not empty"))),
         }
     }
 
     /// An error that points at the values of the last parameter called `name`.
     pub(super) fn error_at(&self, name: &str, message: impl Into<String>) -> Error {
         self.source.error(self.span_of(name), message)
+    }
+
+    /// Where the values of the last parameter called `name` are.
+    pub(super) fn place_of(&self, name: &str) -> SourceLocation {
+        self.source.at(self.span_of(name))
     }
 
     fn span_of(&self, name: &str) -> &Span {
@@ -134,6 +141,33 @@ impl<'a> Parameters<'a> {
             let kind = format!("unknown {} {} {}", self.keyword, self.entity.name.text, parameter.name);
             warnings.add(kind, || self.unknown(parameter));
         }
+    }
+
+    /// Warns of parameters that look like misspelt known ones, where there are many that do not matter.
+    pub(super) fn finish_with_suggestions(self, warnings: &mut Warnings) {
+        for parameter in &self.entity.parameters {
+            let is_known = self.known.iter().any(|known| parameter.name == *known);
+            if !is_known && spelling::closest(&parameter.name, self.known.iter().copied()).is_some() {
+                let kind = format!("unknown {} {}", self.keyword, parameter.name);
+                warnings.add(kind, || self.unknown(parameter));
+            }
+        }
+    }
+
+    /// The error `message`, with a hint at a parameter that may be a misspelt `name`.
+    pub(super) fn missing(&self, name: &str, message: impl Into<String>) -> Error {
+        let error = self.error_at_name(message);
+        let mut names = self.entity.parameters.iter().map(|parameter| &*parameter.name);
+        match names.find(|found| spelling::closest(found, std::iter::once(name)).is_some()) {
+            Some(found) => error.note(format!("did you mean `{name}` by `{found}`?")),
+            None => error,
+        }
+    }
+
+    /// An error that points at number `place`, from 0, of the array called `name`.
+    pub(super) fn error_at_number(&self, name: &str, place: usize, message: impl Into<String>) -> Error {
+        let array = self.span_of(name);
+        self.source.error(&self.source.number_in(array, place), message)
     }
 
     fn unknown(&self, parameter: &Parameter) -> Diagnostic {

@@ -37,11 +37,8 @@ const UNSUPPORTED: [&str; 11] = [
 ];
 
 /// What meshes may say about their surface without moving it.
-const SURFACE: [&str; 9] =
-    ["N", "S", "uv", "st", "faceIndices", "discarddegenerateUVs", "emissionfilename", "displacement", "edgelength"];
-
-/// Names that select what pbrt cuts away.
-const CUT_AWAY: [&str; 2] = ["alpha", "shadowalpha"];
+const SURFACE: [&str; 8] =
+    ["N", "S", "uv", "st", "faceIndices", "discarddegenerateUVs", "emissionfilename", "edgelength"];
 
 impl ShapeTarget<'_> {
     /// Adds the shape; a shape that is not supported is a warning.
@@ -56,12 +53,21 @@ impl ShapeTarget<'_> {
                 return Ok(());
             }
         }
-        if parameters.has(CUT_AWAY[0]) {
-            parameters.warn(CUT_AWAY[0], "alpha is ignored: the whole surface is solid", self.warnings);
-        }
-        parameters.ignore(&CUT_AWAY);
+        self.warn_of_moved_and_cut(&mut parameters);
         parameters.finish(self.warnings);
         Ok(())
+    }
+
+    fn warn_of_moved_and_cut(&mut self, parameters: &mut Parameters) {
+        // An alpha of 1 is solid everywhere; a texture may be anything.
+        let is_solid = matches!(parameters.number("alpha"), Ok(Some(alpha)) if alpha >= 1.0);
+        if parameters.has("alpha") && !is_solid {
+            parameters.warn("alpha", "alpha is ignored: the whole surface is solid", self.warnings);
+        }
+        if parameters.has("displacement") {
+            parameters.warn("displacement", "displacement is ignored: the surface stays where it is", self.warnings);
+        }
+        parameters.ignore(&["shadowalpha"]);
     }
 
     fn warn_unsupported(&mut self, parameters: &Parameters, name: &str) {
@@ -107,7 +113,7 @@ impl ShapeTarget<'_> {
         parameters.ignore(&SURFACE);
         let Some(coordinates) = parameters.numbers("P")? else {
             return Err(parameters
-                .error_at_name("a triangle mesh without vertices")
+                .missing("P", "a triangle mesh without vertices")
                 .note("expected \"point3 P\" [ ... ]"));
         };
         if !coordinates.len().is_multiple_of(3) {
@@ -120,7 +126,7 @@ impl ShapeTarget<'_> {
             None if vertices.len() == 3 => vec![[0, 1, 2]],
             None => {
                 let message = format!("a triangle mesh of {} vertices without `indices`", vertices.len());
-                return Err(parameters.error_at_name(message).note("only a mesh of 3 vertices needs none"));
+                return Err(parameters.missing("indices", message).note("only a mesh of 3 vertices needs none"));
             }
         };
         self.add_mesh(parameters, vertices, triangles)
@@ -130,15 +136,15 @@ impl ShapeTarget<'_> {
         parameters.ignore(&SURFACE);
         let Some(filename) = parameters.string("filename")? else {
             let note = "expected \"string filename\" \"mesh.ply\"";
-            return Err(parameters.error_at_name("a mesh without a file name").note(note));
+            return Err(parameters.missing("filename", "a mesh without a file name").note(note));
         };
         let path: PathBuf = self.directory.join(filename);
-        let loaded = read(&path).map_err(|error| {
-            let from = parameters.error_at("filename", "");
-            let place = from.diagnostic().location.as_ref().expect("a place in the scene").to_owned();
-            error.note(format!("named in {place}"))
-        })?;
-        loaded.warnings.into_iter().for_each(|warning| self.warnings.add_single(warning));
+        let loaded =
+            read(&path).map_err(|error| error.note(format!("named in {}", parameters.place_of("filename"))))?;
+        for warning in loaded.warnings {
+            let place = || parameters.place_of("filename");
+            self.warnings.add(warning.to_string(), || warning.clone().note(format!("named in {}", place())));
+        }
         self.add_mesh(parameters, loaded.mesh.vertices, loaded.mesh.triangles)
     }
 
@@ -154,10 +160,10 @@ impl ShapeTarget<'_> {
             return Ok(());
         }
         if lost > 0 {
-            let message = format!("{lost} vertices are infinite or not a number: their triangles are never hit");
+            let message = format!("vertices that are infinite or not a number: {lost}; their triangles are never hit");
             parameters.warn_at_name("non-finite vertices", Diagnostic::new(message), self.warnings);
         } else if self.world_from_object.is_finite() && self.world_from_object.is_singular() {
-            let message = "a mesh under a singular transform is flat";
+            let message = "the transform of this mesh is singular: it is rendered flat";
             parameters.warn_at_name("singular mesh", Diagnostic::new(message), self.warnings);
         }
         Ok(())
@@ -174,9 +180,9 @@ fn triangles_of(parameters: &Parameters, indices: &[f64], vertex_count: usize) -
         let message = format!("index {index}, number {position} of `indices`, names no vertex");
         let expected = match vertex_count {
             0 => "the mesh has no vertices".to_owned(),
-            count => format!("expected an integer from 0 to {}: the mesh has {count} vertices", count - 1),
+            count => format!("expected an integer from 0 to {}", count - 1),
         };
-        return Err(parameters.error_at("indices", message).note(expected));
+        return Err(parameters.error_at_number("indices", place, message).note(expected));
     }
     Ok(indices.chunks_exact(3).map(|corners| [corners[0] as u32, corners[1] as u32, corners[2] as u32]).collect())
 }

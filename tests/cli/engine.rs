@@ -73,7 +73,7 @@ fn the_scene_chooses_its_accelerator_and_the_command_line_overrules_it() {
 #[test]
 fn a_scene_with_an_unknown_accelerator_is_rendered_by_sah() {
     let folder = Folder::new().with("kd.pbrt", format!("Accelerator \"kdtree\"\n{BALL}"));
-    let run = folder.render("kd.pbrt --json").succeeded().said("`kdtree` is not known here: sah is used");
+    let run = folder.render("kd.pbrt --json").succeeded().said("`kdtree`, which is unknown here: sah is used");
     assert_eq!(run.json()[0]["accel"], "sah");
 }
 

@@ -145,6 +145,7 @@ fn warnings_are_said_once_a_kind_with_their_count() {
    |       ^^^^^^
    = supported are sphere, trianglemesh, plymesh, objmesh
    = the first of 2
+note: no ray hits anything
 pbrt.exr: 2 x 2 pixels";
     assert!(run.stderr.starts_with(expected), "{}", run.stderr);
 }

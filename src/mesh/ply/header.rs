@@ -6,6 +6,7 @@ use std::path::Path;
 use super::line::{Lines, Words};
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::mesh::signature;
+use crate::mesh::tally::Tally;
 
 /// How the values are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -95,18 +96,21 @@ impl Header {
     /// Reads the header at the start of `content`.
     pub(super) fn parse(path: &Path, content: &[u8]) -> Result<Header> {
         let mut reader = Reader::begin(path, content)?;
+        let mut stray = Tally::default();
         let mut header = Header { encoding: reader.encoding()?, elements: Vec::new(), size: 0, warnings: Vec::new() };
         while let Some(line) = reader.lines.next() {
             let words = Words::new(content, line.clone());
             match words.get(0) {
                 b"end_header" => {
                     header.size = reader.lines.position();
+                    let warning = stray.in_text(path, content, "header line of unknown meaning, skipped");
+                    header.warnings.extend(warning.map(|warning| warning.note("a comment begins with `comment`")));
                     return Ok(header);
                 }
                 b"comment" | b"obj_info" | b"" => {}
                 b"element" => header.elements.push(reader.element(&words)?),
                 b"property" => reader.property(&words, header.elements.last_mut())?,
-                _ if header.elements.is_empty() => header.warnings.push(reader.stray_line(line)),
+                _ if header.elements.is_empty() => stray.add(line),
                 _ => return Err(reader.unknown_keyword(&words)),
             }
         }
@@ -201,11 +205,6 @@ impl<'a> Reader<'a> {
                          uint16, int32, uint32, float32 and float64";
             self.wrong(words, at, format!("unknown type {}", words.quoted(at)), known)
         })
-    }
-
-    fn stray_line(&self, line: Range<usize>) -> Diagnostic {
-        let location = SourceLocation::text(self.path, self.content, line);
-        Diagnostic::new("skipped a header line of unknown meaning").at(location).note("a comment begins with `comment`")
     }
 
     fn unknown_keyword(&self, words: &Words) -> Error {

@@ -167,7 +167,7 @@ fn warns_and_goes_on() {
         + "1 0\n";
     assert!(warnings(ply(strips))[0].contains("1 strip in `tristrips`, left out"));
     let free_text = TRIANGLE.replace("1.0\n", "1.0\nMade by hand\n");
-    assert!(warnings(ply(free_text))[0].starts_with("a.ply:3:1: skipped a header line of unknown meaning"));
+    assert!(warnings(ply(free_text))[0].starts_with("a.ply:3:1: 1 header line of unknown meaning, skipped"));
     let column = TRIANGLE.replace("face 1", "face 0").replace("0 0 0\n", "0 0 0 255\n");
     assert!(warnings(ply(column))[0].starts_with("a.ply:12:3: the last `vertex` ends within a line"));
 }
