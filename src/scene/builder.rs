@@ -1,7 +1,6 @@
 //! From directives to a scene: the interpreter of scene files.
 
 use super::accelerator::AcceleratorParameters;
-use super::auto_frame::scene_of_mesh;
 use super::camera_parameters::CameraParameters;
 use super::film::FilmParameters;
 use super::graphics_state::{Block, GraphicsState};
@@ -10,11 +9,11 @@ use super::parser::{ActiveTransform, Directive, Directives, Entity, Span, Statem
 use super::shape_statement::ShapeTarget;
 use super::source::{Place, Source};
 use super::transform_cache::TransformCache;
+use super::transform_directives::affine;
 use super::warnings::Warnings;
-use super::{LoadOptions, Scene};
+use super::{LoadOptions, Scene, SceneOptions};
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
-use crate::geometry::{Point, Transform, Vector};
-use crate::mesh;
+use crate::geometry::{Transform, Vector};
 use crate::progress::Progress;
 use crate::shape::Shapes;
 use std::collections::BTreeMap;
@@ -27,71 +26,21 @@ const MAX_INCLUDE_DEPTH: usize = 64;
 /// Files read, at most: a few that include each other twice would be read for ever.
 const MAX_FILES: usize = 100_000;
 
-/// Reads a scene with all that it names, or a bare `.ply` or `.obj`; `-` is a scene on standard input.
-///
-/// `progress` counts bytes of scene files.
-pub fn load(path: &Path, options: &LoadOptions, progress: Progress) -> Result<Scene> {
-    match bare_mesh_reader(path) {
-        Some(read) => scene_of_mesh(path, read(path)?, options),
-        None => {
-            let mut builder = Builder::new(path, progress);
-            builder.read(path)?;
-            builder.finish(options)
-        }
-    }
-}
-
-/// What a scene says before its world begins, as far as names of images depend on it.
-#[derive(Debug, Clone, Default)]
-pub struct SceneOptions {
-    /// Where the scene's `Film` wants the picture.
-    pub film_filename: Option<String>,
-    /// How the scene wants to be aggregated.
-    pub accelerator: AcceleratorParameters,
-}
-
-/// Reads a scene no further than `WorldBegin`, and no mesh.
-pub fn read_options(path: &Path) -> Result<SceneOptions> {
-    if is_bare_mesh(path) {
-        return Ok(SceneOptions::default());
-    }
-    let mut builder = Builder::new(path, Progress::SILENT);
-    builder.only_options = true;
-    builder.read(path)?;
-    Ok(SceneOptions { film_filename: builder.film.filename, accelerator: builder.accelerator })
-}
-
-/// Whether a path names a mesh and not a scene: by its extension, `.gz` left aside.
-pub fn is_bare_mesh(path: &Path) -> bool {
-    bare_mesh_reader(path).is_some()
-}
-
-fn bare_mesh_reader(path: &Path) -> Option<fn(&Path) -> Result<mesh::Loaded>> {
-    let name = path.file_name()?.to_str()?.to_ascii_lowercase();
-    let name = name.strip_suffix(".gz").unwrap_or(&name);
-    if name.ends_with(".ply") {
-        Some(mesh::read_ply)
-    } else if name.ends_with(".obj") {
-        Some(mesh::read_obj)
-    } else {
-        None
-    }
-}
-
-struct Builder<'a> {
+/// A scene in the making.
+pub(super) struct Builder<'a> {
     path: PathBuf,
     /// Relative names count from here: the directory of the top-level file, as in pbrt.
     directory: PathBuf,
     progress: Progress<'a>,
     only_options: bool,
-    state: GraphicsState,
+    pub(super) state: GraphicsState,
     /// Which of two transforms the directives change; only that of the start time is kept.
-    active: ActiveTransform,
+    pub(super) active: ActiveTransform,
     in_world: bool,
     /// Nothing further is to be read.
     ended: bool,
     /// Why the current transform first had no finite inverse, and where.
-    singular: Option<(&'static str, Place)>,
+    pub(super) singular: Option<(&'static str, Place)>,
     camera: Option<CameraParameters>,
     film: FilmParameters,
     film_place: Option<Place>,
@@ -99,7 +48,7 @@ struct Builder<'a> {
     shapes: Shapes,
     shape_count: u32,
     transforms: TransformCache,
-    warnings: Warnings,
+    pub(super) warnings: Warnings,
     skipped: BTreeMap<&'static str, u64>,
     /// The files being read, each included by the one before.
     reading: Vec<PathBuf>,
@@ -107,7 +56,7 @@ struct Builder<'a> {
 }
 
 impl<'a> Builder<'a> {
-    fn new(path: &Path, progress: Progress<'a>) -> Builder<'a> {
+    pub(super) fn new(path: &Path, progress: Progress<'a>) -> Builder<'a> {
         Builder {
             path: path.to_path_buf(),
             directory: path.parent().unwrap_or(Path::new("")).to_path_buf(),
@@ -132,7 +81,15 @@ impl<'a> Builder<'a> {
         }
     }
 
-    fn read(&mut self, path: &Path) -> Result<()> {
+    /// Reads a scene no further than `WorldBegin`.
+    pub(super) fn read_options(mut self, path: &Path) -> Result<SceneOptions> {
+        self.only_options = true;
+        self.read(path)?;
+        Ok(SceneOptions { film_filename: self.film.filename, accelerator: self.accelerator })
+    }
+
+    /// Obeys the directives of one file and of those that it includes.
+    pub(super) fn read(&mut self, path: &Path) -> Result<()> {
         let source = Rc::new(Source::read(path)?);
         let identity = path.canonicalize().unwrap_or_else(|_| path.to_path_buf());
         self.reading.push(identity);
@@ -213,39 +170,6 @@ impl<'a> Builder<'a> {
         Ok(())
     }
 
-    /// Multiplies the current transform, and remembers where it first went wrong.
-    fn concat(&mut self, leaf: Transform, directive: &Directive, source: &Rc<Source>) {
-        if self.active == ActiveTransform::EndTime {
-            return;
-        }
-        if !leaf.matrix.is_finite() {
-            let message = why_not_finite(&directive.statement);
-            self.warnings.add(message, || Diagnostic::new(message).at(source.at(&directive.span)));
-        }
-        self.state.concat(&leaf);
-        if self.singular.is_none() && !self.state.current.inverse.is_finite() {
-            self.singular = Some((why_not_finite(&directive.statement), Place::new(source, &directive.span)));
-        }
-    }
-
-    fn replace(&mut self, transform: Transform, directive: &Directive, source: &Rc<Source>) {
-        if self.active != ActiveTransform::EndTime {
-            self.state.current = transform;
-            self.singular = None;
-            if !transform.inverse.is_finite() {
-                self.singular = Some((why_not_finite(&directive.statement), Place::new(source, &directive.span)));
-            }
-        }
-    }
-
-    fn activate(&mut self, active: ActiveTransform, directive: &Directive, source: &Rc<Source>) {
-        self.active = active;
-        if active == ActiveTransform::EndTime {
-            let message = "moving transforms are not supported: shapes stand where they are at the start time";
-            self.warnings.add("moving", || Diagnostic::new(message).at(source.at(&directive.span)));
-        }
-    }
-
     /// Of the defaults that v4 can set, only those of shapes may matter.
     fn attribute(&mut self, entity: &Entity, source: &Rc<Source>) {
         if entity.name.text == "shape" {
@@ -253,28 +177,6 @@ impl<'a> Builder<'a> {
             self.warnings.add("Attribute shape", || Diagnostic::new(message).at(source.at(&entity.name.span)));
         } else {
             *self.skipped.entry("Attribute").or_default() += 1;
-        }
-    }
-
-    fn look_at(&mut self, numbers: &[f64; 9], directive: &Directive, source: &Rc<Source>) {
-        let [eye_x, eye_y, eye_z, look_x, look_y, look_z, up_x, up_y, up_z] = *numbers;
-        let (eye, look) = (Point::new(eye_x, eye_y, eye_z), Point::new(look_x, look_y, look_z));
-        match Transform::look_at(eye, look, Vector::new(up_x, up_y, up_z)) {
-            Some(camera_from_world) => self.concat(camera_from_world, directive, source),
-            None => self.warnings.add("parallel LookAt", || {
-                let message =
-                    "the up vector is parallel to the view, or the eye too far away: this LookAt does nothing";
-                Diagnostic::new(message)
-                    .at(source.at(&directive.span))
-                    .note("expected eye, look and up with a plane between them")
-            }),
-        }
-    }
-
-    fn recall(&mut self, name: &Text, source: &Rc<Source>) {
-        if !self.state.recall(&name.text) {
-            let message = format!("no coordinate system is called `{}`: ignored", name.text);
-            self.warnings.add(message.clone(), || Diagnostic::new(message).at(source.at(&name.span)));
         }
     }
 
@@ -385,7 +287,8 @@ impl<'a> Builder<'a> {
         target.add(Parameters::new("Shape", entity, source))
     }
 
-    fn finish(self, options: &LoadOptions) -> Result<Scene> {
+    /// The scene, when all has been read.
+    pub(super) fn finish(self, options: &LoadOptions) -> Result<Scene> {
         if let Some(open) = self.state.innermost() {
             return Err(open.place.error(format!("{} without {}", open.block.begin(), open.block.end())));
         }
@@ -409,25 +312,6 @@ impl<'a> Builder<'a> {
             summary: summary(&self.skipped),
         })
     }
-}
-
-/// What makes the matrix of a directive infinite, or its inverse.
-fn why_not_finite(statement: &Statement) -> &'static str {
-    match statement {
-        Statement::Rotate([angle, ..]) if angle.is_finite() => "the axis of this Rotate has no length, or is too long",
-        Statement::LookAt(_) => "this LookAt has no direction: eye and look are one point, or up has no length",
-        Statement::Scale(factors) if factors.contains(&0.0) => "this Scale by 0 cannot be undone",
-        Statement::Transform(_) | Statement::ConcatTransform(_) => "this matrix has no finite inverse",
-        _ => "the numbers of this transform are beyond the range of f64, or no numbers",
-    }
-}
-
-fn affine(m: &[f64; 16], directive: &Directive, source: &Rc<Source>) -> Result<Transform> {
-    Transform::from_column_major(m).ok_or_else(|| {
-        let [a, b, c, d] = [m[3], m[7], m[11], m[15]];
-        let error = source.error(&directive.span, format!("the last row of the matrix is {a} {b} {c} {d}"));
-        error.note("expected 0 0 0 1 as numbers 4, 8, 12 and 16: matrices are column by column, and never projective")
-    })
 }
 
 fn summary(skipped: &BTreeMap<&'static str, u64>) -> Option<String> {

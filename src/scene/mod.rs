@@ -6,17 +6,19 @@ mod builder;
 mod camera_parameters;
 mod film;
 mod graphics_state;
+mod load;
 mod parameters;
 pub mod parser;
 mod shape_statement;
 mod source;
 pub mod spelling;
 mod transform_cache;
+mod transform_directives;
 mod warnings;
 
 pub use accelerator::AcceleratorParameters;
-pub use builder::{SceneOptions, is_bare_mesh, load, read_options};
 pub use film::Film;
+pub use load::{SceneOptions, is_bare_mesh, load, read_options};
 pub use warnings::{Warning, Warnings};
 
 use crate::camera::Camera;

@@ -1,0 +1,58 @@
+//! Scenes by the names of their files.
+
+use super::accelerator::AcceleratorParameters;
+use super::auto_frame::scene_of_mesh;
+use super::builder::Builder;
+use super::{LoadOptions, Scene};
+use crate::error::Result;
+use crate::mesh;
+use crate::progress::Progress;
+use std::path::Path;
+
+/// Reads a scene with all that it names, or a bare `.ply` or `.obj`; `-` is a scene on standard input.
+///
+/// `progress` counts bytes of scene files.
+pub fn load(path: &Path, options: &LoadOptions, progress: Progress) -> Result<Scene> {
+    match bare_mesh_reader(path) {
+        Some(read) => scene_of_mesh(path, read(path)?, options),
+        None => {
+            let mut builder = Builder::new(path, progress);
+            builder.read(path)?;
+            builder.finish(options)
+        }
+    }
+}
+
+/// What a scene says before its world begins, as far as names of images depend on it.
+#[derive(Debug, Clone, Default)]
+pub struct SceneOptions {
+    /// Where the scene's `Film` wants the picture.
+    pub film_filename: Option<String>,
+    /// How the scene wants to be aggregated.
+    pub accelerator: AcceleratorParameters,
+}
+
+/// Reads a scene no further than `WorldBegin`, and no mesh.
+pub fn read_options(path: &Path) -> Result<SceneOptions> {
+    if is_bare_mesh(path) {
+        return Ok(SceneOptions::default());
+    }
+    Builder::new(path, Progress::SILENT).read_options(path)
+}
+
+/// Whether a path names a mesh and not a scene: by its extension, `.gz` left aside.
+pub fn is_bare_mesh(path: &Path) -> bool {
+    bare_mesh_reader(path).is_some()
+}
+
+fn bare_mesh_reader(path: &Path) -> Option<fn(&Path) -> Result<mesh::Loaded>> {
+    let name = path.file_name()?.to_str()?.to_ascii_lowercase();
+    let name = name.strip_suffix(".gz").unwrap_or(&name);
+    if name.ends_with(".ply") {
+        Some(mesh::read_ply)
+    } else if name.ends_with(".obj") {
+        Some(mesh::read_obj)
+    } else {
+        None
+    }
+}

@@ -1,0 +1,85 @@
+//! The directives that change the current transform (rules R2 and R3).
+
+use super::builder::Builder;
+use super::parser::{ActiveTransform, Directive, Statement, Text};
+use super::source::{Place, Source};
+use crate::error::{Diagnostic, Result};
+use crate::geometry::{Point, Transform, Vector};
+use std::rc::Rc;
+
+impl Builder<'_> {
+    /// Multiplies the current transform, and remembers where it first went wrong.
+    pub(super) fn concat(&mut self, leaf: Transform, directive: &Directive, source: &Rc<Source>) {
+        if self.active == ActiveTransform::EndTime {
+            return;
+        }
+        if !leaf.matrix.is_finite() {
+            let message = why_not_finite(&directive.statement);
+            self.warnings.add(message, || Diagnostic::new(message).at(source.at(&directive.span)));
+        }
+        self.state.concat(&leaf);
+        if self.singular.is_none() && !self.state.current.inverse.is_finite() {
+            self.singular = Some((why_not_finite(&directive.statement), Place::new(source, &directive.span)));
+        }
+    }
+
+    pub(super) fn replace(&mut self, transform: Transform, directive: &Directive, source: &Rc<Source>) {
+        if self.active != ActiveTransform::EndTime {
+            self.state.current = transform;
+            self.singular = None;
+            if !transform.inverse.is_finite() {
+                self.singular = Some((why_not_finite(&directive.statement), Place::new(source, &directive.span)));
+            }
+        }
+    }
+
+    pub(super) fn activate(&mut self, active: ActiveTransform, directive: &Directive, source: &Rc<Source>) {
+        self.active = active;
+        if active == ActiveTransform::EndTime {
+            let message = "moving transforms are not supported: shapes stand where they are at the start time";
+            self.warnings.add("moving", || Diagnostic::new(message).at(source.at(&directive.span)));
+        }
+    }
+
+    pub(super) fn look_at(&mut self, numbers: &[f64; 9], directive: &Directive, source: &Rc<Source>) {
+        let [eye_x, eye_y, eye_z, look_x, look_y, look_z, up_x, up_y, up_z] = *numbers;
+        let (eye, look) = (Point::new(eye_x, eye_y, eye_z), Point::new(look_x, look_y, look_z));
+        match Transform::look_at(eye, look, Vector::new(up_x, up_y, up_z)) {
+            Some(camera_from_world) => self.concat(camera_from_world, directive, source),
+            None => self.warnings.add("parallel LookAt", || {
+                let message =
+                    "the up vector is parallel to the view, or the eye too far away: this LookAt does nothing";
+                Diagnostic::new(message)
+                    .at(source.at(&directive.span))
+                    .note("expected eye, look and up with a plane between them")
+            }),
+        }
+    }
+
+    pub(super) fn recall(&mut self, name: &Text, source: &Rc<Source>) {
+        if !self.state.recall(&name.text) {
+            let message = format!("no coordinate system is called `{}`: ignored", name.text);
+            self.warnings.add(message.clone(), || Diagnostic::new(message).at(source.at(&name.span)));
+        }
+    }
+}
+
+/// What makes the matrix of a directive infinite, or its inverse.
+fn why_not_finite(statement: &Statement) -> &'static str {
+    match statement {
+        Statement::Rotate([angle, ..]) if angle.is_finite() => "the axis of this Rotate has no length, or is too long",
+        Statement::LookAt(_) => "this LookAt has no direction: eye and look are one point, or up has no length",
+        Statement::Scale(factors) if factors.contains(&0.0) => "this Scale by 0 cannot be undone",
+        Statement::Transform(_) | Statement::ConcatTransform(_) => "this matrix has no finite inverse",
+        _ => "the numbers of this transform are beyond the range of f64, or no numbers",
+    }
+}
+
+/// The matrix that 16 numbers spell.
+pub(super) fn affine(m: &[f64; 16], directive: &Directive, source: &Rc<Source>) -> Result<Transform> {
+    Transform::from_column_major(m).ok_or_else(|| {
+        let [a, b, c, d] = [m[3], m[7], m[11], m[15]];
+        let error = source.error(&directive.span, format!("the last row of the matrix is {a} {b} {c} {d}"));
+        error.note("expected 0 0 0 1 as numbers 4, 8, 12 and 16: matrices are column by column, and never projective")
+    })
+}
