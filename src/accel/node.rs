@@ -1,6 +1,6 @@
 //! The node that every split method fills.
 
-use super::anchor_space::Box32;
+use super::anchor_space::{Box32, Corners};
 
 /// A node as it is built and walked over.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,38 +48,37 @@ pub(super) struct Children(pub(super) [PackedNode; 2]);
 /// A node of 32 bytes: two registers of four lanes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct PackedNode {
-    /// The low corner of the box, and the bits of [`Node::first`].
-    pub(super) low: [f32; 4],
-    /// The high corner of the box, and the bits of [`Node::count`].
-    pub(super) high: [f32; 4],
+    /// The corners of the box; behind the low one the bits of [`Node::first`], behind the high one those of
+    /// [`Node::count`].
+    pub(super) corners: Corners,
 }
 
 const _: () = assert!(size_of::<Children>() == 64);
 
 impl PackedNode {
     pub(super) fn first(&self) -> u32 {
-        self.low[3].to_bits()
+        self.corners[0][3].to_bits()
     }
 
     pub(super) fn count(&self) -> u32 {
-        self.high[3].to_bits()
+        self.corners[1][3].to_bits()
     }
 
     fn pack(node: &Node) -> PackedNode {
-        let (mut low, mut high) = node.bounds.corners();
-        (low[3], high[3]) = (f32::from_bits(node.first), f32::from_bits(node.count));
-        PackedNode { low, high }
+        let mut corners = node.bounds.corners();
+        (corners[0][3], corners[1][3]) = (f32::from_bits(node.first), f32::from_bits(node.count));
+        PackedNode { corners }
     }
 
     fn unpack(&self) -> Node {
-        let ([x0, y0, z0, _], [x1, y1, z1, _]) = (self.low, self.high);
+        let [[x0, y0, z0, _], [x1, y1, z1, _]] = self.corners;
         Node { bounds: Box32 { low: [x0, y0, z0], high: [x1, y1, z1] }, first: self.first(), count: self.count() }
     }
 }
 
 impl Children {
     /// Holds a place until both children are known.
-    pub(super) const PLACEHOLDER: Children = Children([PackedNode { low: [0.0; 4], high: [0.0; 4] }; 2]);
+    pub(super) const PLACEHOLDER: Children = Children([PackedNode { corners: [[0.0; 4]; 2] }; 2]);
 
     pub(super) fn new(left: &Node, right: &Node) -> Children {
         Children([PackedNode::pack(left), PackedNode::pack(right)])

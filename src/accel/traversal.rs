@@ -76,8 +76,7 @@ impl<'a> Tracer<'a> {
         if COUNTED {
             work.nodes += 1;
         }
-        let (low, high) = root.bounds.corners();
-        slab.enter(&low, &high)?;
+        slab.enter(&root.bounds.corners())?;
         let mut nearest =
             Nearest { aggregate: self.aggregate, shapes: self.shapes, ray, slab, hit: None, limit: f32::INFINITY };
         let mut next = Some((root.first, root.count));
@@ -132,7 +131,7 @@ impl Nearest<'_> {
     #[inline]
     fn nearer_child(&self, children: &Children, stack: &mut Stack) -> Option<(u32, u32)> {
         let [left, right] = &children.0;
-        let enter = |node: &PackedNode| self.slab.enter(&node.low, &node.high).filter(|near| *near <= self.limit);
+        let enter = |node: &PackedNode| self.slab.enter(&node.corners).filter(|near| *near <= self.limit);
         let child = |node: &PackedNode| Some((node.first(), node.count()));
         match (enter(left), enter(right)) {
             (Some(to_left), Some(to_right)) => {
@@ -176,8 +175,8 @@ impl Nearest<'_> {
         if self.hit.is_some_and(|best| t > best.t) {
             return;
         }
-        let (low, high) = self.aggregate.space.enclose(&bounds()).corners();
-        let Some(entry) = self.slab.enter(&low, &high) else { return };
+        let corners = self.aggregate.space.enclose(&bounds()).corners();
+        let Some(entry) = self.slab.enter(&corners) else { return };
         let t = t.max(self.slab.unscaled(entry));
         let better =
             self.hit.is_none_or(|best| t < best.t || (t == best.t && self.shapes.precedes(primitive, best.primitive)));
