@@ -5,24 +5,28 @@ use std::fs::{self, FileType};
 use std::io::{self, Read};
 use std::path::Path;
 
-/// The bytes of a file; of standard input where `path` is `-`.
+/// The bytes of standard input.
+///
+/// # Errors
+/// Where reading fails.
+pub(crate) fn read_stdin() -> Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let read = io::stdin().read_to_end(&mut bytes);
+    read.map(|_| bytes).map_err(|error| Error::reading(Path::new("-"), &error))
+}
+
+/// The bytes of a file.
 ///
 /// # Errors
 /// A file that is missing, unreadable, or a device, some of which never end.
 pub(crate) fn read(path: &Path) -> Result<Vec<u8>> {
-    let bytes = if path == Path::new("-") { read_stdin() } else { refuse_device(path).and_then(|()| fs::read(path)) };
-    bytes.map_err(|error| match error.kind() {
+    refuse_device(path).and_then(|()| fs::read(path)).map_err(|error| match error.kind() {
         io::ErrorKind::Unsupported => {
             let diagnostic = Diagnostic::new("this is a device, not a file").at(SourceLocation::file(path));
             Error::new(ErrorKind::MissingInput, diagnostic)
         }
         _ => Error::reading(path, &error),
     })
-}
-
-fn read_stdin() -> io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    io::stdin().read_to_end(&mut bytes).map(|_| bytes)
 }
 
 fn refuse_device(path: &Path) -> io::Result<()> {

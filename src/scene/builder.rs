@@ -82,15 +82,21 @@ impl<'a> Builder<'a> {
     }
 
     /// Reads a scene no further than `WorldBegin`.
-    pub(super) fn read_options(mut self, path: &Path) -> Result<SceneOptions> {
+    pub(super) fn read_options(mut self) -> Result<SceneOptions> {
         self.only_options = true;
-        self.read(path)?;
+        self.read_top_level()?;
         Ok(SceneOptions { film_filename: self.film.filename, accelerator: self.accelerator })
     }
 
+    /// Obeys the directives of the file that the builder is for.
+    pub(super) fn read_top_level(&mut self) -> Result<()> {
+        let source = Source::read_top_level(&self.path)?;
+        self.read(Rc::new(source))
+    }
+
     /// Obeys the directives of one file and of those that it includes.
-    pub(super) fn read(&mut self, path: &Path) -> Result<()> {
-        let source = Rc::new(Source::read(path)?);
+    fn read(&mut self, source: Rc<Source>) -> Result<()> {
+        let path = &source.path;
         let identity = path.canonicalize().unwrap_or_else(|_| path.to_path_buf());
         self.reading.push(identity);
         self.files_read += 1;
@@ -230,7 +236,8 @@ impl<'a> Builder<'a> {
         if self.files_read >= MAX_FILES {
             return Err(source.error(&name.span, format!("the scene includes more than {MAX_FILES} files")));
         }
-        self.read(&path).map_err(|error| error.note(format!("included from {}", source.at(&name.span))))
+        let read = Source::read(&path).and_then(|included| self.read(Rc::new(included)));
+        read.map_err(|error| error.note(format!("included from {}", source.at(&name.span))))
     }
 
     /// Camera, Film and their like belong before `WorldBegin`.

@@ -17,7 +17,7 @@ pub fn load(path: &Path, options: &LoadOptions, progress: Progress) -> Result<Sc
         Some(read) => scene_of_mesh(path, read(path)?, options),
         None => {
             let mut builder = Builder::new(path, progress);
-            builder.read(path)?;
+            builder.read_top_level()?;
             builder.finish(options)
         }
     }
@@ -37,7 +37,7 @@ pub fn read_options(path: &Path) -> Result<SceneOptions> {
     if is_bare_mesh(path) {
         return Ok(SceneOptions::default());
     }
-    Builder::new(path, Progress::SILENT).read_options(path)
+    Builder::new(path, Progress::SILENT).read_options()
 }
 
 /// Whether a path names a mesh and not a scene: by its extension, `.gz` left aside.

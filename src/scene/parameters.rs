@@ -1,6 +1,6 @@
 //! The parameters of a directive, looked up by name and checked.
 
-use super::parser::{Entity, Parameter, Span, Values};
+use super::parser::{self, Entity, Parameter, Span, Values};
 use super::source::Source;
 use super::spelling;
 use super::warnings::Warnings;
@@ -167,7 +167,7 @@ impl<'a> Parameters<'a> {
     /// An error that points at number `place`, from 0, of the array called `name`.
     pub(super) fn error_at_number(&self, name: &str, place: usize, message: impl Into<String>) -> Error {
         let array = self.span_of(name);
-        self.source.error(&self.source.number_in(array, place), message)
+        self.source.error(&parser::number_in(&self.source.text, array, place), message)
     }
 
     fn unknown(&self, parameter: &Parameter) -> Diagnostic {

@@ -14,35 +14,22 @@ pub(super) struct Source {
 }
 
 impl Source {
-    /// Reads a file, or standard input where `path` is `-`.
+    /// Reads a file.
     pub(super) fn read(path: &Path) -> Result<Source> {
         Ok(Source { path: path.to_path_buf(), text: input::read(path)? })
+    }
+
+    /// Reads the scene that the user named, `-` for standard input; within a scene `-` is a file like any other.
+    pub(super) fn read_top_level(path: &Path) -> Result<Source> {
+        if path != Path::new("-") {
+            return Source::read(path);
+        }
+        Ok(Source { path: path.to_path_buf(), text: input::read_stdin()? })
     }
 
     /// The place of `span`.
     pub(super) fn at(&self, span: &Span) -> SourceLocation {
         SourceLocation::text(&self.path, &self.text, span.clone())
-    }
-
-    /// Number `place`, from 0, of the array of numbers at `array`.
-    pub(super) fn number_in(&self, array: &Span, place: usize) -> Span {
-        let blank = |byte: &u8| byte.is_ascii_whitespace() || matches!(byte, b',' | b'[' | b']');
-        let mut position = array.start;
-        for remaining in (0..=place).rev() {
-            position += self.text[position..array.end].iter().take_while(|byte| blank(byte)).count();
-            while self.text[position..array.end].starts_with(b"#") {
-                let comment = &self.text[position..array.end];
-                position += comment.iter().take_while(|byte| !matches!(byte, b'\n' | b'\r')).count();
-                position += self.text[position..array.end].iter().take_while(|byte| blank(byte)).count();
-            }
-            let token = self.text[position..array.end].iter();
-            let length = token.take_while(|byte| !blank(byte) && **byte != b'#').count();
-            if remaining == 0 {
-                return position..position + length;
-            }
-            position += length;
-        }
-        array.clone()
     }
 
     /// The scene is wrong at `span`.

@@ -140,3 +140,10 @@ mod unix {
 fn a_scene_on_standard_input_may_be_bad_too() {
     Folder::new().render_input("-", &BALL.replace("Shape", "Shap")).failed(65, "-:6:1: unknown directive `Shap`");
 }
+
+#[test]
+fn standard_input_is_read_for_the_named_scene_only() {
+    for part in ["Include \"-\"", "WorldBegin Shape \"plymesh\" \"string filename\" \"-\""] {
+        Folder::new().with("a.pbrt", part).render("a.pbrt").failed(66, "-: cannot read");
+    }
+}

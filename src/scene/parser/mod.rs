@@ -23,6 +23,7 @@ use std::path::Path;
 use self::source::{Fault, Source};
 pub use self::statement::{ActiveTransform, Directive, Entity, Parameter, Span, Statement, Text, Values};
 use self::token::blanks;
+pub use self::value::number_in;
 use crate::error::{Error, Result};
 
 /// The directives of one scene file, in order; ends after the first error.

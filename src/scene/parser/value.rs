@@ -9,7 +9,7 @@ use nom::sequence::preceded;
 use super::keyword::Keyword;
 use super::parameter::Declaration;
 use super::source::{Parsed, Source, mismatch, wrong};
-use super::statement::{Text, Values};
+use super::statement::{Span, Text, Values};
 use super::token::{Token, blanks, is_word, separators, shorten, word};
 use crate::decimal;
 use crate::error::Error;
@@ -42,6 +42,22 @@ fn numbers(input: &[u8], keep: Keep) -> Parsed<'_, Vec<f64>> {
         (rest, ()) = separators(&rest[length..])?;
     }
     Ok((rest, values))
+}
+
+/// Where number `place`, from 0, of the numbers at `array` is, for messages; all of `array` where there are fewer.
+pub fn number_in(source: &[u8], array: &Span, place: usize) -> Span {
+    let text = &source[array.clone()];
+    let mut rest = text.strip_prefix(b"[").unwrap_or(text);
+    for _ in 0..place {
+        rest = match separators(rest).and_then(|(rest, ())| word(rest)) {
+            Ok((rest, _)) => rest,
+            Err(_) => return array.clone(),
+        };
+    }
+    match separators(rest).and_then(|(rest, ())| word(rest)) {
+        Ok((rest, word)) => array.end - rest.len() - word.len()..array.end - rest.len(),
+        Err(_) => array.clone(),
+    }
 }
 
 /// `true` or `false` without quotes.
