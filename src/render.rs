@@ -67,20 +67,20 @@ pub fn render(
 
 fn allocate(options: &RenderOptions) -> Result<Vec<Channel>> {
     let window = &options.data_window;
-    let too_large = |_| {
+    let too_large = || {
         let (width, height) = (window.width(), window.height());
         let message = format!("an image of {width} x {height} pixels is too large for this machine's memory");
         Error::new(ErrorKind::Usage, Diagnostic::new(message).note("render it in parts, with --pixelbounds"))
     };
     let count = match window.area() {
         area if area <= MAX_PIXELS => area as usize,
-        _ => return Err(too_large(())),
+        _ => return Err(too_large()),
     };
     // All of them before the first is touched, so that too much is refused at once.
     let reserve = |name: &ChannelName| {
         let samples =
             if name.is_integer() { reserved(count).map(Samples::U32) } else { reserved(count).map(Samples::F32) };
-        Ok(Channel { name: *name, samples: samples.map_err(|_| too_large(()))? })
+        Ok(Channel { name: *name, samples: samples.map_err(|_| too_large())? })
     };
     let mut channels = options.channels.iter().map(reserve).collect::<Result<Vec<Channel>>>()?;
     for channel in &mut channels {

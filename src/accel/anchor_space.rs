@@ -9,6 +9,7 @@
 //! passes the test of a primitive's own box passes that of every node around it, and the answer of a traversal
 //! cannot depend on the tree.
 
+use crate::exact::{exponent_of, power_of_two};
 use crate::geometry::{Bounds, Point, Ray};
 
 /// Where boxes and rays are compared.
@@ -165,15 +166,6 @@ fn below(x: f64) -> f32 {
 /// An `f32` greater than `x`, and not 0.
 fn above(x: f64) -> f32 {
     -below(-x)
-}
-
-/// The exponent of `x > 0` as a power of two, rounded down; of a subnormal number, -1023.
-fn exponent_of(x: f64) -> i32 {
-    ((x.to_bits() >> 52) & 0x7ff) as i32 - 1023
-}
-
-fn power_of_two(exponent: i32) -> f64 {
-    f64::from_bits(((exponent + 1023) as u64) << 52)
 }
 
 impl Box32 {

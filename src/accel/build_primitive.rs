@@ -49,6 +49,22 @@ fn reach(shapes: &Shapes, anchor: Point) -> f64 {
     (0..shapes.sphere_count()).into_par_iter().map(sphere).reduce(|| vertices, f64::max)
 }
 
+/// Lists longer than this are worked on by several threads.
+pub(super) const PARALLEL: usize = 1 << 16;
+
+/// The box around the doubled centres.
+pub(super) fn centre_bounds(primitives: &[BuildPrimitive]) -> Box32 {
+    let include = |bounds: Box32, primitive: &BuildPrimitive| {
+        let centre = primitive.doubled_centre();
+        bounds.union(&Box32 { low: centre, high: centre })
+    };
+    if primitives.len() < PARALLEL {
+        return primitives.iter().fold(Box32::EMPTY, include);
+    }
+    let chunks = primitives.par_chunks(PARALLEL / 4);
+    chunks.map(|chunk| chunk.iter().fold(Box32::EMPTY, include)).reduce(|| Box32::EMPTY, |a, b| a.union(&b))
+}
+
 /// The box around all of `primitives`.
 pub(super) fn bounds_of(primitives: &[BuildPrimitive]) -> Box32 {
     primitives.iter().fold(Box32::EMPTY, |bounds, primitive| bounds.union(&primitive.bounds))

@@ -4,8 +4,7 @@
 //! bit by bit, and the surface area heuristic builds the tree above the treelets.
 
 use super::SplitMethod;
-use super::anchor_space::Box32;
-use super::build_primitive::{BuildPrimitive, bounds_of};
+use super::build_primitive::{BuildPrimitive, bounds_of, centre_bounds};
 use super::node::{Children, Node, Subtree};
 use super::splitter::Splitter;
 use super::top_down::TopDown;
@@ -64,11 +63,7 @@ struct Quantizer {
 
 impl Quantizer {
     fn new(primitives: &[BuildPrimitive]) -> Quantizer {
-        let centre = |primitive: &BuildPrimitive| {
-            let centre = primitive.doubled_centre();
-            Box32 { low: centre, high: centre }
-        };
-        let centres = primitives.par_iter().map(centre).reduce(|| Box32::EMPTY, |a, b| a.union(&b));
+        let centres = centre_bounds(primitives);
         let cells = |extent: f32| if extent > 0.0 { (1 << AXIS_BITS) as f32 / extent } else { 0.0 };
         Quantizer { low: centres.low, cells_per_unit: centres.extent().map(cells) }
     }

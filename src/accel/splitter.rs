@@ -2,7 +2,7 @@
 
 use super::SplitMethod;
 use super::anchor_space::Box32;
-use super::build_primitive::BuildPrimitive;
+use super::build_primitive::{BuildPrimitive, PARALLEL, centre_bounds};
 use rayon::prelude::*;
 
 /// What visiting a node costs, in units of testing a primitive.
@@ -15,9 +15,6 @@ const BINS: usize = 16;
 fn bins_for(count: usize) -> usize {
     (count / 2).clamp(4, BINS)
 }
-
-/// Lists longer than this are binned by several threads.
-const PARALLEL_BINNING: usize = 1 << 16;
 
 /// Splits lists, each into a left and a right part that are not empty.
 #[derive(Debug, Clone, Copy)]
@@ -78,19 +75,6 @@ fn split_in_the_middle(primitives: &mut [BuildPrimitive]) -> usize {
     let middle = 0.5 * (bounds.low[axis] + bounds.high[axis]);
     let count = partition(primitives, |primitive| primitive.doubled_centre()[axis] < middle);
     if count == 0 || count == primitives.len() { split_evenly(primitives) } else { count }
-}
-
-/// The box around the doubled centres.
-fn centre_bounds(primitives: &[BuildPrimitive]) -> Box32 {
-    let include = |bounds: Box32, primitive: &BuildPrimitive| {
-        let centre = primitive.doubled_centre();
-        bounds.union(&Box32 { low: centre, high: centre })
-    };
-    if primitives.len() < PARALLEL_BINNING {
-        return primitives.iter().fold(Box32::EMPTY, include);
-    }
-    let chunks = primitives.par_chunks(PARALLEL_BINNING / 4);
-    chunks.map(|chunk| chunk.iter().fold(Box32::EMPTY, include)).reduce(|| Box32::EMPTY, |a, b| a.union(&b))
 }
 
 /// The axis of the largest extent, the lowest of equal ones.
@@ -182,7 +166,7 @@ fn fill(bins: &Bins, primitives: &[BuildPrimitive]) -> [[Bin; BINS]; 3] {
 }
 
 fn fill_in_parallel(bins: &Bins, primitives: &[BuildPrimitive]) -> [[Bin; BINS]; 3] {
-    if primitives.len() < PARALLEL_BINNING {
+    if primitives.len() < PARALLEL {
         return fill(bins, primitives);
     }
     let add = |mut a: [[Bin; BINS]; 3], b: [[Bin; BINS]; 3]| {
@@ -192,7 +176,7 @@ fn fill_in_parallel(bins: &Bins, primitives: &[BuildPrimitive]) -> [[Bin; BINS];
         }
         a
     };
-    primitives.par_chunks(PARALLEL_BINNING / 4).map(|chunk| fill(bins, chunk)).reduce(|| EMPTY_BINS, add)
+    primitives.par_chunks(PARALLEL / 4).map(|chunk| fill(bins, chunk)).reduce(|| EMPTY_BINS, add)
 }
 
 /// The plane of the least cost over all axes; `None` where all centres are in one place.

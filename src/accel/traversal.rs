@@ -4,7 +4,7 @@ use super::Aggregate;
 use super::aggregate::MAX_DEPTH;
 use super::anchor_space::SlabRay;
 use super::node::{Children, PackedNode};
-use crate::geometry::{Bounds, Ray};
+use crate::geometry::Ray;
 use crate::shape::{Primitive, Shapes};
 
 /// What a ray meets first.
@@ -152,16 +152,8 @@ impl Nearest<'_> {
     fn test_leaf(&mut self, first: u32, count: u32) {
         let first = first as usize;
         for &primitive in &self.aggregate.order[first..first + count as usize] {
-            if primitive.is_sphere() {
-                let sphere = self.shapes.sphere(primitive.index());
-                if let Some(t) = sphere.intersect(self.ray) {
-                    self.offer(t, primitive, || sphere.bounds());
-                }
-            } else {
-                let triangle = self.shapes.triangle(primitive.index());
-                if let Some(t) = triangle.intersect(self.ray) {
-                    self.offer(t, primitive, || triangle.bounds());
-                }
+            if let Some(t) = self.shapes.intersect(primitive, self.ray) {
+                self.offer(t, primitive);
             }
         }
     }
@@ -171,11 +163,11 @@ impl Nearest<'_> {
     /// Rounding may have placed it a little outside the primitive's box, where a tree would never have looked. A hit
     /// counts only if the ray enters that box, and not before it does; then every node around it is entered no
     /// later, and the answer is the same for every tree, and for none.
-    fn offer(&mut self, t: f64, primitive: Primitive, bounds: impl FnOnce() -> Bounds) {
+    fn offer(&mut self, t: f64, primitive: Primitive) {
         if self.hit.is_some_and(|best| t > best.t) {
             return;
         }
-        let corners = self.aggregate.space.enclose(&bounds()).corners();
+        let corners = self.aggregate.space.enclose(&self.shapes.bounds(primitive)).corners();
         let Some(entry) = self.slab.enter(&corners) else { return };
         let t = t.max(self.slab.unscaled(entry));
         let better =

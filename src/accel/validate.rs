@@ -2,7 +2,6 @@
 
 use super::Aggregate;
 use super::aggregate::MAX_DEPTH;
-use super::anchor_space::Box32;
 use super::statistics::walk;
 use crate::shape::{Primitive, Shapes};
 
@@ -28,12 +27,10 @@ impl Aggregate {
                     return Err(format!("places {places:?} are in two leaves"));
                 }
                 taken[places].fill(true);
-                order.iter().all(|primitive| node.bounds.contains(&self.box_of(shapes, *primitive)))
+                order.iter().all(|primitive| node.bounds.contains(&self.space.enclose(&shapes.bounds(*primitive))))
             } else {
-                {
-                    let children = &self.below[node.first as usize];
-                    [0, 1].iter().all(|side| node.bounds.contains(&children.node(*side).bounds))
-                }
+                let children = &self.below[node.first as usize];
+                [0, 1].iter().all(|side| node.bounds.contains(&children.node(*side).bounds))
             };
             if !inside {
                 return Err(format!("something is outside the box of {node:?}"));
@@ -43,15 +40,6 @@ impl Aggregate {
             return Err("a place is in no leaf".into());
         }
         self.check_primitives(shapes)
-    }
-
-    fn box_of(&self, shapes: &Shapes, primitive: Primitive) -> Box32 {
-        let bounds = if primitive.is_sphere() {
-            shapes.sphere(primitive.index()).bounds()
-        } else {
-            shapes.triangle(primitive.index()).bounds()
-        };
-        self.space.enclose(&bounds)
     }
 
     fn check_primitives(&self, shapes: &Shapes) -> Result<(), String> {

@@ -2,7 +2,7 @@
 
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 use feimos::accel::SplitMethod;
-use feimos::film::{ChannelName, ColorMap, View};
+use feimos::film::{ChannelName, ColorMap, PixelBounds, View};
 use std::path::PathBuf;
 
 /// Hit and depth images of PBRT scenes.
@@ -237,7 +237,7 @@ fn pixel_bounds(text: &str) -> Result<[u32; 4], String> {
 
 fn resolution(text: &str) -> Result<[u32; 2], String> {
     let resolution = integers(parts(text, 'x')?)?;
-    const MAX_SIDE: u32 = 1 << 24;
+    const MAX_SIDE: u32 = PixelBounds::MAX_SIDE;
     match resolution {
         [width, height] if width == 0 || height == 0 => Err("a film needs a pixel at least".to_owned()),
         [width, height] if width.max(height) > MAX_SIDE => Err(format!("at most {MAX_SIDE} pixels along a side")),

@@ -45,6 +45,8 @@ pub(super) struct Finished {
     pub(super) method: SplitMethod,
     pub(super) statistics: Statistics,
     pub(super) rendering: Rendering,
+    /// Of a depth view.
+    pub(super) range: Option<DepthRange>,
     pub(super) ms: Milliseconds,
 }
 
@@ -69,10 +71,10 @@ impl Renderer<'_> {
         let scene = scene?;
         summary::report_scene(&scene, self.reporter);
         let target = self.target(path, &scene)?;
-        let (mut finished, range) = self.make(&scene, target)?;
+        let mut finished = self.make(&scene, target)?;
         finished.ms.load = load;
         finished.ms.total = milliseconds_since(start);
-        summary::report_image(&finished, range, self.reporter);
+        summary::report_image(&finished, self.reporter);
         if self.plan.stats {
             summary::report_statistics(&scene, &finished, self.reporter);
         }
@@ -99,8 +101,8 @@ impl Renderer<'_> {
         Ok(Target { destination, picture, window, build })
     }
 
-    /// Builds, traces and writes; tells the range of a depth view too.
-    fn make(&self, scene: &Scene, target: Target) -> Result<(Finished, Option<DepthRange>)> {
+    /// Builds, traces and writes.
+    fn make(&self, scene: &Scene, target: Target) -> Result<Finished> {
         let Target { destination, picture, window, build } = target;
         let primitives = scene.shapes.primitive_count();
         let build_aggregate =
@@ -121,11 +123,13 @@ impl Renderer<'_> {
         let (rendering, trace_ms) = timed(|| self.bars.during(Phase::Rendering(window.area()), trace));
         let rendering = rendering?;
 
-        let (written, write_ms) = timed(|| picture.write(&rendering.image, &destination, self.overwrite));
-        written?;
+        let (written, write_ms) = timed(|| {
+            let range = picture.range(&rendering.image);
+            picture.write(&rendering.image, range, &destination, self.overwrite).map(|()| range)
+        });
+        let range = written?;
         let ms = Milliseconds { build: build_ms, trace: trace_ms, write: write_ms, ..Milliseconds::default() };
-        let range = picture.range(&rendering.image);
-        Ok((Finished { destination, method, statistics, rendering, ms }, range))
+        Ok(Finished { destination, method, statistics, rendering, range, ms })
     }
 }
 

@@ -2,6 +2,7 @@
 
 use feimos::accel::SplitMethod;
 use feimos::error::{Error, Result};
+use feimos::film::atomic_file::directory_of;
 use std::path::{Path, PathBuf};
 
 /// Where an image goes.
@@ -17,11 +18,7 @@ impl Destination {
     /// The same place by the one name that all its spellings share, as far as its directory exists.
     pub(crate) fn resolved(&self) -> Destination {
         let Destination::File(path) = self else { return self.clone() };
-        let directory = match path.parent() {
-            Some(parent) if parent != Path::new("") => parent,
-            _ => Path::new("."),
-        };
-        match (directory.canonicalize(), path.file_name()) {
+        match (directory_of(path).canonicalize(), path.file_name()) {
             (Ok(directory), Some(name)) => Destination::File(directory.join(name)),
             _ => self.clone(),
         }

@@ -44,28 +44,34 @@ impl Picture {
         }
     }
 
-    /// Writes `image`.
-    pub(crate) fn write(&self, image: &Image, destination: &Destination, overwrite: Overwrite) -> Result<()> {
+    /// Writes `image`; a depth view in `range`, as [`Picture::range`] tells it.
+    pub(crate) fn write(
+        &self,
+        image: &Image,
+        range: Option<DepthRange>,
+        destination: &Destination,
+        overwrite: Overwrite,
+    ) -> Result<()> {
         match destination {
             Destination::File(path) => {
-                atomic_file::write_file(path, overwrite, |out| self.encode(image, out))?;
+                atomic_file::write_file(path, overwrite, |out| self.encode(image, range, out))?;
                 Ok(())
             }
             Destination::Stdout => {
                 let mut bytes = Cursor::new(Vec::new());
-                let encoded = self.encode(image, &mut bytes);
+                let encoded = self.encode(image, range, &mut bytes);
                 write_to_stdout(encoded.map(|()| bytes.into_inner()))
             }
         }
     }
 
-    fn encode(&self, image: &Image, out: &mut (impl Write + Seek)) -> io::Result<()> {
+    fn encode(&self, image: &Image, range: Option<DepthRange>, out: &mut (impl Write + Seek)) -> io::Result<()> {
         match self {
             Picture::Exr { miss, .. } => exr_file::write(image, &exr_header(*miss), out),
             Picture::Hit => png_file::write_hit(image, out),
             Picture::Depth { colors, .. } => {
                 // Without a hit there is no range, and no pixel that would ask for it.
-                let range = self.range(image).unwrap_or(DepthRange { near: 0.0, far: 1.0 });
+                let range = range.unwrap_or(DepthRange { near: 0.0, far: 1.0 });
                 png_file::write_depth(image, *colors, range, out)
             }
         }

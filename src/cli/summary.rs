@@ -3,7 +3,6 @@
 use super::job::Finished;
 use super::record::Milliseconds;
 use super::reporter::Reporter;
-use feimos::film::DepthRange;
 use feimos::scene::Scene;
 
 /// Warnings, what was skipped, and what there is.
@@ -31,12 +30,12 @@ pub(super) fn note_dead(dead: usize, of: usize, reporter: &Reporter) {
 }
 
 /// One line on the image.
-pub(super) fn report_image(finished: &Finished, range: Option<DepthRange>, reporter: &Reporter) {
+pub(super) fn report_image(finished: &Finished, reporter: &Reporter) {
     if finished.rendering.hits == 0 {
         reporter.note("no ray hits anything");
     }
     let window = &finished.rendering.image.data_window;
-    let depth = range.map_or(String::new(), |range| format!(", depth {} to {}", range.near, range.far));
+    let depth = finished.range.map_or(String::new(), |range| format!(", depth {} to {}", range.near, range.far));
     let Milliseconds { load, build, trace, write, .. } = finished.ms;
     reporter.result(format_args!(
         "{}: {} x {} pixels, {} hit{depth} (load {load:.0}, build {build:.0}, trace {trace:.0}, write {write:.0} ms)",

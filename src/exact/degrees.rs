@@ -8,6 +8,7 @@
 //! first, and an irrational value is no tie.
 
 use super::Dyadic;
+use super::powers::mantissa_and_exponent;
 use num_bigint::{BigInt, BigUint};
 
 /// The sine of `angle` degrees; NaN where it is not finite.
@@ -51,11 +52,9 @@ fn reduce(angle: f64) -> Option<Angle> {
     }
     // The remainder of two f64 is exact, and of the sign of the angle.
     let remainder = angle % 360.0;
-    let bits = remainder.abs().to_bits();
-    let (biased, fraction) = (bits >> 52, bits & ((1 << 52) - 1));
-    let (mantissa, exponent) = if biased == 0 { (fraction, 1074) } else { (fraction | 1 << 52, 1075 - biased as i64) };
+    let (mantissa, exponent) = mantissa_and_exponent(remainder);
     // Below 360 the exponent of the last bit is at most 9 - 53.
-    let scale = exponent as u64;
+    let scale = u64::from(exponent.unsigned_abs());
     let magnitude = BigUint::from(mantissa);
     let numerator = if remainder < 0.0 { (BigUint::from(360u32) << scale) - magnitude } else { magnitude };
     Some(Angle { numerator, scale })

@@ -1,5 +1,6 @@
 //! Numbers `m * 2^e`: every finite `f64` is one, and sums and products of them are exact.
 
+use super::powers::{mantissa_and_exponent, power_of_two};
 use num_bigint::{BigInt, BigUint, Sign};
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -50,13 +51,9 @@ impl From<f64> for Dyadic {
     /// Where `value` is not finite.
     fn from(value: f64) -> Dyadic {
         assert!(value.is_finite(), "{value} is not an integer times a power of two");
-        let bits = value.to_bits();
-        let biased = (bits >> 52) & 0x7ff;
-        let fraction = bits & ((1 << 52) - 1);
-        let (mantissa, exponent) =
-            if biased == 0 { (fraction, -1074) } else { (fraction | 1 << 52, biased as i64 - 1075) };
+        let (mantissa, exponent) = mantissa_and_exponent(value);
         let sign = if value.is_sign_negative() { Sign::Minus } else { Sign::Plus };
-        Dyadic { mantissa: BigInt::from_biguint(sign, BigUint::from(mantissa)), exponent }
+        Dyadic { mantissa: BigInt::from_biguint(sign, BigUint::from(mantissa)), exponent: exponent.into() }
     }
 }
 
@@ -130,13 +127,8 @@ fn scale_and_round(significand: u128, exponent: i64) -> f64 {
         return f64::INFINITY;
     }
     // Exact in two steps: a factor of 2^-1074 alone would not be a normal number.
-    let half_exponent = last / 2;
-    rounded as f64 * power_of_two(half_exponent) * power_of_two(last - half_exponent)
-}
-
-/// `2^exponent` for exponents of normal numbers.
-fn power_of_two(exponent: i64) -> f64 {
-    f64::from_bits(((exponent + 1023) as u64) << 52)
+    let half_exponent = last as i32 / 2;
+    rounded as f64 * power_of_two(half_exponent) * power_of_two(last as i32 - half_exponent)
 }
 
 #[cfg(test)]

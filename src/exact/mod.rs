@@ -2,5 +2,7 @@
 
 pub mod degrees;
 mod dyadic;
+mod powers;
 
 pub use dyadic::Dyadic;
+pub use powers::{exponent_of, power_of_two};

@@ -14,6 +14,9 @@ pub struct PixelBounds {
 }
 
 impl PixelBounds {
+    /// Pixels along a side of a film at most.
+    pub const MAX_SIDE: u32 = 1 << 24;
+
     /// All pixels of a film of `width` by `height`.
     pub fn of_film(width: u32, height: u32) -> PixelBounds {
         PixelBounds { x0: 0, x1: width, y0: 0, y1: height }

@@ -18,12 +18,19 @@ const MOST_BYTES: u64 = 64 << 20;
 const TRUSTED_TIMES: usize = 16;
 
 /// Whether `bytes` are compressed.
-pub(super) fn recognises(bytes: &[u8]) -> bool {
+fn recognises(bytes: &[u8]) -> bool {
     bytes.starts_with(MAGIC)
 }
 
-/// The content of the file `path`, whose bytes are `bytes`.
-pub(super) fn decompressed<'a>(path: &Path, bytes: &'a [u8]) -> Result<Cow<'a, [u8]>> {
+/// What `parse` makes of the content of the file `path`, whose bytes are `bytes`.
+pub(super) fn parsed<T>(path: &Path, bytes: &[u8], parse: impl FnOnce(&[u8]) -> Result<T>) -> Result<T> {
+    parse(&decompressed(path, bytes)?).map_err(|error| match recognises(bytes) {
+        true => error.note("places count in the decompressed file"),
+        false => error,
+    })
+}
+
+fn decompressed<'a>(path: &Path, bytes: &'a [u8]) -> Result<Cow<'a, [u8]>> {
     if !recognises(bytes) {
         return Ok(Cow::Borrowed(bytes));
     }

@@ -34,7 +34,6 @@ pub(super) fn scene_of_mesh(path: &Path, loaded: Loaded, options: &LoadOptions) 
     let mut shapes = Shapes::default();
     let added = shapes.add_mesh(loaded.mesh.vertices, loaded.mesh.triangles, &Matrix::IDENTITY, 1);
     added.map_err(|error| Error::bad_input(Diagnostic::new(error.to_string()).at(SourceLocation::file(path))))?;
-    shapes.add_transform(Matrix::IDENTITY);
     let aspect = f64::from(resolution[0]) / f64::from(resolution[1]);
     Ok(Scene {
         camera: Camera {

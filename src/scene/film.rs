@@ -25,13 +25,11 @@ pub(super) struct FilmParameters {
     pub(super) filename: Option<String>,
 }
 
-/// Pixels along a side at most.
-const MAX_SIDE: i64 = 1 << 24;
-
 impl FilmParameters {
     pub(super) fn read(parameters: &mut Parameters) -> Result<FilmParameters> {
-        let x_resolution = parameters.integer("xresolution", 1, MAX_SIDE)?.map(|x| x as u32);
-        let y_resolution = parameters.integer("yresolution", 1, MAX_SIDE)?.map(|y| y as u32);
+        let most = PixelBounds::MAX_SIDE.into();
+        let x_resolution = parameters.integer("xresolution", 1, most)?.map(|x| x as u32);
+        let y_resolution = parameters.integer("yresolution", 1, most)?.map(|y| y as u32);
         let crop_window = parameters.fixed_numbers::<4>("cropwindow")?;
         if crop_window.is_some_and(|window| !window.iter().all(|fraction| (0.0..=1.0).contains(fraction))) {
             let error = parameters.error_at("cropwindow", "`cropwindow` takes fractions of the film, from 0 to 1");

@@ -1,7 +1,7 @@
 //! All geometry of a scene, in the order of the file.
 
 use super::{Primitive, Sphere, Triangle};
-use crate::geometry::{Matrix, Point};
+use crate::geometry::{Bounds, Matrix, Point, Ray};
 use rayon::prelude::*;
 use std::fmt;
 
@@ -159,6 +159,19 @@ impl Shapes {
     pub fn sphere(&self, index: usize) -> Sphere {
         let stored = &self.spheres[index];
         Sphere { world_from_object: self.transforms[stored.transform as usize], radius: stored.radius }
+    }
+
+    /// The `t` at which `ray` meets a primitive first, if it does.
+    #[inline]
+    pub fn intersect(&self, primitive: Primitive, ray: &Ray) -> Option<f64> {
+        let index = primitive.index();
+        if primitive.is_sphere() { self.sphere(index).intersect(ray) } else { self.triangle(index).intersect(ray) }
+    }
+
+    /// The box around a primitive.
+    pub fn bounds(&self, primitive: Primitive) -> Bounds {
+        let index = primitive.index();
+        if primitive.is_sphere() { self.sphere(index).bounds() } else { self.triangle(index).bounds() }
     }
 
     /// The primitive number, from 0 in the order of the file (rule E3).

@@ -1,5 +1,6 @@
 //! Spheres under an affine transform: the stable test in `f64`.
 
+use crate::exact::{exponent_of, power_of_two};
 use crate::geometry::{Bounds, Matrix, Point, Ray, Vector};
 
 /// The points `world_from_object * q` with `|q| = radius`.
@@ -93,7 +94,7 @@ fn power_of_two_near(x: f64) -> f64 {
     if x == 0.0 || !x.is_finite() {
         return 1.0;
     }
-    f64::from_bits(x.max(f64::MIN_POSITIVE).to_bits() & (0x7ff << 52))
+    power_of_two(exponent_of(x.max(f64::MIN_POSITIVE)))
 }
 
 #[cfg(test)]

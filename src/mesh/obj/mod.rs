@@ -21,11 +21,7 @@ const OPTIONS: tobj::LoadOptions =
 
 /// Reads the bytes of an OBJ file, compressed or not; `path` is for messages only.
 pub fn parse_obj(path: &Path, bytes: &[u8]) -> Result<Loaded> {
-    let content = gzip::decompressed(path, bytes)?;
-    parse(path, signature::without_utf8_mark(&content)).map_err(|error| match gzip::recognises(bytes) {
-        true => error.note("places count in the decompressed file"),
-        false => error,
-    })
+    gzip::parsed(path, bytes, |content| parse(path, signature::without_utf8_mark(content)))
 }
 
 fn parse(path: &Path, text: &[u8]) -> Result<Loaded> {

@@ -24,11 +24,7 @@ use crate::error::Result;
 
 /// Reads the bytes of a PLY file, compressed or not; `path` is for messages only.
 pub fn parse_ply(path: &Path, bytes: &[u8]) -> Result<Loaded> {
-    let content = gzip::decompressed(path, bytes)?;
-    parse(path, &content).map_err(|error| match gzip::recognises(bytes) {
-        true => error.note("places count in the decompressed file"),
-        false => error,
-    })
+    gzip::parsed(path, bytes, |content| parse(path, content))
 }
 
 fn parse(path: &Path, content: &[u8]) -> Result<Loaded> {
