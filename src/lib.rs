@@ -9,7 +9,7 @@
 //! it is built this way, `docs/accuracy.md` which numbers are rounded on the way.
 //!
 //! ```
-//! use feimos::accel::{Aggregate, BuildOptions, SplitMethod};
+//! use feimos::accel::{Aggregate, BuildOptions, Precision, SplitMethod};
 //! use feimos::film::ChannelName;
 //! use feimos::progress::Progress;
 //! use feimos::render::{RenderOptions, render};
@@ -25,6 +25,7 @@
 //!     channels: vec![ChannelName::Z],
 //!     miss: f32::INFINITY,
 //!     counted: false,
+//!     precision: Precision::Exact,
 //! };
 //! let rendering = render(&scene.camera, &scene.shapes, &aggregate, &options, Progress::SILENT)?;
 //! let depths = rendering.image.measures(ChannelName::Z).expect("the channel asked for");
@@ -44,6 +45,7 @@ pub mod geometry;
 mod input;
 pub mod mesh;
 pub mod progress;
+pub mod reference;
 pub mod render;
 pub mod scene;
 pub mod shape;

@@ -1,10 +1,9 @@
 //! Tiles of rays in parallel, from a scene and its aggregate to an image.
 
-use crate::accel::{Aggregate, Hit, Tracer, Work};
+use crate::accel::{Aggregate, Depth, Fallbacks, Precision, Tracer, Work};
 use crate::camera::Camera;
 use crate::error::{Diagnostic, Error, ErrorKind, Result};
 use crate::film::{Channel, ChannelName, Image, PixelBounds, Samples};
-use crate::geometry::Ray;
 use crate::progress::Progress;
 use crate::shape::{Primitive, Shapes};
 use rayon::prelude::*;
@@ -22,6 +21,8 @@ pub struct RenderOptions {
     pub data_window: PixelBounds,
     /// The channels wanted; only these are made.
     pub channels: Vec<ChannelName>,
+    /// How hits are decided and rounded.
+    pub precision: Precision,
     /// What `Z` and `t` hold where nothing is hit.
     pub miss: f32,
     /// Whether to count nodes and primitives tested.
@@ -37,6 +38,8 @@ pub struct Rendering {
     pub hits: u64,
     /// What all rays together cost, if that was asked for.
     pub work: Option<Work>,
+    /// How often integers were needed for the exact answer.
+    pub fallbacks: Fallbacks,
 }
 
 /// Casts one ray through the centre of every pixel wanted, on the threads of the current rayon pool.
@@ -55,14 +58,11 @@ pub fn render(
     let mut channels = allocate(options)?;
     let renderer = Renderer { camera, shapes, aggregate, options, progress };
     let bands = bands_of(&mut channels, &options.data_window);
-    let (hits, work) = bands.into_par_iter().map(|band| renderer.fill(band)).reduce(Default::default, |a, b| {
-        let mut work = a.1;
-        work += b.1;
-        (a.0 + b.0, work)
-    });
+    let counts = bands.into_par_iter().map(|band| renderer.fill(band)).reduce(Counts::default, Counts::plus);
+    let Counts { hits, work, fallbacks } = counts;
     let [width, height] = camera.resolution;
     let image = Image { display_window: (width, height), data_window: options.data_window, channels };
-    Ok(Rendering { image, hits, work: options.counted.then_some(work) })
+    Ok(Rendering { image, hits, work: options.counted.then_some(work), fallbacks })
 }
 
 fn allocate(options: &RenderOptions) -> Result<Vec<Channel>> {
@@ -135,16 +135,32 @@ fn bands_of<'a>(channels: &'a mut [Channel], window: &PixelBounds) -> Vec<Band<'
 /// What a tile knows of a pixel that hit.
 #[derive(Clone, Copy)]
 struct TileHit {
-    z: f32,
-    t: f32,
+    depth: Depth,
     primitive: Primitive,
+}
+
+/// What the rays of a part of the film add up to.
+#[derive(Clone, Copy, Default)]
+struct Counts {
+    hits: u64,
+    work: Work,
+    fallbacks: Fallbacks,
+}
+
+impl Counts {
+    fn plus(mut self, other: Counts) -> Counts {
+        self.hits += other.hits;
+        self.work += other.work;
+        self.fallbacks += other.fallbacks;
+        self
+    }
 }
 
 /// The hits of a tile, row by row.
 struct Tile {
     bounds: PixelBounds,
     hits: Vec<Option<TileHit>>,
-    work: Work,
+    counts: Counts,
 }
 
 struct Renderer<'a> {
@@ -156,8 +172,8 @@ struct Renderer<'a> {
 }
 
 impl Renderer<'_> {
-    /// Traces the tiles of a band and puts them into its channels; returns hits and work.
-    fn fill(&self, mut band: Band) -> (u64, Work) {
+    /// Traces the tiles of a band and puts them into its channels; returns what they add up to.
+    fn fill(&self, mut band: Band) -> Counts {
         let columns: Vec<u32> = (band.bounds.x0..band.bounds.x1).step_by(TILE as usize).collect();
         let tiles: Vec<Tile> = columns
             .into_par_iter()
@@ -166,27 +182,32 @@ impl Renderer<'_> {
         for (name, samples) in &mut band.channels {
             tiles.iter().for_each(|tile| self.put(tile, &band.bounds, *name, samples));
         }
-        let mut work = Work::default();
-        tiles.iter().for_each(|tile| work += tile.work);
-        (tiles.iter().map(|tile| tile.hits.iter().flatten().count() as u64).sum(), work)
+        tiles.iter().map(|tile| tile.counts).fold(Counts::default(), Counts::plus)
     }
 
     fn trace(&self, bounds: PixelBounds) -> Tile {
-        let mut tile = Tile { bounds, hits: Vec::with_capacity(bounds.area() as usize), work: Work::default() };
-        let mut tracer = Tracer::new(self.aggregate, self.shapes);
+        let mut hits = Vec::with_capacity(bounds.area() as usize);
+        let mut work = Work::default();
+        let mut tracer = Tracer::new(self.aggregate, self.shapes, self.options.precision);
+        // A picture of hits alone asks no hit how far away it is.
+        let with_depth = self.options.channels.iter().any(|name| matches!(name, ChannelName::Z | ChannelName::T));
         for y in bounds.y0..bounds.y1 {
             for x in bounds.x0..bounds.x1 {
                 let ray = self.camera.ray(x, y);
                 let hit = if self.options.counted {
-                    tracer.closest_hit_counted(&ray, &mut tile.work)
+                    tracer.closest_hit_counted(&ray, &mut work)
                 } else {
                     tracer.closest_hit(&ray)
                 };
-                tile.hits.push(hit.map(|hit| TileHit::new(&hit, &ray)));
+                hits.push(hit.map(|hit| {
+                    let depth = if with_depth { tracer.depth(&ray, &hit) } else { Depth::default() };
+                    TileHit { depth, primitive: hit.primitive }
+                }));
             }
         }
         self.progress.advance(bounds.area() as usize);
-        tile
+        let count = hits.iter().flatten().count() as u64;
+        Tile { bounds, hits, counts: Counts { hits: count, work, fallbacks: tracer.fallbacks() } }
     }
 
     fn put(&self, tile: &Tile, band: &PixelBounds, name: ChannelName, samples: &mut BandSamples) {
@@ -194,8 +215,8 @@ impl Renderer<'_> {
         let miss = self.options.miss;
         match samples {
             BandSamples::F32(values) => match name {
-                ChannelName::Z => put(tile, band, values, miss, |hit| hit.z),
-                ChannelName::T => put(tile, band, values, miss, |hit| hit.t),
+                ChannelName::Z => put(tile, band, values, miss, |hit| hit.depth.z),
+                ChannelName::T => put(tile, band, values, miss, |hit| hit.depth.t),
                 _ => put(tile, band, values, 0.0, |_| 1.0),
             },
             BandSamples::U32(values) => match name {
@@ -203,14 +224,6 @@ impl Renderer<'_> {
                 _ => put(tile, band, values, 0, |hit| shapes.number(hit.primitive) + 1),
             },
         }
-    }
-}
-
-impl TileHit {
-    /// Rounds to what images hold: `Z` is the ray's parameter, `t` the distance (rule E4, but for the last bit).
-    fn new(hit: &Hit, ray: &Ray) -> TileHit {
-        let speed = ray.direction.dot(ray.direction).sqrt();
-        TileHit { z: hit.t as f32, t: (hit.t * speed) as f32, primitive: hit.primitive }
     }
 }
 

@@ -6,7 +6,7 @@
 mod common;
 
 use common::{agreed_picture, picture, scene, whole};
-use feimos::accel::{BuildOptions, SplitMethod};
+use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::camera::{Camera, Projection, ScreenWindow};
 use feimos::film::{ChannelName, PixelBounds};
 use feimos::geometry::{Matrix, Point, Transform, Vector};
@@ -75,7 +75,7 @@ impl Setting {
         for (ball, shape) in self.balls.iter().zip(2..) {
             let place = Matrix::translate(ball.centre.map(f64::from)).times(&turn);
             let transform = shapes.add_transform(place.times(&Matrix::scale(ball.stretch.map(f64::from))));
-            shapes.add_sphere(f64::from(ball.radius), transform, shape).unwrap();
+            shapes.add_sphere(f64::from(ball.radius), None, transform, shape).unwrap();
         }
         add_mesh(&mut shapes, second, &turn, 100);
         shapes
@@ -106,7 +106,9 @@ proptest! {
 
     #[test]
     fn accelerators_agree(setting in setting()) {
-        agreed_picture(&setting.camera(), &setting.shapes());
+        for precision in Precision::ALL {
+            agreed_picture(&setting.camera(), &setting.shapes(), precision);
+        }
     }
 
     /// Pixels of a crop are those of the whole picture.
@@ -116,8 +118,8 @@ proptest! {
         let [width, height] = camera.resolution;
         let crop = PixelBounds { x0: x % width, x1: width, y0: y % height, y1: height };
         let options = BuildOptions::new(SplitMethod::Sah);
-        let image = picture(&camera, &shapes, options, 2, whole(&camera)).image;
-        let part = picture(&camera, &shapes, options, 1, crop).image;
+        let image = picture(&camera, &shapes, options, Precision::Exact, 2, whole(&camera)).image;
+        let part = picture(&camera, &shapes, options, Precision::Exact, 1, crop).image;
         let (prim, part) = (image.numbers(ChannelName::Prim).unwrap(), part.numbers(ChannelName::Prim).unwrap());
         for (row, y) in (crop.y0..crop.y1).enumerate() {
             let of_whole = &prim[(y * width + crop.x0) as usize..(y * width + crop.x1) as usize];
@@ -138,7 +140,7 @@ fn hard_scenes_agree_and_hold_no_nan() {
             continue;
         }
         let scene = scene(&path);
-        let image = agreed_picture(&scene.camera, &scene.shapes).image;
+        let image = agreed_picture(&scene.camera, &scene.shapes, Precision::Fast).image;
         for name in [ChannelName::Z, ChannelName::T] {
             let nan = image.measures(name).unwrap().iter().filter(|value| value.is_nan()).count();
             assert_eq!(nan, 0, "{}", path.display());
@@ -181,14 +183,16 @@ fn ties_go_to_the_first_in_the_file() {
         screen_window: ScreenWindow::of_aspect(1.0),
         resolution: [1, 1],
     };
-    let first = |shapes: &Shapes| agreed_picture(&camera, shapes).image.numbers(ChannelName::Prim).unwrap()[0];
-    shapes.add_sphere(1.0, transform, 1).unwrap();
+    let first = |shapes: &Shapes| {
+        agreed_picture(&camera, shapes, Precision::Exact).image.numbers(ChannelName::Prim).unwrap()[0]
+    };
+    shapes.add_sphere(1.0, None, transform, 1).unwrap();
     add_mesh(&mut shapes, &plate, &Matrix::IDENTITY, 2);
     assert_eq!(first(&shapes), 1);
     let mut reversed = Shapes::default();
     add_mesh(&mut reversed, &plate, &Matrix::IDENTITY, 1);
     add_mesh(&mut reversed, &plate, &Matrix::IDENTITY, 2);
     let transform = reversed.add_transform(Matrix::translate([0.0, 0.0, 3.0]));
-    reversed.add_sphere(1.0, transform, 3).unwrap();
+    reversed.add_sphere(1.0, None, transform, 3).unwrap();
     assert_eq!(first(&reversed), 1);
 }

@@ -3,6 +3,7 @@
 mod common;
 
 use common::agreed_picture;
+use feimos::accel::Precision;
 use feimos::camera::{Camera, Projection, ScreenWindow};
 use feimos::geometry::{Matrix, Point, Transform, Vector};
 use feimos::shape::Shapes;
@@ -35,7 +36,7 @@ fn spheres(all: impl IntoIterator<Item = (Matrix, f64)>) -> Shapes {
     let mut shapes = Shapes::default();
     for (matrix, radius) in all {
         let transform = shapes.add_transform(matrix);
-        shapes.add_sphere(radius, transform, 1).unwrap();
+        shapes.add_sphere(radius, None, transform, 1).unwrap();
     }
     shapes
 }
@@ -46,7 +47,7 @@ const IN_TRIANGLE: u64 = 5;
 
 /// Hits of the 49 pixels, on which all builders agree.
 fn hits(shapes: &Shapes) -> u64 {
-    agreed_picture(&camera(), shapes).hits
+    Precision::ALL.map(|precision| agreed_picture(&camera(), shapes, precision).hits)[0]
 }
 
 #[test]

@@ -3,14 +3,15 @@
 mod common;
 
 use common::{picture, scene};
-use feimos::accel::{BuildOptions, SplitMethod};
+use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::film::ChannelName;
 use std::path::Path;
 
 /// Hit pixels, the sum of `Z` and that of `t`; each value rounded to `f32` before it is added.
 fn sums(name: &str, method: SplitMethod) -> (u64, f64, f64) {
     let scene = scene(&Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes").join(name));
-    let rendering = picture(&scene.camera, &scene.shapes, BuildOptions::new(method), 2, scene.film.crop);
+    let rendering =
+        picture(&scene.camera, &scene.shapes, BuildOptions::new(method), Precision::Exact, 2, scene.film.crop);
     let sum = |channel| {
         let values = rendering.image.measures(channel).unwrap().iter();
         values.filter(|value| value.is_finite()).map(|value| f64::from(*value)).sum()

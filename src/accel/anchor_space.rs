@@ -1,13 +1,42 @@
 //! Boxes and rays in `f32`, relative to an anchor, rounded so that no hit is lost.
 //!
 //! Anchor space is world space moved so that the anchor (the eye of the view) is the origin, and scaled by a power
-//! of two so that nothing overflows. Boxes are rounded outward *strictly*: no face of a box touches what is in it,
-//! so a ray that lies in the plane of a face can miss the box without missing a primitive, and the product
-//! `0 * infinity` decides nothing.
+//! of two so that nothing overflows.
 //!
-//! Every step is monotone: a larger box gives an earlier entry and a later exit, in floating point too. So what
-//! passes the test of a primitive's own box passes that of every node around it, and the answer of a traversal
-//! cannot depend on the tree.
+//! # Why no box loses a hit
+//!
+//! Let a ray hit a primitive at p = o + T d, T > 0, exactly. In exact anchor space, along one axis, with D the direction
+//! times its own power of two and T in the units that follow, T = (P - O) / D where D is not 0; the primitive's bounds
+//! are L <= P <= H. Let u = 2^-24.
+//!
+//! *Boxes* are stored as l < L and h > H, strictly. The difference to the anchor is rounded to the nearest `f64`, and l is the
+//! next `f32` below that result, so at least one unit in the last place of the `f64` below it, where the result is off by
+//! half of one. What underflows in the scaling is by far smaller than the least `f32`. The same rounding is monotone,
+//! and that settles what lies in the plane of a face: of two coordinates the larger one stays the larger or becomes
+//! equal, and only then the strict step is taken.
+//!
+//! *Origins* are bracketed by ol <= o' <= oh in `f32`, where o' is the computed difference, which for an eye that is the
+//! anchor is 0, and otherwise is off by 2^-53 |O| at most.
+//!
+//! *Entry.* Where l - oh is not above 0, its product is not above 0 either, and T is. Else l and oh are different `f32`, so
+//! that l - oh >= u |oh|, of which the error of O is a 2^-29th. The reciprocal of D, its narrowing to `f32`, its product with
+//! `SHRINK`, the difference and the product with it each round by u at most: computed is at most
+//! (L - O) / D (1 + u)^5 (1 - 8u) < T (1 - 2u), or 2^-150 more, where the product underflows. A reciprocal too large for
+//! `f32` becomes its largest number, which is smaller.
+//!
+//! *Exit.* h > H >= P and the monotone rounding of both give h > ol, strictly: the product is above 0 even where the
+//! reciprocal is infinite, and `0 * infinity` cannot occur. By the same count it is at least T (1 + 2u), or 2^-150 less.
+//!
+//! *D = 0*: then P = O, so l < oh and h > ol: the entry is below 0 and the exit infinite. *A component that underflows* when D
+//! is scaled would be neither; such an axis is left out. *NaN* only comes from infinite bounds: the comparison with it fails
+//! in favour of what was known before.
+//!
+//! So the latest entry is at most T (1 - 2u) + 2^-150 and the earliest exit at least T (1 + 2u) - 2^-150: the box is entered, and
+//! no later than T. The entry is compared with the upper end of the best hit's bracket, rounded up, so that what lies as near
+//! as the best is visited: it may win the tie.
+//!
+//! *Trees.* A node's box is the union of those below it. Every step is monotone: a larger box gives an earlier entry and
+//! a later exit, in floating point too. So whatever enters a primitive's box enters every node around it, no later.
 
 use crate::exact::{exponent_of, power_of_two};
 use crate::geometry::{Bounds, Point, Ray};
@@ -16,7 +45,9 @@ use crate::geometry::{Bounds, Point, Ray};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct AnchorSpace {
     anchor: Point,
-    /// A power of two.
+    /// Coordinates are multiplied by this power of two before the anchor's are subtracted; 1 unless that would overflow.
+    before: f64,
+    /// A power of two, for the differences.
     scale: f64,
 }
 
@@ -35,56 +66,99 @@ pub(super) type Corners = [[f32; 4]; 2];
 const LARGEST_EXPONENT: i32 = 31;
 
 impl AnchorSpace {
-    /// For points around `anchor` whose coordinates differ from it by up to `reach`.
+    /// For points around `anchor` whose coordinates differ from it by up to `reach`, which is infinite where a difference
+    /// overflows.
     pub(super) fn new(anchor: Point, reach: f64) -> AnchorSpace {
-        let exponent = if reach > 0.0 && reach.is_finite() { exponent_of(reach) } else { 0 };
+        let before = if reach == f64::INFINITY { 0.25 } else { 1.0 };
+        let exponent = match reach {
+            f64::INFINITY => 1023,
+            0.0 => 0,
+            reach => exponent_of(reach),
+        };
         // Within the exponents of normal numbers; at the ends the outward rounding does what is left.
-        AnchorSpace { anchor, scale: power_of_two((LARGEST_EXPONENT - exponent).clamp(-1000, 1000)) }
+        AnchorSpace { anchor, before, scale: power_of_two((LARGEST_EXPONENT - exponent).clamp(-1000, 1000)) }
+    }
+
+    /// A coordinate of a point, before it is narrowed to `f32`.
+    #[inline]
+    fn coordinate(&self, point: &Point, axis: usize) -> f64 {
+        (point[axis] * self.before - self.anchor[axis] * self.before) * self.scale
     }
 
     /// The box around world-space `bounds`, strictly.
     pub(super) fn enclose(&self, bounds: &Bounds) -> Box32 {
-        // The subtraction is off by half a unit of the last place of an f64 at most, and the strict step to an
-        // f32 below it by a whole one at least: the result stays outside.
-        let low = |k| below((bounds.low[k] - self.anchor[k]) * self.scale);
-        let high = |k| above((bounds.high[k] - self.anchor[k]) * self.scale);
+        let low = |k| below(self.coordinate(&bounds.low, k));
+        let high = |k| above(self.coordinate(&bounds.high, k));
         Box32 { low: std::array::from_fn(low), high: std::array::from_fn(high) }
     }
 
     /// The ray as the slab test needs it.
     pub(super) fn ray(&self, ray: &Ray) -> SlabRay {
-        let largest = ray.direction[ray.direction.largest_axis()].abs();
-        let direction_scale = power_of_two(-exponent_of(largest).clamp(-1000, 1000));
-        let ratio = self.scale / direction_scale;
+        let direction_scale = direction_scale(ray);
+        let ratio = self.scale * self.before / direction_scale;
         let mut slab = SlabRay {
             near_corner: [0; 3],
             near_origin: [0.0; 3],
             far_origin: [0.0; 3],
             near_inverse: [0.0; 3],
             far_inverse: [0.0; 3],
-            // Beyond the range of f64 nothing is culled, and no entry is later than 0.
+            // Beyond the range of f64 nothing is culled.
             scaled_t_per_t: if ratio.is_normal() { ratio } else { f64::INFINITY },
         };
         for k in 0..3 {
-            let origin = (ray.origin[k] - self.anchor[k]) * self.scale;
-            let (low, high) = (at_or_below(origin), -at_or_below(-origin));
-            let direction = ray.direction[k] * direction_scale;
-            let negative = direction < 0.0;
-            let inverse = (1.0 / direction.abs()) as f32;
-            let sign = if negative { -1.0 } else { 1.0 };
-            slab.near_corner[k] = usize::from(negative);
-            (slab.near_origin[k], slab.far_origin[k]) = if negative { (low, high) } else { (high, low) };
-            // Never infinite, or a ray that starts a rounding before a face would reach it too late.
-            slab.near_inverse[k] = sign * (inverse * SHRINK).min(f32::MAX);
-            // Infinite where the direction is 0: then the ray never leaves.
-            slab.far_inverse[k] = sign * inverse * GROW;
+            slab.prepare_axis(k, self.coordinate(&ray.origin, k), ray.direction[k], direction_scale);
         }
         slab
     }
+
+    /// The ray as the test in `f32` needs it, each number rounded to the nearest.
+    pub(super) fn single_ray(&self, ray: &Ray) -> SingleRay {
+        let direction_scale = direction_scale(ray);
+        SingleRay {
+            origin: self.place(&ray.origin),
+            direction: ray.direction.to_array().map(|component| (component * direction_scale) as f32),
+            largest_axis: ray.direction.largest_axis(),
+            direction_scale,
+            space: *self,
+        }
+    }
+
+    /// A point in anchor space, each coordinate rounded to the nearest `f32`.
+    #[inline]
+    pub(super) fn place(&self, point: &Point) -> [f32; 3] {
+        std::array::from_fn(|k| self.coordinate(point, k) as f32)
+    }
+
+    /// Units of anchor space in one of world space.
+    pub(super) fn units(&self) -> f64 {
+        self.scale * self.before
+    }
 }
 
-/// Four roundings to nearest lie between the exact quotient and the computed one (reciprocal, its narrowing to
-/// `f32`, difference, product), 2^-24 each; twice that is ample.
+/// A power of two by which the largest component of the direction becomes about 1.
+fn direction_scale(ray: &Ray) -> f64 {
+    power_of_two(-exponent_of(ray.direction.largest()).clamp(-1000, 1000))
+}
+
+/// A ray in anchor space, in `f32`.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct SingleRay {
+    pub(super) origin: [f32; 3],
+    /// Times a power of two.
+    pub(super) direction: [f32; 3],
+    pub(super) largest_axis: usize,
+    direction_scale: f64,
+    space: AnchorSpace,
+}
+
+impl SingleRay {
+    /// The `t` of the ray in world space for one in anchor space.
+    pub(super) fn unscaled(&self, scaled: f32) -> f64 {
+        f64::from(scaled) * self.direction_scale / self.space.before / self.space.scale
+    }
+}
+
+/// Five roundings to nearest lie between the exact quotient and the computed one, 2^-24 each: see the head of this file.
 const SHRINK: f32 = 1.0 - 8.0 * (f32::EPSILON / 2.0);
 const GROW: f32 = 1.0 + 8.0 * (f32::EPSILON / 2.0);
 
@@ -106,6 +180,27 @@ pub(super) struct SlabRay {
 }
 
 impl SlabRay {
+    /// Prepares axis `k` for a ray from `origin`, in anchor space.
+    fn prepare_axis(&mut self, k: usize, origin: f64, direction: f64, direction_scale: f64) {
+        let negative = direction < 0.0;
+        let sign = if negative { -1.0 } else { 1.0 };
+        self.near_corner[k] = usize::from(negative);
+        let scaled = (direction * direction_scale).abs();
+        if scaled < f64::MIN_POSITIVE && direction != 0.0 {
+            // Underflow: nobody knows when the ray leaves this slab, so it is taken for endless.
+            (self.near_origin[k], self.far_origin[k]) = (sign * f32::INFINITY, sign * f32::NEG_INFINITY);
+            (self.near_inverse[k], self.far_inverse[k]) = (sign, sign);
+            return;
+        }
+        let (low, high) = (at_or_below(origin), -at_or_below(-origin));
+        (self.near_origin[k], self.far_origin[k]) = if negative { (low, high) } else { (high, low) };
+        let inverse = (1.0 / scaled) as f32;
+        // Never infinite, or a ray that starts a rounding before a face would reach it too late.
+        self.near_inverse[k] = sign * (inverse * SHRINK).min(f32::MAX);
+        // Infinite where the direction is 0: then the ray never leaves.
+        self.far_inverse[k] = sign * inverse * GROW;
+    }
+
     /// The scaled `t` at which the ray enters the box, never too late, or `None` where it misses the box (Kay and
     /// Kajiya's slabs, 1986; rounding as Ize, "Robust BVH Ray Traversal", 2013).
     ///
@@ -129,12 +224,6 @@ impl SlabRay {
     #[inline]
     pub(super) fn scaled_limit(&self, t: f64) -> f32 {
         -at_or_below(-(t * self.scaled_t_per_t))
-    }
-
-    /// The `t` of the ray for a scaled one.
-    #[inline]
-    pub(super) fn unscaled(&self, scaled: f32) -> f64 {
-        f64::from(scaled) / self.scaled_t_per_t
     }
 }
 
@@ -239,7 +328,8 @@ mod tests {
         let ray = Ray { origin: Point::default(), direction: Vector::new(0.0, 0.0, 1.0) };
         let slab = space.ray(&ray);
         let near = enter(&slab, &space.enclose(&flat)).expect("it lies in the box");
-        assert!(slab.unscaled(near) < 2.0 && slab.unscaled(near) > 1.999);
+        let near_t = space.single_ray(&ray).unscaled(near);
+        assert!(near_t < 2.0 && near_t > 1.999);
         assert!(near > slab.scaled_limit(1.0) && near <= slab.scaled_limit(2.0));
     }
 
@@ -259,13 +349,14 @@ mod tests {
             let space = AnchorSpace::new(anchor, 8.0 * size);
             let toward = target - origin;
             let direction = Vector::from(toward.to_array().map(|x| x / size * speed));
-            let slab = space.ray(&Ray { origin, direction });
+            let ray = Ray { origin, direction };
+            let slab = space.ray(&ray);
             let content = space.enclose(&Bounds { low: target, high: target });
             let t = size / speed;
             prop_assume!(t.is_normal());
             let near = enter(&slab, &content);
             prop_assert!(near.is_some());
-            prop_assert!(slab.unscaled(near.unwrap()) <= t);
+            prop_assert!(space.single_ray(&ray).unscaled(near.unwrap()) <= t);
             prop_assert!(near.unwrap() <= slab.scaled_limit(t));
         }
 

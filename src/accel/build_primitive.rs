@@ -35,11 +35,11 @@ pub(super) fn collect(shapes: &Shapes, anchor: Point) -> (AnchorSpace, Vec<Build
     (space, triangles.chain(spheres).collect())
 }
 
-/// How far any coordinate is from the anchor's, infinite ones left out.
+/// How far any coordinate is from the anchor's, those left out that are not finite themselves.
 fn reach(shapes: &Shapes, anchor: Point) -> f64 {
     let distance = |point: Point| {
-        let [x, y, z] = (point - anchor).to_array().map(|d| if d.is_finite() { d.abs() } else { 0.0 });
-        x.max(y).max(z)
+        let along = |k| if f64::is_finite(point[k]) { (point[k] - anchor[k]).abs() } else { 0.0 };
+        f64::max(along(0), along(1)).max(along(2))
     };
     let vertices = shapes.vertices().par_iter().map(|vertex| distance(*vertex)).reduce(|| 0.0, f64::max);
     let sphere = |index| {

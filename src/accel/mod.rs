@@ -5,16 +5,25 @@
 mod aggregate;
 mod anchor_space;
 mod build_primitive;
+mod depth;
+mod exact_search;
+mod fast_search;
+mod hit;
 mod hlbvh;
 mod node;
+mod precision;
 mod split_method;
 mod splitter;
 mod statistics;
 mod top_down;
+mod tracer;
 mod traversal;
 mod validate;
 
 pub use aggregate::{Aggregate, BuildOptions};
+pub use depth::Depth;
+pub use hit::{Fallbacks, Hit, Work};
+pub use precision::Precision;
 pub use split_method::SplitMethod;
 pub use statistics::Statistics;
-pub use traversal::{Hit, Tracer, Work};
+pub use tracer::Tracer;

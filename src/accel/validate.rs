@@ -3,7 +3,7 @@
 use super::Aggregate;
 use super::aggregate::MAX_DEPTH;
 use super::statistics::walk;
-use crate::shape::{Primitive, Shapes};
+use crate::shape::Shapes;
 
 impl Aggregate {
     /// Checks that every primitive that can be hit is in exactly one leaf, and every box around all that is below it;
@@ -45,9 +45,7 @@ impl Aggregate {
     fn check_primitives(&self, shapes: &Shapes) -> Result<(), String> {
         let mut order = self.order.clone();
         order.sort();
-        let triangles = (0..shapes.triangle_count()).filter(|index| shapes.triangle(*index).can_be_hit());
-        let spheres = (0..shapes.sphere_count()).filter(|index| shapes.sphere(*index).can_be_hit());
-        let expected = triangles.map(Primitive::triangle).chain(spheres.map(Primitive::sphere));
+        let expected = shapes.primitives().filter(|primitive| shapes.can_be_hit(*primitive));
         if order.into_iter().eq(expected) { Ok(()) } else { Err("not every primitive is there once".into()) }
     }
 }

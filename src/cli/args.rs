@@ -1,7 +1,7 @@
 //! Options as typed.
 
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
-use feimos::accel::SplitMethod;
+use feimos::accel::{Precision, SplitMethod};
 use feimos::film::{ChannelName, ColorMap, PixelBounds, View};
 use std::path::PathBuf;
 
@@ -83,6 +83,10 @@ pub(crate) struct EngineArgs {
     /// How primitives are aggregated: none, middle, equal, sah or hlbvh [default: as the scene says, else sah].
     #[arg(long, value_name = "METHOD")]
     pub(crate) accel: Option<SplitMethod>,
+    /// How hits are decided: exact gives the right answer for every pixel, to the last bit of the depth; fast what comes of
+    /// computing in f32.
+    #[arg(long, value_name = "HOW", default_value = "exact")]
+    pub(crate) precision: Precision,
     /// Threads to use [default: all that the process may use].
     #[arg(long, alias = "nthreads", value_name = "N", value_parser = threads)]
     pub(crate) threads: Option<usize>,

@@ -7,7 +7,7 @@ use super::progress_bar::{Phase, ProgressBars};
 use super::record::{Milliseconds, Record, peak_bytes};
 use super::reporter::Reporter;
 use super::summary;
-use feimos::accel::{Aggregate, BuildOptions, SplitMethod, Statistics};
+use feimos::accel::{Aggregate, BuildOptions, Precision, SplitMethod, Statistics};
 use feimos::error::{Error, Result};
 use feimos::film::atomic_file::{self, Overwrite};
 use feimos::film::{DepthRange, PixelBounds};
@@ -43,6 +43,7 @@ struct Target {
 pub(super) struct Finished {
     pub(super) destination: Destination,
     pub(super) method: SplitMethod,
+    pub(super) precision: Precision,
     pub(super) statistics: Statistics,
     pub(super) rendering: Rendering,
     /// Of a depth view.
@@ -118,6 +119,7 @@ impl Renderer<'_> {
             channels: picture.channels(),
             miss: picture.miss(),
             counted: self.plan.stats,
+            precision: self.plan.precision,
         };
         let trace = |progress: Progress<'_>| render(&scene.camera, &scene.shapes, &aggregate, &options, progress);
         let (rendering, trace_ms) = timed(|| self.bars.during(Phase::Rendering(window.area()), trace));
@@ -129,7 +131,8 @@ impl Renderer<'_> {
         });
         let range = written?;
         let ms = Milliseconds { build: build_ms, trace: trace_ms, write: write_ms, ..Milliseconds::default() };
-        Ok(Finished { destination, method, statistics, rendering, range, ms })
+        let precision = self.plan.precision;
+        Ok(Finished { destination, method, precision, statistics, rendering, range, ms })
     }
 }
 
@@ -139,7 +142,7 @@ fn record(path: &Path, scene: &Scene, finished: &Finished) -> Record {
         scene: path.display().to_string(),
         output: finished.destination.to_string(),
         accel: finished.method.name(),
-        precision: "f64",
+        precision: finished.precision.name(),
         threads: rayon::current_num_threads(),
         simd: "scalar",
         width: window.width(),
@@ -151,7 +154,7 @@ fn record(path: &Path, scene: &Scene, finished: &Finished) -> Record {
         spheres: scene.shapes.sphere_count(),
         ms: finished.ms,
         bvh: finished.statistics.into(),
-        exact: None,
+        exact: (finished.precision == Precision::Exact).then(|| finished.rendering.fallbacks.into()),
         peak_bytes: peak_bytes(),
     }
 }

@@ -4,7 +4,7 @@ use super::args::{OutputArgs, RegionArgs, RenderArgs};
 use super::output_name::{Destination, OutputName};
 use super::picture::Picture;
 use super::reporter::Reporter;
-use feimos::accel::{BuildOptions, SplitMethod};
+use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::error::{Error, Result};
 use feimos::film::{ChannelName, ColorMap, DepthRange, Format, PixelBounds, View};
 use feimos::scene::{AcceleratorParameters, Film, LoadOptions};
@@ -15,6 +15,7 @@ pub(crate) struct Plan {
     pub(crate) output_name: OutputName,
     pub(crate) load: LoadOptions,
     pub(crate) accel: Option<SplitMethod>,
+    pub(crate) precision: Precision,
     pub(crate) threads: usize,
     pub(crate) stats: bool,
     miss: Option<f32>,
@@ -40,6 +41,7 @@ impl Plan {
             output_name: OutputName::new(output.clone())?,
             load: LoadOptions { resolution },
             accel: args.engine.accel,
+            precision: args.engine.precision,
             threads: args.engine.threads.unwrap_or_else(all_threads),
             miss: *miss,
             stats: args.talk.stats,

@@ -8,7 +8,6 @@ pub(crate) struct Record {
     pub(crate) scene: String,
     pub(crate) output: String,
     pub(crate) accel: &'static str,
-    /// `f64`: intersections are computed in double precision.
     pub(crate) precision: &'static str,
     pub(crate) threads: usize,
     pub(crate) simd: &'static str,
@@ -21,8 +20,8 @@ pub(crate) struct Record {
     pub(crate) spheres: usize,
     pub(crate) ms: Milliseconds,
     pub(crate) bvh: Bvh,
-    /// Counters of the exact fallback, which `f64` does not have.
-    pub(crate) exact: Option<()>,
+    /// How often integers were needed; nothing where precision is not `exact`.
+    pub(crate) exact: Option<Exact>,
     /// The most memory that the process has had so far, where the system tells.
     pub(crate) peak_bytes: Option<u64>,
 }
@@ -55,6 +54,26 @@ pub(crate) struct Bvh {
 impl From<feimos::accel::Statistics> for Bvh {
     fn from(tree: feimos::accel::Statistics) -> Bvh {
         Bvh { nodes: tree.nodes, leaves: tree.leaves, depth: tree.depth, sah_cost: tree.sah_cost, bytes: tree.bytes }
+    }
+}
+
+/// How often `f64` was not enough.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub(crate) struct Exact {
+    /// Tests of a primitive.
+    pub(crate) unsure_tests: u64,
+    /// Comparisons of two hits.
+    pub(crate) comparisons: u64,
+    /// Depths and distances rounded.
+    pub(crate) roundings: u64,
+    /// Rays that needed any of this.
+    pub(crate) fallback_rays: u64,
+}
+
+impl From<feimos::accel::Fallbacks> for Exact {
+    fn from(fallbacks: feimos::accel::Fallbacks) -> Exact {
+        let feimos::accel::Fallbacks { unsure_tests, comparisons, roundings, rays } = fallbacks;
+        Exact { unsure_tests, comparisons, roundings, fallback_rays: rays }
     }
 }
 

@@ -3,6 +3,7 @@
 use super::job::Finished;
 use super::record::Milliseconds;
 use super::reporter::Reporter;
+use feimos::accel::{Fallbacks, Precision};
 use feimos::scene::Scene;
 
 /// Warnings, what was skipped, and what there is.
@@ -56,6 +57,7 @@ pub(super) fn report_statistics(scene: &Scene, finished: &Finished, reporter: &R
         format!("shapes      {} under {} transforms", scene.shape_count, scene.transform_count),
         format!("primitives  {} triangles, {} spheres", shapes.triangle_count(), shapes.sphere_count()),
         format!("geometry    {} bytes", shapes.bytes()),
+        format!("precision   {}", finished.precision),
         format!("accelerator {}, built in {:.1} ms", finished.method, ms.build),
         format!("nodes       {} ({} leaves), depth {}", tree.nodes, tree.leaves, tree.depth),
         format!("SAH cost    {:.2}", tree.sah_cost),
@@ -64,4 +66,10 @@ pub(super) fn report_statistics(scene: &Scene, finished: &Finished, reporter: &R
         format!("trace       {:.1} ms, {:.2} million rays a second", ms.trace, rays / ms.trace / 1e3),
     ];
     lines.iter().for_each(|line| reporter.line(line));
+    if finished.precision == Precision::Exact {
+        let Fallbacks { unsure_tests, comparisons, roundings, rays: hard } = finished.rendering.fallbacks;
+        reporter.line(format_args!(
+            "integers    for {hard} rays: {unsure_tests} tests, {comparisons} comparisons, {roundings} roundings"
+        ));
+    }
 }

@@ -2,10 +2,11 @@
 
 use super::powers::{mantissa_and_exponent, power_of_two};
 use num_bigint::{BigInt, BigUint, Sign};
+use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// An integer times a power of two.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone)]
 pub struct Dyadic {
     mantissa: BigInt,
     exponent: i64,
@@ -17,9 +18,33 @@ impl Dyadic {
         Dyadic { mantissa, exponent }
     }
 
+    /// The number 0.
+    pub fn zero() -> Dyadic {
+        Dyadic::new(BigInt::ZERO, 0)
+    }
+
+    /// How the number compares with 0.
+    pub fn sign(&self) -> Ordering {
+        match self.mantissa.sign() {
+            Sign::Minus => Ordering::Less,
+            Sign::NoSign => Ordering::Equal,
+            Sign::Plus => Ordering::Greater,
+        }
+    }
+
     /// Whether the number is 0.
     pub fn is_zero(&self) -> bool {
-        self.mantissa.sign() == Sign::NoSign
+        self.sign() == Ordering::Equal
+    }
+
+    /// The number without its sign.
+    pub fn abs(self) -> Dyadic {
+        if self.sign() == Ordering::Less { -&self } else { self }
+    }
+
+    /// The number times itself.
+    pub fn square(&self) -> Dyadic {
+        self * self
     }
 
     /// The `f64` nearest to `self / divisor`, ties to even; infinite beyond the range.
@@ -38,11 +63,40 @@ impl Dyadic {
         self.quotient_to_f64(&Dyadic::new(BigInt::from(1), 0))
     }
 
-    /// Both mantissas for the smaller of the two exponents.
-    fn aligned(&self, other: &Dyadic) -> (BigInt, BigInt, i64) {
-        let exponent = self.exponent.min(other.exponent);
-        let shift = |x: &Dyadic| &x.mantissa << (x.exponent - exponent) as u64;
-        (shift(self), shift(other), exponent)
+    /// Two numbers between which the square root lies, of about `bits` significant bits; equal where the root has no more.
+    ///
+    /// # Panics
+    /// Where the number is negative.
+    pub fn square_root(&self, bits: u64) -> [Dyadic; 2] {
+        let radicand = self.mantissa.to_biguint().expect("a square root is of a number that is not negative");
+        let mut shift = (2 * bits).saturating_sub(radicand.bits());
+        if (self.exponent - shift as i64) % 2 != 0 {
+            // Only an even exponent has a half.
+            shift += 1;
+        }
+        let scaled = radicand << shift;
+        let exponent = (self.exponent - shift as i64) / 2;
+        let root = scaled.sqrt();
+        let is_exact = &root * &root == scaled;
+        let above = if is_exact { root.clone() } else { &root + 1u32 };
+        [root, above].map(|root| Dyadic::new(root.into(), exponent))
+    }
+
+    /// Applies `operation`, a sum or a difference, to both mantissas for the smaller of the two exponents.
+    fn combine(&self, other: &Dyadic, operation: fn(&BigInt, &BigInt) -> BigInt) -> Dyadic {
+        // A zero has no exponent of its own.
+        let exponent = match (self.is_zero(), other.is_zero()) {
+            (true, _) => other.exponent,
+            (_, true) => self.exponent,
+            _ => self.exponent.min(other.exponent),
+        };
+        let shift = |x: &Dyadic| (x.exponent - exponent).max(0) as u64;
+        let mantissa = match (shift(self), shift(other)) {
+            (0, 0) => operation(&self.mantissa, &other.mantissa),
+            (a, 0) => operation(&(&self.mantissa << a), &other.mantissa),
+            (_, b) => operation(&self.mantissa, &(&other.mantissa << b)),
+        };
+        Dyadic { mantissa, exponent }
     }
 }
 
@@ -52,33 +106,57 @@ impl From<f64> for Dyadic {
     fn from(value: f64) -> Dyadic {
         assert!(value.is_finite(), "{value} is not an integer times a power of two");
         let (mantissa, exponent) = mantissa_and_exponent(value);
+        // Short mantissas make short products.
+        let zeros = if mantissa == 0 { 0 } else { mantissa.trailing_zeros() };
         let sign = if value.is_sign_negative() { Sign::Minus } else { Sign::Plus };
-        Dyadic { mantissa: BigInt::from_biguint(sign, BigUint::from(mantissa)), exponent: exponent.into() }
+        Dyadic {
+            mantissa: BigInt::from_biguint(sign, BigUint::from(mantissa >> zeros)),
+            exponent: i64::from(exponent) + i64::from(zeros),
+        }
     }
 }
 
-impl Add for Dyadic {
+impl PartialEq for Dyadic {
+    fn eq(&self, other: &Dyadic) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Dyadic {}
+
+impl PartialOrd for Dyadic {
+    fn partial_cmp(&self, other: &Dyadic) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Dyadic {
+    fn cmp(&self, other: &Dyadic) -> Ordering {
+        (self - other).sign()
+    }
+}
+
+impl Add for &Dyadic {
     type Output = Dyadic;
 
-    fn add(self, other: Dyadic) -> Dyadic {
-        let (a, b, exponent) = self.aligned(&other);
-        Dyadic { mantissa: a + b, exponent }
+    fn add(self, other: &Dyadic) -> Dyadic {
+        self.combine(other, |a, b| a + b)
     }
 }
 
-impl Sub for Dyadic {
+impl Sub for &Dyadic {
     type Output = Dyadic;
 
-    fn sub(self, other: Dyadic) -> Dyadic {
-        self + -other
+    fn sub(self, other: &Dyadic) -> Dyadic {
+        self.combine(other, |a, b| a - b)
     }
 }
 
-impl Neg for Dyadic {
+impl Neg for &Dyadic {
     type Output = Dyadic;
 
     fn neg(self) -> Dyadic {
-        Dyadic { mantissa: -self.mantissa, exponent: self.exponent }
+        Dyadic { mantissa: -&self.mantissa, exponent: self.exponent }
     }
 }
 
@@ -149,8 +227,8 @@ mod tests {
             prop_assume!(a.is_finite() && b.is_finite());
             let (x, y) = (Dyadic::from(a), Dyadic::from(b));
             prop_assert_eq!((&x * &y).to_f64(), a * b);
-            prop_assert_eq!((x.clone() + y.clone()).to_f64(), a + b);
-            prop_assert_eq!((x.clone() - y.clone()).to_f64(), a - b);
+            prop_assert_eq!((&x + &y).to_f64(), a + b);
+            prop_assert_eq!((&x - &y).to_f64(), a - b);
             if b != 0.0 {
                 prop_assert_eq!(x.quotient_to_f64(&y), a / b);
             }
@@ -162,6 +240,30 @@ mod tests {
             let small = a * 2f64.powi(-1000);
             prop_assert_eq!(Dyadic::from(small).quotient_to_f64(&Dyadic::from(b)), small / b);
         }
+    }
+
+    proptest! {
+        #[test]
+        fn square_roots_are_bracketed(bits: u64, precision in 1u64..200) {
+            let value = f64::from_bits(bits).abs();
+            prop_assume!(value.is_finite());
+            let value = Dyadic::from(value);
+            let [low, high] = value.square_root(precision);
+            prop_assert!(low.square() <= value && value <= high.square());
+            let width = &(&high - &low) * &Dyadic::new(BigInt::from(1) << (precision - 1), 0);
+            prop_assert!(width <= high);
+            prop_assert!(low.square() == value || low < high);
+        }
+    }
+
+    #[test]
+    fn numbers_compare_by_value() {
+        assert_eq!(Dyadic::new(BigInt::from(4), 0), Dyadic::new(BigInt::from(1), 2));
+        assert_eq!(Dyadic::zero(), Dyadic::from(-0.0));
+        assert!(Dyadic::from(f64::from_bits(1)) < Dyadic::from(f64::MAX));
+        assert_eq!(Dyadic::from(-3.0).abs(), Dyadic::from(3.0));
+        let four = Dyadic::from(4.0).square_root(100);
+        assert_eq!(four, [Dyadic::from(2.0), Dyadic::from(2.0)]);
     }
 
     #[test]

@@ -1,8 +1,18 @@
-//! Exact arithmetic: integers times powers of two, and functions rounded once.
+//! Exact arithmetic: integers times powers of two, roots compared by signs, and functions rounded once.
 
+mod approximation;
+mod bracket;
 pub mod degrees;
 mod dyadic;
+mod nearest;
 mod powers;
+mod root;
+mod vector;
 
+pub use approximation::Approximation;
+pub use bracket::Bracket;
 pub use dyadic::Dyadic;
+pub use nearest::nearest_f32;
 pub use powers::{exponent_of, power_of_two};
+pub use root::Root;
+pub use vector::ExactVector;

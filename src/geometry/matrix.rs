@@ -1,7 +1,7 @@
 //! Affine matrices, with every rounding where rules R2 to R4 put it.
 
 use super::{Point, Vector};
-use crate::exact::Dyadic;
+use crate::exact::{Dyadic, ExactVector};
 
 /// The upper three rows of a 4x4 matrix whose last row is `0 0 0 1`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -83,15 +83,14 @@ impl Matrix {
         if !self.is_finite() {
             return Matrix::NOT_A_MATRIX;
         }
-        let adjugate = self.exact_adjugate();
-        let determinant = self.exact_determinant(&adjugate);
+        let (adjugate, determinant) = self.exact_adjugate();
         if determinant.is_zero() {
             return Matrix::NOT_A_MATRIX;
         }
-        let offset = self.column(3).map(Dyadic::from);
+        let offset = ExactVector::from(self.column(3));
         let row = |i: usize| {
-            let moved = dot(&adjugate[i], &offset);
-            let entry = |j: usize| if j < 3 { adjugate[i][j].clone() } else { -moved.clone() };
+            let moved = -&adjugate[i].dot(&offset);
+            let entry = |j: usize| if j < 3 { &adjugate[i][j] } else { &moved };
             std::array::from_fn(|j| entry(j).quotient_to_f64(&determinant))
         };
         Matrix { rows: [row(0), row(1), row(2)] }
@@ -101,44 +100,21 @@ impl Matrix {
     pub fn is_singular(&self) -> bool {
         let column = |j| Vector::from(self.column(j));
         let (x, y, z) = (column(0), column(1), column(2));
-        let magnitude = absolute(x).dot(absolute_cross(y, z));
+        let magnitude = x.absolute().dot(y.absolute_cross(z));
         let determinant = x.dot(y.cross(z));
         // Three roundings of products and two of sums: 8 units of 2^-53 are ample; below 1e-250 a product may
         // have lost bits to underflow.
         let sure = magnitude > 1e-250 && determinant.abs() > 8.0 * (f64::EPSILON / 2.0) * magnitude;
-        !sure && self.exact_determinant(&self.exact_adjugate()).is_zero()
+        !sure && self.exact_adjugate().1.is_zero()
     }
 
-    /// The adjugate of the 3x3 part, exactly.
-    fn exact_adjugate(&self) -> [[Dyadic; 3]; 3] {
-        let m = self.rows.map(|row| row.map(Dyadic::from));
-        let cofactor = |row: usize, column: usize| {
-            let (r1, r2) = ((row + 1) % 3, (row + 2) % 3);
-            let (c1, c2) = ((column + 1) % 3, (column + 2) % 3);
-            &m[r1][c1] * &m[r2][c2] - &m[r1][c2] * &m[r2][c1]
-        };
-        std::array::from_fn(|i| std::array::from_fn(|j| cofactor(j, i)))
+    /// The rows of the adjugate of the 3x3 part, which must be finite, and its determinant: exactly.
+    pub fn exact_adjugate(&self) -> ([ExactVector; 3], Dyadic) {
+        let [x, y, z] = [0, 1, 2].map(|j| ExactVector::from(self.column(j)));
+        let rows = [y.cross(&z), z.cross(&x), x.cross(&y)];
+        let determinant = x.dot(&rows[0]);
+        (rows, determinant)
     }
-
-    fn exact_determinant(&self, adjugate: &[[Dyadic; 3]; 3]) -> Dyadic {
-        let row: [Dyadic; 3] = std::array::from_fn(|j| Dyadic::from(self.rows[0][j]));
-        let column: [Dyadic; 3] = std::array::from_fn(|i| adjugate[i][0].clone());
-        dot(&row, &column)
-    }
-}
-
-fn dot(a: &[Dyadic; 3], b: &[Dyadic; 3]) -> Dyadic {
-    &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
-}
-
-fn absolute(v: Vector) -> Vector {
-    Vector::new(v.x.abs(), v.y.abs(), v.z.abs())
-}
-
-/// The cross product with every product taken positive: a bound on what its terms can add up to.
-fn absolute_cross(a: Vector, b: Vector) -> Vector {
-    let (a, b) = (absolute(a), absolute(b));
-    Vector::new(a.y * b.z + a.z * b.y, a.z * b.x + a.x * b.z, a.x * b.y + a.y * b.x)
 }
 
 #[cfg(test)]

@@ -82,6 +82,23 @@ impl Vector {
         }
     }
 
+    /// Every component without its sign.
+    pub fn absolute(self) -> Vector {
+        Vector { x: self.x.abs(), y: self.y.abs(), z: self.z.abs() }
+    }
+
+    /// The cross product with every product taken positive and added: what its terms can add up to at most.
+    pub fn absolute_cross(self, other: Vector) -> Vector {
+        let (a, b) = (self.absolute(), other.absolute());
+        Vector { x: a.y * b.z + a.z * b.y, y: a.z * b.x + a.x * b.z, z: a.x * b.y + a.y * b.x }
+    }
+
+    /// The largest absolute value of a component.
+    pub fn largest(self) -> f64 {
+        let [x, y, z] = self.to_array().map(f64::abs);
+        x.max(y).max(z)
+    }
+
     /// Divided by its length `sqrt((x*x+y*y)+z*z)`, component by component (rule R2); NaN for the zero vector.
     pub fn normalized(self) -> Vector {
         let length = self.dot(self).sqrt();

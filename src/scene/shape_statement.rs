@@ -6,7 +6,7 @@ use super::warnings::Warnings;
 use crate::error::{Diagnostic, Error, Result};
 use crate::geometry::{Matrix, Point};
 use crate::mesh::{self, Loaded};
-use crate::shape::{CapacityError, Shapes, Sphere};
+use crate::shape::{CapacityError, Cut, Shapes, Sphere};
 use std::path::{Path, PathBuf};
 
 /// Where shapes go.
@@ -82,8 +82,13 @@ impl ShapeTarget<'_> {
 
     fn add_sphere(&mut self, parameters: &mut Parameters) -> Result<()> {
         let radius = parameters.number("radius")?.unwrap_or(1.0);
-        self.warn_of_partial_sphere(parameters, radius)?;
-        let sphere = Sphere { world_from_object: self.world_from_object, radius };
+        let cut = Cut::new(
+            radius,
+            parameters.number("zmin")?.unwrap_or(-radius),
+            parameters.number("zmax")?.unwrap_or(radius),
+            parameters.number("phimax")?.unwrap_or(360.0),
+        );
+        let sphere = Sphere { world_from_object: self.world_from_object, radius, cut };
         if radius.is_nan() || radius <= 0.0 {
             let message = format!("a sphere of radius {radius} is never hit");
             parameters.warn("radius", message, self.warnings);
@@ -92,21 +97,8 @@ impl ShapeTarget<'_> {
             parameters.warn_at_name("singular sphere", Diagnostic::new(message), self.warnings);
         }
         let transform = self.transforms.intern(&self.world_from_object, self.shapes);
-        let added = self.shapes.add_sphere(radius, transform, self.number);
+        let added = self.shapes.add_sphere(radius, cut, transform, self.number);
         added.map_err(|error| too_many(parameters, error))
-    }
-
-    fn warn_of_partial_sphere(&mut self, parameters: &mut Parameters, radius: f64) -> Result<()> {
-        let cut_below = parameters.number("zmin")?.is_some_and(|zmin| zmin > -radius);
-        let cut_above = parameters.number("zmax")?.is_some_and(|zmax| zmax < radius);
-        let cut_open = parameters.number("phimax")?.is_some_and(|phimax| phimax < 360.0);
-        for (cut, name) in [(cut_below, "zmin"), (cut_above, "zmax"), (cut_open, "phimax")] {
-            if cut {
-                let message = format!("`{name}` is not supported yet: the whole sphere is rendered");
-                parameters.warn(name, message, self.warnings);
-            }
-        }
-        Ok(())
     }
 
     fn add_triangle_mesh(&mut self, parameters: &mut Parameters) -> Result<()> {

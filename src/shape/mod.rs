@@ -1,11 +1,21 @@
-//! The geometry of a scene: who is who, and where in world space.
+//! The geometry of a scene: who is who, where in world space, and where a ray meets it.
+//!
+//! There are three tests of each kind of primitive: `filter` in `f64`, which says when it does not know; `exact`, which
+//! always knows; and one in `f32`, which never says.
 
+mod filter_ray;
 mod primitive;
 mod shapes;
 mod sphere;
 mod triangle;
+mod verdict;
 
+pub use filter_ray::FilterRay;
 pub use primitive::Primitive;
 pub use shapes::{CapacityError, Shapes};
-pub use sphere::Sphere;
+pub use sphere::{Cut, Sector, Sphere};
 pub use triangle::Triangle;
+pub use verdict::Verdict;
+
+pub(crate) use sphere::SingleSphere;
+pub(crate) use triangle::intersect_single;

@@ -1,6 +1,8 @@
 //! All geometry of a scene, in the order of the file.
 
-use super::{Primitive, Sphere, Triangle};
+use super::sphere::Cut;
+use super::{FilterRay, Primitive, Sphere, Triangle, Verdict};
+use crate::exact::Root;
 use crate::geometry::{Bounds, Matrix, Point, Ray};
 use rayon::prelude::*;
 use std::fmt;
@@ -16,6 +18,8 @@ pub struct Shapes {
     meshes: Vec<MeshRun>,
     spheres: Vec<StoredSphere>,
     sphere_runs: Vec<SphereRun>,
+    /// Of the spheres that are not whole, in their order.
+    cuts: Vec<(u32, Cut)>,
     transforms: Vec<Matrix>,
 }
 
@@ -85,8 +89,14 @@ impl Shapes {
         Ok(())
     }
 
-    /// Appends a sphere under transform number `transform`, as [`Shapes::add_transform`] gave it.
-    pub fn add_sphere(&mut self, radius: f64, transform: u32, shape: u32) -> Result<(), CapacityError> {
+    /// Appends a sphere, whole or cut, under transform number `transform`, as [`Shapes::add_transform`] gave it.
+    pub fn add_sphere(
+        &mut self,
+        radius: f64,
+        cut: Option<Cut>,
+        transform: u32,
+        shape: u32,
+    ) -> Result<(), CapacityError> {
         self.check_room(self.spheres.len() + 1, "spheres")?;
         let first_number = self.next_number(1)?;
         let first_sphere = self.spheres.len() as u32;
@@ -97,6 +107,7 @@ impl Shapes {
         if !follows {
             self.sphere_runs.push(SphereRun { first_sphere, first_number });
         }
+        self.cuts.extend(cut.map(|cut| (first_sphere, cut)));
         self.spheres.push(StoredSphere { radius, transform, shape });
         Ok(())
     }
@@ -141,6 +152,7 @@ impl Shapes {
             + size_of_val(&self.meshes[..])
             + size_of_val(&self.spheres[..])
             + size_of_val(&self.sphere_runs[..])
+            + size_of_val(&self.cuts[..])
             + size_of_val(&self.transforms[..])
     }
 
@@ -158,14 +170,48 @@ impl Shapes {
     /// Sphere `index` of the store.
     pub fn sphere(&self, index: usize) -> Sphere {
         let stored = &self.spheres[index];
-        Sphere { world_from_object: self.transforms[stored.transform as usize], radius: stored.radius }
+        let cut = self.cuts.binary_search_by_key(&index, |(sphere, _)| *sphere as usize);
+        Sphere {
+            world_from_object: self.transforms[stored.transform as usize],
+            radius: stored.radius,
+            cut: cut.ok().map(|place| self.cuts[place].1),
+        }
     }
 
-    /// The `t` at which `ray` meets a primitive first, if it does.
+    /// Whether and where `ray` meets a primitive first, as far as floating point can tell.
     #[inline]
-    pub fn intersect(&self, primitive: Primitive, ray: &Ray) -> Option<f64> {
+    pub fn filter(&self, primitive: Primitive, ray: &FilterRay) -> Verdict {
         let index = primitive.index();
-        if primitive.is_sphere() { self.sphere(index).intersect(ray) } else { self.triangle(index).intersect(ray) }
+        if primitive.is_sphere() { self.sphere(index).filter(ray) } else { self.triangle(index).filter(ray) }
+    }
+
+    /// The `t` at which `ray` meets a primitive first, if it does. The primitive [can be hit](Shapes::can_be_hit), and so
+    /// [can the ray hit](Ray::can_hit).
+    pub fn exact(&self, primitive: Primitive, ray: &Ray) -> Option<Root> {
+        let index = primitive.index();
+        if primitive.is_sphere() { self.sphere(index).exact(ray) } else { self.triangle(index).exact(ray) }
+    }
+
+    /// Whether any ray can hit a primitive (rules E1 and E2).
+    pub fn can_be_hit(&self, primitive: Primitive) -> bool {
+        let index = primitive.index();
+        if primitive.is_sphere() { self.sphere(index).can_be_hit() } else { self.triangle(index).can_be_hit() }
+    }
+
+    /// Whether two primitives are surely one and the same set of points.
+    pub fn coincide(&self, a: Primitive, b: Primitive) -> bool {
+        let (i, j) = (a.index(), b.index());
+        match (a.is_sphere(), b.is_sphere()) {
+            (true, true) => self.sphere(i).coincides_with(&self.sphere(j)),
+            (false, false) => self.triangle(i).coincides_with(&self.triangle(j)),
+            _ => false,
+        }
+    }
+
+    /// All primitives, kind by kind.
+    pub fn primitives(&self) -> impl Iterator<Item = Primitive> + use<> {
+        let triangles = (0..self.triangles.len()).map(Primitive::triangle);
+        triangles.chain((0..self.spheres.len()).map(Primitive::sphere))
     }
 
     /// The box around a primitive.
@@ -219,10 +265,10 @@ mod tests {
         let mut shapes = Shapes::default();
         let transform = shapes.add_transform(Matrix::IDENTITY);
         let (vertices, triangles) = two_triangles();
-        shapes.add_sphere(1.0, transform, 1).unwrap();
+        shapes.add_sphere(1.0, None, transform, 1).unwrap();
         shapes.add_mesh(vertices.clone(), triangles.clone(), &Matrix::IDENTITY, 2).unwrap();
-        shapes.add_sphere(2.0, transform, 4).unwrap();
-        shapes.add_sphere(3.0, transform, 5).unwrap();
+        shapes.add_sphere(2.0, None, transform, 4).unwrap();
+        shapes.add_sphere(3.0, None, transform, 5).unwrap();
         shapes.add_mesh(Vec::new(), Vec::new(), &Matrix::IDENTITY, 6).unwrap();
         shapes.add_mesh(vertices, triangles, &Matrix::translate([0.0, 0.0, 9.0]), 7).unwrap();
 

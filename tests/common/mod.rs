@@ -2,7 +2,7 @@
 // Each test file is a crate of its own and uses some of this.
 #![allow(dead_code)]
 
-use feimos::accel::{Aggregate, BuildOptions, SplitMethod};
+use feimos::accel::{Aggregate, BuildOptions, Precision, SplitMethod};
 use feimos::camera::Camera;
 use feimos::film::{Channel, ChannelName, Image, PixelBounds, Samples};
 use feimos::progress::Progress;
@@ -21,6 +21,7 @@ pub(crate) fn picture(
     camera: &Camera,
     shapes: &Shapes,
     options: BuildOptions,
+    precision: Precision,
     threads: usize,
     window: PixelBounds,
 ) -> Rendering {
@@ -29,7 +30,8 @@ pub(crate) fn picture(
         let aggregate = Aggregate::build(shapes, camera.anchor(), options, Progress::SILENT);
         aggregate.validate(shapes).unwrap_or_else(|wrong| panic!("{options:?}: {wrong}"));
         let channels = ChannelName::ALL.to_vec();
-        let render_options = RenderOptions { data_window: window, channels, miss: f32::INFINITY, counted: false };
+        let render_options =
+            RenderOptions { data_window: window, channels, miss: f32::INFINITY, counted: false, precision };
         render(camera, shapes, &aggregate, &render_options, Progress::SILENT).unwrap()
     })
 }
@@ -42,12 +44,12 @@ pub(crate) fn whole(camera: &Camera) -> PixelBounds {
 
 /// Renders with every accelerator, two leaf sizes and several numbers of threads, and asserts that no bit differs
 /// from the plain list on one thread, which is returned.
-pub(crate) fn agreed_picture(camera: &Camera, shapes: &Shapes) -> Rendering {
+pub(crate) fn agreed_picture(camera: &Camera, shapes: &Shapes, precision: Precision) -> Rendering {
     let window = whole(camera);
-    let reference = picture(camera, shapes, BuildOptions::new(SplitMethod::None), 1, window);
+    let reference = picture(camera, shapes, BuildOptions::new(SplitMethod::None), precision, 1, window);
     for method in SplitMethod::ALL {
         for (max_leaf, threads) in [(4, 2), (1, 1), (16, 3)] {
-            let other = picture(camera, shapes, BuildOptions { method, max_leaf }, threads, window);
+            let other = picture(camera, shapes, BuildOptions { method, max_leaf }, precision, threads, window);
             assert_same(&reference.image, &other.image, &format!("{method}, leaves of {max_leaf}, {threads} threads"));
             assert_eq!(reference.hits, other.hits);
         }

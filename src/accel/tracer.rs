@@ -1,0 +1,76 @@
+//! Rays through an aggregate, one after the other.
+
+use super::exact_search::ExactSearch;
+use super::fast_search::FastSearch;
+use super::hit::{Fallbacks, Hit, Work};
+use super::traversal::{Stack, traverse};
+use super::{Aggregate, Depth, Precision};
+use crate::geometry::Ray;
+use crate::shape::Shapes;
+
+/// Casts rays, one after the other. Each thread has its own.
+pub struct Tracer<'a> {
+    aggregate: &'a Aggregate,
+    shapes: &'a Shapes,
+    precision: Precision,
+    stack: Stack,
+    fallbacks: Fallbacks,
+}
+
+impl<'a> Tracer<'a> {
+    /// For rays through `aggregate`, which was built over `shapes`.
+    pub fn new(aggregate: &'a Aggregate, shapes: &'a Shapes, precision: Precision) -> Tracer<'a> {
+        Tracer { aggregate, shapes, precision, stack: Stack::new(), fallbacks: Fallbacks::default() }
+    }
+
+    /// The nearest hit of `ray`; of several at one `t`, the primitive that comes first in the file (rule E3).
+    pub fn closest_hit(&mut self, ray: &Ray) -> Option<Hit> {
+        self.trace::<false>(ray, &mut Work::default())
+    }
+
+    /// As [`Tracer::closest_hit`], adding to `work` what it took.
+    pub fn closest_hit_counted(&mut self, ray: &Ray, work: &mut Work) -> Option<Hit> {
+        self.trace::<true>(ray, work)
+    }
+
+    /// How far away the `hit` of `ray` is.
+    pub fn depth(&mut self, ray: &Ray, hit: &Hit) -> Depth {
+        let (depth, roundings) = Depth::of(hit, ray, self.shapes, self.precision);
+        if roundings > 0 {
+            let rays = u64::from(!hit.is_hard);
+            self.fallbacks += Fallbacks { roundings, rays, ..Fallbacks::default() };
+        }
+        depth
+    }
+
+    /// How often integers were needed so far.
+    pub fn fallbacks(&self) -> Fallbacks {
+        self.fallbacks
+    }
+}
+
+impl Tracer<'_> {
+    #[inline]
+    fn trace<const COUNTED: bool>(&mut self, ray: &Ray, work: &mut Work) -> Option<Hit> {
+        if !ray.can_hit() {
+            return None;
+        }
+        let Tracer { aggregate, shapes, stack, .. } = self;
+        let slab = aggregate.space.ray(ray);
+        match self.precision {
+            Precision::Exact => {
+                let mut fallbacks = Fallbacks::default();
+                let search = ExactSearch::new(shapes, ray, &slab, &mut fallbacks);
+                let hit = traverse::<COUNTED, _>(aggregate, &slab, search, stack, work);
+                if fallbacks.is_any() {
+                    self.fallbacks += Fallbacks { rays: 1, ..fallbacks };
+                }
+                hit
+            }
+            Precision::Fast => {
+                let search = FastSearch::new(shapes, &aggregate.space, ray, &slab);
+                traverse::<COUNTED, _>(aggregate, &slab, search, stack, work)
+            }
+        }
+    }
+}

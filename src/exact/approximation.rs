@@ -1,0 +1,199 @@
+//! Numbers in `f64` that carry a bound on their error.
+
+use super::Bracket;
+use std::cmp::Ordering;
+use std::ops::{Add, Mul, Neg, Sub};
+
+/// A value in `f64` that differs from the number meant by `error` at most; an `error` that is infinite or NaN says
+/// nothing.
+///
+/// Every operation adds its own rounding to what its operands bring along (Higham, "Accuracy and Stability of
+/// Numerical Algorithms", section 3.3, running error analysis). The bounds are themselves computed in `f64`, so each
+/// ends in a factor that makes up for the roundings on the way to it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Approximation {
+    value: f64,
+    error: f64,
+}
+
+/// Unit of rounding of `f64`: half the distance from 1 to the next number.
+const U: f64 = f64::EPSILON / 2.0;
+
+/// More than the underflow of a product, at most 2^-1075, and of the four products in its bound.
+const TINY: f64 = f64::from_bits(1 << 4);
+
+impl Approximation {
+    /// A number that is `value`.
+    pub fn exactly(value: f64) -> Approximation {
+        Approximation { value, error: 0.0 }
+    }
+
+    /// `value / power`, where `power` is a power of two: exact but for underflow.
+    pub fn scaled_down(value: f64, power: f64) -> Approximation {
+        let scaled = value / power;
+        let lossy = scaled.abs() < f64::MIN_POSITIVE && value != 0.0;
+        Approximation { value: scaled, error: if lossy { TINY } else { 0.0 } }
+    }
+
+    /// How the number compares with 0, where that is sure.
+    pub fn sign(&self) -> Option<Ordering> {
+        if self.value > self.error {
+            Some(Ordering::Greater)
+        } else if self.value < -self.error {
+            Some(Ordering::Less)
+        } else {
+            None
+        }
+    }
+
+    /// Where the number lies.
+    pub fn bracket(&self) -> Bracket {
+        Bracket::around(self.value, self.error)
+    }
+
+    /// The number times itself.
+    pub fn square(self) -> Approximation {
+        self * self
+    }
+
+    /// The number without its sign.
+    pub fn abs(self) -> Approximation {
+        Approximation { value: self.value.abs(), ..self }
+    }
+
+    /// The square root of a number that is known not to be negative, whatever its approximation is.
+    pub fn square_root(self) -> Approximation {
+        if self.value > self.error {
+            // |sqrt x - sqrt y| = |x - y| / (sqrt x + sqrt y)
+            let root = self.value.sqrt();
+            Approximation { value: root, error: (self.error / root + U * root) * (1.0 + 8.0 * U) }
+        } else {
+            // Both roots lie between 0 and this; next_up makes up for four roundings.
+            let most = (self.value.abs() + self.error).sqrt() * (1.0 + 8.0 * U);
+            Approximation { value: 0.0, error: most }
+        }
+    }
+
+    /// The quotient.
+    pub fn over(self, divisor: Approximation) -> Approximation {
+        let value = self.value / divisor.value;
+        // x/y - v = ((x - x') - v (y - y')) / y with v = x'/y'
+        let least_divisor = divisor.value.abs() - divisor.error;
+        if least_divisor.is_nan() || least_divisor <= 0.0 {
+            return Approximation { value, error: f64::INFINITY };
+        }
+        let carried = (self.error + value.abs() * divisor.error) / least_divisor;
+        Approximation { value, error: (carried + U * value.abs()) * (1.0 + 16.0 * U) + TINY }
+    }
+}
+
+impl Add for Approximation {
+    type Output = Approximation;
+
+    fn add(self, other: Approximation) -> Approximation {
+        // A sum is not rounded by underflow. Three roundings of the bound: (1 - U)^3 (1 + 4 U) > 1.
+        let value = self.value + other.value;
+        Approximation { value, error: ((self.error + other.error) + U * value.abs()) * (1.0 + 4.0 * U) }
+    }
+}
+
+impl Sub for Approximation {
+    type Output = Approximation;
+
+    fn sub(self, other: Approximation) -> Approximation {
+        self + -other
+    }
+}
+
+impl Neg for Approximation {
+    type Output = Approximation;
+
+    fn neg(self) -> Approximation {
+        Approximation { value: -self.value, error: self.error }
+    }
+}
+
+impl Mul for Approximation {
+    type Output = Approximation;
+
+    fn mul(self, other: Approximation) -> Approximation {
+        // Five roundings of the bound: (1 - U)^5 (1 + 8 U) > 1.
+        let value = self.value * other.value;
+        let carried = self.value.abs() * other.error + other.value.abs() * self.error;
+        let own = self.error * other.error + U * value.abs();
+        Approximation { value, error: (carried + own) * (1.0 + 8.0 * U) + TINY }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::Dyadic;
+    use proptest::prelude::*;
+
+    /// Numbers of all sizes, each a little off from a known one.
+    fn pair() -> impl Strategy<Value = (Dyadic, Approximation)> {
+        let size = prop::sample::select(vec![-1074, -1070, -600, -30, -2, -1, 0, 1, 2, 30, 500]);
+        (-1.0f64..1.0, size, 0u32..3, -1.0f64..1.0).prop_map(|(fraction, exponent, digits, off)| {
+            let power = 2f64.powi(exponent / 2) * 2f64.powi(exponent - exponent / 2);
+            let value = fraction * power;
+            let error = value.abs() * [0.0, 1e-12, 0.3][digits as usize];
+            let meant = &Dyadic::from(value) + &Dyadic::from(error * off * 0.999);
+            (meant, Approximation { value, error })
+        })
+    }
+
+    fn holds(approximation: &Approximation, meant: &Dyadic) -> bool {
+        if !approximation.error.is_finite() || !approximation.value.is_finite() {
+            return true;
+        }
+        (meant - &Dyadic::from(approximation.value)).abs() <= Dyadic::from(approximation.error)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(5000))]
+
+        #[test]
+        fn sums_and_products_stay_within_their_bounds((a, x) in pair(), (b, y) in pair()) {
+            prop_assert!(holds(&(x + y), &(&a + &b)));
+            prop_assert!(holds(&(x - y), &(&a - &b)));
+            prop_assert!(holds(&(x * y), &(&a * &b)));
+            prop_assert!(holds(&x.abs(), &a.abs()));
+        }
+
+        #[test]
+        fn quotients_stay_within_their_bounds((a, x) in pair(), (b, y) in pair()) {
+            let quotient = x.over(y);
+            prop_assume!(quotient.error.is_finite() && quotient.value.is_finite() && !b.is_zero());
+            // |a/b - v| <= e as |a - v b| <= e |b|
+            let off = (&a - &(&Dyadic::from(quotient.value) * &b)).abs();
+            prop_assert!(off <= &Dyadic::from(quotient.error) * &b.abs());
+        }
+
+        #[test]
+        fn square_roots_stay_within_their_bounds((a, x) in pair()) {
+            let (a, x) = (a.abs(), x.abs());
+            let root = x.square_root();
+            prop_assume!(root.error.is_finite());
+            let [low, high] = a.square_root(300);
+            let error = Dyadic::from(root.error);
+            prop_assert!(&high - &Dyadic::from(root.value) <= error && &Dyadic::from(root.value) - &low <= error);
+        }
+
+        #[test]
+        fn signs_are_right((a, x) in pair()) {
+            prop_assert!(x.sign().is_none_or(|sign| sign == a.sign()));
+        }
+    }
+
+    #[test]
+    fn what_is_unknown_has_no_sign() {
+        let zero = Approximation::exactly(0.0);
+        let overflown = Approximation::exactly(1e300).square();
+        for unknown in [zero, overflown, overflown - overflown, Approximation::exactly(1.0).over(zero)] {
+            assert_eq!(unknown.sign(), None, "{unknown:?}");
+        }
+        assert_eq!(Approximation::exactly(1e-300).square().sign(), None, "an underflow");
+        assert_eq!(Approximation::scaled_down(3e-323, 2.0).sign(), None);
+    }
+}

@@ -1,0 +1,149 @@
+//! Partial spheres: what `zmin`, `zmax` and `phimax` leave.
+
+use crate::exact::degrees;
+use std::cmp::Ordering::{self, Less};
+
+/// The part of a sphere that is there: a Boolean combination of half-spaces in object space, all of them closed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cut {
+    /// The lowest z, from minus the radius to the radius.
+    pub z_min: f64,
+    /// The highest z, in the same range.
+    pub z_max: f64,
+    /// `None` for a full turn.
+    pub sector: Option<Sector>,
+}
+
+/// Angles about the z axis from 0, the direction of x, to less than 360 degrees, both ends included.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sector {
+    /// Where it ends.
+    pub degrees: f64,
+    /// Of the end, correctly rounded.
+    pub sine: f64,
+    /// Of the end, correctly rounded.
+    pub cosine: f64,
+}
+
+/// The plane of the points q with `normal . q = offset`, in object space.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Plane {
+    pub(super) normal: [f64; 3],
+    pub(super) offset: f64,
+}
+
+impl Cut {
+    /// What pbrt-v3 makes of the parameters of a sphere: z between the smaller and the larger of the two, clamped to
+    /// the sphere; angles from 0 to `phi_max` degrees, clamped to a full turn. `None` where that is all of it.
+    pub fn new(radius: f64, z_min: f64, z_max: f64, phi_max: f64) -> Option<Cut> {
+        let clamp = |z: f64| z.max(-radius).min(radius);
+        let (z_min, z_max) = (clamp(z_min.min(z_max)), clamp(z_min.max(z_max)));
+        let degrees = phi_max.clamp(0.0, 360.0);
+        let sector = (degrees < 360.0).then(|| Sector {
+            degrees,
+            sine: degrees::sine(degrees),
+            cosine: degrees::cosine(degrees),
+        });
+        let is_whole = z_min <= -radius && z_max >= radius && sector.is_none();
+        (!is_whole).then_some(Cut { z_min, z_max, sector })
+    }
+
+    /// Whether the point is there of which `side` tells how `normal . q` compares with `offset`; `None` where that is not
+    /// known and matters.
+    pub(super) fn holds(&self, side: impl Fn(&Plane) -> Option<Ordering>) -> Option<bool> {
+        let beyond = |normal, offset| side(&Plane { normal, offset }).map(|side| side != Less);
+        let above = beyond([0.0, 0.0, 1.0], self.z_min);
+        let below = beyond([0.0, 0.0, -1.0], -self.z_max);
+        let within = both(above, below);
+        match &self.sector {
+            Some(sector) if within != Some(false) => both(within, sector.holds(beyond)),
+            _ => within,
+        }
+    }
+}
+
+impl Sector {
+    /// With p the angle of the point and m that of the end, `x sin m - y cos m` is `sin(m - p)` times the distance from the
+    /// axis. So in the half of the turn that the end lies in, it is negative just beyond the end. On the axis the angle
+    /// is 0, as in pbrt.
+    fn holds(&self, beyond: impl Fn([f64; 3], f64) -> Option<bool>) -> Option<bool> {
+        let first_half = beyond([0.0, 1.0, 0.0], 0.0);
+        let before_end = beyond([self.sine, -self.cosine, 0.0], 0.0);
+        if self.degrees == 0.0 {
+            // There `x sin m - y cos m` is -y: 0 at an angle of 180 degrees too.
+            return both(both(first_half, before_end), beyond([1.0, 0.0, 0.0], 0.0));
+        }
+        if self.degrees <= 180.0 { both(first_half, before_end) } else { either(first_half, before_end) }
+    }
+}
+
+/// Whether both hold, as far as it can be told.
+fn both(a: Option<bool>, b: Option<bool>) -> Option<bool> {
+    match (a, b) {
+        (Some(false), _) | (_, Some(false)) => Some(false),
+        (Some(true), Some(true)) => Some(true),
+        _ => None,
+    }
+}
+
+/// Whether one of them holds, as far as it can be told.
+fn either(a: Option<bool>, b: Option<bool>) -> Option<bool> {
+    both(a.map(|a| !a), b.map(|b| !b)).map(|neither| !neither)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::cmp::Ordering::Greater;
+
+    fn holds(cut: &Cut, q: [f64; 3]) -> bool {
+        let side = |plane: &Plane| {
+            let dot: f64 = (0..3).map(|k| plane.normal[k] * q[k]).sum();
+            dot.partial_cmp(&plane.offset)
+        };
+        cut.holds(side).unwrap()
+    }
+
+    #[test]
+    fn parameters_are_clamped_as_in_pbrt() {
+        assert_eq!(Cut::new(2.0, -2.0, 2.0, 360.0), None);
+        assert_eq!(Cut::new(2.0, -9.0, 9.0, 720.0), None);
+        assert_eq!(Cut::new(2.0, 9.0, -9.0, 360.0), None, "in either order");
+        let cap = Cut::new(2.0, 1.0, f64::INFINITY, 360.0).unwrap();
+        assert_eq!((cap.z_min, cap.z_max, cap.sector), (1.0, 2.0, None));
+        let beyond = Cut::new(2.0, 3.0, 4.0, 360.0).unwrap();
+        assert_eq!((beyond.z_min, beyond.z_max), (2.0, 2.0));
+        assert_eq!(Cut::new(2.0, -2.0, 2.0, -5.0).unwrap().sector.unwrap().degrees, 0.0);
+    }
+
+    #[test]
+    fn both_ends_are_closed() {
+        let slice = Cut::new(5.0, -3.0, 4.0, 360.0).unwrap();
+        assert!(holds(&slice, [3.0, 0.0, 4.0]) && holds(&slice, [0.0, 4.0, -3.0]));
+        assert!(!holds(&slice, [3.0, 0.0, 4.0f64.next_up()]) && !holds(&slice, [4.0, 0.0, (-3.0f64).next_down()]));
+    }
+
+    #[test]
+    fn sectors_hold_their_angles() {
+        for degrees in [0.0, 1e-300, 1e-9, 30.0, 90.0, 135.0, 180.0, 180.0000001, 225.0, 270.0, 300.0, 359.9999999] {
+            let cut = Cut::new(1.0, -1.0, 1.0, degrees).unwrap();
+            for step in 0..720 {
+                let angle = f64::from(step) * 0.5;
+                let q = [degrees::cosine(angle), degrees::sine(angle), 0.0];
+                assert_eq!(holds(&cut, q), angle <= degrees, "{angle} of {degrees} degrees");
+            }
+            assert!(holds(&cut, [0.0, 0.0, 1.0]) && holds(&cut, [0.0, 0.0, -1.0]), "the poles, {degrees} degrees");
+        }
+    }
+
+    #[test]
+    fn what_does_not_matter_need_not_be_known() {
+        let quarter = Cut::new(1.0, 0.5, 1.0, 90.0).unwrap();
+        let below = |plane: &Plane| if plane.normal[2] == 1.0 { Some(Less) } else { None };
+        assert_eq!(quarter.holds(below), Some(false));
+        assert_eq!(quarter.holds(|_| None), None);
+        let most = Cut::new(1.0, -1.0, 1.0, 300.0).unwrap();
+        let first_half = |plane: &Plane| if plane.normal[0] != 0.0 { None } else { Some(Greater) };
+        assert_eq!(most.holds(first_half), Some(true));
+    }
+}

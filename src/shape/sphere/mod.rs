@@ -1,0 +1,140 @@
+//! Spheres under an affine transform, whole or cut: where they are, and which can be hit at all.
+
+mod cut;
+mod exact;
+mod filter;
+mod single;
+
+pub use cut::{Cut, Sector};
+pub(crate) use single::SingleSphere;
+
+use crate::exact::{exponent_of, power_of_two};
+use crate::geometry::{Bounds, Matrix, Point, Vector};
+
+/// The points `world_from_object * q` with `|q| = radius` that the cut leaves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sphere {
+    /// Places and stretches the sphere.
+    pub world_from_object: Matrix,
+    /// In object space.
+    pub radius: f64,
+    /// What of it there is; `None` for all of it.
+    pub cut: Option<Cut>,
+}
+
+impl Sphere {
+    /// Whether any ray can hit it (rule E2).
+    pub fn can_be_hit(&self) -> bool {
+        self.radius > 0.0
+            && self.radius.is_finite()
+            && self.world_from_object.is_finite()
+            && !self.world_from_object.is_singular()
+    }
+
+    /// A box around it, a few units of rounding too large at most.
+    pub fn bounds(&self) -> Bounds {
+        let row = |k: usize| &self.world_from_object.rows[k];
+        let scale = self.scale();
+        // Along an axis the ellipsoid reaches |row| * radius. Squares and sums are off by 3 units of 2^-53, their
+        // root by half of that and its own, and three products follow: less than 6 of the 8 units that the factor adds.
+        // The last sum's rounding is what `next_up` and `next_down` are for.
+        let length = |k: usize| {
+            let v = Vector::from([0, 1, 2].map(|j| row(k)[j] / scale));
+            v.dot(v).sqrt()
+        };
+        // The length is near 1, so only the result can leave the range, not the way to it.
+        let reach = |k: usize| length(k) * (self.radius * scale) * (1.0 + 4.0 * f64::EPSILON) + LOST_TO_UNDERFLOW;
+        let low = |k: usize| (row(k)[3] - reach(k)).next_down();
+        let high = |k: usize| (row(k)[3] + reach(k)).next_up();
+        Bounds { low: Point::new(low(0), low(1), low(2)), high: Point::new(high(0), high(1), high(2)) }
+    }
+
+    /// A power of two near the largest entry of the linear part of the matrix.
+    fn scale(&self) -> f64 {
+        let entries = self.world_from_object.rows.iter().flat_map(|row| &row[..3]);
+        power_of_two_near(entries.fold(0.0, |max, entry| max.max(entry.abs())))
+    }
+
+    /// Whether both were described by the same numbers: then every ray that meets one meets the other at the same `t`.
+    pub fn coincides_with(&self, other: &Sphere) -> bool {
+        self == other
+    }
+}
+
+/// More than three products lose that end below the least normal number, one of them times 3.
+const LOST_TO_UNDERFLOW: f64 = f64::from_bits(4);
+
+/// The largest power of two up to `x`; 1 where x is 0 or not finite, the least normal number for subnormals.
+fn power_of_two_near(x: f64) -> f64 {
+    if x == 0.0 || !x.is_finite() {
+        return 1.0;
+    }
+    power_of_two(exponent_of(x.max(f64::MIN_POSITIVE)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Ray;
+    use crate::shape::{FilterRay, Verdict};
+
+    fn unit(world_from_object: Matrix) -> Sphere {
+        Sphere { world_from_object, radius: 1.0, cut: None }
+    }
+
+    /// The exact `t`, with which the filter must not disagree.
+    fn intersect(sphere: &Sphere, ray: &Ray) -> Option<f64> {
+        let exact = sphere.exact(ray).map(|t| t.bracket());
+        match (sphere.filter(&FilterRay::new(ray)), exact) {
+            (Verdict::Miss, None) | (Verdict::Unsure, _) => {}
+            (Verdict::Hit(filtered), Some(exact)) => {
+                assert!(filtered.low <= exact.high && exact.low <= filtered.high, "{filtered:?} is not {exact:?}");
+            }
+            (verdict, _) => panic!("{verdict:?} but {exact:?}"),
+        }
+        exact.map(|bracket| 0.5 * (bracket.low + bracket.high))
+    }
+
+    fn along_z(x: f64, y: f64, z: f64) -> Ray {
+        Ray { origin: Point::new(x, y, z), direction: Vector::new(0.0, 0.0, 1.0) }
+    }
+
+    #[test]
+    fn the_nearest_positive_root_counts() {
+        let sphere = unit(Matrix::translate([0.0, 0.0, 5.0]));
+        assert_eq!(intersect(&sphere, &along_z(0.0, 0.0, 0.0)), Some(4.0));
+        assert_eq!(intersect(&sphere, &along_z(0.0, 0.0, 5.0)), Some(1.0), "from the centre");
+        assert_eq!(intersect(&sphere, &along_z(0.0, 0.0, 5.5)), Some(0.5), "from within");
+        assert_eq!(intersect(&sphere, &along_z(0.0, 0.0, 4.0)), Some(2.0), "from the surface inwards");
+        assert_eq!(intersect(&sphere, &along_z(0.0, 0.0, 6.0)), None, "from the surface outwards");
+        assert_eq!(intersect(&sphere, &along_z(0.0, 0.0, 7.0)), None, "behind");
+    }
+
+    #[test]
+    fn a_tangent_ray_hits() {
+        let sphere = unit(Matrix::translate([0.0, 0.0, 5.0]));
+        assert_eq!(intersect(&sphere, &along_z(1.0, 0.0, 0.0)), Some(5.0));
+        assert_eq!(intersect(&sphere, &along_z(1.0f64.next_up(), 0.0, 0.0)), None);
+    }
+
+    #[test]
+    fn transforms_stretch_and_mirror() {
+        let stretched = unit(Matrix::translate([0.0, 0.0, 5.0]).times(&Matrix::scale([2.0, -3.0, 0.5])));
+        assert_eq!(intersect(&stretched, &along_z(0.0, 0.0, 0.0)), Some(4.5));
+        assert_eq!(intersect(&stretched, &along_z(2.0, 0.0, 0.0)), Some(5.0));
+        let bounds = stretched.bounds();
+        assert!(bounds.low.y < -3.0 && bounds.low.y > -3.0001 && bounds.high.z > 5.5 && bounds.high.z < 5.5001);
+    }
+
+    #[test]
+    fn scales_of_any_size_work() {
+        for size in [1e-300, 1e-150, 1e-20, 1e20, 1e150, 1e300] {
+            let sphere = unit(Matrix::scale([size, size, size]));
+            let bounds = sphere.bounds();
+            assert!(sphere.can_be_hit() && bounds.low.x < -size && bounds.low.x > -1.0001 * size, "{size}");
+        }
+        assert!(!unit(Matrix::scale([1.0, 0.0, 1.0])).can_be_hit());
+        assert!(!Sphere { radius: -1.0, ..unit(Matrix::IDENTITY) }.can_be_hit());
+        assert!(!Sphere { radius: f64::NAN, ..unit(Matrix::IDENTITY) }.can_be_hit());
+    }
+}

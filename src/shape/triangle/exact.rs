@@ -1,0 +1,28 @@
+//! The test in exact arithmetic.
+
+use super::Triangle;
+use crate::exact::{ExactVector, Root};
+use crate::geometry::Ray;
+use std::cmp::Ordering;
+
+impl Triangle {
+    /// The `t` at which `ray` crosses the closed triangle, or `None` (rule E1). The triangle and the ray are finite.
+    ///
+    /// With corners v relative to the origin the edge functions are e0 = d . (v1 x v2) and so on. They are of one sign
+    /// within the triangle, 0 on an edge, and all 0 where the ray lies in the plane. By Cramer's rule
+    /// t = v0 . (v1 x v2) / (e0 + e1 + e2).
+    pub fn exact(&self, ray: &Ray) -> Option<Root> {
+        let origin = ExactVector::from(ray.origin.to_array());
+        let direction = ExactVector::from(ray.direction.to_array());
+        let [v0, v1, v2] = self.0.map(|corner| ExactVector::from(corner.to_array()).minus(&origin));
+        let across = v1.cross(&v2);
+        let edges = [direction.dot(&across), direction.dot(&v2.cross(&v0)), direction.dot(&v0.cross(&v1))];
+        let is_any = |sign: Ordering| edges.iter().any(|edge| edge.sign() == sign);
+        if is_any(Ordering::Less) == is_any(Ordering::Greater) {
+            return None;
+        }
+        let [e0, e1, e2] = &edges;
+        let t = Root::ratio(v0.dot(&across), &(e0 + e1) + e2);
+        (t.sign() == Ordering::Greater).then_some(t)
+    }
+}

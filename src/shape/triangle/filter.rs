@@ -1,0 +1,116 @@
+//! The test in `f64` with bounds on its errors.
+//!
+//! With u = 2^-53 and corners v relative to the ray's origin, the edge functions are e0 = d . (v1 x v2) and so on. A
+//! computed one is a sum of six terms d v v, each of which passes seven roundings at most: the differences in both v, the
+//! two products, the difference within the cross product, and two sums. So it is off by less than 7u(1 + 8u) P, P being
+//! the sum of the absolute terms; 8u P leaves room for the roundings in P and for its being made of rounded v
+//! (Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997, bounds its
+//! first stage in the same way). Two triangles that share an edge compute the same numbers with opposite signs.
+
+use super::{Triangle, U};
+use crate::exact::Bracket;
+use crate::geometry::Vector;
+use crate::shape::filter_ray::{MAY_OVERFLOW_ABOVE, may_underflow_below};
+use crate::shape::{FilterRay, Verdict};
+
+/// Of the absolute terms of an edge function: how far it may be off.
+const EDGE_ERROR: f64 = 8.0 * U;
+
+/// The same for the two sums of which `t` is the quotient: eight roundings, and ample room for those of the bound.
+const QUOTIENT_ERROR: f64 = 12.0 * U;
+
+/// Where the ray crosses the triangle's plane.
+#[derive(Clone, Copy, PartialEq)]
+enum Side {
+    Inside,
+    Outside,
+    Unsure,
+}
+
+impl Triangle {
+    /// Whether `ray` crosses the closed triangle, and where, as far as `f64` can tell (rule E1).
+    #[inline]
+    pub fn filter(&self, ray: &FilterRay) -> Verdict {
+        let d = ray.ray.direction;
+        let corners = self.0.map(|corner| corner - ray.ray.origin);
+        let [v0, v1, v2] = corners;
+        let edges = [d.dot(v1.cross(v2)), d.dot(v2.cross(v0)), d.dot(v0.cross(v1))];
+        // No product of two coordinates is larger than the square of the largest.
+        let extent = v0.largest().max(v1.largest()).max(v2.largest());
+        let error = edge_error(2.0 * ray.direction_sum * (extent * extent), ray);
+        let mut side = side_of(&edges, &[error; 3]);
+        if side == Side::Unsure {
+            side = side_of(&edges, &close_edge_errors(&corners, ray));
+        }
+        match side {
+            Side::Outside => Verdict::Miss,
+            Side::Inside => self.place(ray),
+            Side::Unsure => Verdict::Unsure,
+        }
+    }
+
+    /// The verdict on a ray that surely crosses the plane within the triangle.
+    ///
+    /// t = n . (a - o) / (n . d) with n = ab x ac. The numerator's terms pass eight roundings, the denominator's seven. With
+    /// errors E and F of the two, t is off by (E + |t| F) / (|n . d| - F) and the rounding of the quotient.
+    fn place(&self, ray: &FilterRay) -> Verdict {
+        let [a, b, c] = self.0;
+        let (ab, ac, oa, d) = (b - a, c - a, a - ray.ray.origin, ray.ray.direction);
+        let (normal, normal_terms) = (ab.cross(ac), ab.absolute_cross(ac));
+        let (numerator_terms, denominator_terms) = (normal_terms.dot(oa.absolute()), normal_terms.dot(d.absolute()));
+        let denominator = normal.dot(d);
+        let t = normal.dot(oa) / denominator;
+        let error = QUOTIENT_ERROR * (numerator_terms + t.abs() * denominator_terms);
+        let least_denominator = denominator.abs() - QUOTIENT_ERROR * denominator_terms;
+        let in_range = is_in_range(numerator_terms, may_underflow_below(oa))
+            && is_in_range(denominator_terms, ray.least)
+            && is_in_range(t.abs(), 1e-290);
+        if !in_range || least_denominator <= 0.0 {
+            return Verdict::Unsure;
+        }
+        let bracket = Bracket::around(t, error / least_denominator + 2.0 * U * t.abs());
+        if bracket.low > 0.0 {
+            Verdict::Hit(bracket)
+        } else if bracket.high <= 0.0 {
+            Verdict::Miss
+        } else {
+            Verdict::Unsure
+        }
+    }
+}
+
+/// False for NaN as well.
+fn is_in_range(terms: f64, least: f64) -> bool {
+    terms > least && terms < MAY_OVERFLOW_ABOVE
+}
+
+/// How far an edge function may be off whose absolute terms add up to `terms` at most.
+#[inline]
+fn edge_error(terms: f64, ray: &FilterRay) -> f64 {
+    if is_in_range(terms, ray.least) { EDGE_ERROR * terms } else { f64::INFINITY }
+}
+
+/// Bounds from the terms of each edge function itself: for what the common bound leaves undecided.
+#[cold]
+fn close_edge_errors(corners: &[Vector; 3], ray: &FilterRay) -> [f64; 3] {
+    let [v0, v1, v2] = corners;
+    let error = |a: &Vector, b: &Vector| edge_error(ray.ray.direction.absolute().dot(a.absolute_cross(*b)), ray);
+    [error(v1, v2), error(v2, v0), error(v0, v1)]
+}
+
+#[inline]
+fn side_of(edges: &[f64; 3], errors: &[f64; 3]) -> Side {
+    let positive = [0, 1, 2].map(|k| edges[k] > errors[k]);
+    let negative = [0, 1, 2].map(|k| edges[k] < -errors[k]);
+    let (any_positive, all_positive) =
+        (positive[0] | positive[1] | positive[2], positive[0] & positive[1] & positive[2]);
+    let (any_negative, all_negative) =
+        (negative[0] | negative[1] | negative[2], negative[0] & negative[1] & negative[2]);
+    if any_positive & any_negative {
+        Side::Outside
+    } else if all_positive | all_negative {
+        Side::Inside
+    } else {
+        Side::Unsure
+    }
+}
