@@ -76,11 +76,91 @@ fn every_pixel_is_right_with_every_accelerator_and_number_of_threads() {
     }
 }
 
-/// Pixels that differ, with what was expected and what was found.
-fn wrong_pixels(expected: &Answers, found: &Answers) -> Vec<((u32, u32), Option<[u32; 3]>, Option<[u32; 3]>)> {
+/// Crops of odd sizes at odd places hold the pixels of the whole.
+#[test]
+fn every_pixel_of_a_crop_is_right() {
+    for hard in &hard_scenes() {
+        let film = whole(&hard.scene.camera);
+        let (third, half) = (film.x1 / 3, film.y1 / 2);
+        let crops = [
+            PixelBounds { x1: third.max(1), ..film },
+            PixelBounds { x0: third, y0: half, ..film },
+            PixelBounds { x0: film.x1 - 1, y1: half.max(1), ..film },
+        ];
+        for (crop, method) in crops.into_iter().zip([SplitMethod::Sah, SplitMethod::Hlbvh, SplitMethod::None]) {
+            let found = rendered(hard, Precision::Exact, method, 2, crop);
+            let inside = |(x, y): &(u32, u32)| (crop.x0..crop.x1).contains(x) && (crop.y0..crop.y1).contains(y);
+            let expected: Answers = hard.expected.clone().into_iter().filter(|(place, _)| inside(place)).collect();
+            let wrong = wrong_pixels(&expected, &found);
+            assert!(found == expected, "{}, {method}, {crop:?}: {wrong:?}", hard.name);
+        }
+    }
+}
+
+/// A row of the table in `docs/accuracy.md`.
+#[derive(Default)]
+struct Errors {
+    pixels: usize,
+    hit_or_miss: usize,
+    primitive: usize,
+    /// Units in the last place, of `Z` and `t` alike.
+    largest_ulp: u64,
+}
+
+impl Errors {
+    /// Depths are compared where both hit the same primitive.
+    fn add(&mut self, hard: &HardScene, found: &Answers) {
+        self.pixels += whole(&hard.scene.camera).area() as usize;
+        for WrongPixel { expected, found, .. } in wrong_pixels(&hard.expected, found) {
+            match (expected, found) {
+                (Some(expected), Some(found)) if expected[0] == found[0] => {
+                    // Depths are positive: their order is that of their bits.
+                    let ulp = |k: usize| u64::from(expected[k].abs_diff(found[k]));
+                    self.largest_ulp = self.largest_ulp.max(ulp(1)).max(ulp(2));
+                }
+                (Some(_), Some(_)) => self.primitive += 1,
+                _ => self.hit_or_miss += 1,
+            }
+        }
+    }
+}
+
+#[test]
+fn the_table_in_the_docs_is_true() {
+    let mut groups: BTreeMap<char, [Errors; 2]> = BTreeMap::new();
+    for hard in &hard_scenes() {
+        let group = groups.entry(hard.name.chars().next().unwrap()).or_default();
+        for (errors, precision) in group.iter_mut().zip([Precision::Fast, Precision::Exact]) {
+            let film = whole(&hard.scene.camera);
+            errors.add(hard, &rendered(hard, precision, SplitMethod::Sah, 1, film));
+        }
+    }
+    let docs = include_str!("../docs/accuracy.md");
+    let cell = |errors: &Errors| format!("{} | {} | {}", errors.hit_or_miss, errors.primitive, errors.largest_ulp);
+    let row = |(group, [fast, exact]): (char, [Errors; 2])| {
+        (group, format!("| {} | {} | {} |", fast.pixels, cell(&fast), cell(&exact)))
+    };
+    let rows: Vec<(char, String)> = groups.into_iter().map(row).collect();
+    let is_there = |(group, row): &(char, String)| {
+        docs.lines().any(|line| line.starts_with(&format!("| **{group}** ")) && line.ends_with(row.as_str()))
+    };
+    assert!(rows.iter().all(is_there), "the rows of docs/accuracy.md should be {rows:#?}");
+}
+
+/// A pixel that differs: the primitive and the bits of Z and t where it hits.
+#[derive(Debug)]
+struct WrongPixel {
+    #[allow(dead_code)] // shown by Debug
+    place: (u32, u32),
+    expected: Option<[u32; 3]>,
+    found: Option<[u32; 3]>,
+}
+
+fn wrong_pixels(expected: &Answers, found: &Answers) -> Vec<WrongPixel> {
     let mut places: Vec<(u32, u32)> = expected.keys().chain(found.keys()).copied().collect();
     places.sort();
     places.dedup();
-    let pair = |place| (place, expected.get(&place).copied(), found.get(&place).copied());
-    places.into_iter().map(pair).filter(|(_, expected, found)| expected != found).collect()
+    let pixel =
+        |place| WrongPixel { place, expected: expected.get(&place).copied(), found: found.get(&place).copied() };
+    places.into_iter().map(pixel).filter(|pixel| pixel.expected != pixel.found).collect()
 }

@@ -15,7 +15,6 @@ use std::cmp::Ordering;
 pub(super) struct ExactSearch<'a> {
     shapes: &'a Shapes,
     ray: FilterRay,
-    exact_ray: &'a Ray,
     slab: &'a SlabRay,
     best: Option<Candidate>,
     /// The upper end of the best bracket in the units of the slab test: what is entered later is culled.
@@ -24,7 +23,8 @@ pub(super) struct ExactSearch<'a> {
 }
 
 struct Candidate {
-    hit: Hit,
+    primitive: Primitive,
+    t: Bracket,
     /// The exact `t`, once it has been asked for.
     root: Option<Root>,
 }
@@ -32,54 +32,58 @@ struct Candidate {
 impl<'a> ExactSearch<'a> {
     pub(super) fn new(
         shapes: &'a Shapes,
-        exact_ray: &'a Ray,
+        ray: &Ray,
         slab: &'a SlabRay,
         fallbacks: &'a mut Fallbacks,
     ) -> ExactSearch<'a> {
-        let ray = FilterRay::new(exact_ray);
-        ExactSearch { shapes, ray, exact_ray, slab, best: None, limit: f32::INFINITY, fallbacks }
+        ExactSearch { shapes, ray: FilterRay::new(ray), slab, best: None, limit: f32::INFINITY, fallbacks }
     }
 
     /// Takes a hit, if it is nearer than the best, or as near and before it in the file (rule E3).
     #[inline]
-    fn offer(&mut self, primitive: Primitive, t: Bracket, root: Option<Root>) {
+    fn offer(&mut self, mut candidate: Candidate) {
+        let t = candidate.t;
         if let Some(best) = &self.best {
-            if best.hit.t.is_below(&t) {
+            if best.t.is_below(&t) {
                 return;
             }
-            if !t.is_below(&best.hit.t) && !self.wins_close(primitive, root.clone()) {
+            if !t.is_below(&best.t) && !self.wins_close(&mut candidate) {
                 return;
             }
         }
-        self.best = Some(Candidate { hit: Hit { primitive, t, is_hard: false }, root });
+        self.best = Some(candidate);
         self.limit = self.slab.scaled_limit(t.high);
     }
 
     #[cold]
     fn test_exactly(&mut self, primitive: Primitive) {
         self.fallbacks.unsure_tests += 1;
-        if let Some(root) = self.shapes.exact(primitive, self.exact_ray) {
-            self.offer(primitive, root.bracket(), Some(root));
+        if let Some(root) = self.shapes.exact(primitive, &self.ray.ray) {
+            self.offer(Candidate { primitive, t: root.bracket(), root: Some(root) });
         }
     }
 
     /// Whether a hit beats the best one, where the brackets overlap.
     #[cold]
-    fn wins_close(&mut self, primitive: Primitive, root: Option<Root>) -> bool {
-        let (shapes, ray) = (self.shapes, self.exact_ray);
+    fn wins_close(&mut self, candidate: &mut Candidate) -> bool {
+        let shapes = self.shapes;
         let best = self.best.as_mut().expect("there is a best hit to compare with");
-        let comes_first = shapes.precedes(primitive, best.hit.primitive);
-        if shapes.coincide(primitive, best.hit.primitive) {
+        let comes_first = shapes.precedes(candidate.primitive, best.primitive);
+        if shapes.coincide(candidate.primitive, best.primitive) {
             return comes_first;
         }
         self.fallbacks.comparisons += 1;
-        let exact = |primitive| shapes.exact(primitive, ray).expect("what is surely hit is hit");
-        let of_best = best.root.get_or_insert_with(|| exact(best.hit.primitive));
-        match root.unwrap_or_else(|| exact(primitive)).cmp(of_best) {
+        match candidate.root(shapes, &self.ray.ray).cmp(best.root(shapes, &self.ray.ray)) {
             Ordering::Less => true,
             Ordering::Equal => comes_first,
             Ordering::Greater => false,
         }
+    }
+}
+
+impl Candidate {
+    fn root(&mut self, shapes: &Shapes, ray: &Ray) -> &Root {
+        self.root.get_or_insert_with(|| shapes.exact(self.primitive, ray).expect("what is surely hit is hit"))
     }
 }
 
@@ -88,7 +92,7 @@ impl Search for ExactSearch<'_> {
     fn test(&mut self, primitive: Primitive) {
         match self.shapes.filter(primitive, &self.ray) {
             Verdict::Miss => {}
-            Verdict::Hit(t) => self.offer(primitive, t, None),
+            Verdict::Hit(t) => self.offer(Candidate { primitive, t, root: None }),
             Verdict::Unsure => self.test_exactly(primitive),
         }
     }
@@ -99,6 +103,7 @@ impl Search for ExactSearch<'_> {
     }
 
     fn into_hit(self) -> Option<Hit> {
-        self.best.map(|best| Hit { is_hard: self.fallbacks.is_any(), ..best.hit })
+        let is_hard = self.fallbacks.is_any();
+        self.best.map(|best| Hit { primitive: best.primitive, t: best.t, is_hard })
     }
 }

@@ -218,7 +218,7 @@ mod tests {
 
         #[test]
         fn brackets_hold_the_number_and_little_else(t in number(), square in 1i32..9, x in 1i32..30) {
-            prop_assume!(t.sign() == Greater);
+            let t = if t.sign() == Greater { t } else { ratio(3, 7) };
             let bracket = t.bracket();
             prop_assert!(t.compare_with(&Dyadic::from(bracket.low)) != Less);
             prop_assert!(t.compare_with(&Dyadic::from(bracket.high)) != Greater);

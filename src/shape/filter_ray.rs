@@ -5,7 +5,8 @@ use crate::geometry::{Ray, Vector};
 /// A ray, and the sizes of its direction that bounds on errors are made of.
 #[derive(Debug, Clone, Copy)]
 pub struct FilterRay {
-    pub(super) ray: Ray,
+    /// As the camera made it.
+    pub ray: Ray,
     /// The sum of the absolute components of the direction.
     pub(super) direction_sum: f64,
     /// What [`may_underflow_below`] says of the direction.

@@ -43,6 +43,78 @@ fn any_number_of_threads_makes_the_same_bytes() {
     }
 }
 
+/// Two squares in one plane, cut in two along different diagonals: every ray has to tell which is nearer.
+const IN_ONE_PLANE: &str = r#"
+LookAt 0.3 1.7 -5.1  0.1 0.2 0  0 1 0
+Camera "perspective" "float fov" 60
+Film "rgb" "integer xresolution" 16 "integer yresolution" 9 "string filename" "plane.exr"
+WorldBegin
+Shape "trianglemesh" "point3 P" [-90 0 -90  90 0 -90  90 0 90  -90 0 90] "integer indices" [0 1 2 0 2 3]
+Shape "trianglemesh" "point3 P" [-91 0 -90  92 0 -93  93 0 90  -90 0 94] "integer indices" [0 1 3 1 2 3]
+"#;
+
+#[test]
+fn exact_is_the_default_and_counts_where_integers_were_needed() {
+    let folder = Folder::new().with("plane.pbrt", IN_ONE_PLANE);
+    let line = |flags: &str| folder.render(&format!("plane.pbrt --json {flags}")).succeeded().json()[0].clone();
+    for line in [line(""), line("--precision exact --accel none --threads 1")] {
+        assert_eq!(line["precision"], "exact");
+        assert_eq!(line["exact"]["comparisons"], line["hits"], "each hit was compared with the other square's");
+        assert_eq!(line["exact"]["fallback_rays"], line["hits"]);
+        assert!(line["hits"].as_u64() > Some(50));
+    }
+    let ids = folder.exr("plane.exr").bits["id"].clone();
+    assert!(ids.iter().all(|id| *id <= 1), "the first in the file wins every tie");
+    let fast = line("--precision fast");
+    assert_eq!((&fast["precision"], &fast["exact"]), (&"fast".into(), &serde_json::Value::Null));
+}
+
+#[test]
+fn fast_makes_the_same_bytes_with_every_accelerator_too() {
+    let folder = crowded();
+    for accel in ACCELERATORS {
+        let flags = format!("-o {accel}.exr --resolution 61x43 --accel {accel} --precision fast");
+        folder.render(&format!("crowd.pbrt {flags}")).succeeded();
+        assert!(folder.bytes(&format!("{accel}.exr")) == folder.bytes("none.exr"), "{accel}");
+    }
+    folder.render("crowd.pbrt -o exact.exr --resolution 61x43").succeeded();
+    let (exact, fast) = (folder.exr("exact.exr").measures("Z"), folder.exr("none.exr").measures("Z"));
+    assert!(exact != fast, "the flag has an effect");
+    let close = |(a, b): (&f32, &f32)| a == b || (a - b).abs() < 1e-5 * a;
+    assert!(exact.iter().zip(&fast).filter(|pair| close(*pair)).count() > exact.len() - 9);
+}
+
+#[test]
+fn an_unknown_precision_is_answered_with_the_known_ones() {
+    let message = "invalid value 'f64' for '--precision <HOW>': expected one of exact, fast";
+    Folder::new().render("ball.pbrt --precision f64").failed(2, message);
+}
+
+/// A half, a cap and a slice: what is cut away shows what lies behind.
+#[test]
+fn partial_spheres_are_cut_as_pbrt_cuts_them() {
+    let sphere = |parameters: &str| {
+        let head = BALL.split("Shape").next().unwrap();
+        format!("{head}Shape \"sphere\" {parameters}\nTranslate 0 0 9\nShape \"sphere\" \"float radius\" 4\n")
+    };
+    let ids = |parameters: &str| {
+        let folder = Folder::new().with("cut.pbrt", sphere(parameters));
+        folder.render("cut.pbrt -o cut.exr --resolution 3x3").succeeded().did_not_say("warning");
+        folder.exr("cut.exr").bits["id"].clone()
+    };
+    let whole = ids("");
+    assert_eq!(whole[4], 1, "the middle of the near sphere");
+    // The view is along z: zmax 0 leaves the near half, zmin 0 the far one, through whose hole the far half is seen.
+    assert_eq!(ids("\"float zmax\" 0"), whole);
+    assert_eq!(ids("\"float zmin\" 0"), whole);
+    // A hole around the near pole and the far one: the middle ray passes.
+    assert_eq!(ids("\"float zmin\" -0.9 \"float zmax\" 0.9")[4], 2);
+    assert_eq!(ids("\"float zmin\" -0.9")[4], 1, "the far pole is still there");
+    // Half a turn leaves y >= 0, which is up, and the poles.
+    let half = ids("\"float phimax\" 180");
+    assert_eq!((half[4], half[1]), (1, whole[1]));
+}
+
 #[test]
 fn the_number_of_threads_is_used_as_given() {
     let folder = Folder::new();

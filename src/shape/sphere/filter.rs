@@ -3,6 +3,7 @@
 use super::Sphere;
 use super::cut::{Cut, Plane};
 use crate::exact::Approximation;
+use crate::geometry::{Matrix, Point, Vector};
 use crate::shape::{FilterRay, Verdict};
 use std::array::from_fn;
 use std::cmp::Ordering::{Greater, Less};
@@ -46,19 +47,48 @@ impl Sphere {
     }
 }
 
+/// Unit of rounding of `f64`: half the distance from 1 to the next number.
+const U: f64 = f64::EPSILON / 2.0;
+
+/// More than underflow can do to an entry of the adjugate: the entries of m, below 2, are off by 2^-1075 where they were
+/// scaled down to less than a normal number, and each of two products loses as much again, 10 * 2^-1075 in all. The
+/// first column of m, by which the determinant is computed, adds 24 * 2^-1075.
+const ENTRY_UNDERFLOW: f64 = f64::from_bits(1 << 5);
+
+/// The linear part of a matrix divided by a power of two, and its adjugate, with the sums of the absolute terms.
+struct Adjugate {
+    /// The first column of m, which with the first row of the adjugate gives the determinant.
+    column: Vector,
+    rows: [Vector; 3],
+    terms: [Vector; 3],
+}
+
+impl Adjugate {
+    fn new(m: &Matrix, scale: f64) -> Adjugate {
+        let [x, y, z] = [0, 1, 2].map(|j| Vector::from(m.column(j).map(|entry| entry / scale)));
+        let terms = [y.absolute_cross(z), z.absolute_cross(x), x.absolute_cross(y)];
+        Adjugate { column: x, rows: [y.cross(z), z.cross(x), x.cross(y)], terms }
+    }
+
+    /// Row `k` times `v`, of which each component may be rounded once. An entry passes two roundings, and three more
+    /// follow: six units of 2^-53 of the absolute terms, and two for the roundings of the bound.
+    fn row_times(&self, k: usize, v: Vector) -> Approximation {
+        let size = v.absolute();
+        let underflow = ENTRY_UNDERFLOW * (size.x + size.y + size.z + 1.0);
+        Approximation::within(self.rows[k].dot(v), 8.0 * U * self.terms[k].dot(size) + underflow)
+    }
+}
+
 impl ScaledSpace {
     fn new(sphere: &Sphere, ray: &FilterRay) -> ScaledSpace {
         let m = &sphere.world_from_object;
         let scale = sphere.scale();
-        let [x, y, z] = [0, 1, 2].map(|j| m.column(j).map(|entry| Approximation::scaled_down(entry, scale)));
-        let adjugate = [cross(&y, &z), cross(&z, &x), cross(&x, &y)];
-        let determinant = dot(&x, &adjugate[0]) * Approximation::exactly(scale);
-        let (origin, centre) = (ray.ray.origin.to_array(), m.column(3));
-        let from_centre = from_fn(|k| Approximation::exactly(origin[k]) - Approximation::exactly(centre[k]));
-        let direction = ray.ray.direction.to_array().map(Approximation::exactly);
+        let adjugate = Adjugate::new(m, scale);
+        let determinant = adjugate.row_times(0, adjugate.column) * Approximation::exactly(scale);
+        let from_centre = ray.ray.origin - Point::from(m.column(3));
         ScaledSpace {
-            origin: from_fn(|k| dot(&adjugate[k], &from_centre)),
-            direction: from_fn(|k| dot(&adjugate[k], &direction)),
+            origin: from_fn(|k| adjugate.row_times(k, from_centre)),
+            direction: from_fn(|k| adjugate.row_times(k, ray.ray.direction)),
             radius: Approximation::exactly(sphere.radius) * determinant.abs(),
             determinant,
         }

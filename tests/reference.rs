@@ -1,0 +1,225 @@
+//! Every accelerator against the reference: rays and scenes made to be hard, thousands of them.
+//!
+//! `FEIMOS_CASES=100000 cargo test --release --test reference` runs as many cases of each kind.
+
+mod common;
+
+use common::{bits, picture, whole};
+use feimos::accel::{BuildOptions, Precision, SplitMethod};
+use feimos::camera::{Camera, Projection, ScreenWindow};
+use feimos::film::{ChannelName, Image};
+use feimos::geometry::{Matrix, Point, Transform, Vector};
+use feimos::reference;
+use feimos::shape::{Cut, Shapes};
+use proptest::prelude::*;
+use proptest::test_runner::TestCaseError;
+
+fn cases(in_ci: u32) -> ProptestConfig {
+    let cases = std::env::var("FEIMOS_CASES").ok().map(|cases| cases.parse().expect("a number of cases"));
+    ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(cases.unwrap_or(in_ci)) }
+}
+
+/// What the reference says of every pixel: primitive and bits of Z and t, 0 for a miss.
+fn judged(camera: &Camera, shapes: &Shapes) -> Vec<[u32; 3]> {
+    let [width, height] = camera.resolution;
+    let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+    let judge = |(x, y)| {
+        let hit = reference::closest_hit(shapes, &camera.ray(x, y));
+        hit.map_or([0; 3], |hit| [shapes.number(hit.primitive) + 1, hit.z.to_bits(), hit.t.to_bits()])
+    };
+    pixels.map(judge).collect()
+}
+
+fn rendered(image: &Image) -> Vec<[u32; 3]> {
+    let of = |name| bits(image.channels.iter().find(|channel| channel.name == name).unwrap());
+    let [prim, z, t] = [ChannelName::Prim, ChannelName::Z, ChannelName::T].map(of);
+    let pixel = |k: usize| if prim[k] == 0 { [0; 3] } else { [prim[k], z[k], t[k]] };
+    (0..prim.len()).map(pixel).collect()
+}
+
+fn agrees_with_the_reference(camera: &Camera, shapes: &Shapes) -> Result<(), TestCaseError> {
+    let expected = judged(camera, shapes);
+    for method in [SplitMethod::None, SplitMethod::Sah] {
+        let options = BuildOptions { method, max_leaf: 1 };
+        let image = picture(camera, shapes, options, Precision::Exact, 1, whole(camera)).image;
+        prop_assert_eq!(&rendered(&image), &expected, "{}", method);
+    }
+    Ok(())
+}
+
+/// A camera for pixels of whole numbers: their rays go through the points of an integer grid.
+fn grid_camera(world_from_camera: Matrix, projection: Projection, size: u32) -> Camera {
+    let half = f64::from(size) / 2.0;
+    let screen_window = ScreenWindow { x0: -half, x1: half, y0: -half, y1: half };
+    Camera { world_from_camera, projection, screen_window, resolution: [size, size] }
+}
+
+fn projection() -> impl Strategy<Value = Projection> {
+    prop::sample::select(vec![Projection::Perspective { tangent: 1.0 }, Projection::Orthographic])
+}
+
+fn add_triangles(shapes: &mut Shapes, triangles: &[[Point; 3]], world_from_object: &Matrix, shape: u32) {
+    let vertices = triangles.iter().flatten().copied().collect();
+    let indices = (0..triangles.len() as u32).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
+    shapes.add_mesh(vertices, indices, world_from_object, shape).unwrap();
+}
+
+type Corner = [i32; 3];
+
+fn corner(size: i32) -> impl Strategy<Value = Corner> {
+    prop::array::uniform3(-size..=size)
+}
+
+fn point(corner: Corner) -> Point {
+    Point::from(corner.map(f64::from))
+}
+
+/// `mantissa * 2^exponent`, for exponents beyond what `powi` can do at once.
+fn scaled(mantissa: f64, exponent: i32) -> f64 {
+    mantissa * 2f64.powi(exponent / 2) * 2f64.powi(exponent - exponent / 2)
+}
+
+/// The whole sphere, most of the time, or what `zmin`, `zmax` and `phimax` leave of it.
+fn cut(radius: f64) -> impl Strategy<Value = Option<Cut>> {
+    let z = || prop::sample::select(vec![-1.0, -0.8, -0.6, 0.0, 0.1, 0.6, 1.0]);
+    let phi = prop::sample::select(vec![0.0, 30.0, 90.0, 180.0, 217.5, 270.0, 360.0]);
+    let partial = (z(), z(), phi).prop_map(move |(low, high, phi)| Cut::new(radius, low * radius, high * radius, phi));
+    prop_oneof![2 => Just(None), 1 => partial]
+}
+
+#[derive(Debug, Clone)]
+struct Ball {
+    world_from_object: Matrix,
+    radius: f64,
+    cut: Option<Cut>,
+}
+
+impl Ball {
+    fn add_to(&self, shapes: &mut Shapes, shape: u32) {
+        let transform = shapes.add_transform(self.world_from_object);
+        shapes.add_sphere(self.radius, self.cut, transform, shape).unwrap();
+    }
+}
+
+fn grid_ball() -> impl Strategy<Value = Ball> {
+    let stretch = prop::array::uniform3(prop::sample::select(vec![1.0, 1.0, -1.0, 2.0, 0.0]));
+    (corner(4), stretch, 0i32..4).prop_flat_map(|(centre, stretch, radius)| {
+        let place = Matrix::translate(centre.map(f64::from)).times(&Matrix::scale(stretch));
+        let radius = f64::from(radius);
+        cut(radius).prop_map(move |cut| Ball { world_from_object: place, radius, cut })
+    })
+}
+
+/// A matrix with entries of any kind: sheared, mirrored, nearly singular.
+fn matrix() -> impl Strategy<Value = Matrix> {
+    let turn = (-180.0f64..180.0, prop::array::uniform3(-1.0f64..1.0))
+        .prop_map(|(angle, axis)| Transform::rotate(angle, Vector::from(axis)).matrix);
+    let scale =
+        prop::array::uniform3(prop::sample::select(vec![1.0, 1.0, -2.0, 0.3, 1e-6, 1e5])).prop_map(Matrix::scale);
+    let shear = prop::array::uniform12(-2.0f64..2.0).prop_map(|m| {
+        let row = |k: usize| [m[4 * k], m[4 * k + 1], m[4 * k + 2], m[4 * k + 3]];
+        Matrix { rows: [row(0), row(1), row(2)] }
+    });
+    let one = || prop_oneof![Just(Matrix::IDENTITY), turn.clone(), scale.clone(), shear.clone()];
+    (one(), one()).prop_map(|(a, b)| a.times(&b))
+}
+
+proptest! {
+    #![proptest_config(cases(1500))]
+
+    /// Small whole numbers: ties, shared edges, rays through vertices and in planes appear by themselves.
+    #[test]
+    fn on_integer_grids(
+        triangles in prop::collection::vec(prop::array::uniform3(corner(3)), 0..12),
+        balls in prop::collection::vec(grid_ball(), 0..3),
+        eye in corner(5),
+        projection in projection(),
+    ) {
+        let mut shapes = Shapes::default();
+        let corners: Vec<[Point; 3]> = triangles.iter().map(|triangle| triangle.map(point)).collect();
+        let (first, second) = corners.split_at(corners.len() / 2);
+        add_triangles(&mut shapes, first, &Matrix::IDENTITY, 1);
+        balls.iter().zip(2..).for_each(|(ball, shape)| ball.add_to(&mut shapes, shape));
+        add_triangles(&mut shapes, second, &Matrix::IDENTITY, 9);
+        let camera = grid_camera(Matrix::translate(eye.map(f64::from)), projection, 5);
+        agrees_with_the_reference(&camera, &shapes)?;
+    }
+
+    /// The same under matrices that round, which leave rays beside what they would hit by a rounding or two.
+    #[test]
+    fn under_random_transforms(
+        triangles in prop::collection::vec(prop::array::uniform3(corner(2)), 0..8),
+        balls in prop::collection::vec(grid_ball(), 0..3),
+        world_from_object in matrix(),
+        eye in corner(4),
+        projection in projection(),
+        moves_camera in any::<bool>(),
+    ) {
+        let mut shapes = Shapes::default();
+        let corners: Vec<[Point; 3]> = triangles.iter().map(|triangle| triangle.map(point)).collect();
+        add_triangles(&mut shapes, &corners, &world_from_object, 1);
+        for (ball, shape) in balls.iter().zip(2..) {
+            let world_from_object = world_from_object.times(&ball.world_from_object);
+            Ball { world_from_object, ..ball.clone() }.add_to(&mut shapes, shape);
+        }
+        // The camera in the same space sees what the grid shows, but for the roundings.
+        let eye = Matrix::translate(eye.map(f64::from));
+        let world_from_camera = if moves_camera { world_from_object.times(&eye) } else { eye };
+        agrees_with_the_reference(&grid_camera(world_from_camera, projection, 5), &shapes)?;
+    }
+
+    /// Every shape, and the camera, in units of its own, from 1e-300 to 1e300, and beyond either end.
+    #[test]
+    fn at_any_scale(
+        triangles in prop::collection::vec((prop::array::uniform3(corner(3)), 0usize..3), 0..6),
+        balls in prop::collection::vec((grid_ball(), 0usize..3), 0..3),
+        exponents in prop::array::uniform3(-1040i32..1010),
+        spread in prop::sample::select(vec![0, 0, 20, 2000]),
+        camera_exponent in prop::sample::select(vec![0, 0, 30, -300, 900]),
+        eye in corner(4),
+        projection in projection(),
+    ) {
+        let exponent = |k: usize| (exponents[0] + (exponents[k] - exponents[0]).clamp(-spread, spread)).clamp(-1040, 1010);
+        let mut shapes = Shapes::default();
+        for (triangle, unit) in &triangles {
+            let corners = triangle.map(|corner| Point::from(corner.map(|x| scaled(f64::from(x), exponent(*unit)))));
+            add_triangles(&mut shapes, &[corners], &Matrix::IDENTITY, 1);
+        }
+        for ((ball, unit), shape) in balls.iter().zip(2..) {
+            let size = scaled(1.0, exponent(*unit));
+            let world_from_object = Matrix::scale([size; 3]).times(&ball.world_from_object);
+            Ball { world_from_object, ..ball.clone() }.add_to(&mut shapes, shape);
+        }
+        let size = scaled(1.0, exponent(0));
+        let directions = scaled(1.0, (exponent(0) + camera_exponent).clamp(-1040, 1010));
+        let scale = Matrix::scale([directions; 3]);
+        let mut world_from_camera = scale;
+        for k in 0..3 {
+            world_from_camera.rows[k][3] = f64::from(eye[k]) * size;
+        }
+        agrees_with_the_reference(&grid_camera(world_from_camera, projection, 5), &shapes)?;
+    }
+
+    /// Slivers, needles and planes seen edge-on, near the eye and far away from the origin.
+    #[test]
+    fn slivers_and_offsets(
+        corners in prop::collection::vec((prop::array::uniform3(corner(3)), -60i32..0, corner(2)), 1..8),
+        offset in prop::array::uniform3(prop::sample::select(vec![0.0, 0.1, 4.2e5, -5.4e6, 1e8, 1e15])),
+        eye in corner(3),
+        projection in projection(),
+    ) {
+        let sliver = |(triangle, thinness, off): &([Corner; 3], i32, Corner)| {
+            let [a, b, _] = triangle.map(point);
+            // The third corner lies beside the middle of the first two, by very little.
+            let middle = |k: usize| 0.5 * (a[k] + b[k]) + f64::from(off[k]) * 2f64.powi(*thinness);
+            [a, b, Point::new(middle(0), middle(1), middle(2))]
+        };
+        let mut shapes = Shapes::default();
+        let slivers: Vec<[Point; 3]> = corners.iter().map(sliver).collect();
+        let whole: Vec<[Point; 3]> = corners.iter().map(|(triangle, ..)| triangle.map(point)).collect();
+        add_triangles(&mut shapes, &slivers, &Matrix::translate(offset), 1);
+        add_triangles(&mut shapes, &whole, &Matrix::translate(offset), 2);
+        let eye = Matrix::translate(offset).times(&Matrix::translate(eye.map(f64::from)));
+        agrees_with_the_reference(&grid_camera(eye, projection, 5), &shapes)?;
+    }
+}
