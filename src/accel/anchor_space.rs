@@ -304,8 +304,20 @@ impl Box32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exact::Dyadic;
     use crate::geometry::Vector;
     use proptest::prelude::*;
+    use std::cmp::Ordering::{Equal, Greater, Less};
+
+    /// Small whole numbers, numbers with all their bits, and tiny ones.
+    fn component() -> impl Strategy<Value = f64> {
+        let odd = prop_oneof![3 => Just(0), 2 => -80i32..0, 1 => -600i32..0];
+        prop_oneof![
+            (-3i32..4).prop_map(f64::from),
+            (-1.0f64..1.0),
+            (-1.0f64..1.0, odd).prop_map(|(x, exponent)| x * 2f64.powi(exponent)),
+        ]
+    }
 
     fn enter(slab: &SlabRay, bounds: &Box32) -> Option<f32> {
         slab.enter(&bounds.corners())
@@ -358,6 +370,43 @@ mod tests {
             prop_assert!(near.is_some());
             prop_assert!(space.single_ray(&ray).unscaled(near.unwrap()) <= t);
             prop_assert!(near.unwrap() <= slab.scaled_limit(t));
+        }
+
+        /// Exactly: whatever point a ray passes, at whatever `t`, the smallest box of f64 around it is entered by then.
+        #[test]
+        fn no_hit_is_lost(
+            direction in prop::array::uniform3(component()),
+            origin in prop::array::uniform3(component()),
+            offset in prop::array::uniform3(component()),
+            t in 1u32..1 << 31,
+            exponents in prop::array::uniform3(-300i32..300),
+            perspective in any::<bool>(),
+            room in 0i32..40,
+        ) {
+            let times = |v: [f64; 3], exponent: i32| v.map(|x| x * 2f64.powi(exponent));
+            let direction = Vector::from(times(direction, exponents[0]));
+            let origin = Point::from(times(origin, exponents[1]));
+            let t = f64::from(t) * 2f64.powi(exponents[2] - 31);
+            let offset = Vector::from(times(offset, if perspective { -2000 } else { exponents[1] }));
+            let ray = Ray { origin, direction };
+            prop_assume!(ray.can_hit());
+            let along = |k: usize| &Dyadic::from(origin[k]) + &(&Dyadic::from(t) * &Dyadic::from(direction[k]));
+            let ends: [[f64; 2]; 3] = std::array::from_fn(|k| {
+                let nearest = along(k).to_f64();
+                match Dyadic::from(nearest).cmp(&along(k)) {
+                    Less => [nearest, nearest.next_up()],
+                    Equal => [nearest, nearest],
+                    Greater => [nearest.next_down(), nearest],
+                }
+            });
+            let bounds = Bounds { low: ends.map(|[low, _]| low).into(), high: ends.map(|[_, high]| high).into() };
+            let anchor = origin + offset;
+            let reach = (bounds.low - anchor).largest().max((bounds.high - anchor).largest());
+            let space = AnchorSpace::new(anchor, reach * 2f64.powi(room));
+            let slab = space.ray(&ray);
+            let near = enter(&slab, &space.enclose(&bounds));
+            prop_assert!(near.is_some());
+            prop_assert!(near.unwrap() <= slab.scaled_limit(t), "{near:?} is beyond {}", slab.scaled_limit(t));
         }
 
         #[test]

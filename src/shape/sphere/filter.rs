@@ -144,3 +144,94 @@ fn cross(a: &Approximations, b: &Approximations) -> Approximations {
     let minor = |i: usize, j: usize| a[i] * b[j] - a[j] * b[i];
     [minor(1, 2), minor(2, 0), minor(0, 1)]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::{Dyadic, ExactVector};
+    use crate::geometry::Ray;
+    use proptest::prelude::*;
+    use std::cmp::Ordering;
+
+    /// Numbers with all their bits, whole ones, and ones of other sizes.
+    fn number() -> impl Strategy<Value = f64> {
+        prop_oneof![
+            4 => -1.0f64..1.0,
+            2 => (-3i32..4).prop_map(f64::from),
+            1 => (-1.0f64..1.0, -1060i32..400).prop_map(|(x, exponent)| {
+                x * 2f64.powi(exponent / 2) * 2f64.powi(exponent - exponent / 2)
+            }),
+        ]
+    }
+
+    fn vector() -> impl Strategy<Value = Vector> {
+        prop::array::uniform3(number()).prop_map(Vector::from)
+    }
+
+    fn matrix() -> impl Strategy<Value = Matrix> {
+        let row = || prop::array::uniform4(number());
+        [row(), row(), row()].prop_map(|rows| Matrix { rows })
+    }
+
+    fn cut() -> impl Strategy<Value = Option<Cut>> {
+        let z = || prop::sample::select(vec![-1.0, -0.3, 0.0, 0.4, 1.0]);
+        let phi = prop::sample::select(vec![0.0, 60.0, 180.0, 250.0, 360.0]);
+        (z(), z(), phi).prop_map(|(low, high, phi)| Cut::new(1.0, low, high, phi))
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+        #[test]
+        fn adjugates_stay_within_their_bounds(m in matrix(), origin in vector(), centre in vector()) {
+            let sphere = Sphere { world_from_object: m, radius: 1.0, cut: None };
+            let scale = sphere.scale();
+            let adjugate = Adjugate::new(&m, scale);
+            let (rows, determinant) = m.exact_adjugate();
+            let square_of_scale = Dyadic::from(scale).square();
+            let meant = |k: usize| {
+                let v = ExactVector::from(origin.to_array()).minus(&ExactVector::from(centre.to_array()));
+                rows[k].dot(&v)
+            };
+            for k in 0..3 {
+                let found = adjugate.row_times(k, Point::from(origin.to_array()) - Point::from(centre.to_array()));
+                // Compared after both are multiplied by the square of the scale.
+                let ends = found.bracket();
+                let times_scale = |end: f64| &Dyadic::from(end) * &square_of_scale;
+                prop_assert!(!ends.low.is_finite() || times_scale(ends.low) <= meant(k), "row {k}");
+                prop_assert!(!ends.high.is_finite() || times_scale(ends.high) >= meant(k), "row {k}");
+            }
+            let found = adjugate.row_times(0, adjugate.column).bracket();
+            let times_scale = |end: f64| &(&Dyadic::from(end) * &square_of_scale) * &Dyadic::from(scale);
+            prop_assert!(!found.low.is_finite() || times_scale(found.low) <= determinant);
+            prop_assert!(!found.high.is_finite() || times_scale(found.high) >= determinant);
+        }
+
+        /// Rays at the sphere, past it and along its surface: whatever the filter says of them is so.
+        #[test]
+        fn verdicts_are_right(
+            m in matrix(),
+            radius in prop::sample::select(vec![1.0, 0.7, 1e-30, 1e200]),
+            cut in cut(),
+            origin in vector(),
+            on_sphere in prop::sample::select(vec![[0.6, 0.8, 0.0], [0.0, -1.0, 0.0], [0.48, 0.6, 0.64], [0.1, 0.2, 0.3]]),
+            aside in prop::sample::select(vec![0.0, 0.0, 1e-15, 1e-8, 0.3]),
+        ) {
+            let sphere = Sphere { world_from_object: m, radius, cut: if radius == 1.0 { cut } else { None } };
+            prop_assume!(sphere.can_be_hit());
+            let target = m.apply(Point::from(on_sphere.map(|q| q * radius * (1.0 + aside))));
+            let origin = Point::default() + origin;
+            let ray = Ray { origin, direction: target - origin };
+            prop_assume!(ray.can_hit());
+            match (sphere.filter(&FilterRay::new(&ray)), sphere.exact(&ray)) {
+                (Verdict::Unsure, _) | (Verdict::Miss, None) => {}
+                (Verdict::Hit(bracket), Some(t)) => {
+                    prop_assert!(t.compare_with(&Dyadic::from(bracket.low)) != Ordering::Less);
+                    let is_high = !bracket.high.is_finite() || t.compare_with(&Dyadic::from(bracket.high)) != Ordering::Greater;
+                    prop_assert!(is_high);
+                }
+                (verdict, t) => prop_assert!(false, "{verdict:?}, but {t:?}"),
+            }
+        }
+    }
+}

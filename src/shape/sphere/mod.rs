@@ -75,8 +75,10 @@ fn power_of_two_near(x: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exact::{Dyadic, ExactVector};
     use crate::geometry::Ray;
     use crate::shape::{FilterRay, Verdict};
+    use proptest::prelude::*;
 
     fn unit(world_from_object: Matrix) -> Sphere {
         Sphere { world_from_object, radius: 1.0, cut: None }
@@ -124,6 +126,33 @@ mod tests {
         assert_eq!(intersect(&stretched, &along_z(2.0, 0.0, 0.0)), Some(5.0));
         let bounds = stretched.bounds();
         assert!(bounds.low.y < -3.0 && bounds.low.y > -3.0001 && bounds.high.z > 5.5 && bounds.high.z < 5.5001);
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(5000))]
+
+        /// An ellipsoid reaches r |row| from its centre along an axis, exactly.
+        #[test]
+        fn boxes_hold_the_sphere(
+            entries in prop::array::uniform12(-1.0f64..1.0),
+            exponents in prop::array::uniform4(-1040i32..1020),
+            alike in any::<bool>(),
+            radius in 0.5f64..1.0,
+        ) {
+            let power = |exponent: i32| 2f64.powi(exponent / 2) * 2f64.powi(exponent - exponent / 2);
+            let exponent = |j: usize| exponents[if alike { 0 } else { j }];
+            let row = |i: usize| std::array::from_fn(|j| entries[4 * i + j] * power(exponent(j)));
+            let radius = radius * power(if alike { -exponents[0] / 2 } else { 0 });
+            let sphere = Sphere { radius, ..unit(Matrix { rows: [row(0), row(1), row(2)] }) };
+            let bounds = sphere.bounds();
+            for k in 0..3 {
+                let row = sphere.world_from_object.rows[k];
+                let linear = ExactVector::from([row[0], row[1], row[2]]);
+                let square = &linear.dot(&linear) * &Dyadic::from(radius).square();
+                let holds = |end: f64| !end.is_finite() || (&Dyadic::from(end) - &Dyadic::from(row[3])).square() >= square;
+                prop_assert!(holds(bounds.low[k]) && holds(bounds.high[k]), "{bounds:?}");
+            }
+        }
     }
 
     #[test]

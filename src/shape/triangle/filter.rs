@@ -114,3 +114,71 @@ fn side_of(edges: &[f64; 3], errors: &[f64; 3]) -> Side {
         Side::Unsure
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::{Dyadic, ExactVector};
+    use crate::geometry::{Point, Ray};
+    use proptest::prelude::*;
+    use std::cmp::Ordering;
+
+    /// Numbers with all their bits, whole ones, and ones of other sizes.
+    fn coordinate() -> impl Strategy<Value = f64> {
+        prop_oneof![
+            4 => -1.0f64..1.0,
+            2 => (-3i32..4).prop_map(f64::from),
+            1 => (-1.0f64..1.0, -500i32..460).prop_map(|(x, exponent)| x * 2f64.powi(exponent)),
+        ]
+    }
+
+    fn vector() -> impl Strategy<Value = Vector> {
+        prop::array::uniform3(coordinate()).prop_map(Vector::from)
+    }
+
+    fn exact(v: Vector) -> ExactVector {
+        ExactVector::from(v.to_array())
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+        /// Both bounds on the edge functions hold for what is computed from rounded differences.
+        #[test]
+        fn edge_functions_stay_within_their_bounds(origin in vector(), a in vector(), b in vector(), d in vector()) {
+            let ray = FilterRay::new(&Ray { origin: Point::default() + origin, direction: d });
+            let [v, w] = [a, b].map(|v| (Point::default() + v) - ray.ray.origin);
+            let edge = d.dot(v.cross(w));
+            let [exact_v, exact_w] = [a, b].map(|v| exact(v).minus(&exact(origin)));
+            let meant = exact(d).dot(&exact_v.cross(&exact_w));
+            let [_, _, close] = close_edge_errors(&[v, w, Vector::default()], &ray);
+            let extent = v.largest().max(w.largest());
+            for error in [close, edge_error(2.0 * ray.direction_sum * (extent * extent), &ray)] {
+                if error.is_finite() {
+                    let off = (&Dyadic::from(edge) - &meant).abs();
+                    prop_assert!(off <= Dyadic::from(error), "{} > {error}", off.to_f64());
+                }
+            }
+        }
+
+        /// Rays made to cross the plane of the triangle in its middle: whatever the filter says of them is so.
+        #[test]
+        fn verdicts_are_right(origin in vector(), corners in prop::array::uniform3(vector()), aside in -2.0f64..2.0) {
+            let triangle = Triangle(corners.map(|corner| Point::default() + corner));
+            prop_assume!(triangle.can_be_hit());
+            let [a, b, c] = corners;
+            let target = |k: usize| (a[k] + b[k] + c[k]) / 3.0 + aside * (a[k] - b[k]);
+            let origin = Point::default() + origin;
+            let ray = Ray { origin, direction: Point::new(target(0), target(1), target(2)) - origin };
+            prop_assume!(ray.can_hit());
+            match (triangle.filter(&FilterRay::new(&ray)), triangle.exact(&ray)) {
+                (Verdict::Unsure, _) | (Verdict::Miss, None) => {}
+                (Verdict::Hit(bracket), Some(t)) => {
+                    prop_assert!(t.compare_with(&Dyadic::from(bracket.low)) != Ordering::Less);
+                    prop_assert!(bracket.high == f64::INFINITY || t.compare_with(&Dyadic::from(bracket.high)) != Ordering::Greater);
+                }
+                (verdict, t) => prop_assert!(false, "{verdict:?}, but {t:?}"),
+            }
+        }
+    }
+}
