@@ -1,35 +1,32 @@
 //! Numbers `m * 2^e`: every finite `f64` is one, and sums and products of them are exact.
 
+use super::integer::Integer;
 use super::powers::{mantissa_and_exponent, power_of_two};
-use num_bigint::{BigInt, BigUint, Sign};
+use num_bigint::{BigInt, BigUint};
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// An integer times a power of two.
 #[derive(Debug, Clone)]
 pub struct Dyadic {
-    mantissa: BigInt,
+    mantissa: Integer,
     exponent: i64,
 }
 
 impl Dyadic {
     /// `mantissa * 2^exponent`.
     pub fn new(mantissa: BigInt, exponent: i64) -> Dyadic {
-        Dyadic { mantissa, exponent }
+        Dyadic { mantissa: mantissa.into(), exponent }
     }
 
     /// The number 0.
     pub fn zero() -> Dyadic {
-        Dyadic::new(BigInt::ZERO, 0)
+        Dyadic { mantissa: Integer::Small(0), exponent: 0 }
     }
 
     /// How the number compares with 0.
     pub fn sign(&self) -> Ordering {
-        match self.mantissa.sign() {
-            Sign::Minus => Ordering::Less,
-            Sign::NoSign => Ordering::Equal,
-            Sign::Plus => Ordering::Greater,
-        }
+        self.mantissa.sign()
     }
 
     /// Whether the number is 0.
@@ -52,9 +49,9 @@ impl Dyadic {
     /// # Panics
     /// Where `divisor` is 0.
     pub fn quotient_to_f64(&self, divisor: &Dyadic) -> f64 {
-        let magnitude =
-            round_quotient(self.mantissa.magnitude(), divisor.mantissa.magnitude(), self.exponent - divisor.exponent);
-        let negative = self.mantissa.sign() != divisor.mantissa.sign() && !self.is_zero();
+        let (numerator, denominator) = (self.mantissa.magnitude(), divisor.mantissa.magnitude());
+        let magnitude = round_quotient(&numerator, &denominator, self.exponent - divisor.exponent);
+        let negative = self.sign() != divisor.sign() && !self.is_zero();
         if negative { -magnitude } else { magnitude }
     }
 
@@ -68,7 +65,8 @@ impl Dyadic {
     /// # Panics
     /// Where the number is negative.
     pub fn square_root(&self, bits: u64) -> [Dyadic; 2] {
-        let radicand = self.mantissa.to_biguint().expect("a square root is of a number that is not negative");
+        assert!(self.sign() != Ordering::Less, "a square root is of a number that is not negative");
+        let radicand = self.mantissa.magnitude();
         let mut shift = (2 * bits).saturating_sub(radicand.bits());
         if (self.exponent - shift as i64) % 2 != 0 {
             // Only an even exponent has a half.
@@ -83,7 +81,7 @@ impl Dyadic {
     }
 
     /// Applies `operation`, a sum or a difference, to both mantissas for the smaller of the two exponents.
-    fn combine(&self, other: &Dyadic, operation: fn(&BigInt, &BigInt) -> BigInt) -> Dyadic {
+    fn combine(&self, other: &Dyadic, operation: fn(&Integer, &Integer) -> Integer) -> Dyadic {
         // A zero has no exponent of its own.
         let exponent = match (self.is_zero(), other.is_zero()) {
             (true, _) => other.exponent,
@@ -93,8 +91,8 @@ impl Dyadic {
         let shift = |x: &Dyadic| (x.exponent - exponent).max(0) as u64;
         let mantissa = match (shift(self), shift(other)) {
             (0, 0) => operation(&self.mantissa, &other.mantissa),
-            (a, 0) => operation(&(&self.mantissa << a), &other.mantissa),
-            (_, b) => operation(&self.mantissa, &(&other.mantissa << b)),
+            (a, 0) => operation(&self.mantissa.shifted(a), &other.mantissa),
+            (_, b) => operation(&self.mantissa, &other.mantissa.shifted(b)),
         };
         Dyadic { mantissa, exponent }
     }
@@ -108,11 +106,9 @@ impl From<f64> for Dyadic {
         let (mantissa, exponent) = mantissa_and_exponent(value);
         // Short mantissas make short products.
         let zeros = if mantissa == 0 { 0 } else { mantissa.trailing_zeros() };
-        let sign = if value.is_sign_negative() { Sign::Minus } else { Sign::Plus };
-        Dyadic {
-            mantissa: BigInt::from_biguint(sign, BigUint::from(mantissa >> zeros)),
-            exponent: i64::from(exponent) + i64::from(zeros),
-        }
+        let magnitude = i128::from(mantissa >> zeros);
+        let signed = if value.is_sign_negative() { -magnitude } else { magnitude };
+        Dyadic { mantissa: Integer::Small(signed), exponent: i64::from(exponent) + i64::from(zeros) }
     }
 }
 

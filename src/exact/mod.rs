@@ -4,6 +4,7 @@ mod approximation;
 mod bracket;
 pub mod degrees;
 mod dyadic;
+mod integer;
 mod nearest;
 mod powers;
 mod root;
