@@ -9,10 +9,13 @@ use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::camera::{Camera, Projection, ScreenWindow};
 use feimos::film::{ChannelName, Image};
 use feimos::geometry::{Matrix, Point, Transform, Vector};
+use feimos::progress::Progress;
 use feimos::reference;
+use feimos::scene::{LoadOptions, load};
 use feimos::shape::{Cut, Shapes};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseError;
+use std::path::Path;
 
 fn cases(in_ci: u32) -> ProptestConfig {
     let cases = std::env::var("FEIMOS_CASES").ok().map(|cases| cases.parse().expect("a number of cases"));
@@ -122,6 +125,18 @@ fn matrix() -> impl Strategy<Value = Matrix> {
     });
     let one = || prop_oneof![Just(Matrix::IDENTITY), turn.clone(), scale.clone(), shear.clone()];
     (one(), one()).prop_map(|(a, b)| a.times(&b))
+}
+
+/// The small ones; the dragon would take the reference hours.
+#[test]
+fn the_scenes_to_try_are_right() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
+    for name in ["sphere", "triangles", "transforms", "partial-spheres"] {
+        let options = LoadOptions { resolution: Some([48, 27]) };
+        let scene = load(&folder.join(name).with_extension("pbrt"), &options, Progress::SILENT).unwrap();
+        assert!(scene.warnings.is_empty() && scene.shapes.primitive_count() > 0, "{name}");
+        agrees_with_the_reference(&scene.camera, &scene.shapes).unwrap_or_else(|wrong| panic!("{name}: {wrong}"));
+    }
 }
 
 proptest! {

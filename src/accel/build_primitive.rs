@@ -1,6 +1,7 @@
 //! What a build knows of a primitive.
 
-use super::anchor_space::{AnchorSpace, Box32};
+use super::anchor_space::AnchorSpace;
+use super::box32::Box32;
 use crate::geometry::{Bounds, Point};
 use crate::shape::{Primitive, Shapes};
 use rayon::prelude::*;

@@ -1,7 +1,7 @@
 //! The nearest hit of a ray, decided exactly.
 
-use super::anchor_space::SlabRay;
 use super::hit::{Fallbacks, Hit};
+use super::slab_ray::SlabRay;
 use super::traversal::Search;
 use crate::exact::{Bracket, Root};
 use crate::geometry::Ray;

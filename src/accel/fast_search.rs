@@ -1,7 +1,8 @@
 //! The nearest hit of a ray, as `f32` has it.
 
-use super::anchor_space::{AnchorSpace, SingleRay, SlabRay};
+use super::anchor_space::{AnchorSpace, SingleRay};
 use super::hit::Hit;
+use super::slab_ray::SlabRay;
 use super::traversal::Search;
 use crate::exact::Bracket;
 use crate::geometry::{Point, Ray};

@@ -4,6 +4,7 @@
 
 mod aggregate;
 mod anchor_space;
+mod box32;
 mod build_primitive;
 mod depth;
 mod exact_search;
@@ -12,6 +13,8 @@ mod hit;
 mod hlbvh;
 mod node;
 mod precision;
+mod rounding;
+mod slab_ray;
 mod split_method;
 mod splitter;
 mod statistics;

@@ -1,7 +1,7 @@
 //! One split of a list of primitives, by each method.
 
 use super::SplitMethod;
-use super::anchor_space::Box32;
+use super::box32::Box32;
 use super::build_primitive::{BuildPrimitive, PARALLEL, centre_bounds};
 use rayon::prelude::*;
 

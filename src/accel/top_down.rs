@@ -1,6 +1,6 @@
 //! The one top-down build, whatever the split method.
 
-use super::anchor_space::Box32;
+use super::box32::Box32;
 use super::build_primitive::{BuildPrimitive, bounds_of};
 use super::node::{Children, Node, Subtree};
 use super::splitter::{Splitter, split_evenly};

@@ -2,9 +2,9 @@
 
 use super::Aggregate;
 use super::aggregate::MAX_DEPTH;
-use super::anchor_space::SlabRay;
 use super::hit::{Hit, Work};
 use super::node::{Children, PackedNode};
+use super::slab_ray::SlabRay;
 use crate::shape::Primitive;
 
 /// What is done with the primitives that a ray may hit, and how far it still has to go.
