@@ -192,6 +192,7 @@ proptest! {
         spread in prop::sample::select(vec![0, 0, 20, 2000]),
         camera_exponent in prop::sample::select(vec![0, 0, 30, -300, 900]),
         eye in corner(4),
+        distance in prop::sample::select(vec![0, 0, 150, 900]),
         projection in projection(),
     ) {
         let exponent = |k: usize| (exponents[0] + (exponents[k] - exponents[0]).clamp(-spread, spread)).clamp(-1040, 1010);
@@ -211,6 +212,10 @@ proptest! {
         let mut world_from_camera = scale;
         for k in 0..3 {
             world_from_camera.rows[k][3] = f64::from(eye[k]) * size;
+        }
+        if projection == Projection::Orthographic && distance > 0 {
+            // From so far away that no f32 can hold the distance.
+            world_from_camera.rows[2][3] = -scaled(1.0, (exponent(0) + distance).min(1010));
         }
         agrees_with_the_reference(&grid_camera(world_from_camera, projection, 5), &shapes)?;
     }

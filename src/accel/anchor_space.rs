@@ -27,8 +27,9 @@
 //! reciprocal is infinite, and `0 * infinity` cannot occur. By the same count it is more than T before it is rounded.
 //!
 //! *D = 0*: then P = O, so l < oh and h > ol: the entry is below 0 and the exit infinite. *A component that underflows* when D
-//! is scaled would be neither; such an axis is left out. *NaN* only comes from infinite bounds: the comparison with it fails
-//! in favour of what was known before.
+//! is scaled keeps its sign, and the reciprocals are those of 0, of which one is too small and the other too large. *NaN* only
+//! comes from infinite bounds, or from two numbers that rounding made equal times an infinite reciprocal: the comparison
+//! with it fails in favour of what was known before.
 //!
 //! So on every axis entry < T < exit before the last rounding, which is monotone, also where it underflows or overflows:
 //! the latest entry is not above the earliest exit, and the box is entered. For the same reason the entry is not above the
@@ -202,6 +203,18 @@ mod tests {
         });
         let bounds = Bounds { low: ends.map(|[low, _]| low).into(), high: ends.map(|[_, high]| high).into() };
         (bounds.low.is_finite() && bounds.high.is_finite()).then_some(bounds)
+    }
+
+    #[test]
+    fn differences_that_overflow_are_taken_in_quarters() {
+        let far = 1.5e308;
+        let ray = Ray { origin: Point::new(far, 1.0, -far), direction: Vector::new(-1e300, 0.0, 1e300) };
+        for t in [1e-8, 1.0, 2.5e8] {
+            let bounds = bounds_of_point(&ray, t).unwrap();
+            let space = AnchorSpace::new(ray.origin, f64::INFINITY);
+            let near = enter(&space.ray(&ray), &space.enclose(&bounds));
+            assert!(near.is_some_and(|near| near <= space.ray(&ray).scaled_limit(t)), "{near:?}");
+        }
     }
 
     proptest! {

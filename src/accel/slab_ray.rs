@@ -41,16 +41,11 @@ impl SlabRay {
 
     /// Prepares axis `k` for a ray from `origin`, in anchor space, along a component that is to be scaled.
     pub(super) fn prepare_axis(&mut self, k: usize, origin: f64, direction: f64, direction_scale: f64) {
+        // Told by the component itself: scaled down, it may underflow to 0.
         let negative = direction < 0.0;
         let sign = if negative { -1.0 } else { 1.0 };
         self.near_corner[k] = usize::from(negative);
         let scaled = (direction * direction_scale).abs();
-        if scaled < f64::MIN_POSITIVE && direction != 0.0 {
-            // Underflow: nobody knows when the ray leaves this slab, so it is taken for endless.
-            (self.near_origin[k], self.far_origin[k]) = (sign * f32::INFINITY, sign * f32::NEG_INFINITY);
-            (self.near_inverse[k], self.far_inverse[k]) = (sign, sign);
-            return;
-        }
         let (low, high) = (at_or_below(origin), -at_or_below(-origin));
         (self.near_origin[k], self.far_origin[k]) = if negative { (low, high) } else { (high, low) };
         let inverse = (1.0 / scaled) as f32;

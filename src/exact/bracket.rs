@@ -25,7 +25,8 @@ impl Bracket {
         if low <= high { Bracket { low, high } } else { Bracket { low: f64::NEG_INFINITY, high: f64::INFINITY } }
     }
 
-    /// Whether this number is surely less than the other.
+    /// Whether this number is surely less than the other. That brackets which only touch do not count makes no difference
+    /// where they were widened, as all are whose ends are not themselves the number.
     pub fn is_below(&self, other: &Bracket) -> bool {
         self.high < other.low
     }
@@ -51,6 +52,8 @@ impl Bracket {
 #[cfg(test)]
 mod tests {
     use super::Bracket;
+    use crate::exact::Dyadic;
+    use proptest::prelude::*;
 
     #[test]
     fn ends_lie_outside() {
@@ -60,6 +63,17 @@ mod tests {
         assert_eq!((anything.low, anything.high), (f64::NEG_INFINITY, f64::INFINITY));
         let product = Bracket::POSITIVE.times(&third);
         assert_eq!((product.low, product.high), (0.0, f64::INFINITY));
+    }
+
+    proptest! {
+        #[test]
+        fn products_lie_between_their_ends(a in 0.0f64..1e-300, b in 0.0f64..1e10, c in 0.0f64..9.0) {
+            for (x, y) in [(a, b), (b, c), (c, a)] {
+                let product = Bracket::exactly(x).times(&Bracket::exactly(y));
+                let meant = &Dyadic::from(x) * &Dyadic::from(y);
+                prop_assert!(Dyadic::from(product.low) <= meant && meant <= Dyadic::from(product.high));
+            }
+        }
     }
 
     #[test]

@@ -25,10 +25,8 @@ impl FilterRay {
 /// counts to underflow.
 ///
 /// The two products in a component of the cross product lose 2^-1075 each at most, which the factor multiplies, and the
-/// product with the factor loses as much again: 2^-1072 max(1, |f|) in all, by far less than 2^-53 of the limit.
+/// product with the factor loses as much again: 2^-1072 max(1, |f|) in all, below 3e-323. At the limit the bounds leave room for
+/// more than 1e-307, so that a somewhat lower one would do.
 pub(super) fn may_underflow_below(factor: Vector) -> f64 {
-    1e-250 * factor.largest().max(1.0)
+    1e-290 * factor.largest().max(1.0)
 }
-
-/// Sums whose absolute terms add up to more may have overflowed on the way.
-pub(super) const MAY_OVERFLOW_ABOVE: f64 = 1e290;

@@ -8,16 +8,18 @@
 //! first stage in the same way). Two triangles that share an edge compute the same numbers with opposite signs.
 
 use super::{Triangle, U};
-use crate::exact::Bracket;
+use crate::exact::Approximation;
 use crate::geometry::Vector;
-use crate::shape::filter_ray::{MAY_OVERFLOW_ABOVE, may_underflow_below};
+use crate::shape::filter_ray::may_underflow_below;
 use crate::shape::{FilterRay, Verdict};
 
 /// Of the absolute terms of an edge function: how far it may be off.
 const EDGE_ERROR: f64 = 8.0 * U;
 
-/// The same for the two sums of which `t` is the quotient: eight roundings, and ample room for those of the bound.
-const QUOTIENT_ERROR: f64 = 12.0 * U;
+/// The same for the two sums of which `t` is the quotient. The terms of one pass eight roundings: the differences in all three
+/// factors, two products, the difference within the cross product, and two sums; those of the other seven. As many are in
+/// the absolute terms.
+const PLANE_ERROR: f64 = 10.0 * U;
 
 /// Where the ray crosses the triangle's plane.
 #[derive(Clone, Copy, PartialEq)]
@@ -35,9 +37,7 @@ impl Triangle {
         let corners = self.0.map(|corner| corner - ray.ray.origin);
         let [v0, v1, v2] = corners;
         let edges = [d.dot(v1.cross(v2)), d.dot(v2.cross(v0)), d.dot(v0.cross(v1))];
-        // No product of two coordinates is larger than the square of the largest.
-        let extent = v0.largest().max(v1.largest()).max(v2.largest());
-        let error = edge_error(2.0 * ray.direction_sum * (extent * extent), ray);
+        let error = edge_error(most_edge_terms(&corners, ray), ray);
         let mut side = side_of(&edges, &[error; 3]);
         if side == Side::Unsure {
             side = side_of(&edges, &close_edge_errors(&corners, ray));
@@ -49,39 +49,46 @@ impl Triangle {
         }
     }
 
-    /// The verdict on a ray that surely crosses the plane within the triangle.
-    ///
-    /// t = n . (a - o) / (n . d) with n = ab x ac. The numerator's terms pass eight roundings, the denominator's seven. With
-    /// errors E and F of the two, t is off by (E + |t| F) / (|n . d| - F) and the rounding of the quotient.
+    /// The verdict on a ray that surely crosses the plane within the triangle: t = n . (a - o) / (n . d).
     fn place(&self, ray: &FilterRay) -> Verdict {
-        let [a, b, c] = self.0;
-        let (ab, ac, oa, d) = (b - a, c - a, a - ray.ray.origin, ray.ray.direction);
-        let (normal, normal_terms) = (ab.cross(ac), ab.absolute_cross(ac));
-        let (numerator_terms, denominator_terms) = (normal_terms.dot(oa.absolute()), normal_terms.dot(d.absolute()));
-        let denominator = normal.dot(d);
-        let t = normal.dot(oa) / denominator;
-        let error = QUOTIENT_ERROR * (numerator_terms + t.abs() * denominator_terms);
-        let least_denominator = denominator.abs() - QUOTIENT_ERROR * denominator_terms;
-        let in_range = is_in_range(numerator_terms, may_underflow_below(oa))
-            && is_in_range(denominator_terms, ray.least)
-            && is_in_range(t.abs(), 1e-290);
-        if !in_range || least_denominator <= 0.0 {
-            return Verdict::Unsure;
-        }
-        let bracket = Bracket::around(t, error / least_denominator + 2.0 * U * t.abs());
-        if bracket.low > 0.0 {
-            Verdict::Hit(bracket)
-        } else if bracket.high <= 0.0 {
+        let [height, slope] = self.height_and_slope(ray);
+        let t = height.over(slope).bracket();
+        if t.low > 0.0 {
+            Verdict::Hit(t)
+        } else if t.high <= 0.0 {
             Verdict::Miss
         } else {
             Verdict::Unsure
         }
     }
+
+    /// n . (a - o) and n . d, with n = ab x ac.
+    fn height_and_slope(&self, ray: &FilterRay) -> [Approximation; 2] {
+        let [a, b, c] = self.0;
+        let (ab, ac) = (b - a, c - a);
+        let (normal, normal_terms) = (ab.cross(ac), ab.absolute_cross(ac));
+        let along = |v: Vector, least: f64| {
+            let terms = normal_terms.dot(v.absolute());
+            let error = if is_in_range(terms, least) { PLANE_ERROR * terms } else { f64::INFINITY };
+            Approximation::within(normal.dot(v), error)
+        };
+        let to_corner = a - ray.ray.origin;
+        [along(to_corner, may_underflow_below(to_corner)), along(ray.ray.direction, ray.least)]
+    }
 }
 
-/// False for NaN as well.
+/// Whether nothing that counts was lost to underflow, and nothing overflowed: what the terms are made of is not larger
+/// than they are, or than what they are multiplied from. False for NaN as well.
 fn is_in_range(terms: f64, least: f64) -> bool {
-    terms > least && terms < MAY_OVERFLOW_ABOVE
+    terms > least && terms < f64::INFINITY
+}
+
+/// More than the absolute terms of an edge function can add up to: no product of two coordinates is larger than the square
+/// of the largest, and a component of a cross product has two. Infinite if that component may be.
+#[inline]
+fn most_edge_terms([v0, v1, v2]: &[Vector; 3], ray: &FilterRay) -> f64 {
+    let extent = v0.largest().max(v1.largest()).max(v2.largest());
+    ray.direction_sum * (2.0 * extent * extent)
 }
 
 /// How far an edge function may be off whose absolute terms add up to `terms` at most.
@@ -118,7 +125,7 @@ fn side_of(edges: &[f64; 3], errors: &[f64; 3]) -> Side {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exact::{Dyadic, ExactVector};
+    use crate::exact::{Bracket, Dyadic, ExactVector};
     use crate::geometry::{Point, Ray};
     use proptest::prelude::*;
     use std::cmp::Ordering;
@@ -140,6 +147,18 @@ mod tests {
         ExactVector::from(v.to_array())
     }
 
+    /// The cross product overflows where it hardly counts: the direction is short, and nearly across that component.
+    #[test]
+    fn an_overflow_in_the_cross_product_is_noticed() {
+        let (large, d) = (1.2e154, Vector::new(1e-50, 1e-20, 0.0));
+        let ray = FilterRay::new(&Ray { origin: Point::default(), direction: d });
+        let [v, w] = [Vector::new(0.0, large, -large), Vector::new(0.9 * large, large, large)];
+        assert_eq!(d.dot(v.cross(w)), f64::INFINITY, "it is below 0 in truth");
+        assert!(exact(d).dot(&exact(v).cross(&exact(w))).sign() == Ordering::Less);
+        assert_eq!(edge_error(most_edge_terms(&[v, w, w], &ray), &ray), f64::INFINITY);
+        assert_eq!(close_edge_errors(&[v, w, w], &ray)[2], f64::INFINITY);
+    }
+
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(20_000))]
 
@@ -152,12 +171,30 @@ mod tests {
             let [exact_v, exact_w] = [a, b].map(|v| exact(v).minus(&exact(origin)));
             let meant = exact(d).dot(&exact_v.cross(&exact_w));
             let [_, _, close] = close_edge_errors(&[v, w, Vector::default()], &ray);
-            let extent = v.largest().max(w.largest());
-            for error in [close, edge_error(2.0 * ray.direction_sum * (extent * extent), &ray)] {
+            let common = edge_error(most_edge_terms(&[v, w, v], &ray), &ray);
+            for error in [close, common] {
                 if error.is_finite() {
                     let off = (&Dyadic::from(edge) - &meant).abs();
                     prop_assert!(off <= Dyadic::from(error), "{} > {error}", off.to_f64());
                 }
+            }
+        }
+
+        #[test]
+        fn heights_and_slopes_stay_within_their_bounds(
+            corners in prop::array::uniform3(vector()),
+            origin in vector(),
+            d in vector(),
+        ) {
+            let triangle = Triangle(corners.map(|corner| Point::default() + corner));
+            let ray = FilterRay::new(&Ray { origin: Point::default() + origin, direction: d });
+            let [a, b, c] = corners.map(exact);
+            let normal = b.minus(&a).cross(&c.minus(&a));
+            let meant = [normal.dot(&a.minus(&exact(origin))), normal.dot(&exact(d))];
+            for (found, meant) in triangle.height_and_slope(&ray).iter().zip(meant) {
+                let Bracket { low, high } = found.bracket();
+                prop_assert!(!low.is_finite() || Dyadic::from(low) <= meant);
+                prop_assert!(!high.is_finite() || Dyadic::from(high) >= meant);
             }
         }
 
