@@ -178,7 +178,8 @@ fn shapes_count_whether_they_are_supported_or_not() {
 #[test]
 fn what_is_rendered_otherwise_is_warned_of() {
     let scene = scene(
-        "WorldBegin
+        "Camera \"orthographic\" \"float screenwindow\" [ 1 1 0 2 ]
+        WorldBegin
         Shape \"sphere\" \"float zmin\" -1 \"float phimax\" 360
         Shape \"sphere\" \"float zmin\" -0.5 \"float radious\" 2
         Shape \"sphere\" \"float radius\" 0
@@ -189,6 +190,7 @@ fn what_is_rendered_otherwise_is_warned_of() {
         Identity Translate 1e999 0 0",
     );
     let expected = [
+        "the screen window has no extent: all pixels of a row or a column look the same way",
         "Shape \"sphere\" has no parameter `radious`: ignored",
         "a sphere of radius 0 is never hit",
         "a sphere under a singular or infinite transform is never hit",
@@ -197,7 +199,7 @@ fn what_is_rendered_otherwise_is_warned_of() {
         "object instances are not supported yet: left out",
         "the numbers of this transform are beyond the range of f64, or no numbers",
     ];
-    let counts = [1, 1, 1, 1, 1, 2, 1];
+    let counts = [1, 1, 1, 1, 1, 1, 2, 1];
     let found: Vec<(String, u64)> = expected.iter().map(|m| (*m).to_owned()).zip(counts).collect();
     assert_eq!(warnings(&scene), found);
     let shapes = &scene.shapes;
@@ -307,7 +309,10 @@ fn mistakes_of_value() {
         ("Scale 0 1 1 Camera \"perspective\"", "a.pbrt:1:1: this Scale by 0 cannot be undone"),
         ("LookAt 1 1 1 1 1 1 0 1 0 Camera \"perspective\"", "a.pbrt:1:1: this LookAt has no direction"),
         ("Rotate 10 0 0 0 Camera \"perspective\"", "a.pbrt:1:1: the axis of this Rotate has no length"),
-        ("Camera \"perspective\" \"float screenwindow\" [ 0 0 0 0 ]", "a.pbrt:1:43: the screen window has no extent"),
+        (
+            "Camera \"perspective\" \"float screenwindow\" [ 0 1e999 0 0 ]",
+            "a.pbrt:1:43: the screen window is not finite",
+        ),
         ("Film \"image\" \"float cropwindow\" [ 0 20 0 20 ]", "a.pbrt:1:33: `cropwindow` takes fractions"),
         ("Film \"image\" \"integer pixelbounds\" [ 0 1.5 0 20 ]", "a.pbrt:1:36: `pixelbounds` takes four integers"),
         ("Include \"\"", "a.pbrt:1:9: the name of the file is empty"),

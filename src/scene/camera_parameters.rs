@@ -51,7 +51,7 @@ impl CameraParameters {
             }
         };
         let frame_aspect_ratio = parameters.positive_number("frameaspectratio")?;
-        let screen_window = screen_window(parameters)?;
+        let screen_window = screen_window(parameters, warnings)?;
         if parameters.number("lensradius")?.is_some_and(|radius| radius != 0.0) {
             parameters.warn("lensradius", "the lens radius is ignored: every ray starts at one point", warnings);
         }
@@ -71,14 +71,19 @@ impl CameraParameters {
     }
 }
 
-/// The window must show something: two different finite numbers along each side.
-fn screen_window(parameters: &mut Parameters) -> Result<Option<ScreenWindow>> {
+/// Four finite numbers. A window that is turned round mirrors the picture; one without extent repeats a line of it, which
+/// is worth a warning.
+fn screen_window(parameters: &mut Parameters, warnings: &mut Warnings) -> Result<Option<ScreenWindow>> {
     let Some([x0, x1, y0, y1]) = parameters.fixed_numbers::<4>("screenwindow")? else { return Ok(None) };
-    if [x0, x1, y0, y1].iter().all(|number| number.is_finite()) && x0 != x1 && y0 != y1 {
-        return Ok(Some(ScreenWindow { x0, x1, y0, y1 }));
+    if [x0, x1, y0, y1].iter().any(|number| !number.is_finite()) {
+        let error = parameters.error_at("screenwindow", "the screen window is not finite");
+        return Err(error.note("expected x0 x1 y0 y1 with x0 < x1 and y0 < y1"));
     }
-    let error = parameters.error_at("screenwindow", "the screen window has no extent, or none that is finite");
-    Err(error.note("expected x0 x1 y0 y1 with x0 < x1 and y0 < y1"))
+    if x0 == x1 || y0 == y1 {
+        let message = "the screen window has no extent: all pixels of a row or a column look the same way";
+        parameters.warn("screenwindow", message, warnings);
+    }
+    Ok(Some(ScreenWindow { x0, x1, y0, y1 }))
 }
 
 /// In degrees; pbrt's `halffov` counts twice and wins.

@@ -67,7 +67,9 @@ impl Builder<'_> {
 /// What makes the matrix of a directive infinite, or its inverse.
 fn why_not_finite(statement: &Statement) -> &'static str {
     match statement {
-        Statement::Rotate([angle, ..]) if angle.is_finite() => "the axis of this Rotate has no length, or is too long",
+        Statement::Rotate([angle, ..]) if angle.is_finite() => {
+            "the axis of this Rotate has no length, or one whose square is out of range"
+        }
         Statement::LookAt(_) => "this LookAt has no direction: eye and look are one point, or up has no length",
         Statement::Scale(factors) if factors.contains(&0.0) => "this Scale by 0 cannot be undone",
         Statement::Transform(_) | Statement::ConcatTransform(_) => "this matrix has no finite inverse",
