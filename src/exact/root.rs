@@ -70,16 +70,18 @@ impl Root {
         sign_with_root(&rational, times(self.sign, factor.sign()), &factor, &self.radicand)
     }
 
-    /// Where the number lies, as narrowly as an `f64` or two can tell. The number is positive.
+    /// Where the number lies, as narrowly as an `f64` or two can tell; of a positive number, not below 0.
     pub fn bracket(&self) -> Bracket {
         let mut bits = 128;
         loop {
             let (low, high) = self.numerator(bits);
-            // The two ends agree in 60 bits: their quotients differ by less than a rounding.
+            // The two ends agree in 60 bits: their quotients differ by less than a rounding. Of a square root that makes
+            // the number 0, the ends meet.
             let width = &(&high - &low) * &Dyadic::from((1u64 << 60) as f64);
-            if low.sign() == Greater && width <= low {
-                let low = low.quotient_to_f64(&self.divisor).next_down();
-                return Bracket { low: low.max(0.0), high: high.quotient_to_f64(&self.divisor).next_up() };
+            if width <= low.clone().abs() {
+                let [low, high] = [low, high].map(|end| end.quotient_to_f64(&self.divisor));
+                let least = if low >= 0.0 && self.sign() == Greater { 0.0 } else { f64::NEG_INFINITY };
+                return Bracket { low: low.next_down().max(least), high: high.next_up() };
             }
             bits *= 2;
         }
@@ -251,6 +253,16 @@ mod tests {
         let bracket = small.bracket();
         assert!(bracket.low < 2f64.powi(-101) * (1.0 + 1e-15) && bracket.high > 2f64.powi(-101));
         assert!(bracket.high - bracket.low < 1e-15 * bracket.high);
+    }
+
+    #[test]
+    fn brackets_hold_numbers_that_are_not_positive() {
+        // 3 - sqrt(9), and -sqrt(2).
+        let zero = roots(1, -3, 0)[0].bracket();
+        assert!(zero.low < 0.0 && zero.high > 0.0 && zero.high - zero.low < 1e-300);
+        let negative = roots(1, 0, -2)[0].bracket();
+        let two = 2f64.sqrt();
+        assert!(negative.low <= -two && negative.high >= -two && negative.high - negative.low < 1e-15);
     }
 
     #[test]

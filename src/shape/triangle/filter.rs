@@ -105,6 +105,7 @@ fn close_edge_errors(corners: &[Vector; 3], ray: &FilterRay) -> [f64; 3] {
     [error(v1, v2), error(v2, v0), error(v0, v1)]
 }
 
+/// The errors are above 0 and never reached, so that an edge function that equals one is sure as well.
 #[inline]
 fn side_of(edges: &[f64; 3], errors: &[f64; 3]) -> Side {
     let positive = [0, 1, 2].map(|k| edges[k] > errors[k]);
