@@ -8,6 +8,7 @@ mod integer;
 mod nearest;
 mod powers;
 mod root;
+mod underflow;
 mod vector;
 
 pub use approximation::Approximation;
@@ -16,4 +17,5 @@ pub use dyadic::Dyadic;
 pub use nearest::nearest_f32;
 pub use powers::{exponent_of, power_of_two};
 pub use root::Root;
+pub use underflow::may_underflow_below;
 pub use vector::ExactVector;

@@ -1,7 +1,7 @@
 //! Affine matrices, with every rounding where rules R2 to R4 put it.
 
 use super::{Point, Vector};
-use crate::exact::{Dyadic, ExactVector};
+use crate::exact::{Dyadic, ExactVector, may_underflow_below};
 
 /// The upper three rows of a 4x4 matrix whose last row is `0 0 0 1`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -102,9 +102,9 @@ impl Matrix {
         let (x, y, z) = (column(0), column(1), column(2));
         let magnitude = x.absolute().dot(y.absolute_cross(z));
         let determinant = x.dot(y.cross(z));
-        // Three roundings of products and two of sums: 8 units of 2^-53 are ample; below 1e-250 a product may
-        // have lost bits to underflow.
-        let sure = magnitude > 1e-250 && determinant.abs() > 8.0 * (f64::EPSILON / 2.0) * magnitude;
+        // Two roundings of products, one of a difference, two of sums: less than the 8 units of 2^-53.
+        let sure =
+            magnitude > may_underflow_below(x.largest()) && determinant.abs() > 8.0 * (f64::EPSILON / 2.0) * magnitude;
         !sure && self.exact_adjugate().1.is_zero()
     }
 
@@ -147,6 +147,15 @@ mod tests {
         let dependent =
             Matrix { rows: [[v[0], v[1], v[2], 0.0], [4.0 * v[0], 4.0 * v[1], 4.0 * v[2], 0.0], [1.0, 2.0, 5.0, 0.0]] };
         assert!(dependent.is_singular());
+        // The first column is 2^330 times the third; the products that tell underflow.
+        let power = |exponent| 2f64.powi(exponent);
+        let lost = Matrix::from_columns(
+            Vector::new(power(660), power(-330), 0.0),
+            Vector::new(0.0, 0.0, power(-660)),
+            Vector::new(power(330), power(-660), 0.0),
+            Point::default(),
+        );
+        assert!(lost.is_singular());
         let nearly = Matrix { rows: [[0.1, 0.2, 0.3, 0.0], [0.3, 0.6, 0.9, 0.0], [1.0, 3.0, 5.0, 0.0]] };
         assert!(!nearly.is_singular(), "3 * 0.1 is not 0.3 in binary");
     }

@@ -8,9 +8,8 @@
 //! first stage in the same way). Two triangles that share an edge compute the same numbers with opposite signs.
 
 use super::{Triangle, U};
-use crate::exact::Approximation;
+use crate::exact::{Approximation, may_underflow_below};
 use crate::geometry::Vector;
-use crate::shape::filter_ray::may_underflow_below;
 use crate::shape::{FilterRay, Verdict};
 
 /// Of the absolute terms of an edge function: how far it may be off.
@@ -73,7 +72,7 @@ impl Triangle {
             Approximation::within(normal.dot(v), error)
         };
         let to_corner = a - ray.ray.origin;
-        [along(to_corner, may_underflow_below(to_corner)), along(ray.ray.direction, ray.least)]
+        [along(to_corner, may_underflow_below(to_corner.largest())), along(ray.ray.direction, ray.least)]
     }
 }
 
