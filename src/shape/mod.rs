@@ -8,6 +8,7 @@ mod primitive;
 mod shapes;
 mod sphere;
 mod triangle;
+mod vector32;
 mod verdict;
 
 pub use filter_ray::FilterRay;

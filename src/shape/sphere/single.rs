@@ -3,6 +3,7 @@
 use super::Sphere;
 use super::cut::{Cut, Plane};
 use crate::geometry::Vector;
+use crate::shape::vector32::{cross, dot};
 
 /// A sphere with the numbers that the test in `f32` uses, in units chosen by the caller.
 pub(crate) struct SingleSphere<'a> {
@@ -59,12 +60,4 @@ impl SingleSphere<'_> {
     fn apply(&self, v: [f32; 3]) -> [f32; 3] {
         self.adjugate.map(|row| dot(row, v))
     }
-}
-
-fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }

@@ -1,5 +1,7 @@
 //! The test in `f32`, its answer as it comes.
 
+use crate::shape::vector32::{cross, dot};
+
 /// The `t` at which a ray along `direction` crosses the closed triangle with `corners` relative to its origin, or `None`.
 ///
 /// The signs of the three edge functions decide (Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", 2013; here
@@ -16,12 +18,4 @@ pub(crate) fn intersect_single(corners: [[f32; 3]; 3], direction: [f32; 3], larg
     let along = |corner: [f32; 3]| corner[largest_axis] / direction[largest_axis];
     let t = (edges[0] * along(v0) + edges[1] * along(v1) + edges[2] * along(v2)) / sum;
     (t > 0.0).then_some(t)
-}
-
-fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
