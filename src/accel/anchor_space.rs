@@ -217,6 +217,17 @@ mod tests {
         }
     }
 
+    /// Over so long a way even the least number leads somewhere.
+    #[test]
+    fn a_component_that_underflows_keeps_its_sign() {
+        let origin = Point::new(-2f64.powi(1000), 0.0, 0.0);
+        let ray = Ray { origin, direction: Vector::new(1024.0, -f64::from_bits(1), 0.0) };
+        let bounds = bounds_of_point(&ray, 2f64.powi(990)).unwrap();
+        assert_eq!((bounds.low, bounds.high), (Point::new(0.0, -2f64.powi(-84), 0.0), bounds.low));
+        let space = AnchorSpace::new(Point::default(), 1e6);
+        assert!(enter(&space.ray(&ray), &space.enclose(&bounds)).is_some());
+    }
+
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(20_000))]
 

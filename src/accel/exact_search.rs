@@ -83,7 +83,7 @@ impl<'a> ExactSearch<'a> {
 
 impl Candidate {
     fn root(&mut self, shapes: &Shapes, ray: &Ray) -> &Root {
-        self.root.get_or_insert_with(|| shapes.exact(self.primitive, ray).expect("what is surely hit is hit"))
+        self.root.get_or_insert_with(|| shapes.exact_t(self.primitive, ray))
     }
 }
 

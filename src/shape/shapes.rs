@@ -192,6 +192,16 @@ impl Shapes {
         if primitive.is_sphere() { self.sphere(index).exact(ray) } else { self.triangle(index).exact(ray) }
     }
 
+    /// The `t` at which `ray` meets a primitive first, which it is known to do.
+    pub fn exact_t(&self, primitive: Primitive, ray: &Ray) -> Root {
+        let index = primitive.index();
+        if primitive.is_sphere() {
+            self.sphere(index).exact(ray).expect("the ray is known to meet the sphere")
+        } else {
+            self.triangle(index).exact_t(ray)
+        }
+    }
+
     /// Whether any ray can hit a primitive (rules E1 and E2).
     pub fn can_be_hit(&self, primitive: Primitive) -> bool {
         let index = primitive.index();

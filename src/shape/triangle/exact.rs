@@ -25,4 +25,13 @@ impl Triangle {
         let t = Root::ratio(v0.dot(&across), &(e0 + e1) + e2);
         (t.sign() == Ordering::Greater).then_some(t)
     }
+
+    /// The `t` at which `ray` crosses the triangle, which it is known to do: n . (a - o) / (n . d) with n = ab x ac. This takes
+    /// less than half of the work of [`Triangle::exact`].
+    pub fn exact_t(&self, ray: &Ray) -> Root {
+        let [a, b, c] = self.0.map(|corner| ExactVector::from(corner.to_array()));
+        let normal = b.minus(&a).cross(&c.minus(&a));
+        let to_corner = a.minus(&ExactVector::from(ray.origin.to_array()));
+        Root::ratio(normal.dot(&to_corner), normal.dot(&ExactVector::from(ray.direction.to_array())))
+    }
 }

@@ -64,7 +64,9 @@ mod tests {
 
     /// The exact `t`, with which the filter must not disagree.
     fn intersect(triangle: &Triangle, ray: &Ray) -> Option<f64> {
-        let exact = triangle.exact(ray).map(|t| t.bracket());
+        let exact = triangle.exact(ray);
+        assert!(exact.iter().all(|t| *t == triangle.exact_t(ray)));
+        let exact = exact.map(|t| t.bracket());
         match (triangle.filter(&FilterRay::new(ray)), exact) {
             (Verdict::Miss, None) | (Verdict::Unsure, _) => {}
             (Verdict::Hit(filtered), Some(exact)) => {
