@@ -73,6 +73,7 @@ impl Sector {
             // There `x sin m - y cos m` is -y: 0 at an angle of 180 degrees too.
             return both(both(first_half, before_end), beyond([1.0, 0.0, 0.0], 0.0));
         }
+        // At 180 degrees both conditions are y >= 0.
         if self.degrees <= 180.0 { both(first_half, before_end) } else { either(first_half, before_end) }
     }
 }

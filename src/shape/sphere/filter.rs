@@ -112,7 +112,8 @@ impl ScaledSpace {
             if discriminant.sign()? == Less {
                 return Some([None, None]);
             }
-            // Only where b is surely negative are both roots positive.
+            // Both roots are positive only where b is negative. It is far from 0 where the discriminant is, so this is
+            // for the reader's peace of mind.
             b.sign().filter(|sign| *sign == Less)?;
             let sum = discriminant.square_root() - b;
             return Some([Some(c.over(sum)), Some(sum.over(a))]);

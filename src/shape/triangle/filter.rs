@@ -68,18 +68,19 @@ impl Triangle {
         let (normal, normal_terms) = (ab.cross(ac), ab.absolute_cross(ac));
         let along = |v: Vector, least: f64| {
             let terms = normal_terms.dot(v.absolute());
-            let error = if is_in_range(terms, least) { PLANE_ERROR * terms } else { f64::INFINITY };
-            Approximation::within(normal.dot(v), error)
+            Approximation::within(normal.dot(v), error_of(PLANE_ERROR, terms, least))
         };
         let to_corner = a - ray.ray.origin;
         [along(to_corner, may_underflow_below(to_corner.largest())), along(ray.ray.direction, ray.least)]
     }
 }
 
-/// Whether nothing that counts was lost to underflow, and nothing overflowed: what the terms are made of is not larger
-/// than they are, or than what they are multiplied from. False for NaN as well.
-fn is_in_range(terms: f64, least: f64) -> bool {
-    terms > least && terms < f64::INFINITY
+/// How far a sum may be off whose absolute terms add up to `terms` at most: infinitely far, where something that counts may
+/// have been lost to underflow, and where something overflowed. What overflows on the way to a sum overflows on the way
+/// to the terms, which are then infinite, or NaN.
+#[inline]
+fn error_of(units: f64, terms: f64, least: f64) -> f64 {
+    if terms > least { units * terms } else { f64::INFINITY }
 }
 
 /// More than the absolute terms of an edge function can add up to: no product of two coordinates is larger than the square
@@ -93,7 +94,7 @@ fn most_edge_terms([v0, v1, v2]: &[Vector; 3], ray: &FilterRay) -> f64 {
 /// How far an edge function may be off whose absolute terms add up to `terms` at most.
 #[inline]
 fn edge_error(terms: f64, ray: &FilterRay) -> f64 {
-    if is_in_range(terms, ray.least) { EDGE_ERROR * terms } else { f64::INFINITY }
+    error_of(EDGE_ERROR, terms, ray.least)
 }
 
 /// Bounds from the terms of each edge function itself: for what the common bound leaves undecided.
