@@ -71,6 +71,8 @@ mod tests {
     use std::cmp::Ordering::{Greater, Less};
 
     proptest! {
+        #![proptest_config(ProptestConfig::with_cases(20_000))]
+
         #[test]
         fn the_length_lies_in_its_bracket(
             components in prop::array::uniform3(-1.0f64..1.0),

@@ -147,6 +147,11 @@ mod tests {
         let dependent =
             Matrix { rows: [[v[0], v[1], v[2], 0.0], [4.0 * v[0], 4.0 * v[1], 4.0 * v[2], 0.0], [1.0, 2.0, 5.0, 0.0]] };
         assert!(dependent.is_singular());
+        // The third row is the sum of the others, and the products have 90 bits.
+        let (a, b) =
+            ([123_456_789.0, 987_654_321.0, 555_555_555.0, 0.0], [192_837_465.0, 564_738_291.0, 918_273_645.0, 0.0]);
+        let sum = [a[0] + b[0], a[1] + b[1], a[2] + b[2], 0.0];
+        assert!(Matrix { rows: [a, b, sum] }.is_singular());
         // The first column is 2^330 times the third; the products that tell underflow.
         let power = |exponent| 2f64.powi(exponent);
         let lost = Matrix::from_columns(

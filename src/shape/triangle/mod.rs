@@ -31,6 +31,7 @@ impl Triangle {
         let (u, v) = (b - a, c - a);
         // A component of the cross product is off by at most the roundings of two differences, one product and
         // one sum, 4U of its terms' absolute sum; 8U is ample. Below 1e-290 bits may be lost to underflow.
+        // One without area that passed would not be hit either, only counted.
         let surely_not_zero = |p: f64, q: f64| (p - q).abs() > 8.0 * U * (p.abs() + q.abs()) + 1e-290;
         surely_not_zero(u.y * v.z, u.z * v.y)
             || surely_not_zero(u.z * v.x, u.x * v.z)
@@ -109,6 +110,10 @@ mod tests {
         assert!(RIGHT.can_be_hit());
         assert!(!Triangle([point(1.0), point(1.0), point(2.0)]).can_be_hit(), "two corners in one place");
         assert!(!Triangle([point(1.0), point(2.0), point(4.0)]).can_be_hit(), "collinear");
+        // Exactly on a line, though no difference is exact.
+        let large = 2f64.powi(53);
+        let line = [Point::new(-large, -3.0 * large, 0.0), Point::new(1.0, 3.0, 0.0), Point::new(3.0, 9.0, 0.0)];
+        assert!(!Triangle(line).can_be_hit());
         let bent = Point::new(2.0, 6.0, f64::from_bits(14f64.to_bits() + 1));
         assert!(Triangle([point(1.0), bent, point(4.0)]).can_be_hit(), "collinear but for one bit");
         assert!(!Triangle([point(1.0), point(2.0), Point::new(0.0, f64::NAN, 0.0)]).can_be_hit());
