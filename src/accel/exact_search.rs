@@ -107,3 +107,45 @@ impl Search for ExactSearch<'_> {
         self.best.map(|best| Hit { primitive: best.primitive, t: best.t, is_hard })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::anchor_space::AnchorSpace;
+    use super::*;
+    use crate::geometry::{Matrix, Point};
+    use proptest::prelude::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+        /// Slivers, of which the filter knows the t least well: what lies before the hit must still be looked at.
+        #[test]
+        fn the_limit_is_not_before_the_hit(
+            ends in prop::array::uniform6(-1.0f64..1.0),
+            aside in prop::array::uniform3(-1.0f64..1.0),
+            thinness in -52i32..-20,
+            weights in prop::array::uniform3(0.05f64..1.0),
+            origin in prop::array::uniform3(-1.0f64..1.0),
+        ) {
+            let (a, b) = (Point::new(ends[0], ends[1], ends[2]), Point::new(ends[3], ends[4], ends[5]));
+            let middle = |k: usize| 0.4 * a[k] + 0.6 * b[k] + aside[k] * 2f64.powi(thinness);
+            let c = Point::new(middle(0), middle(1), middle(2));
+            let mut shapes = Shapes::default();
+            shapes.add_mesh(vec![a, b, c], vec![[0, 1, 2]], &Matrix::IDENTITY, 1).unwrap();
+            let sum = weights[0] + weights[1] + weights[2];
+            let target = |k: usize| (weights[0] * a[k] + weights[1] * b[k] + weights[2] * c[k]) / sum;
+            let origin = Point::from(origin);
+            let direction = Point::new(target(0), target(1), target(2)) - origin;
+            let ray = Ray { origin, direction };
+            let primitive = Primitive::triangle(0);
+            let Some(root) = shapes.exact(primitive, &ray) else { return Ok(()) };
+            let slab = AnchorSpace::new(origin, 4.0).ray(&ray);
+            let mut fallbacks = Fallbacks::default();
+            let mut search = ExactSearch::new(&shapes, &ray, &slab, &mut fallbacks);
+            search.test(primitive);
+            // Narrowed to f32 as the limit is, the true number is not above it.
+            let truth = slab.scaled_limit(root.bracket().low);
+            prop_assert!(search.limit() >= truth, "{} < {truth}", search.limit());
+        }
+    }
+}

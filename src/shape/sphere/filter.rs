@@ -118,7 +118,8 @@ impl ScaledSpace {
             let sum = discriminant.square_root() - b;
             return Some([Some(c.over(sum)), Some(sum.over(a))]);
         }
-        // From within, the discriminant is positive, and one root is behind.
+        // From within, the discriminant is positive, and one root is behind. Where the sign of b is not sure, both forms
+        // are good.
         let root = discriminant.square_root();
         let t = if b.sign() == Some(Greater) { (-c).over(b + root) } else { (root - b).over(a) };
         Some([Some(t), None])

@@ -61,7 +61,8 @@ impl Sphere {
     }
 }
 
-/// More than three products lose that end below the least normal number, one of them times 3.
+/// More than three products lose that end below the least normal number, one of them times 3. The step that follows is
+/// mostly enough.
 const LOST_TO_UNDERFLOW: f64 = f64::from_bits(4);
 
 /// The largest power of two up to `x`; 1 where x is 0 or not finite, the least normal number for subnormals.
