@@ -190,6 +190,7 @@ proptest! {
         balls in prop::collection::vec((grid_ball(), 0usize..3), 0..3),
         exponents in prop::array::uniform3(-1040i32..1010),
         spread in prop::sample::select(vec![0, 0, 20, 2000]),
+        uneven in any::<bool>(),
         camera_exponent in prop::sample::select(vec![0, 0, 30, -300, 900]),
         eye in corner(4),
         distance in prop::sample::select(vec![0, 0, 150, 900]),
@@ -202,8 +203,9 @@ proptest! {
             add_triangles(&mut shapes, &[corners], &Matrix::IDENTITY, 1);
         }
         for ((ball, unit), shape) in balls.iter().zip(2..) {
-            let size = scaled(1.0, exponent(*unit));
-            let world_from_object = Matrix::scale([size; 3]).times(&ball.world_from_object);
+            // A size of its own for each axis, where that was drawn.
+            let size = |k: usize| scaled(1.0, exponent(if uneven { k } else { *unit }));
+            let world_from_object = Matrix::scale([size(0), size(1), size(2)]).times(&ball.world_from_object);
             Ball { world_from_object, ..ball.clone() }.add_to(&mut shapes, shape);
         }
         let size = scaled(1.0, exponent(0));
