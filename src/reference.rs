@@ -4,7 +4,7 @@
 //! program where there are others, and looks at every primitive. Comparing and rounding of roots it shares.
 
 use crate::exact::{Bracket, Dyadic, ExactVector, Root, nearest_f32};
-use crate::geometry::{Ray, Vector};
+use crate::geometry::Ray;
 use crate::shape::{Primitive, Shapes, Sphere, Triangle};
 use std::cmp::Ordering::{Equal, Greater, Less};
 
@@ -27,7 +27,7 @@ pub fn closest_hit(shapes: &Shapes, ray: &Ray) -> Option<ReferenceHit> {
     let hits = shapes.primitives().filter_map(|primitive| Some((intersect(shapes, primitive, ray)?, primitive)));
     let number = |primitive: &Primitive| shapes.number(*primitive);
     let (root, primitive) = hits.min_by(|(a, p), (b, q)| a.cmp(b).then(number(p).cmp(&number(q))))?;
-    let direction = exact(ray.direction);
+    let direction = ExactVector::from(ray.direction);
     let square = direction.dot(&direction);
     let z = nearest_f32(&Bracket::POSITIVE, |x| root.compare_with(x));
     let t = nearest_f32(&Bracket::POSITIVE, |x| root.times_root_compare_with(&square, x));
@@ -43,18 +43,14 @@ fn intersect(shapes: &Shapes, primitive: Primitive, ray: &Ray) -> Option<Root> {
     }
 }
 
-fn exact(v: Vector) -> ExactVector {
-    ExactVector::from(v.to_array())
-}
-
 /// Rule E1 by the plane: the point where the ray crosses it lies on the inner side of all three edges.
 fn meet_triangle(triangle: &Triangle, ray: &Ray) -> Option<Root> {
     if !triangle.0.iter().all(|corner| corner.is_finite()) {
         return None;
     }
-    let corners = triangle.0.map(|corner| ExactVector::from(corner.to_array()));
+    let corners = triangle.0.map(ExactVector::from);
     let [a, b, c] = &corners;
-    let (origin, direction) = (ExactVector::from(ray.origin.to_array()), exact(ray.direction));
+    let (origin, direction) = (ExactVector::from(ray.origin), ExactVector::from(ray.direction));
     let normal = b.minus(a).cross(&c.minus(a));
     let slope = normal.dot(&direction);
     if slope.is_zero() {
@@ -85,8 +81,8 @@ fn meet_sphere(sphere: &Sphere, ray: &Ray) -> Option<Root> {
         return None;
     }
     let apply = |v: &ExactVector| ExactVector::new([0, 1, 2].map(|k| inverse[k].dot(v)));
-    let origin = apply(&ExactVector::from(ray.origin.to_array()).minus(&ExactVector::from(m.column(3))));
-    let direction = apply(&exact(ray.direction));
+    let origin = apply(&ExactVector::from(ray.origin).minus(&ExactVector::from(m.column(3))));
+    let direction = apply(&ExactVector::from(ray.direction));
     let radius = &Dyadic::from(*radius) * &determinant;
     let a = direction.dot(&direction);
     let b = origin.dot(&direction);

@@ -5,7 +5,7 @@
 
 mod common;
 
-use common::{agreed_picture, picture, scene, whole};
+use common::{add_triangles, agreed_picture, picture, scene, whole};
 use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::camera::{Camera, Projection, ScreenWindow};
 use feimos::film::{ChannelName, PixelBounds};
@@ -96,9 +96,9 @@ impl Setting {
 }
 
 fn add_mesh(shapes: &mut Shapes, triangles: &[[Corner; 3]], world_from_object: &Matrix, shape: u32) {
-    let vertices = triangles.iter().flatten().map(|corner| Point::from(corner.map(f64::from))).collect();
-    let indices = (0..triangles.len() as u32).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
-    shapes.add_mesh(vertices, indices, world_from_object, shape).unwrap();
+    let point = |corner: Corner| Point::from(corner.map(f64::from));
+    let triangles: Vec<[Point; 3]> = triangles.iter().map(|triangle| triangle.map(point)).collect();
+    add_triangles(shapes, &triangles, world_from_object, shape);
 }
 
 proptest! {

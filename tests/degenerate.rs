@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::agreed_picture;
+use common::{add_triangles, agreed_picture};
 use feimos::accel::Precision;
 use feimos::camera::{Camera, Projection, ScreenWindow};
 use feimos::geometry::{Matrix, Point, Transform, Vector};
@@ -25,10 +25,9 @@ fn triangle(z: f64) -> [Point; 3] {
 }
 
 fn mesh(triangles: impl IntoIterator<Item = [Point; 3]>) -> Shapes {
-    let vertices: Vec<Point> = triangles.into_iter().flatten().collect();
-    let indices = (0..vertices.len() as u32 / 3).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
+    let triangles: Vec<[Point; 3]> = triangles.into_iter().collect();
     let mut shapes = Shapes::default();
-    shapes.add_mesh(vertices, indices, &Matrix::IDENTITY, 1).unwrap();
+    add_triangles(&mut shapes, &triangles, &Matrix::IDENTITY, 1);
     shapes
 }
 

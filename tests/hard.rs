@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{bits, picture, scene, whole};
+use common::{bits_of, picture, scene, whole};
 use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::film::{ChannelName, Image, PixelBounds};
 use feimos::scene::Scene;
@@ -44,8 +44,8 @@ fn expected(path: &Path) -> Answers {
 }
 
 fn answers(image: &Image) -> Answers {
-    let of = |name| bits(image.channels.iter().find(|channel| channel.name == name).unwrap());
-    let [hit, prim, z, t] = [ChannelName::A, ChannelName::Prim, ChannelName::Z, ChannelName::T].map(of);
+    let names = [ChannelName::A, ChannelName::Prim, ChannelName::Z, ChannelName::T];
+    let [hit, prim, z, t] = names.map(|name| bits_of(image, name));
     let window = image.data_window;
     let place = |k: usize| (window.x0 + k as u32 % window.width(), window.y0 + k as u32 / window.width());
     let hits = (0..hit.len()).filter(|k| f32::from_bits(hit[*k]) == 1.0);

@@ -4,9 +4,10 @@
 
 mod common;
 
-use common::{bits, picture, whole};
+use common::{add_triangles, bits_of, picture, whole};
 use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::camera::{Camera, Projection, ScreenWindow};
+use feimos::exact::times_power_of_two;
 use feimos::film::{ChannelName, Image};
 use feimos::geometry::{Matrix, Point, Transform, Vector};
 use feimos::progress::Progress;
@@ -34,8 +35,7 @@ fn judged(camera: &Camera, shapes: &Shapes) -> Vec<[u32; 3]> {
 }
 
 fn rendered(image: &Image) -> Vec<[u32; 3]> {
-    let of = |name| bits(image.channels.iter().find(|channel| channel.name == name).unwrap());
-    let [prim, z, t] = [ChannelName::Prim, ChannelName::Z, ChannelName::T].map(of);
+    let [prim, z, t] = [ChannelName::Prim, ChannelName::Z, ChannelName::T].map(|name| bits_of(image, name));
     let pixel = |k: usize| if prim[k] == 0 { [0; 3] } else { [prim[k], z[k], t[k]] };
     (0..prim.len()).map(pixel).collect()
 }
@@ -61,12 +61,6 @@ fn projection() -> impl Strategy<Value = Projection> {
     prop::sample::select(vec![Projection::Perspective { tangent: 1.0 }, Projection::Orthographic])
 }
 
-fn add_triangles(shapes: &mut Shapes, triangles: &[[Point; 3]], world_from_object: &Matrix, shape: u32) {
-    let vertices = triangles.iter().flatten().copied().collect();
-    let indices = (0..triangles.len() as u32).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
-    shapes.add_mesh(vertices, indices, world_from_object, shape).unwrap();
-}
-
 type Corner = [i32; 3];
 
 fn corner(size: i32) -> impl Strategy<Value = Corner> {
@@ -75,11 +69,6 @@ fn corner(size: i32) -> impl Strategy<Value = Corner> {
 
 fn point(corner: Corner) -> Point {
     Point::from(corner.map(f64::from))
-}
-
-/// `mantissa * 2^exponent`, for exponents beyond what `powi` can do at once.
-fn scaled(mantissa: f64, exponent: i32) -> f64 {
-    mantissa * 2f64.powi(exponent / 2) * 2f64.powi(exponent - exponent / 2)
 }
 
 /// The whole sphere, most of the time, or what `zmin`, `zmax` and `phimax` leave of it.
@@ -199,17 +188,17 @@ proptest! {
         let exponent = |k: usize| (exponents[0] + (exponents[k] - exponents[0]).clamp(-spread, spread)).clamp(-1040, 1010);
         let mut shapes = Shapes::default();
         for (triangle, unit) in &triangles {
-            let corners = triangle.map(|corner| Point::from(corner.map(|x| scaled(f64::from(x), exponent(*unit)))));
+            let corners = triangle.map(|corner| Point::from(corner.map(|x| times_power_of_two(f64::from(x), exponent(*unit)))));
             add_triangles(&mut shapes, &[corners], &Matrix::IDENTITY, 1);
         }
         for ((ball, unit), shape) in balls.iter().zip(2..) {
             // A size of its own for each axis, where that was drawn.
-            let size = |k: usize| scaled(1.0, exponent(if uneven { k } else { *unit }));
+            let size = |k: usize| times_power_of_two(1.0, exponent(if uneven { k } else { *unit }));
             let world_from_object = Matrix::scale([size(0), size(1), size(2)]).times(&ball.world_from_object);
             Ball { world_from_object, ..ball.clone() }.add_to(&mut shapes, shape);
         }
-        let size = scaled(1.0, exponent(0));
-        let directions = scaled(1.0, (exponent(0) + camera_exponent).clamp(-1040, 1010));
+        let size = times_power_of_two(1.0, exponent(0));
+        let directions = times_power_of_two(1.0, (exponent(0) + camera_exponent).clamp(-1040, 1010));
         let scale = Matrix::scale([directions; 3]);
         let mut world_from_camera = scale;
         for k in 0..3 {
@@ -217,7 +206,7 @@ proptest! {
         }
         if projection == Projection::Orthographic && distance > 0 {
             // From so far away that no f32 can hold the distance.
-            world_from_camera.rows[2][3] = -scaled(1.0, (exponent(0) + distance).min(1010));
+            world_from_camera.rows[2][3] = -times_power_of_two(1.0, (exponent(0) + distance).min(1010));
         }
         agrees_with_the_reference(&grid_camera(world_from_camera, projection, 5), &shapes)?;
     }

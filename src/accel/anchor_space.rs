@@ -89,8 +89,7 @@ impl AnchorSpace {
     /// The ray as the slab test needs it.
     pub(super) fn ray(&self, ray: &Ray) -> SlabRay {
         let direction_scale = direction_scale(ray);
-        let ratio = self.scale * self.before / direction_scale;
-        let mut slab = SlabRay::new(ratio);
+        let mut slab = SlabRay::new(self.units() / direction_scale);
         for k in 0..3 {
             slab.prepare_axis(k, self.coordinate(&ray.origin, k), ray.direction[k], direction_scale);
         }

@@ -42,7 +42,7 @@ impl Depth {
         distance: &Bracket,
     ) -> Depth {
         let root = shapes.exact_t(hit.primitive, ray);
-        let direction = ExactVector::from(ray.direction.to_array());
+        let direction = ExactVector::from(ray.direction);
         let square_of_speed = direction.dot(&direction);
         let z = || nearest_f32(&hit.t, |x: &Dyadic| root.compare_with(x));
         let t = || nearest_f32(distance, |x: &Dyadic| root.times_root_compare_with(&square_of_speed, x));
@@ -67,6 +67,7 @@ fn speed_bracket(speed: f64) -> Bracket {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exact::times_power_of_two;
     use proptest::prelude::*;
     use std::cmp::Ordering::{Greater, Less};
 
@@ -80,11 +81,10 @@ mod tests {
             same in any::<bool>(),
         ) {
             let exponent = |k: usize| if same { exponents[0] + k as i32 } else { exponents[k] };
-            let scale = |k: usize| 2f64.powi(exponent(k) / 2) * 2f64.powi(exponent(k) - exponent(k) / 2);
-            let direction = Vector::from(std::array::from_fn(|k| components[k] * scale(k)));
+            let direction = Vector::from(std::array::from_fn(|k| times_power_of_two(components[k], exponent(k))));
             prop_assume!(direction.is_finite() && direction != Vector::default());
             let bracket = speed_bracket(speed(direction));
-            let exact = ExactVector::from(direction.to_array());
+            let exact = ExactVector::from(direction);
             let square = exact.dot(&exact);
             prop_assert!(Dyadic::from(bracket.low).square().cmp(&square) != Greater);
             prop_assert!(bracket.high == f64::INFINITY || Dyadic::from(bracket.high).square().cmp(&square) != Less);

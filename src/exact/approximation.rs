@@ -1,6 +1,6 @@
 //! Numbers in `f64` that carry a bound on their error.
 
-use super::Bracket;
+use super::{Bracket, UNIT_ROUNDOFF as U};
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -16,9 +16,6 @@ pub struct Approximation {
     value: f64,
     error: f64,
 }
-
-/// Unit of rounding of `f64`: half the distance from 1 to the next number.
-const U: f64 = f64::EPSILON / 2.0;
 
 /// More than the underflow of a product, at most 2^-1075, and of the four products in its bound.
 const TINY: f64 = f64::from_bits(1 << 4);
@@ -67,7 +64,7 @@ impl Approximation {
             let root = self.value.sqrt();
             Approximation { value: root, error: (self.error / root + U * root) * (1.0 + 8.0 * U) }
         } else {
-            // Both roots lie between 0 and this; next_up makes up for four roundings.
+            // Both roots lie between 0 and this; the factor makes up for the roundings.
             let most = (self.value.abs() + self.error).sqrt() * (1.0 + 8.0 * U);
             Approximation { value: 0.0, error: most }
         }
@@ -128,15 +125,14 @@ impl Mul for Approximation {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exact::Dyadic;
+    use crate::exact::{Dyadic, times_power_of_two};
     use proptest::prelude::*;
 
     /// Numbers of all sizes, each a little off from a known one.
     fn pair() -> impl Strategy<Value = (Dyadic, Approximation)> {
         let size = prop::sample::select(vec![-1074, -1070, -600, -30, -2, -1, 0, 1, 2, 30, 500]);
         (-1.0f64..1.0, size, 0u32..3, -1.0f64..1.0).prop_map(|(fraction, exponent, digits, off)| {
-            let power = 2f64.powi(exponent / 2) * 2f64.powi(exponent - exponent / 2);
-            let value = fraction * power;
+            let value = times_power_of_two(fraction, exponent);
             let error = value.abs() * [0.0, 1e-12, 0.3][digits as usize];
             let meant = &Dyadic::from(value) + &Dyadic::from(error * off * 0.999);
             (meant, Approximation { value, error })

@@ -1,7 +1,7 @@
 //! Numbers `m * 2^e`: every finite `f64` is one, and sums and products of them are exact.
 
 use super::integer::Integer;
-use super::powers::{mantissa_and_exponent, power_of_two};
+use super::powers::{mantissa_and_exponent, times_power_of_two};
 use num_bigint::{BigInt, BigUint};
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -200,9 +200,7 @@ fn scale_and_round(significand: u128, exponent: i64) -> f64 {
     if last + i64::from(128 - rounded.leading_zeros()) > 1024 {
         return f64::INFINITY;
     }
-    // Exact in two steps: a factor of 2^-1074 alone would not be a normal number.
-    let half_exponent = last as i32 / 2;
-    rounded as f64 * power_of_two(half_exponent) * power_of_two(last as i32 - half_exponent)
+    times_power_of_two(rounded as f64, last as i32)
 }
 
 #[cfg(test)]

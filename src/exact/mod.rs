@@ -15,7 +15,7 @@ pub use approximation::Approximation;
 pub use bracket::Bracket;
 pub use dyadic::Dyadic;
 pub use nearest::nearest_f32;
-pub use powers::{exponent_of, power_of_two};
+pub use powers::{UNIT_ROUNDOFF, exponent_of, power_of_two, times_power_of_two};
 pub use root::Root;
 pub use underflow::may_underflow_below;
 pub use vector::ExactVector;

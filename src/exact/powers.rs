@@ -1,8 +1,17 @@
 //! Powers of two, by which numbers are scaled without rounding.
 
+/// Unit of rounding of `f64`: what one operation is off by at most, relative to its result.
+pub const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
+
 /// `2^exponent` for the exponents of normal numbers, -1022 to 1023.
 pub fn power_of_two(exponent: i32) -> f64 {
     f64::from_bits(((exponent + 1023) as u64) << 52)
+}
+
+/// `x * 2^exponent` for exponents from -2044 to 2046, rounded once if it is below the normal numbers and not at all otherwise.
+pub fn times_power_of_two(x: f64, exponent: i32) -> f64 {
+    // In two steps: one factor alone might not be a normal number.
+    x * power_of_two(exponent / 2) * power_of_two(exponent - exponent / 2)
 }
 
 /// The exponent of `x > 0` as a power of two, rounded down; of a subnormal number, -1023.

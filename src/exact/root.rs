@@ -76,8 +76,7 @@ impl Root {
         loop {
             let (low, high) = self.numerator(bits);
             // The two ends agree in 60 bits: their quotients differ by less than a rounding. Fewer would be as right, and leave
-            // more to be decided by integers. Of a square root that makes
-            // the number 0, the ends meet.
+            // more to be decided by integers. Of a square root that makes the number 0, the ends meet.
             let width = &(&high - &low) * &Dyadic::from((1u64 << 60) as f64);
             if width <= low.clone().abs() {
                 let [low, high] = [low, high].map(|end| end.quotient_to_f64(&self.divisor));

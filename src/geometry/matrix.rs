@@ -1,7 +1,7 @@
 //! Affine matrices, with every rounding where rules R2 to R4 put it.
 
 use super::{Point, Vector};
-use crate::exact::{Dyadic, ExactVector, may_underflow_below};
+use crate::exact::{Dyadic, ExactVector, UNIT_ROUNDOFF, may_underflow_below};
 
 /// The upper three rows of a 4x4 matrix whose last row is `0 0 0 1`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -103,8 +103,7 @@ impl Matrix {
         let magnitude = x.absolute().dot(y.absolute_cross(z));
         let determinant = x.dot(y.cross(z));
         // Two roundings of products, one of a difference, two of sums: less than the 8 units of 2^-53.
-        let sure =
-            magnitude > may_underflow_below(x.largest()) && determinant.abs() > 8.0 * (f64::EPSILON / 2.0) * magnitude;
+        let sure = magnitude > may_underflow_below(x.largest()) && determinant.abs() > 8.0 * UNIT_ROUNDOFF * magnitude;
         !sure && self.exact_adjugate().1.is_zero()
     }
 

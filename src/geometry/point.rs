@@ -1,5 +1,6 @@
 //! Points and vectors: different types, so that only meaningful sums compile.
 
+use crate::exact::ExactVector;
 use std::ops::{Add, Index, Mul, Neg, Sub};
 
 /// A position in the space that its name tells.
@@ -40,6 +41,14 @@ macro_rules! three_components {
             /// Whether no component is infinite or NaN.
             pub fn is_finite(self) -> bool {
                 self.x.is_finite() && self.y.is_finite() && self.z.is_finite()
+            }
+        }
+
+        impl From<$name> for ExactVector {
+            /// # Panics
+            /// Where a component is not finite.
+            fn from(v: $name) -> ExactVector {
+                v.to_array().into()
             }
         }
 

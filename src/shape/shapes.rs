@@ -212,7 +212,7 @@ impl Shapes {
     pub fn coincide(&self, a: Primitive, b: Primitive) -> bool {
         let (i, j) = (a.index(), b.index());
         match (a.is_sphere(), b.is_sphere()) {
-            (true, true) => self.sphere(i).coincides_with(&self.sphere(j)),
+            (true, true) => self.sphere(i) == self.sphere(j),
             (false, false) => self.triangle(i).coincides_with(&self.triangle(j)),
             _ => false,
         }

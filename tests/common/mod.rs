@@ -5,6 +5,7 @@
 use feimos::accel::{Aggregate, BuildOptions, Precision, SplitMethod};
 use feimos::camera::Camera;
 use feimos::film::{Channel, ChannelName, Image, PixelBounds, Samples};
+use feimos::geometry::{Matrix, Point};
 use feimos::progress::Progress;
 use feimos::render::{RenderOptions, Rendering, render};
 use feimos::scene::{LoadOptions, Scene, load};
@@ -68,8 +69,20 @@ pub(crate) fn assert_same(expected: &Image, found: &Image, what: &str) {
     }
 }
 
+/// Adds a mesh of triangles that share no corner.
+pub(crate) fn add_triangles(shapes: &mut Shapes, triangles: &[[Point; 3]], world_from_object: &Matrix, shape: u32) {
+    let vertices = triangles.iter().flatten().copied().collect();
+    let indices = (0..triangles.len() as u32).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
+    shapes.add_mesh(vertices, indices, world_from_object, shape).unwrap();
+}
+
+/// The samples of the channel of that name as bits.
+pub(crate) fn bits_of(image: &Image, name: ChannelName) -> Vec<u32> {
+    bits(image.channels.iter().find(|channel| channel.name == name).expect("the image has the channel"))
+}
+
 /// The samples of a channel as bits.
-pub(crate) fn bits(channel: &Channel) -> Vec<u32> {
+fn bits(channel: &Channel) -> Vec<u32> {
     match &channel.samples {
         Samples::F32(values) => values.iter().map(|value| value.to_bits()).collect(),
         Samples::U32(values) => values.clone(),

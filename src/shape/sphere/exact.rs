@@ -34,8 +34,8 @@ impl ScaledSpace {
     fn new(sphere: &Sphere, ray: &Ray) -> ScaledSpace {
         let (adjugate, determinant) = sphere.world_from_object.exact_adjugate();
         let centre = ExactVector::from(sphere.world_from_object.column(3));
-        let origin = ExactVector::from(ray.origin.to_array()).minus(&centre);
-        let direction = ExactVector::from(ray.direction.to_array());
+        let origin = ExactVector::from(ray.origin).minus(&centre);
+        let direction = ExactVector::from(ray.direction);
         let apply = |v: &ExactVector| ExactVector::new([0, 1, 2].map(|k| adjugate[k].dot(v)));
         ScaledSpace { origin: apply(&origin), direction: apply(&direction), determinant }
     }

@@ -2,7 +2,7 @@
 
 use super::Sphere;
 use super::cut::{Cut, Plane};
-use crate::exact::Approximation;
+use crate::exact::{Approximation, UNIT_ROUNDOFF as U};
 use crate::geometry::{Matrix, Point, Vector};
 use crate::shape::{FilterRay, Verdict};
 use std::array::from_fn;
@@ -46,9 +46,6 @@ impl Sphere {
         Verdict::Miss
     }
 }
-
-/// Unit of rounding of `f64`: half the distance from 1 to the next number.
-const U: f64 = f64::EPSILON / 2.0;
 
 /// More than underflow can do to an entry of the adjugate: the entries of m, below 2, are off by 2^-1075 where they were
 /// scaled down to less than a normal number, and each of two products loses as much again, 10 * 2^-1075 in all. The
@@ -150,7 +147,7 @@ fn cross(a: &Approximations, b: &Approximations) -> Approximations {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exact::{Dyadic, ExactVector};
+    use crate::exact::{Dyadic, ExactVector, times_power_of_two};
     use crate::geometry::Ray;
     use proptest::prelude::*;
     use std::cmp::Ordering;
@@ -161,7 +158,7 @@ mod tests {
             4 => -1.0f64..1.0,
             2 => (-3i32..4).prop_map(f64::from),
             1 => (-1.0f64..1.0, -1060i32..400).prop_map(|(x, exponent)| {
-                x * 2f64.powi(exponent / 2) * 2f64.powi(exponent - exponent / 2)
+                times_power_of_two(x, exponent)
             }),
         ]
     }
@@ -192,7 +189,7 @@ mod tests {
             let (rows, determinant) = m.exact_adjugate();
             let square_of_scale = Dyadic::from(scale).square();
             let meant = |k: usize| {
-                let v = ExactVector::from(origin.to_array()).minus(&ExactVector::from(centre.to_array()));
+                let v = ExactVector::from(origin).minus(&ExactVector::from(centre));
                 rows[k].dot(&v)
             };
             for k in 0..3 {

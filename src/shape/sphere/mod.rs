@@ -52,11 +52,6 @@ impl Sphere {
     fn scale(&self) -> f64 {
         power_of_two_near_largest(self.world_from_object.rows.iter().flat_map(|row| &row[..3]))
     }
-
-    /// Whether both were described by the same numbers: then every ray that meets one meets the other at the same `t`.
-    pub fn coincides_with(&self, other: &Sphere) -> bool {
-        self == other
-    }
 }
 
 /// More than three products lose that end below the least normal number, one of them times 3. The step that follows is
@@ -76,7 +71,7 @@ fn power_of_two_near_largest<'a>(numbers: impl IntoIterator<Item = &'a f64>) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exact::{Dyadic, ExactVector};
+    use crate::exact::{Dyadic, ExactVector, times_power_of_two};
     use crate::geometry::Ray;
     use crate::shape::{FilterRay, Verdict};
     use proptest::prelude::*;
@@ -141,7 +136,7 @@ mod tests {
             radius in 0.5f64..1.0,
             size in -1040i32..1020,
         ) {
-            let power = |exponent: i32| 2f64.powi(exponent / 2) * 2f64.powi(exponent - exponent / 2);
+            let power = |exponent: i32| times_power_of_two(1.0, exponent);
             // All of one size, a size for each row, for each entry, or all near the least number.
             let exponent = |i: usize, j: usize| match spread {
                 0 => exponents[0],

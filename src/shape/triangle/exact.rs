@@ -12,9 +12,9 @@ impl Triangle {
     /// within the triangle, 0 on an edge, and all 0 where the ray lies in the plane. By Cramer's rule
     /// t = v0 . (v1 x v2) / (e0 + e1 + e2).
     pub fn exact(&self, ray: &Ray) -> Option<Root> {
-        let origin = ExactVector::from(ray.origin.to_array());
-        let direction = ExactVector::from(ray.direction.to_array());
-        let [v0, v1, v2] = self.0.map(|corner| ExactVector::from(corner.to_array()).minus(&origin));
+        let origin = ExactVector::from(ray.origin);
+        let direction = ExactVector::from(ray.direction);
+        let [v0, v1, v2] = self.0.map(|corner| ExactVector::from(corner).minus(&origin));
         let across = v1.cross(&v2);
         let edges = [direction.dot(&across), direction.dot(&v2.cross(&v0)), direction.dot(&v0.cross(&v1))];
         let is_any = |sign: Ordering| edges.iter().any(|edge| edge.sign() == sign);
@@ -29,9 +29,9 @@ impl Triangle {
     /// The `t` at which `ray` crosses the triangle, which it is known to do: n . (a - o) / (n . d) with n = ab x ac. This takes
     /// less than half of the work of [`Triangle::exact`].
     pub fn exact_t(&self, ray: &Ray) -> Root {
-        let [a, b, c] = self.0.map(|corner| ExactVector::from(corner.to_array()));
+        let [a, b, c] = self.0.map(ExactVector::from);
         let normal = b.minus(&a).cross(&c.minus(&a));
-        let to_corner = a.minus(&ExactVector::from(ray.origin.to_array()));
-        Root::ratio(normal.dot(&to_corner), normal.dot(&ExactVector::from(ray.direction.to_array())))
+        let to_corner = a.minus(&ExactVector::from(ray.origin));
+        Root::ratio(normal.dot(&to_corner), normal.dot(&ExactVector::from(ray.direction)))
     }
 }

@@ -7,8 +7,8 @@
 //! (Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997, bounds its
 //! first stage in the same way). Two triangles that share an edge compute the same numbers with opposite signs.
 
-use super::{Triangle, U};
-use crate::exact::{Approximation, may_underflow_below};
+use super::Triangle;
+use crate::exact::{Approximation, UNIT_ROUNDOFF as U, may_underflow_below};
 use crate::geometry::Vector;
 use crate::shape::{FilterRay, Verdict};
 
@@ -149,7 +149,7 @@ mod tests {
     }
 
     fn exact(v: Vector) -> ExactVector {
-        ExactVector::from(v.to_array())
+        ExactVector::from(v)
     }
 
     /// The cross product overflows where it hardly counts: the direction is short, and nearly across that component.

@@ -6,15 +6,12 @@ mod single;
 
 pub(crate) use single::intersect_single;
 
-use crate::exact::ExactVector;
+use crate::exact::{ExactVector, UNIT_ROUNDOFF as U};
 use crate::geometry::{Bounds, Point};
 
 /// Three corners in world space.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Triangle(pub [Point; 3]);
-
-/// Unit of rounding of `f64`: half the distance from 1 to the next number.
-const U: f64 = f64::EPSILON / 2.0;
 
 impl Triangle {
     /// The box around the corners.
@@ -40,7 +37,7 @@ impl Triangle {
     }
 
     fn has_exact_area(&self) -> bool {
-        let [a, b, c] = self.0.map(|corner| ExactVector::from(corner.to_array()));
+        let [a, b, c] = self.0.map(ExactVector::from);
         !b.minus(&a).cross(&c.minus(&a)).is_zero()
     }
 
