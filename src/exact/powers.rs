@@ -1,4 +1,4 @@
-//! Powers of two, by which numbers are scaled without rounding.
+//! Powers of two: scaling by them, and the unit of rounding.
 
 /// Unit of rounding of `f64`: what one operation is off by at most, relative to its result.
 pub const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
@@ -8,9 +8,10 @@ pub fn power_of_two(exponent: i32) -> f64 {
     f64::from_bits(((exponent + 1023) as u64) << 52)
 }
 
-/// `x * 2^exponent` for exponents from -2044 to 2046, rounded once if it is below the normal numbers and not at all otherwise.
+/// `x * 2^exponent` for exponents from -2044 to 2046. Either of the two steps rounds where its result is below the normal
+/// numbers.
 pub fn times_power_of_two(x: f64, exponent: i32) -> f64 {
-    // In two steps: one factor alone might not be a normal number.
+    // One factor alone might not be a normal number.
     x * power_of_two(exponent / 2) * power_of_two(exponent - exponent / 2)
 }
 
