@@ -49,3 +49,4 @@ pub mod reference;
 pub mod render;
 pub mod scene;
 pub mod shape;
+pub mod simd;

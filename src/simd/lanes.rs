@@ -1,0 +1,72 @@
+//! What algorithms may ask of lanes.
+
+use std::fmt::Debug;
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Not, Sub};
+
+/// Numbers in a group, at every level.
+pub(crate) const LANES: usize = 16;
+
+/// The instructions of one level. Having a value proves that the machine has them.
+pub(crate) trait Lanes: Copy + Debug {
+    /// Sixteen `f32`.
+    type F: F32s<D = Self::D, M = Self::M>;
+    /// Sixteen `f64`.
+    type D: F64s<F = Self::F>;
+    /// Sixteen truth values.
+    type M: Mask<F = Self::F>;
+
+    fn splat(self, x: f32) -> Self::F;
+    fn load(self, from: &[f32; LANES]) -> Self::F;
+    fn splat_wide(self, x: f64) -> Self::D;
+    fn load_wide(self, from: &[f64; LANES]) -> Self::D;
+}
+
+/// Sixteen `f32`.
+pub(crate) trait F32s:
+    Copy + Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
+    type D: F64s<F = Self>;
+    type M: Mask<F = Self>;
+
+    fn store(self, to: &mut [f32; LANES]);
+    /// The smaller of the two; `other` where one is NaN.
+    fn min(self, other: Self) -> Self;
+    /// The larger of the two; `other` where one is NaN.
+    fn max(self, other: Self) -> Self;
+    fn abs(self) -> Self;
+    fn floor(self) -> Self;
+    fn ceil(self) -> Self;
+    /// `self * factor + addend`, rounded once or twice: not the same number at every level.
+    fn fused_or_not(self, factor: Self, addend: Self) -> Self;
+    /// Where `self > other`; nowhere where one is NaN.
+    fn above(self, other: Self) -> Self::M;
+    /// The smallest of all, none of them NaN.
+    fn least(self) -> f32;
+    fn widen(self) -> Self::D;
+    /// Whole numbers that fit.
+    fn store_whole(self, to: &mut [i32; LANES]);
+}
+
+/// Sixteen `f64`.
+pub(crate) trait F64s:
+    Copy + Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
+    type F: F32s<D = Self>;
+
+    fn store(self, to: &mut [f64; LANES]);
+    fn sqrt(self) -> Self;
+    /// As [`F32s::fused_or_not`].
+    fn fused_or_not(self, factor: Self, addend: Self) -> Self;
+    /// The nearest `f32` to each.
+    fn narrow(self) -> Self::F;
+}
+
+/// Sixteen truth values.
+pub(crate) trait Mask: Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {
+    type F;
+
+    /// Lane k as bit k.
+    fn bits(self) -> u32;
+    /// Lane by lane, `yes` or `no`.
+    fn select(self, yes: Self::F, no: Self::F) -> Self::F;
+}

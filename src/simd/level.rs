@@ -1,0 +1,106 @@
+//! Which instructions there are, and running a kernel with them.
+
+use super::Lanes;
+use super::portable::Portable;
+use std::fmt;
+
+/// A set of instructions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Level {
+    /// Whatever the compiler makes of plain loops, on any machine.
+    Portable,
+    /// SSE 4.1: four lanes a register.
+    #[cfg(target_arch = "x86_64")]
+    Sse,
+    /// AVX2 and FMA: eight lanes.
+    #[cfg(target_arch = "x86_64")]
+    Avx2,
+    /// AVX-512 F, DQ, BW, VL: sixteen lanes.
+    #[cfg(target_arch = "x86_64")]
+    Avx512,
+}
+
+/// Work to be compiled for a level.
+pub(crate) trait Kernel {
+    type Output;
+
+    /// Must be `#[inline(always)]`.
+    fn run<S: Lanes>(self, simd: S) -> Self::Output;
+}
+
+impl Level {
+    /// All levels of this architecture, the plainest first.
+    pub const ALL: &[Level] = &[
+        Level::Portable,
+        #[cfg(target_arch = "x86_64")]
+        Level::Sse,
+        #[cfg(target_arch = "x86_64")]
+        Level::Avx2,
+        #[cfg(target_arch = "x86_64")]
+        Level::Avx512,
+    ];
+
+    /// The best level that this machine has.
+    pub fn detect() -> Level {
+        Level::ALL.iter().copied().rfind(|level| level.is_available()).unwrap_or(Level::Portable)
+    }
+
+    /// Whether this machine has the instructions.
+    pub fn is_available(self) -> bool {
+        match self {
+            Level::Portable => true,
+            #[cfg(target_arch = "x86_64")]
+            Level::Sse => super::x86::Sse::detect().is_some(),
+            #[cfg(target_arch = "x86_64")]
+            Level::Avx2 => super::x86::Avx2::detect().is_some(),
+            #[cfg(target_arch = "x86_64")]
+            Level::Avx512 => super::x86::Avx512::detect().is_some(),
+        }
+    }
+
+    /// The name, as in reports.
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Level::Portable => "portable",
+            #[cfg(target_arch = "x86_64")]
+            Level::Sse => "sse4.1",
+            #[cfg(target_arch = "x86_64")]
+            Level::Avx2 => "avx2",
+            #[cfg(target_arch = "x86_64")]
+            Level::Avx512 => "avx512",
+        }
+    }
+
+    /// Runs `kernel` with the instructions of this level, or plainly where the machine does not have them.
+    pub(crate) fn run<K: Kernel>(self, kernel: K) -> K::Output {
+        #[cfg(target_arch = "x86_64")]
+        {
+            use super::x86::{Avx2, Avx512, Sse};
+            match self {
+                Level::Portable => {}
+                Level::Sse => {
+                    if let Some(sse) = Sse::detect() {
+                        return sse.run(kernel);
+                    }
+                }
+                Level::Avx2 => {
+                    if let Some(avx2) = Avx2::detect() {
+                        return avx2.run(kernel);
+                    }
+                }
+                Level::Avx512 => {
+                    if let Some(avx512) = Avx512::detect() {
+                        return avx512.run(kernel);
+                    }
+                }
+            }
+        }
+        kernel.run(Portable)
+    }
+}
+
+impl fmt::Display for Level {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.as_str())
+    }
+}

@@ -1,0 +1,133 @@
+//! Every level does what plain arithmetic does, lane by lane.
+
+use super::*;
+use proptest::prelude::*;
+
+/// What one level makes of three groups of numbers.
+#[derive(Debug, PartialEq)]
+struct Results {
+    floats: Vec<[u32; LANES]>,
+    doubles: Vec<[u64; LANES]>,
+    whole: [i32; LANES],
+    masks: Vec<u32>,
+    least: u32,
+}
+
+struct Everything<'a>(&'a [f32; LANES], &'a [f32; LANES], &'a [f64; LANES]);
+
+fn float_bits<F: F32s>(x: F) -> [u32; LANES] {
+    let mut stored = [0.0; LANES];
+    x.store(&mut stored);
+    stored.map(f32::to_bits)
+}
+
+fn double_bits<D: F64s>(x: D) -> [u64; LANES] {
+    let mut stored = [0.0; LANES];
+    x.store(&mut stored);
+    stored.map(f64::to_bits)
+}
+
+impl Kernel for Everything<'_> {
+    type Output = Results;
+
+    #[inline(always)]
+    fn run<S: Lanes>(self, simd: S) -> Results {
+        let Everything(a, b, c) = self;
+        let (a, b, c) = (simd.load(a), simd.load(b), simd.load_wide(c));
+        let two = simd.splat(2.0);
+        let half = simd.splat_wide(0.5);
+        let mask = a.above(b);
+        let mut whole = [0; LANES];
+        (a.abs().min(simd.splat(1e6))).store_whole(&mut whole);
+        // Multiplying by a power of two is exact, so that fusing makes no difference.
+        let floats = [
+            a + b,
+            a - b,
+            a * b,
+            a / b,
+            a.min(b),
+            a.max(b),
+            a.abs(),
+            a.floor(),
+            a.ceil(),
+            a.fused_or_not(two, b),
+            mask.select(a, b),
+            c.narrow(),
+        ];
+        let wide = a.widen();
+        let doubles = [wide, wide + c, wide - c, wide * c, wide / c, c.fused_or_not(half, wide), (c * c).sqrt()];
+        Results {
+            floats: floats.map(float_bits).to_vec(),
+            doubles: doubles.map(double_bits).to_vec(),
+            whole,
+            masks: vec![mask.bits(), (!mask).bits(), (mask & a.above(two)).bits(), (mask | two.above(b)).bits()],
+            least: a.least().to_bits(),
+        }
+    }
+}
+
+/// Numbers of all sizes; many alike, so that comparisons meet equal ones.
+fn number() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        (-4i32..5).prop_map(f64::from),
+        -10.0f64..10.0,
+        (-1.0f64..1.0, -40i32..40).prop_map(|(x, e)| x * 2f64.powi(e))
+    ]
+    // Whether minus zero or zero is the smaller of the two differs between instructions, and matters to nobody.
+    .prop_map(|x| x + 0.0)
+}
+
+fn plain_results(a: &[f32; LANES], b: &[f32; LANES]) -> [[u32; LANES]; 3] {
+    let each = |f: fn(f32, f32) -> f32| std::array::from_fn(|k| f(a[k], b[k]).to_bits());
+    [each(|a, b| a + b), each(|a, b| a - b), each(|a, b| a * b)]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1000))]
+
+    #[test]
+    fn levels_agree(
+        a in prop::array::uniform16(number()), b in prop::array::uniform16(number()), c in prop::array::uniform16(number()),
+    ) {
+        let (a, b) = (a.map(|x| x as f32), b.map(|x| x as f32));
+        let portable = Level::Portable.run(Everything(&a, &b, &c));
+        prop_assert_eq!(&portable.floats[..3], &plain_results(&a, &b)[..]);
+        for level in Level::ALL {
+            let found = level.run(Everything(&a, &b, &c));
+            prop_assert_eq!(&found.floats.iter().map(nan_is_nan).collect::<Vec<_>>(), &portable.floats.iter().map(nan_is_nan).collect::<Vec<_>>(), "{}", level);
+            prop_assert_eq!(&found.masks, &portable.masks, "{}", level);
+            prop_assert_eq!((found.whole, found.least), (portable.whole, portable.least), "{}", level);
+            let doubles = |results: &Results| results.doubles.iter().map(|all| all.map(|x| if f64::from_bits(x).is_nan() { 0 } else { x })).collect::<Vec<_>>();
+            prop_assert_eq!(doubles(&found), doubles(&portable), "{}", level);
+        }
+    }
+}
+
+/// 0 / 0 has a sign that differs between instructions.
+fn nan_is_nan(all: &[u32; LANES]) -> [u32; LANES] {
+    all.map(|x| if f32::from_bits(x).is_nan() { 0 } else { x })
+}
+
+/// Which of two is taken where one is NaN: what the slab tests and rectangles rely on.
+#[test]
+fn the_second_number_is_taken_instead_of_nan() {
+    struct OfNan;
+    impl Kernel for OfNan {
+        type Output = [f32; 2];
+        #[inline(always)]
+        fn run<S: Lanes>(self, simd: S) -> [f32; 2] {
+            let (nan, one) = (simd.splat(f32::NAN), simd.splat(1.0));
+            [nan.min(one).least(), nan.max(one).least()]
+        }
+    }
+    for level in Level::ALL {
+        assert_eq!(level.run(OfNan), [1.0, 1.0], "{level}");
+    }
+}
+
+#[test]
+fn the_best_level_is_available() {
+    assert!(Level::detect().is_available());
+    let names: Vec<&str> = Level::ALL.iter().map(|level| level.as_str()).collect();
+    assert_eq!(names[0], "portable");
+}
