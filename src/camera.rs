@@ -66,22 +66,30 @@ impl Camera {
         self.world_from_camera.column(3).into()
     }
 
-    /// The ray through the centre of pixel `x` from the left and `y` from the top.
-    pub fn ray(&self, x: u32, y: u32) -> Ray {
+    /// Where the ray of pixel `x`, `y` passes the plane at distance 1: X and Y in camera space.
+    pub fn plane_coordinates(&self, x: u32, y: u32) -> [f64; 2] {
         let [width, height] = self.resolution;
         let screen = &self.screen_window;
         let sx = pixel_centre(screen.x0, screen.x1, x, width);
         let sy = pixel_centre(screen.y1, screen.y0, y, height);
+        match self.projection {
+            Projection::Perspective { tangent } => [tangent * sx, tangent * sy],
+            Projection::Orthographic => [sx, sy],
+        }
+    }
+
+    /// The ray through the centre of pixel `x` from the left and `y` from the top.
+    pub fn ray(&self, x: u32, y: u32) -> Ray {
+        let [x, y] = self.plane_coordinates(x, y);
         let c = &self.world_from_camera.rows;
         let component = |k: usize, x: f64, y: f64, last: usize| (c[k][0] * x + c[k][1] * y) + c[k][last];
         match self.projection {
-            Projection::Perspective { tangent } => {
-                let (x, y) = (tangent * sx, tangent * sy);
+            Projection::Perspective { .. } => {
                 let direction = |k| component(k, x, y, 2);
                 Ray { origin: self.anchor(), direction: Vector::new(direction(0), direction(1), direction(2)) }
             }
             Projection::Orthographic => {
-                let origin = |k| component(k, sx, sy, 3);
+                let origin = |k| component(k, x, y, 3);
                 let origin = Point::new(origin(0), origin(1), origin(2));
                 Ray { origin, direction: self.world_from_camera.column(2).into() }
             }

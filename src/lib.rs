@@ -14,6 +14,7 @@
 //! use feimos::progress::Progress;
 //! use feimos::render::{RenderOptions, render};
 //! use feimos::scene::{LoadOptions, load};
+//! use feimos::simd::Level;
 //! use std::path::Path;
 //!
 //! let options = LoadOptions { resolution: Some([40, 40]) };
@@ -25,6 +26,7 @@
 //!     channels: vec![ChannelName::Z],
 //!     miss: f32::INFINITY,
 //!     counted: false,
+//!     level: Level::detect(),
 //!     precision: Precision::Exact,
 //! };
 //! let rendering = render(&scene.camera, &scene.shapes, &aggregate, &options, Progress::SILENT)?;

@@ -5,6 +5,7 @@ use super::build_primitive::{self, BuildPrimitive, bounds_of};
 use super::hlbvh;
 use super::node::{Children, Node, Subtree};
 use super::splitter::Splitter;
+use super::tile::WideTree;
 use super::top_down::TopDown;
 use super::{SplitMethod, Statistics};
 use crate::geometry::Point;
@@ -46,6 +47,8 @@ pub struct Aggregate {
     pub(super) below: Vec<Children>,
     /// The primitives in the order of the leaves.
     pub(super) order: Vec<Primitive>,
+    /// The same tree for tiles.
+    pub(super) wide: WideTree,
 }
 
 impl Aggregate {
@@ -56,11 +59,14 @@ impl Aggregate {
     pub fn build(shapes: &Shapes, anchor: Point, options: BuildOptions, progress: Progress) -> Aggregate {
         let (space, mut primitives) = build_primitive::collect(shapes, anchor);
         if primitives.is_empty() {
-            return Aggregate { space, root: None, below: Vec::new(), order: Vec::new() };
+            let wide = WideTree::of(None, &[], &[], shapes);
+            return Aggregate { space, root: None, below: Vec::new(), order: Vec::new(), wide };
         }
         let Subtree { root, below } = build_tree(&mut primitives, options, progress);
-        let order = primitives.iter().map(|primitive| primitive.primitive).collect();
-        Aggregate { space, root: Some(root), below, order }
+        let order: Vec<Primitive> = primitives.iter().map(|primitive| primitive.primitive).collect();
+        drop(primitives);
+        let wide = WideTree::of(Some(&root), &below, &order, shapes);
+        Aggregate { space, root: Some(root), below, order, wide }
     }
 
     /// Primitives that can be hit.

@@ -114,6 +114,16 @@ impl AnchorSpace {
         std::array::from_fn(|k| self.coordinate(point, k) as f32)
     }
 
+    /// The origin of anchor space.
+    pub(super) fn anchor(&self) -> Point {
+        self.anchor
+    }
+
+    /// No coordinate of a primitive differs from the anchor's by more.
+    pub(super) fn reach(&self) -> f64 {
+        power_of_two(LARGEST_EXPONENT + 1) / self.units()
+    }
+
     /// Units of anchor space in one of world space.
     pub(super) fn units(&self) -> f64 {
         self.scale * self.before

@@ -38,6 +38,16 @@ pub struct Fallbacks {
 }
 
 impl Fallbacks {
+    /// What came after `before`.
+    pub fn since(&self, before: &Fallbacks) -> Fallbacks {
+        Fallbacks {
+            unsure_tests: self.unsure_tests - before.unsure_tests,
+            comparisons: self.comparisons - before.comparisons,
+            roundings: self.roundings - before.roundings,
+            rays: self.rays - before.rays,
+        }
+    }
+
     /// Whether integers were needed at all, the rays not counted.
     pub(super) fn is_any(&self) -> bool {
         self.unsure_tests + self.comparisons + self.roundings > 0

@@ -6,7 +6,7 @@ use super::hit::{Fallbacks, Hit, Work};
 use super::traversal::{Stack, traverse};
 use super::{Aggregate, Depth, Precision};
 use crate::geometry::Ray;
-use crate::shape::Shapes;
+use crate::shape::{Primitive, Shapes};
 
 /// Casts rays, one after the other. Each thread has its own.
 pub struct Tracer<'a> {
@@ -26,6 +26,12 @@ impl<'a> Tracer<'a> {
     /// The nearest hit of `ray`; of several at one `t`, the primitive that comes first in the file (rule E3).
     pub fn closest_hit(&mut self, ray: &Ray) -> Option<Hit> {
         self.trace::<false>(ray, &mut Work::default())
+    }
+
+    /// Some hit of `ray`, if it has any: which one, depends on the tree.
+    pub fn any_hit(&mut self, ray: &Ray) -> Option<Primitive> {
+        // TODO
+        self.closest_hit(ray).map(|hit| hit.primitive)
     }
 
     /// As [`Tracer::closest_hit`], adding to `work` what it took.

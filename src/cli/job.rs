@@ -14,6 +14,7 @@ use feimos::film::{DepthRange, PixelBounds};
 use feimos::progress::Progress;
 use feimos::render::{RenderOptions, Rendering, render};
 use feimos::scene::{self, Scene};
+use feimos::simd::Level;
 use std::path::Path;
 use std::time::Instant;
 
@@ -119,6 +120,7 @@ impl Renderer<'_> {
             channels: picture.channels(),
             miss: picture.miss(),
             counted: self.plan.stats,
+            level: Level::detect(),
             precision: self.plan.precision,
         };
         let trace = |progress: Progress<'_>| render(&scene.camera, &scene.shapes, &aggregate, &options, progress);
@@ -144,7 +146,7 @@ fn record(path: &Path, scene: &Scene, finished: &Finished) -> Record {
         accel: finished.method.name(),
         precision: finished.precision.name(),
         threads: rayon::current_num_threads(),
-        simd: "scalar",
+        simd: Level::detect().as_str(),
         width: window.width(),
         height: window.height(),
         rays: window.area(),

@@ -10,6 +10,7 @@ use feimos::progress::Progress;
 use feimos::render::{RenderOptions, Rendering, render};
 use feimos::scene::{LoadOptions, Scene, load};
 use feimos::shape::Shapes;
+use feimos::simd::Level;
 use std::path::Path;
 
 /// Loads a scene that must load.
@@ -32,7 +33,7 @@ pub(crate) fn picture(
         aggregate.validate(shapes).unwrap_or_else(|wrong| panic!("{options:?}: {wrong}"));
         let channels = ChannelName::ALL.to_vec();
         let render_options =
-            RenderOptions { data_window: window, channels, miss: f32::INFINITY, counted: false, precision };
+            RenderOptions { data_window: window, channels, miss: f32::INFINITY, counted: false, precision, level: Level::detect() };
         render(camera, shapes, &aggregate, &render_options, Progress::SILENT).unwrap()
     })
 }

@@ -1,0 +1,64 @@
+//! Sixteen triangles side by side.
+
+use crate::shape::{Primitive, Shapes};
+use crate::simd::LANES;
+use rayon::prelude::*;
+
+/// Primitives of a leaf; the triangles among them laid out for lanes, in world space.
+///
+/// A first corner is exact. The two edges from it are rounded to `f32`, so that they are off by 2^-24 of their own length,
+/// whatever the size of the scene: on the film, by a small part of the triangle itself.
+#[derive(Debug, Clone, PartialEq)]
+#[repr(align(64))]
+pub(super) struct Block {
+    /// Coordinates of the first corners.
+    pub(super) corner: [[f64; LANES]; 3],
+    /// Components of the vectors from the first to the second corners, and to the third.
+    pub(super) edges: [[[f32; LANES]; 3]; 2],
+    /// Those after `count` repeat the first.
+    pub(super) primitives: [Primitive; LANES],
+    /// Lanes that hold a primitive: the first ones.
+    pub(super) count: u32,
+    /// Lanes that hold a triangle, lane k as bit k.
+    pub(super) triangles: u32,
+}
+
+/// The largest run of primitives that one block holds.
+pub(super) const BLOCK: usize = LANES;
+
+impl Block {
+    /// Lanes that hold a sphere.
+    pub(super) fn spheres(&self) -> u32 {
+        ((1 << self.count) - 1) & !self.triangles
+    }
+
+    fn of(primitives: &[Primitive], shapes: &Shapes) -> Block {
+        let mut block = Block {
+            corner: [[0.0; LANES]; 3],
+            edges: [[[0.0; LANES]; 3]; 2],
+            primitives: [primitives[0]; LANES],
+            count: primitives.len() as u32,
+            triangles: 0,
+        };
+        for (lane, primitive) in primitives.iter().enumerate() {
+            block.primitives[lane] = *primitive;
+            if primitive.is_sphere() {
+                continue;
+            }
+            block.triangles |= 1 << lane;
+            let [a, b, c] = shapes.triangle(primitive.index()).0;
+            for axis in 0..3 {
+                block.corner[axis][lane] = a[axis];
+                block.edges[0][axis][lane] = (b[axis] - a[axis]) as f32;
+                block.edges[1][axis][lane] = (c[axis] - a[axis]) as f32;
+            }
+        }
+        block
+    }
+}
+
+/// The blocks of runs of primitives, given as the place of the first in `order` and their number, at most [`BLOCK`].
+pub(super) fn blocks_of(runs: &[(u32, u32)], order: &[Primitive], shapes: &Shapes) -> Vec<Block> {
+    let block = |(first, count): &(u32, u32)| Block::of(&order[*first as usize..][..*count as usize], shapes);
+    runs.par_iter().with_min_len(64).map(block).collect()
+}

@@ -1,0 +1,183 @@
+//! Sixteen triangles in the space of a tile: where their corners are, and which pixels they may cover.
+//!
+//! # How far a corner may be off
+//!
+//! With u = 2^-53 and row r of the tile's matrix K: a corner relative to the eye is off by one rounding; the other two corners
+//! besides by the rounding of their edges to `f32`, 2^-24 |e|; products and sums by at most five more roundings of their
+//! absolute terms. [`Corners::error`] is sum_k |K_rk| (2^-23 e_k + 2^-48 (|p_k| + e_k)), e_k the longer edge: ample.
+
+use super::block::Block;
+use super::frame::Frame;
+use crate::simd::{F32s, F64s, LANES, Lanes, Mask};
+
+/// A triangle's first corner and its edges in the space of the tile. In a perspective: pixels times depth, and depth. In an
+/// orthographic view: pixels, and depth.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Corners<S: Lanes> {
+    pub(super) corner: [S::D; 3],
+    pub(super) edges: [[S::D; 3]; 2],
+    /// Bounds on the errors of all corners, by component.
+    pub(super) error: [S::F; 3],
+}
+
+/// The product and sum that is right for the precision: what is compared by its bits, at whatever level, is never fused.
+#[inline(always)]
+pub(super) fn multiply_add<S: Lanes, const EXACT: bool>(a: S::D, b: S::D, c: S::D) -> S::D {
+    if EXACT { a.fused_or_not(b, c) } else { a * b + c }
+}
+
+/// As [`multiply_add`], in `f32`.
+#[inline(always)]
+pub(super) fn multiply_add_f32<S: Lanes, const EXACT: bool>(a: S::F, b: S::F, c: S::F) -> S::F {
+    if EXACT { a.fused_or_not(b, c) } else { a * b + c }
+}
+
+#[inline(always)]
+fn row_times<S: Lanes, const EXACT: bool>(simd: S, row: &[f64; 3], v: &[S::D; 3]) -> S::D {
+    let sum = multiply_add::<S, EXACT>(simd.splat_wide(row[1]), v[1], simd.splat_wide(row[0]) * v[0]);
+    multiply_add::<S, EXACT>(simd.splat_wide(row[2]), v[2], sum)
+}
+
+impl<S: Lanes> Corners<S> {
+    /// From the first corners and the edges, in world space; `edge_error` is that of an edge relative to its length.
+    #[inline(always)]
+    fn transform<const EXACT: bool>(
+        simd: S,
+        frame: &Frame,
+        corner: &[[f64; LANES]; 3],
+        edges: [[S::D; 3]; 2],
+        edge_error: f32,
+    ) -> Corners<S> {
+        let eye = frame.eye();
+        let mut from_eye = edges[0];
+        for axis in 0..3 {
+            from_eye[axis] = simd.load_wide(&corner[axis]) - simd.splat_wide(eye[axis]);
+        }
+        let mut corners = Corners { corner: from_eye, edges, error: [simd.splat(0.0); 3] };
+        for k in 0..3 {
+            let row = &frame.tile_from_world[k];
+            corners.corner[k] = row_times::<S, EXACT>(simd, row, &from_eye);
+            corners.edges[0][k] = row_times::<S, EXACT>(simd, row, &edges[0]);
+            corners.edges[1][k] = row_times::<S, EXACT>(simd, row, &edges[1]);
+            if k < 2 && !frame.view.is_perspective {
+                corners.corner[k] = corners.corner[k] + simd.splat_wide(frame.offset[k]);
+            }
+        }
+        let mut unsure = corners.error;
+        for axis in 0..3 {
+            let edge = edges[0][axis].narrow().abs().max(edges[1][axis].narrow().abs());
+            let rounding = simd.splat(1.0 / (1u64 << 48) as f32);
+            // The last term for what is too small for f32.
+            unsure[axis] = edge * simd.splat(edge_error)
+                + (from_eye[axis].narrow().abs() + edge) * rounding
+                + simd.splat(f32::MIN_POSITIVE);
+        }
+        for k in 0..3 {
+            let entry = |axis: usize| simd.splat((frame.tile_from_world[k][axis].abs() * 1.0001) as f32);
+            corners.error[k] = entry(0) * unsure[0] + entry(1) * unsure[1] + entry(2) * unsure[2];
+        }
+        corners
+    }
+
+    /// Of a block, as it is stored.
+    #[inline(always)]
+    pub(super) fn of_block<const EXACT: bool>(simd: S, frame: &Frame, block: &Block) -> Corners<S> {
+        let mut edges = [[simd.splat_wide(0.0); 3]; 2];
+        for edge in 0..2 {
+            for axis in 0..3 {
+                edges[edge][axis] = simd.load(&block.edges[edge][axis]).widen();
+            }
+        }
+        Corners::transform::<EXACT>(simd, frame, &block.corner, edges, 1.0 / (1 << 23) as f32)
+    }
+
+    /// Of corners and edges in `f64`.
+    #[inline(always)]
+    pub(super) fn of_wide(
+        simd: S,
+        frame: &Frame,
+        corner: &[[f64; LANES]; 3],
+        edges: &[[[f64; LANES]; 3]; 2],
+    ) -> Corners<S> {
+        let mut wide = [[simd.splat_wide(0.0); 3]; 2];
+        for edge in 0..2 {
+            for axis in 0..3 {
+                wide[edge][axis] = simd.load_wide(&edges[edge][axis]);
+            }
+        }
+        Corners::transform::<true>(simd, frame, corner, wide, 1.0 / (1u64 << 52) as f32)
+    }
+
+    /// Component `k` of all three corners.
+    #[inline(always)]
+    pub(super) fn component(&self, k: usize) -> [S::F; 3] {
+        let first = self.corner[k].narrow();
+        [first, first + self.edges[0][k].narrow(), first + self.edges[1][k].narrow()]
+    }
+}
+
+/// The pixels of a tile that triangles may cover.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Cover<S: Lanes> {
+    /// First and last column, first and last row: within the tile, and empty where the first is behind the last.
+    pub(super) columns: [S::F; 2],
+    pub(super) rows: [S::F; 2],
+    /// No point of the triangle is nearer.
+    pub(super) nearness: S::F,
+    /// Triangles that are in front of the eye, at least in part, and may cover a pixel.
+    pub(super) covers: S::M,
+    /// Triangles that are wholly in front of it.
+    pub(super) in_front: S::M,
+}
+
+#[inline(always)]
+fn least<F: F32s>([a, b, c]: [F; 3]) -> F {
+    a.min(b).min(c)
+}
+
+#[inline(always)]
+fn most<F: F32s>([a, b, c]: [F; 3]) -> F {
+    a.max(b).max(c)
+}
+
+impl<S: Lanes> Cover<S> {
+    #[inline(always)]
+    pub(super) fn of(simd: S, frame: &Frame, corners: &Corners<S>) -> Cover<S> {
+        let is_perspective = frame.view.is_perspective;
+        let (zero, one, infinity) = (simd.splat(0.0), simd.splat(1.0), simd.splat(f32::INFINITY));
+        let relative = simd.splat(1.0 / (1 << 20) as f32);
+        let depth = corners.component(2);
+        let (nearest, farthest) = (least(depth), most(depth));
+        let depth_error = corners.error[2] * simd.splat(2.0) + nearest.abs().max(farthest.abs()) * relative;
+        let in_front = (nearest - depth_error).above(zero);
+        let visible = (farthest + depth_error).above(zero);
+        let inverse = if is_perspective { [one / depth[0], one / depth[1], one / depth[2]] } else { [one; 3] };
+        let nearness = if is_perspective {
+            in_front.select(simd.splat(1.0 + 1.0 / (1 << 18) as f32) / (nearest - depth_error), infinity)
+        } else {
+            depth_error - nearest
+        };
+        let mut ends = [[zero; 2]; 2];
+        let whole = simd.splat(super::frame::TILE as f32 - 1.0);
+        for k in 0..2 {
+            let film = corners.component(k);
+            let pixels = [film[0] * inverse[0], film[1] * inverse[1], film[2] * inverse[2]];
+            let (low, high) = (least(pixels), most(pixels));
+            let reach = low.abs().max(high.abs());
+            let film_size = most([film[0].abs(), film[1].abs(), film[2].abs()]);
+            let error = (corners.error[k] + reach * corners.error[2]) * simd.splat(2.0) + film_size * relative;
+            let per_pixel = most([inverse[0].abs(), inverse[1].abs(), inverse[2].abs()]);
+            let margin = simd.splat(1.0 / (1 << 12) as f32) + error * per_pixel + reach * relative;
+            let first = (low - margin).ceil().max(zero);
+            let last = (high + margin).floor().min(whole);
+            ends[k] = if is_perspective {
+                [in_front.select(first, zero), in_front.select(last, whole)]
+            } else {
+                [first, last]
+            };
+        }
+        let [columns, rows] = ends;
+        let covers = visible & !columns[0].above(columns[1]) & !rows[0].above(rows[1]);
+        Cover { columns, rows, nearness, covers, in_front }
+    }
+}

@@ -1,0 +1,28 @@
+//! Tiles of rays that travel together.
+//!
+//! All rays of a tile visit a node at once: seen from a camera, the box of a node is a rectangle of pixels with a
+//! nearest point, and the tile visits it if they overlap, and if some pixel of the overlap has hit nothing nearer yet. Sixteen
+//! triangles are then prepared at once and drawn into the tile's pixels, sixteen pixels at once.
+//!
+//! Decisions are made in `f32` with bounds on their errors, from numbers that `f64` made small first; see [`planes`]. What
+//! the bounds leave open is settled by the exact search for single rays.
+
+mod block;
+mod corners;
+mod draw;
+mod frame;
+mod pixels;
+mod planes;
+mod resolve;
+mod search;
+mod traced;
+mod tracer;
+mod view;
+mod view_node;
+mod walk;
+mod wide_tree;
+
+pub(crate) use frame::TILE;
+pub use traced::TracedTile;
+pub use tracer::{TileOptions, TileTracer, Tiles};
+pub(crate) use wide_tree::WideTree;

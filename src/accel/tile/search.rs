@@ -1,0 +1,125 @@
+//! Pixels that lanes could not decide, one after the other.
+
+use super::draw::Contested;
+use super::pixels::{Pixel, Pixels};
+use super::view::View;
+use crate::accel::exact_search::ExactSearch;
+use crate::accel::fast_search::FastSearch;
+use crate::accel::traversal::Search;
+use crate::accel::{Aggregate, Depth, Fallbacks, Hit, Precision};
+use crate::camera::Camera;
+use crate::geometry::Ray;
+use crate::shape::{FilterRay, Primitive, Shapes, Verdict};
+
+/// Casts single rays at single primitives.
+pub(super) struct Searcher<'a> {
+    pub(super) camera: &'a Camera,
+    pub(super) shapes: &'a Shapes,
+    pub(super) aggregate: &'a Aggregate,
+    pub(super) view: &'a View,
+    pub(super) precision: Precision,
+    pub(super) hits_only: bool,
+}
+
+/// Relative width of a bracket of t that is narrow enough to be compared as nearness.
+const NARROW: f64 = 1.0 / (1u64 << 21) as f64;
+
+impl Searcher<'_> {
+    fn ray(&self, first: [u32; 2], pixel: Pixel) -> Ray {
+        self.camera.ray(first[0] + pixel.column(), first[1] + pixel.row())
+    }
+
+    /// Decides between a contested triangle and what its pixel hit so far, for each.
+    pub(super) fn settle(
+        &self,
+        first: [u32; 2],
+        contested: &mut Vec<Contested>,
+        pixels: &mut Pixels,
+        fallbacks: &mut Fallbacks,
+    ) {
+        for Contested { pixel, primitive } in contested.drain(..) {
+            let best = pixels.primitive(pixel);
+            if self.hits_only && best.is_some() {
+                continue;
+            }
+            let ray = self.ray(first, pixel);
+            if !ray.can_hit() {
+                continue;
+            }
+            let found = match self.precision {
+                Precision::Exact => self.search_exactly(&ray, best, primitive, fallbacks),
+                Precision::Fast => self.search_fast(&ray, primitive, pixels, pixel),
+            };
+            if let Some((hit, nearness)) = found {
+                pixels.set(pixel, hit, if self.hits_only { f32::INFINITY } else { nearness });
+            }
+        }
+    }
+
+    /// The hit with `primitive`, if it is before the one with `best`.
+    fn search_exactly(
+        &self,
+        ray: &Ray,
+        best: Option<Primitive>,
+        primitive: Primitive,
+        fallbacks: &mut Fallbacks,
+    ) -> Option<(Hit, f32)> {
+        let slab = self.aggregate.space.ray(ray);
+        let mut counted = Fallbacks::default();
+        let mut search = ExactSearch::new(self.shapes, ray, &slab, &mut counted);
+        best.into_iter().for_each(|best| search.test(best));
+        search.test(primitive);
+        let hit = search.into_hit();
+        if counted.is_any() {
+            *fallbacks += Fallbacks { rays: 1, ..counted };
+        }
+        let mut hit = hit.filter(|hit| hit.primitive == primitive && best != Some(primitive))?;
+        let width = hit.t.high - hit.t.low;
+        let allowed = if self.view.is_perspective { hit.t.low * NARROW } else { f64::from(self.view.tolerance) / 8.0 };
+        if !(width <= allowed) {
+            hit.t = self.shapes.exact_t(primitive, ray).bracket();
+        }
+        Some((hit, self.view.nearness(hit.t.low)))
+    }
+
+    /// The hit with `primitive`, if it is nearer than what the pixel hit.
+    fn search_fast(&self, ray: &Ray, primitive: Primitive, pixels: &Pixels, pixel: Pixel) -> Option<(Hit, f32)> {
+        let slab = self.aggregate.space.ray(ray);
+        let mut search = FastSearch::new(self.shapes, &self.aggregate.space, ray, &slab);
+        search.test(primitive);
+        let hit = search.into_hit()?;
+        let nearness = self.view.nearness(hit.t.low);
+        let best = pixels.nearness[pixel.block()][pixel.lane()];
+        let comes_first = || pixels.primitive(pixel).is_none_or(|best| self.shapes.precedes(primitive, best));
+        (nearness > best || (nearness == best && comes_first())).then_some((hit, nearness))
+    }
+
+    /// The depth of the hit with a primitive that a pixel is known to hit.
+    pub(super) fn depth(
+        &self,
+        first: [u32; 2],
+        pixel: Pixel,
+        primitive: Primitive,
+        fallbacks: &mut Fallbacks,
+    ) -> Depth {
+        let ray = self.ray(first, pixel);
+        let (t, is_hard) = match self.shapes.filter(primitive, &FilterRay::new(&ray)) {
+            Verdict::Hit(t) => (t, false),
+            _ => (self.shapes.exact_t(primitive, &ray).bracket(), true),
+        };
+        self.depth_of_hit(&ray, &Hit { primitive, t, is_hard }, fallbacks)
+    }
+
+    /// The depth of a hit that was searched for.
+    pub(super) fn depth_of(&self, first: [u32; 2], pixel: Pixel, hit: &Hit, fallbacks: &mut Fallbacks) -> Depth {
+        self.depth_of_hit(&self.ray(first, pixel), hit, fallbacks)
+    }
+
+    fn depth_of_hit(&self, ray: &Ray, hit: &Hit, fallbacks: &mut Fallbacks) -> Depth {
+        let (depth, roundings) = Depth::of(hit, ray, self.shapes, self.precision);
+        if roundings > 0 {
+            *fallbacks += Fallbacks { roundings, rays: u64::from(!hit.is_hard), ..Fallbacks::default() };
+        }
+        depth
+    }
+}

@@ -1,0 +1,83 @@
+//! What the rays of a tile hit.
+
+use super::frame::TILE;
+use super::pixels::Pixel;
+use crate::accel::Depth;
+use crate::shape::Primitive;
+use crate::simd::LANES;
+
+const PIXELS: usize = (TILE * TILE) as usize;
+
+/// What the rays of a tile hit, row by row: of all its pixels, though only those in the window that was asked for count.
+#[derive(Debug)]
+pub struct TracedTile {
+    z: [f32; PIXELS],
+    t: [f32; PIXELS],
+    primitives: [Primitive; PIXELS],
+    /// Of each row, the columns that hit, column k as bit k.
+    hits: [u16; TILE as usize],
+}
+
+fn place(column: u32, row: u32) -> usize {
+    (row * TILE + column) as usize
+}
+
+impl TracedTile {
+    pub(super) fn new() -> TracedTile {
+        let primitives = [Primitive::triangle(0); PIXELS];
+        TracedTile { z: [0.0; PIXELS], t: [0.0; PIXELS], primitives, hits: [0; TILE as usize] }
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.hits = [0; TILE as usize];
+    }
+
+    /// Whether the ray of a pixel hits anything, column and row within the tile.
+    #[inline]
+    pub fn is_hit(&self, column: u32, row: u32) -> bool {
+        self.hits[row as usize] >> column & 1 != 0
+    }
+
+    /// How many pixels hit of those from the first to before the second column and row.
+    pub fn hits_within(&self, columns: [u32; 2], rows: [u32; 2]) -> u64 {
+        let columns = (1u32 << columns[1]) - (1 << columns[0]);
+        let rows = &self.hits[rows[0] as usize..rows[1] as usize];
+        rows.iter().map(|row| u64::from((u32::from(*row) & columns).count_ones())).sum()
+    }
+
+    /// What the ray of a pixel hits, column and row within the tile.
+    #[inline]
+    pub fn primitive(&self, column: u32, row: u32) -> Option<Primitive> {
+        self.is_hit(column, row).then(|| self.primitives[place(column, row)])
+    }
+
+    /// How far away it is, if that was asked for.
+    #[inline]
+    pub fn depth(&self, column: u32, row: u32) -> Depth {
+        let place = place(column, row);
+        Depth { z: self.z[place], t: self.t[place] }
+    }
+
+    pub(super) fn put(&mut self, column: u32, row: u32, primitive: Primitive, depth: Depth) {
+        self.put_hit(column, row, primitive);
+        (self.z[place(column, row)], self.t[place(column, row)]) = (depth.z, depth.t);
+    }
+
+    #[inline(always)]
+    pub(super) fn put_hit(&mut self, column: u32, row: u32, primitive: Primitive) {
+        self.hits[row as usize] |= 1 << column;
+        self.primitives[place(column, row)] = primitive;
+    }
+
+    /// The depths of a block of 4 x 4 pixels.
+    #[inline(always)]
+    pub(super) fn put_depths(&mut self, block: usize, z: &[f32; LANES], t: &[f32; LANES]) {
+        let first = Pixel::of(block, 0);
+        for row in 0..4 {
+            let to = place(first.column(), first.row() + row);
+            let from = 4 * row as usize;
+            self.z[to..to + 4].copy_from_slice(&z[from..from + 4]);
+            self.t[to..to + 4].copy_from_slice(&t[from..from + 4]);
+        }
+    }
+}

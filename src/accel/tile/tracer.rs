@@ -1,0 +1,303 @@
+//! Tiles of rays through an aggregate.
+
+use super::block::Block;
+use super::corners::{Corners, Cover};
+use super::draw::{Contested, Rule, draw};
+use super::frame::{Frame, PixelArea, TILE};
+use super::pixels::{Pixel, Pixels};
+use super::planes::Planes;
+use super::resolve::{Wanted, resolve};
+use super::search::Searcher;
+use super::traced::TracedTile;
+use super::view::View;
+use super::view_node::{Project, ViewNode};
+use super::walk::{Occlusion, Stack};
+use crate::accel::{Aggregate, Depth, Fallbacks, Precision, Tracer};
+use crate::camera::Camera;
+use crate::film::PixelBounds;
+use crate::shape::{Primitive, Shapes};
+use crate::simd::{F32s, Kernel, LANES, Lanes, Level, Mask};
+use rayon::prelude::*;
+
+/// What to find out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct TileOptions {
+    /// How hits are decided and rounded.
+    pub precision: Precision,
+    /// Whether planar depths are wanted.
+    pub with_z: bool,
+    /// Whether distances are wanted.
+    pub with_t: bool,
+    /// Whether it matters what was hit, or only that something was.
+    pub with_primitives: bool,
+    /// The instructions to use. No picture depends on it.
+    pub level: Level,
+}
+
+/// A picture's rays, in tiles of 16 x 16 pixels that travel together.
+pub struct Tiles<'a> {
+    camera: &'a Camera,
+    shapes: &'a Shapes,
+    aggregate: &'a Aggregate,
+    options: TileOptions,
+    /// `None` where rays have to travel alone.
+    together: Option<(View, Vec<ViewNode>)>,
+}
+
+impl<'a> Tiles<'a> {
+    /// For the rays of `camera` through `aggregate`, which was built over `shapes`.
+    pub fn new(camera: &'a Camera, shapes: &'a Shapes, aggregate: &'a Aggregate, options: TileOptions) -> Tiles<'a> {
+        let together = View::new(camera, aggregate).map(|view| {
+            let chunks = aggregate.wide.nodes.par_chunks(256);
+            let project = |nodes| options.level.run(Project { view: &view, nodes });
+            let nodes = chunks.flat_map_iter(project).collect();
+            (view, nodes)
+        });
+        Tiles { camera, shapes, aggregate, options, together }
+    }
+
+    /// Whether the picture asks no more than hit or miss.
+    fn hits_only(&self) -> bool {
+        !(self.options.with_z || self.options.with_t || self.options.with_primitives)
+    }
+
+    /// A tracer, for one thread.
+    pub fn tracer(&'a self) -> TileTracer<'a> {
+        TileTracer {
+            tiles: self,
+            single: Tracer::new(self.aggregate, self.shapes, self.options.precision),
+            scratch: Scratch::new(),
+            traced: TracedTile::new(),
+            fallbacks: Fallbacks::default(),
+        }
+    }
+}
+
+/// Traces tiles, one after the other.
+pub struct TileTracer<'a> {
+    tiles: &'a Tiles<'a>,
+    single: Tracer<'a>,
+    scratch: Scratch,
+    traced: TracedTile,
+    fallbacks: Fallbacks,
+}
+
+impl TileTracer<'_> {
+    /// Casts the rays of the tile whose first pixel is `first`, as far as they are within `window`.
+    pub fn trace(&mut self, first: [u32; 2], window: &PixelBounds) -> &TracedTile {
+        self.traced.clear();
+        match &self.tiles.together {
+            Some((view, nodes)) => self.trace_together(view, nodes, first, window),
+            None => self.trace_alone(first, window),
+        }
+        &self.traced
+    }
+
+    /// How often integers were needed so far.
+    pub fn fallbacks(&self) -> Fallbacks {
+        let mut sum = self.single.fallbacks();
+        sum += self.fallbacks;
+        sum
+    }
+
+    fn trace_alone(&mut self, first: [u32; 2], window: &PixelBounds) {
+        let TileOptions { with_z, with_t, .. } = self.tiles.options;
+        let [columns, rows] = part_of(first, window);
+        for row in rows[0]..rows[1] {
+            for column in columns[0]..columns[1] {
+                let ray = self.tiles.camera.ray(first[0] + column, first[1] + row);
+                if self.tiles.hits_only() {
+                    if let Some(primitive) = self.single.any_hit(&ray) {
+                        self.traced.put_hit(column, row, primitive);
+                    }
+                } else if let Some(hit) = self.single.closest_hit(&ray) {
+                    let depth = if with_z || with_t { self.single.depth(&ray, &hit) } else { Depth::default() };
+                    self.traced.put(column, row, hit.primitive, depth);
+                }
+            }
+        }
+    }
+
+    fn trace_together(&mut self, view: &View, nodes: &[ViewNode], first: [u32; 2], window: &PixelBounds) {
+        let Tiles { camera, shapes, aggregate, options, .. } = *self.tiles;
+        let hits_only = self.tiles.hits_only();
+        let searcher = Searcher { camera, shapes, aggregate, view, precision: options.precision, hits_only };
+        let frame = Frame::new(view, first);
+        let wanted = Wanted { z: options.with_z, t: options.with_t };
+        let TileTracer { scratch, traced, fallbacks, .. } = self;
+        let least = if view.is_perspective { 0.0 } else { f32::NEG_INFINITY };
+        scratch.pixels.clear(least);
+        let [columns, rows] = part_of(first, window);
+        scratch.pixels.keep_only(columns, rows);
+        let kernel = Tile { frame, nodes, searcher, wanted, scratch, traced, fallbacks };
+        match options.precision {
+            Precision::Exact => options.level.run(Exactly(kernel)),
+            Precision::Fast => options.level.run(Fast(kernel)),
+        }
+    }
+}
+
+/// Columns and rows of a tile that are within `window`: from the first to before the second.
+fn part_of(first: [u32; 2], window: &PixelBounds) -> [[u32; 2]; 2] {
+    let part = |first: u32, low: u32, high: u32| {
+        [low.saturating_sub(first).min(TILE), high.saturating_sub(first).min(TILE)]
+    };
+    [part(first[0], window.x0, window.x1), part(first[1], window.y0, window.y1)]
+}
+
+/// What a thread keeps from tile to tile, so that nothing is allocated for each.
+#[derive(Debug)]
+struct Scratch {
+    pixels: Pixels,
+    stack: Stack,
+    planes: Planes,
+    contested: Vec<Contested>,
+}
+
+impl Scratch {
+    fn new() -> Scratch {
+        Scratch { pixels: Pixels::new(), stack: Stack::default(), planes: Planes::new(), contested: Vec::new() }
+    }
+}
+
+/// One tile.
+struct Tile<'a> {
+    frame: Frame<'a>,
+    nodes: &'a [ViewNode],
+    searcher: Searcher<'a>,
+    wanted: Wanted,
+    scratch: &'a mut Scratch,
+    traced: &'a mut TracedTile,
+    fallbacks: &'a mut Fallbacks,
+}
+
+struct Exactly<'a>(Tile<'a>);
+struct Fast<'a>(Tile<'a>);
+
+impl Kernel for Exactly<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Lanes>(self, simd: S) {
+        self.0.run::<S, true>(simd);
+    }
+}
+
+impl Kernel for Fast<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Lanes>(self, simd: S) {
+        self.0.run::<S, false>(simd);
+    }
+}
+
+impl Tile<'_> {
+    #[inline(always)]
+    fn run<S: Lanes, const EXACT: bool>(mut self, simd: S) {
+        let occlusion = Occlusion::of(self.frame.view, EXACT);
+        let blocks = &self.searcher.aggregate.wide.blocks;
+        let mut farthest = occlusion.refresh(simd, &mut self.scratch.pixels);
+        if !self.nodes.is_empty() {
+            self.scratch.stack.start();
+        }
+        while let Some(child) = self.scratch.stack.pop(simd, &self.scratch.pixels) {
+            if child.blocks == 0 {
+                let node = &self.nodes[child.first as usize];
+                let Scratch { stack, pixels, .. } = &mut *self.scratch;
+                stack.push(simd, &self.frame, node, pixels, farthest);
+                continue;
+            }
+            for block in &blocks[child.first as usize..][..child.blocks as usize] {
+                self.visit::<S, EXACT>(simd, block, farthest);
+                farthest = occlusion.refresh(simd, &mut self.scratch.pixels);
+            }
+            if farthest == f32::INFINITY {
+                break;
+            }
+        }
+        let Tile { frame, searcher, wanted, scratch, traced, fallbacks, .. } = self;
+        resolve(simd, &frame, &searcher, wanted, &scratch.pixels, traced, fallbacks);
+    }
+
+    /// Tests the primitives of a block, those that may be nearer than `farthest`.
+    #[inline(always)]
+    fn visit<S: Lanes, const EXACT: bool>(&mut self, simd: S, block: &Block, farthest: f32) {
+        if block.triangles != 0 {
+            let corners = Corners::of_block::<EXACT>(simd, &self.frame, block);
+            let cover = Cover::of(simd, &self.frame, &corners);
+            let hidden = simd.splat(farthest).above(cover.nearness);
+            let lanes = (cover.covers & !hidden).bits() & block.triangles;
+            if lanes != 0 {
+                let usable = self.scratch.planes.fill::<S, EXACT>(simd, &self.frame, &corners, &cover);
+                self.draw::<S, EXACT>(simd, lanes & usable, &block.primitives);
+                if EXACT && lanes & !usable != 0 {
+                    self.refine::<S>(simd, lanes & !usable, &block.primitives);
+                }
+            }
+        }
+        if block.triangles.count_ones() != block.count {
+            self.contest_spheres(block, Occlusion::of(self.frame.view, EXACT));
+        }
+        if !self.scratch.contested.is_empty() {
+            let Scratch { pixels, contested, .. } = &mut *self.scratch;
+            self.searcher.settle(self.frame.first, contested, pixels, self.fallbacks);
+        }
+    }
+
+    #[inline(always)]
+    fn draw<S: Lanes, const EXACT: bool>(&mut self, simd: S, lanes: u32, primitives: &[Primitive; LANES]) {
+        let surely_nearer = self.frame.view.surely_nearer();
+        let rule = Rule { surely_nearer, hits_only: self.searcher.hits_only };
+        let Scratch { pixels, planes, contested, .. } = &mut *self.scratch;
+        draw::<S, EXACT>(simd, planes, lanes, primitives, &rule, self.searcher.shapes, pixels, contested);
+    }
+
+    /// Tests triangles again, from their corners in `f64`; what is still not sure enough is contested at every pixel.
+    #[inline(never)]
+    fn refine<S: Lanes>(&mut self, simd: S, lanes: u32, primitives: &[Primitive; LANES]) {
+        let mut corner = [[0.0; LANES]; 3];
+        let mut edges = [[[0.0; LANES]; 3]; 2];
+        for lane in (0..LANES).filter(|lane| lanes >> lane & 1 != 0) {
+            let [a, b, c] = self.searcher.shapes.triangle(primitives[lane].index()).0;
+            for axis in 0..3 {
+                corner[axis][lane] = a[axis];
+                edges[0][axis][lane] = b[axis] - a[axis];
+                edges[1][axis][lane] = c[axis] - a[axis];
+            }
+        }
+        let corners = Corners::of_wide(simd, &self.frame, &corner, &edges);
+        let cover = Cover::of(simd, &self.frame, &corners);
+        let lanes = cover.covers.bits() & lanes;
+        let usable = self.scratch.planes.fill::<S, true>(simd, &self.frame, &corners, &cover);
+        self.draw::<S, true>(simd, lanes & usable, primitives);
+        for lane in (0..LANES).filter(|lane| lanes & !usable & 1 << lane != 0) {
+            let area = self.scratch.planes.area(lane);
+            self.scratch.contest(Occlusion::of(self.frame.view, true), area, primitives[lane]);
+        }
+    }
+
+    fn contest_spheres(&mut self, block: &Block, occlusion: Occlusion) {
+        let spheres = block.spheres();
+        for lane in (0..LANES).filter(|lane| spheres >> lane & 1 != 0) {
+            let primitive = block.primitives[lane];
+            let bounds = self.searcher.shapes.bounds(primitive);
+            if let Some(area) = self.frame.area_of_box(&bounds) {
+                self.scratch.contest(occlusion, area, primitive);
+            }
+        }
+    }
+}
+
+impl Scratch {
+    /// Has a primitive tested alone at the pixels it may cover and be seen at.
+    fn contest(&mut self, occlusion: Occlusion, area: PixelArea, primitive: Primitive) {
+        for row in area.rows[0]..=area.rows[1] {
+            for column in area.columns[0]..=area.columns[1] {
+                let pixel = Pixel::at(column as u32, row as u32);
+                let best = self.pixels.nearness[pixel.block()][pixel.lane()];
+                if best < f32::INFINITY && occlusion.least(best) <= area.nearest {
+                    self.contested.push(Contested { pixel, primitive });
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! A camera as tiles see it.
+//!
+//! A 3x3 matrix K takes what a ray passes to the film: of a perspective camera, K d = (i, j, 1) for the direction d of the
+//! ray of pixel (i, j), but for roundings that [`View::new`] bounds. Any K will do for exact decisions, since for any
+//! (K a) . (K b x K c) = det K (a . (b x c)): edge functions and the parameter t = height / slope are ratios of such
+//! products. So triangles are decided in K's space, in units of pixels.
+//!
+//! Of an orthographic camera the ray of pixel (i, j) passes (i, j, t) at t, after the offset.
+
+use crate::accel::Aggregate;
+use crate::camera::{Camera, Projection};
+use crate::exact::UNIT_ROUNDOFF as U;
+use crate::geometry::Point;
+
+/// Units of the last place that K's entries, their products with a ray, and a shift to a tile are off by at most, together.
+const ROUNDINGS: f64 = 32.0;
+
+/// A view of a tree in which tiles of rays can travel together.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct View {
+    pub(super) is_perspective: bool,
+    pub(super) eye: Point,
+    /// K, times points relative to the eye: pixels times depth, and depth; orthographic: pixels, and depth.
+    pub(super) film_from_world: [[f64; 3]; 3],
+    /// Added to the first two, orthographic only: the film's first pixel is not at the eye.
+    pub(super) offset: [f64; 2],
+    /// K d is off by less, in any component.
+    pub(super) ray_error: f32,
+    /// How far the nearness that is compared may be off: a part of itself, orthographic in units of depth.
+    pub(super) tolerance: f32,
+    /// Anchor space is this times as large as the world.
+    pub(super) units: f64,
+}
+
+/// Of the nearness that is compared: small enough that hardly two surfaces lie so close, large enough for `f32`.
+const TOLERANCE: f32 = 1.0 / (1 << 18) as f32;
+
+/// What numbers may be, for none to leave the range of `f32` where three are multiplied.
+const LARGEST: f64 = (1u64 << 40) as f64;
+const LEAST_DEPTH: f64 = 1.0 / (1u64 << 30) as f64;
+/// Pixels that a ray may be off.
+const MAX_RAY_ERROR: f64 = 1.0 / (1u64 << 24) as f64;
+
+impl View {
+    /// `None` where the tree was built for another eye, where numbers are so large or small, or the camera is so skewed, that the bounds would not hold or be of
+    /// no use: then rays travel alone.
+    pub(super) fn new(camera: &Camera, aggregate: &Aggregate) -> Option<View> {
+        let eye = camera.anchor();
+        let inverse = camera.world_from_camera.inverse();
+        let c = &camera.world_from_camera;
+        let [width, height] = camera.resolution.map(f64::from);
+        let screen = &camera.screen_window;
+        let (is_perspective, tangent) = match camera.projection {
+            Projection::Perspective { tangent } => (true, tangent),
+            Projection::Orthographic => (false, 1.0),
+        };
+        // The screen coordinate of pixel (0, 0) and the step to the next one, along both axes.
+        let step = [tangent * (screen.x1 - screen.x0) / width, tangent * (screen.y0 - screen.y1) / height];
+        let first = [tangent * screen.x0 + step[0] / 2.0, tangent * screen.y1 + step[1] / 2.0];
+        let extent = [screen.x0.abs().max(screen.x1.abs()), screen.y0.abs().max(screen.y1.abs())].map(|x| tangent * x);
+        let depth = [inverse.rows[2][0], inverse.rows[2][1], inverse.rows[2][2]];
+        let row = |k: usize| {
+            let from_depth = |axis: usize| if is_perspective { first[k] * depth[axis] } else { 0.0 };
+            std::array::from_fn(|axis| (inverse.rows[k][axis] - from_depth(axis)) / step[k])
+        };
+        let film_from_world = [row(0), row(1), depth];
+        let offset = if is_perspective { [0.0; 2] } else { [0, 1].map(|k| -first[k] / step[k]) };
+
+        let units = aggregate.space.units();
+        let reach = 2.0 * aggregate.space.reach();
+        // The sum of the absolute terms of a row of K times what a ray may be made of.
+        let sum_of_terms = |k: usize, of: &dyn Fn(usize) -> f64| -> f64 {
+            let entry = |axis: usize| match k {
+                2 => depth[axis].abs(),
+                _ if is_perspective => {
+                    (inverse.rows[k][axis].abs() + 3.0 * extent[k] * depth[axis].abs()) / step[k].abs()
+                }
+                _ => inverse.rows[k][axis].abs() / step[k].abs(),
+            };
+            (0..3).map(|axis| entry(axis) * of(axis)).sum()
+        };
+        let farthest = 2.0 * (0..3).map(|axis| depth[axis].abs()).sum::<f64>() * reach;
+        let terms_of_ray = |axis: usize| {
+            let along = |column: usize| c.rows[axis][column].abs();
+            let across = along(0) * extent[0] + along(1) * extent[1];
+            if is_perspective { across + along(2) } else { across + along(3) + along(2) * farthest }
+        };
+        let offsets = [0, 1].map(|k| if is_perspective { 0.0 } else { 4.0 * extent[k] / step[k].abs() });
+        let ray_error = |k: usize| ROUNDINGS * U * (sum_of_terms(k, &terms_of_ray) + offsets.get(k).unwrap_or(&0.0));
+        let largest_error = ray_error(0).max(ray_error(1)).max(ray_error(2));
+        let largest = sum_of_terms(0, &|_| reach).max(sum_of_terms(1, &|_| reach)).max(farthest) + offsets[0] + offsets[1];
+        let fits = aggregate.space.anchor() == eye
+            && largest_error < MAX_RAY_ERROR && largest < LARGEST && farthest > LEAST_DEPTH && units.is_normal();
+        fits.then_some(View {
+            is_perspective,
+            eye,
+            film_from_world,
+            offset,
+            ray_error: largest_error as f32,
+            tolerance: if is_perspective { TOLERANCE } else { TOLERANCE * farthest as f32 },
+            units,
+        })
+    }
+
+    /// What nearness must be above to be surely greater than `nearness`: this times it, plus that.
+    pub(super) fn surely_nearer(&self) -> [f32; 2] {
+        if self.is_perspective { [1.0 + 4.0 * self.tolerance, 0.0] } else { [1.0, 4.0 * self.tolerance] }
+    }
+
+    /// The nearness of a hit at parameter `t`: it grows towards the eye.
+    pub(super) fn nearness(&self, t: f64) -> f32 {
+        if self.is_perspective { (1.0 / t) as f32 } else { -t as f32 }
+    }
+}

@@ -1,0 +1,149 @@
+//! The tree as tiles walk through it: sixteen children a node, whatever the split method.
+
+use super::block::{BLOCK, Block, blocks_of};
+use crate::accel::box32::Box32;
+use crate::accel::node::{Children, Node};
+use crate::shape::{Primitive, Shapes};
+use crate::simd::LANES;
+
+/// Up to sixteen children, side by side.
+#[derive(Debug, Clone, PartialEq)]
+#[repr(align(64))]
+pub(super) struct WideNode {
+    /// Low corners of the children's boxes, in anchor space; infinite where there is no child.
+    pub(super) low: [[f32; LANES]; 3],
+    /// High corners.
+    pub(super) high: [[f32; LANES]; 3],
+    /// What is below each.
+    pub(super) children: [Child; LANES],
+}
+
+/// What is below a child: blocks, or a node.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) struct Child {
+    /// The place of its first block, or of the node.
+    pub(super) first: u32,
+    /// The number of its blocks; 0 for a node.
+    pub(super) blocks: u32,
+}
+
+/// A tree with sixteen children a node over blocks of primitives. It is a binary tree with levels left out: no box is moved.
+#[derive(Debug, PartialEq)]
+pub(crate) struct WideTree {
+    pub(super) nodes: Vec<WideNode>,
+    pub(super) blocks: Vec<Block>,
+}
+
+impl WideTree {
+    /// Of the binary tree with that root, the pairs of children `below` it, and the primitives in the order of its leaves.
+    pub(in crate::accel) fn of(
+        root: Option<&Node>,
+        below: &[Children],
+        order: &[Primitive],
+        shapes: &Shapes,
+    ) -> WideTree {
+        let Some(root) = root else { return WideTree { nodes: Vec::new(), blocks: Vec::new() } };
+        let mut collapse = Collapse { below, runs: runs_of(below), nodes: Vec::new(), blocks: Vec::new() };
+        collapse.node(vec![*root]);
+        WideTree { blocks: blocks_of(&collapse.blocks, order, shapes), nodes: collapse.nodes }
+    }
+
+    /// Bytes that the tree takes.
+    pub(in crate::accel) fn bytes(&self) -> usize {
+        size_of_val(&self.nodes[..]) + size_of_val(&self.blocks[..])
+    }
+}
+
+/// A run of primitives in the order of the leaves.
+#[derive(Clone, Copy)]
+struct Run {
+    first: u32,
+    count: u32,
+}
+
+/// For each pair of children, the run of all primitives below it, where that is short and without a gap.
+fn runs_of(below: &[Children]) -> Vec<Option<Run>> {
+    let mut runs: Vec<Option<Run>> = vec![None; below.len()];
+    // Children stand behind their parents.
+    for place in (0..below.len()).rev() {
+        let [left, right] = [0, 1].map(|side| run_of(&below[place].node(side), &runs));
+        runs[place] = left.zip(right).and_then(|(left, right)| {
+            let (a, b) = if left.first < right.first { (left, right) } else { (right, left) };
+            let joined = Run { first: a.first, count: a.count + b.count };
+            (a.first + a.count == b.first && joined.count as usize <= BLOCK).then_some(joined)
+        });
+    }
+    runs
+}
+
+/// The run of primitives below a node that need not be looked into.
+fn run_of(node: &Node, runs: &[Option<Run>]) -> Option<Run> {
+    if node.is_leaf() { Some(Run { first: node.first, count: node.count }) } else { runs[node.first as usize] }
+}
+
+/// Leaves out levels.
+struct Collapse<'a> {
+    below: &'a [Children],
+    runs: Vec<Option<Run>>,
+    nodes: Vec<WideNode>,
+    /// The first primitive and the number of primitives of each block.
+    blocks: Vec<(u32, u32)>,
+}
+
+impl Collapse<'_> {
+    /// Appends a node over `parts`, the largest of which are opened while there is room, and all below it; returns its place.
+    ///
+    /// Recursion is no deeper than the binary tree.
+    fn node(&mut self, mut parts: Vec<Node>) -> u32 {
+        while parts.len() < LANES {
+            let area = |part: &Node| part.bounds.half_area();
+            let inner = parts.iter().enumerate().filter(|(_, part)| run_of(part, &self.runs).is_none());
+            let Some((largest, _)) = inner.max_by(|(_, a), (_, b)| area(a).total_cmp(&area(b))) else { break };
+            let children = &self.below[parts[largest].first as usize];
+            parts[largest] = children.node(0);
+            parts.push(children.node(1));
+        }
+        let place = self.nodes.len();
+        self.nodes.push(WideNode::over(&parts));
+        for (lane, part) in parts.iter().enumerate() {
+            self.nodes[place].children[lane] = match run_of(part, &self.runs) {
+                Some(run) => self.blocks_of(run),
+                None => {
+                    let [left, right] = [0, 1].map(|side| self.below[part.first as usize].node(side));
+                    Child { first: self.node(vec![left, right]), blocks: 0 }
+                }
+            };
+        }
+        place as u32
+    }
+
+    fn blocks_of(&mut self, run: Run) -> Child {
+        let first = self.blocks.len() as u32;
+        let starts = (0..run.count).step_by(BLOCK);
+        self.blocks.extend(starts.map(|start| (run.first + start, (run.count - start).min(BLOCK as u32))));
+        Child { first, blocks: self.blocks.len() as u32 - first }
+    }
+}
+
+impl WideNode {
+    /// Lanes that have a child, lane k as bit k.
+    pub(super) fn used(&self) -> u32 {
+        (0..LANES).fold(0, |used, lane| used | u32::from(self.low[0][lane] <= self.high[0][lane]) << lane)
+    }
+
+    fn over(parts: &[Node]) -> WideNode {
+        let Box32 { low, high } = Box32::EMPTY;
+        let mut node = WideNode {
+            low: low.map(|x| [x; LANES]),
+            high: high.map(|x| [x; LANES]),
+            children: [Child::default(); LANES],
+        };
+        for (lane, part) in parts.iter().enumerate() {
+            for axis in 0..3 {
+                node.low[axis][lane] = part.bounds.low[axis];
+                node.high[axis][lane] = part.bounds.high[axis];
+            }
+        }
+        node
+    }
+}

@@ -1,0 +1,117 @@
+//! Parts of an image that threads fill independently.
+
+use crate::accel::{TILE, TracedTile};
+use crate::film::{Channel, ChannelName, PixelBounds, Samples};
+use crate::shape::Shapes;
+
+/// Columns of a segment: enough for a thread to be busy for a while, few enough for threads to end together.
+const WIDTH: u32 = 8 * TILE;
+
+/// Some columns of the rows of one row of tiles, of every channel.
+pub(super) struct Segment<'a> {
+    /// In film pixels.
+    pub(super) bounds: PixelBounds,
+    channels: Vec<(ChannelName, Rows<'a>)>,
+}
+
+/// The same columns of several rows.
+enum Rows<'a> {
+    F32(Vec<&'a mut [f32]>),
+    U32(Vec<&'a mut [u32]>),
+}
+
+/// Cuts between `low` and `high` at the multiples of `step`.
+fn cuts(low: u32, high: u32, step: u32) -> Vec<[u32; 2]> {
+    (low / step * step..high).step_by(step as usize).map(|at| [at.max(low), (at + step).min(high)]).collect()
+}
+
+/// All of `window`, whose samples the channels hold, in segments.
+pub(super) fn segments_of<'a>(channels: &'a mut [Channel], window: &PixelBounds) -> Vec<Segment<'a>> {
+    let columns = cuts(window.x0, window.x1, WIDTH);
+    let rows = cuts(window.y0, window.y1, TILE);
+    let bounds = rows.iter().flat_map(|[y0, y1]| {
+        columns.iter().map(|[x0, x1]| PixelBounds { x0: *x0, x1: *x1, y0: *y0, y1: *y1 })
+    });
+    let mut segments: Vec<Segment> = bounds.map(|bounds| Segment { bounds, channels: Vec::new() }).collect();
+    for channel in channels {
+        match &mut channel.samples {
+            Samples::F32(values) => {
+                for (segment, rows) in segments.iter_mut().zip(divide(values, window, &columns, &rows)) {
+                    segment.channels.push((channel.name, Rows::F32(rows)));
+                }
+            }
+            Samples::U32(values) => {
+                for (segment, rows) in segments.iter_mut().zip(divide(values, window, &columns, &rows)) {
+                    segment.channels.push((channel.name, Rows::U32(rows)));
+                }
+            }
+        }
+    }
+    segments
+}
+
+/// The samples of every segment, row by row.
+fn divide<'a, T>(
+    values: &'a mut [T],
+    window: &PixelBounds,
+    columns: &[[u32; 2]],
+    rows: &[[u32; 2]],
+) -> Vec<Vec<&'a mut [T]>> {
+    let mut divided: Vec<Vec<&mut [T]>> = (0..columns.len() * rows.len()).map(|_| Vec::new()).collect();
+    let mut lines = values.chunks_mut(window.width() as usize);
+    for (down, [y0, y1]) in rows.iter().enumerate() {
+        for line in lines.by_ref().take((y1 - y0) as usize) {
+            let mut rest = line;
+            for (across, [x0, x1]) in columns.iter().enumerate() {
+                let (part, after) = rest.split_at_mut((x1 - x0) as usize);
+                divided[down * columns.len() + across].push(part);
+                rest = after;
+            }
+        }
+    }
+    divided
+}
+
+impl Segment<'_> {
+    /// Takes over the columns of a tile, the first pixel of which is `first`, both in film pixels.
+    pub(super) fn put(&mut self, tile: &TracedTile, first: [u32; 2], columns: [u32; 2], shapes: &Shapes, miss: f32) {
+        let part = Part { tile, first, columns, bounds: self.bounds };
+        for (name, rows) in &mut self.channels {
+            match (rows, name) {
+                (Rows::F32(rows), ChannelName::Z) => part.put(rows, |x, y| part.tile.depth(x, y).z, miss),
+                (Rows::F32(rows), ChannelName::T) => part.put(rows, |x, y| part.tile.depth(x, y).t, miss),
+                (Rows::F32(rows), _) => part.put(rows, |_, _| 1.0, 0.0),
+                (Rows::U32(rows), ChannelName::Id) => {
+                    part.put(rows, |x, y| part.tile.primitive(x, y).map_or(0, |hit| shapes.shape_number(hit)), 0);
+                }
+                (Rows::U32(rows), _) => {
+                    part.put(rows, |x, y| part.tile.primitive(x, y).map_or(0, |hit| shapes.number(hit) + 1), 0);
+                }
+            }
+        }
+    }
+}
+
+/// The part of a tile that belongs to a segment.
+struct Part<'a> {
+    tile: &'a TracedTile,
+    /// The tile's first pixel.
+    first: [u32; 2],
+    columns: [u32; 2],
+    /// Of the segment.
+    bounds: PixelBounds,
+}
+
+impl Part<'_> {
+    /// Puts a value for each pixel that hit, by its column and row in the tile, and `miss` for the others.
+    fn put<T: Copy>(&self, rows: &mut [&mut [T]], of_hit: impl Fn(u32, u32) -> T, miss: T) {
+        let [x0, x1] = self.columns;
+        for (row, y) in rows.iter_mut().zip(self.bounds.y0..self.bounds.y1) {
+            let to = &mut row[(x0 - self.bounds.x0) as usize..(x1 - self.bounds.x0) as usize];
+            let y = y - self.first[1];
+            for (value, x) in to.iter_mut().zip(x0 - self.first[0]..) {
+                *value = if self.tile.is_hit(x, y) { of_hit(x, y) } else { miss };
+            }
+        }
+    }
+}
