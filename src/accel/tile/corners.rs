@@ -63,7 +63,7 @@ impl<S: Lanes> Corners<S> {
                 corners.corner[k] = corners.corner[k] + simd.splat_wide(frame.offset[k]);
             }
         }
-        let mut unsure = corners.error;
+        let mut unsure = [simd.splat(0.0); 3];
         for axis in 0..3 {
             let edge = edges[0][axis].narrow().abs().max(edges[1][axis].narrow().abs());
             let rounding = simd.splat(1.0 / (1u64 << 48) as f32);
@@ -73,8 +73,10 @@ impl<S: Lanes> Corners<S> {
                 + simd.splat(f32::MIN_POSITIVE);
         }
         for k in 0..3 {
-            let entry = |axis: usize| simd.splat((frame.tile_from_world[k][axis].abs() * 1.0001) as f32);
-            corners.error[k] = entry(0) * unsure[0] + entry(1) * unsure[1] + entry(2) * unsure[2];
+            for axis in 0..3 {
+                let entry = simd.splat((frame.tile_from_world[k][axis].abs() * 1.0001) as f32);
+                corners.error[k] = corners.error[k] + entry * unsure[axis];
+            }
         }
         corners
     }

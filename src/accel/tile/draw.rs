@@ -166,10 +166,9 @@ impl<S: Lanes> Broadcast<S> {
     /// The pixels that the triangle may cover, of which alone trees know.
     #[inline(always)]
     fn within(simd: S, planes: &Planes, lane: usize, left: usize, top: usize, x: S::F, y: S::F) -> S::M {
-        let ends = |sides: &[[i32; LANES]; 2], first: usize| {
-            [sides[0][lane] as f32 - 4.0 * first as f32, sides[1][lane] as f32 - 4.0 * first as f32]
-        };
-        let (columns, rows) = (ends(&planes.columns, left), ends(&planes.rows, top));
-        !simd.splat(columns[0]).above(x) & !x.above(simd.splat(columns[1])) & !simd.splat(rows[0]).above(y) & !y.above(simd.splat(rows[1]))
+        let mut within = !simd.splat(planes.columns[0][lane] as f32 - 4.0 * left as f32).above(x);
+        within = within & !x.above(simd.splat(planes.columns[1][lane] as f32 - 4.0 * left as f32));
+        within = within & !simd.splat(planes.rows[0][lane] as f32 - 4.0 * top as f32).above(y);
+        within & !y.above(simd.splat(planes.rows[1][lane] as f32 - 4.0 * top as f32))
     }
 }

@@ -163,12 +163,13 @@ struct Normals<S: Lanes> {
 
 #[inline(always)]
 fn cross<S: Lanes, const EXACT: bool>(a: &[S::D; 3], b: &[S::D; 3], zero: S::D) -> [S::D; 3] {
-    // a b - c d with the second product negated first: then it may be fused.
-    let component = |i: usize, j: usize| {
-        let product = a[j] * b[i];
-        multiply_add::<S, EXACT>(a[i], b[j], zero - product)
-    };
-    [component(1, 2), component(2, 0), component(0, 1)]
+    let mut product = *a;
+    for k in 0..3 {
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        // The second product negated, so that the first may be fused.
+        product[k] = multiply_add::<S, EXACT>(a[i], b[j], zero - a[j] * b[i]);
+    }
+    product
 }
 
 impl<S: Lanes> Homogeneous<S> {

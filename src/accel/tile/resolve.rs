@@ -82,13 +82,13 @@ pub(super) fn resolve<S: Lanes>(
             continue;
         }
         let (mut z, mut t) = ([0.0; LANES], [0.0; LANES]);
+        let speeds = match &coordinates {
+            Some(coordinates) => Some(speeds(simd, searcher.camera, coordinates, block)),
+            None => None,
+        };
         let mut unsure = match searcher.precision {
-            Precision::Exact => {
-                let speeds = coordinates.as_ref().map(|all| speeds(simd, searcher.camera, all, block));
-                planes.depths(simd, frame, block, speeds, &mut z, &mut t)
-            }
+            Precision::Exact => planes.depths(simd, frame, block, speeds, &mut z, &mut t),
             Precision::Fast => {
-                let speeds = coordinates.as_ref().map(|all| speeds(simd, searcher.camera, all, block));
                 fast_depths(simd, frame, &pixels.nearness[block], speeds, &mut z, &mut t);
                 0
             }
@@ -165,8 +165,8 @@ impl Gathered {
         let first = Pixel::of(block, 0);
         let x = (simd.load(&LANE_COLUMNS) + simd.splat(first.column() as f32)).widen();
         let y = (simd.load(&LANE_ROWS) + simd.splat(first.row() as f32)).widen();
-        let plane = [0, 1, 2].map(|k| simd.load_wide(&self.nearness[k]));
-        let nearness = plane[0] * x + plane[1] * y + plane[2];
+        let [per_column, per_row, first] = &self.nearness;
+        let nearness = simd.load_wide(per_column) * x + simd.load_wide(per_row) * y + simd.load_wide(first);
         let error = simd.load(&self.error).widen();
         let (depth, error) = if frame.view.is_perspective {
             let depth = simd.splat_wide(1.0) / nearness;

@@ -66,8 +66,11 @@ fn sum<S: Lanes>(terms: &[[S::F; 2]; 3], corner: usize) -> S::F {
 /// The sum of the larger absolute term of each axis.
 #[inline(always)]
 fn magnitude<S: Lanes>(terms: &[[S::F; 2]; 3]) -> S::F {
-    let largest = |axis: usize| terms[axis][0].abs().max(terms[axis][1].abs());
-    largest(0) + largest(1) + largest(2)
+    let mut sum = terms[0][0].abs().max(terms[0][1].abs());
+    for axis in 1..3 {
+        sum = sum + terms[axis][0].abs().max(terms[axis][1].abs());
+    }
+    sum
 }
 
 #[inline(always)]
