@@ -2,7 +2,7 @@
 
 use crate::accel::{TILE, TracedTile};
 use crate::film::{Channel, ChannelName, PixelBounds, Samples};
-use crate::shape::Shapes;
+use crate::shape::{Primitive, Shapes};
 
 /// Columns of a segment: enough for a thread to be busy for a while, few enough for threads to end together.
 const WIDTH: u32 = 8 * TILE;
@@ -78,15 +78,11 @@ impl Segment<'_> {
         let part = Part { tile, first, columns, bounds: self.bounds };
         for (name, rows) in &mut self.channels {
             match (rows, name) {
-                (Rows::F32(rows), ChannelName::Z) => part.put(rows, |x, y| part.tile.depth(x, y).z, miss),
-                (Rows::F32(rows), ChannelName::T) => part.put(rows, |x, y| part.tile.depth(x, y).t, miss),
-                (Rows::F32(rows), _) => part.put(rows, |_, _| 1.0, 0.0),
-                (Rows::U32(rows), ChannelName::Id) => {
-                    part.put(rows, |x, y| part.tile.primitive(x, y).map_or(0, |hit| shapes.shape_number(hit)), 0);
-                }
-                (Rows::U32(rows), _) => {
-                    part.put(rows, |x, y| part.tile.primitive(x, y).map_or(0, |hit| shapes.number(hit) + 1), 0);
-                }
+                (Rows::F32(rows), ChannelName::Z) => part.put_depths(rows, TracedTile::z_of_row, miss),
+                (Rows::F32(rows), ChannelName::T) => part.put_depths(rows, TracedTile::t_of_row, miss),
+                (Rows::F32(rows), _) => part.put_hits(rows, |_| 1.0),
+                (Rows::U32(rows), ChannelName::Id) => part.put_hits(rows, |hit| shapes.shape_number(hit)),
+                (Rows::U32(rows), _) => part.put_hits(rows, |hit| shapes.number(hit) + 1),
             }
         }
     }
@@ -103,14 +99,39 @@ struct Part<'a> {
 }
 
 impl Part<'_> {
-    /// Puts a value for each pixel that hit, by its column and row in the tile, and `miss` for the others.
-    fn put<T: Copy>(&self, rows: &mut [&mut [T]], of_hit: impl Fn(u32, u32) -> T, miss: T) {
-        let [x0, x1] = self.columns;
-        for (row, y) in rows.iter_mut().zip(self.bounds.y0..self.bounds.y1) {
-            let to = &mut row[(x0 - self.bounds.x0) as usize..(x1 - self.bounds.x0) as usize];
-            let y = y - self.first[1];
-            for (value, x) in to.iter_mut().zip(x0 - self.first[0]..) {
-                *value = if self.tile.is_hit(x, y) { of_hit(x, y) } else { miss };
+    /// The rows of the tile, each with what of the segment's row it fills.
+    fn rows<'a, T>(&self, rows: &'a mut [&mut [T]]) -> impl Iterator<Item = (u32, &'a mut [T])> {
+        let place = self.columns.map(|x| (x - self.bounds.x0) as usize);
+        let part = move |row: &'a mut &mut [T]| &mut row[place[0]..place[1]];
+        (self.bounds.y0 - self.first[1]..).zip(rows.iter_mut().map(part))
+    }
+
+    /// Copies a row's depths, then overwrites those of misses.
+    fn put_depths(&self, rows: &mut [&mut [f32]], of_row: impl Fn(&TracedTile, u32) -> &[f32], miss: f32) {
+        let [first, end] = self.columns.map(|x| (x - self.first[0]) as usize);
+        for (y, to) in self.rows(rows) {
+            match self.tile.hits_of_row(y) {
+                0 => to.fill(miss),
+                hits => {
+                    to.copy_from_slice(&of_row(self.tile, y)[first..end]);
+                    for (x, value) in (first..end).zip(to) {
+                        *value = if hits >> x & 1 != 0 { *value } else { miss };
+                    }
+                }
+            }
+        }
+    }
+
+    /// Puts a value for each hit. There are zeros already.
+    fn put_hits<T>(&self, rows: &mut [&mut [T]], of_hit: impl Fn(Primitive) -> T) {
+        let [first, end] = self.columns.map(|x| x - self.first[0]);
+        let within = (1 << end) - (1 << first);
+        for (y, to) in self.rows(rows) {
+            let mut hits = self.tile.hits_of_row(y) & within;
+            while hits != 0 {
+                let x = hits.trailing_zeros();
+                hits &= hits - 1;
+                to[(x - first) as usize] = of_hit(self.tile.hit(x, y));
             }
         }
     }

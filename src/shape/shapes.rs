@@ -231,6 +231,7 @@ impl Shapes {
     }
 
     /// The primitive number, from 0 in the order of the file (rule E3).
+    #[inline]
     pub fn number(&self, primitive: Primitive) -> u32 {
         let index = primitive.index() as u32;
         if primitive.is_sphere() {
@@ -243,6 +244,7 @@ impl Shapes {
     }
 
     /// The number of the `Shape` statement, from 1.
+    #[inline]
     pub fn shape_number(&self, primitive: Primitive) -> u32 {
         if primitive.is_sphere() {
             self.spheres[primitive.index()].shape
@@ -256,7 +258,11 @@ impl Shapes {
         if a.is_sphere() == b.is_sphere() { a < b } else { self.number(a) < self.number(b) }
     }
 
+    #[inline]
     fn mesh_of(&self, triangle: u32) -> &MeshRun {
+        if let [mesh] = &self.meshes[..] {
+            return mesh;
+        }
         &self.meshes[self.meshes.partition_point(|run| run.first_triangle <= triangle) - 1]
     }
 }

@@ -19,6 +19,8 @@ pub(crate) trait Lanes: Copy + Debug {
     fn load(self, from: &[f32; LANES]) -> Self::F;
     fn splat_wide(self, x: f64) -> Self::D;
     fn load_wide(self, from: &[f64; LANES]) -> Self::D;
+    /// Has the machine fetch what is soon to be read, if it can.
+    fn prefetch<T>(self, what: &T);
 }
 
 /// Sixteen `f32`.

@@ -39,6 +39,8 @@ impl Lanes for Portable {
     fn load_wide(self, from: &[f64; LANES]) -> D {
         D(*from)
     }
+    #[inline(always)]
+    fn prefetch<T>(self, _what: &T) {}
 }
 
 /// One value for each lane, of an expression in its number.

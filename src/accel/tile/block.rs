@@ -15,7 +15,7 @@ pub(super) struct Block {
     pub(super) corner: [[f64; LANES]; 3],
     /// Components of the vectors from the first to the second corners, and to the third.
     pub(super) edges: [[[f32; LANES]; 3]; 2],
-    /// Those after `count` repeat the first.
+    /// Those from `count` on mean nothing.
     pub(super) primitives: [Primitive; LANES],
     /// Lanes that hold a primitive: the first ones.
     pub(super) count: u32,
@@ -32,14 +32,18 @@ impl Block {
         ((1 << self.count) - 1) & !self.triangles
     }
 
-    fn of(primitives: &[Primitive], shapes: &Shapes) -> Block {
-        let mut block = Block {
+    pub(super) fn empty() -> Block {
+        Block {
             corner: [[0.0; LANES]; 3],
             edges: [[[0.0; LANES]; 3]; 2],
-            primitives: [primitives[0]; LANES],
-            count: primitives.len() as u32,
+            primitives: [Primitive::triangle(0); LANES],
+            count: 0,
             triangles: 0,
-        };
+        }
+    }
+
+    fn of(primitives: &[Primitive], shapes: &Shapes) -> Block {
+        let mut block = Block { count: primitives.len() as u32, ..Block::empty() };
         for (lane, primitive) in primitives.iter().enumerate() {
             block.primitives[lane] = *primitive;
             if primitive.is_sphere() {

@@ -4,7 +4,7 @@
 //!
 //! With u = 2^-53 and row r of the tile's matrix K: a corner relative to the eye is off by one rounding; the other two corners
 //! besides by the rounding of their edges to `f32`, 2^-24 |e|; products and sums by at most five more roundings of their
-//! absolute terms. [`Corners::error`] is sum_k |K_rk| (2^-23 e_k + 2^-48 (|p_k| + e_k)), e_k the longer edge: ample.
+//! absolute terms. [`Corners::error`] is sum_k |K_rk| (2^-24 e_k + 2^-48 (|p_k| + e_k)), e_k the longer edge.
 
 use super::block::Block;
 use super::frame::Frame;
@@ -18,6 +18,10 @@ pub(super) struct Corners<S: Lanes> {
     pub(super) edges: [[S::D; 3]; 2],
     /// Bounds on the errors of all corners, by component.
     pub(super) error: [S::F; 3],
+    /// What of them is due to the rounding of edges, in world space.
+    pub(super) edge_error: [S::F; 3],
+    /// All the rest of them.
+    pub(super) rounding: [S::F; 3],
 }
 
 /// The product and sum that is right for the precision: what is compared by its bits, at whatever level, is never fused.
@@ -53,7 +57,9 @@ impl<S: Lanes> Corners<S> {
         for axis in 0..3 {
             from_eye[axis] = simd.load_wide(&corner[axis]) - simd.splat_wide(eye[axis]);
         }
-        let mut corners = Corners { corner: from_eye, edges, error: [simd.splat(0.0); 3] };
+        let zero = simd.splat(0.0);
+        let none = [zero; 3];
+        let mut corners = Corners { corner: from_eye, edges, error: none, edge_error: none, rounding: none };
         for k in 0..3 {
             let row = &frame.tile_from_world[k];
             corners.corner[k] = row_times::<S, EXACT>(simd, row, &from_eye);
@@ -63,20 +69,22 @@ impl<S: Lanes> Corners<S> {
                 corners.corner[k] = corners.corner[k] + simd.splat_wide(frame.offset[k]);
             }
         }
-        let mut unsure = [simd.splat(0.0); 3];
+        let mut terms = none;
         for axis in 0..3 {
             let edge = edges[0][axis].narrow().abs().max(edges[1][axis].narrow().abs());
-            let rounding = simd.splat(1.0 / (1u64 << 48) as f32);
-            // The last term for what is too small for f32.
-            unsure[axis] = edge * simd.splat(edge_error)
-                + (from_eye[axis].narrow().abs() + edge) * rounding
-                + simd.splat(f32::MIN_POSITIVE);
+            // The least number for what is too small for f32.
+            corners.edge_error[axis] = edge * simd.splat(edge_error) + simd.splat(f32::MIN_POSITIVE);
+            terms[axis] = from_eye[axis].narrow().abs() + edge;
         }
+        let unit = simd.splat(1.0 / (1u64 << 48) as f32);
         for k in 0..3 {
             for axis in 0..3 {
                 let entry = simd.splat((frame.tile_from_world[k][axis].abs() * 1.0001) as f32);
-                corners.error[k] = corners.error[k] + entry * unsure[axis];
+                corners.error[k] = corners.error[k] + entry * corners.edge_error[axis];
+                corners.rounding[k] = corners.rounding[k] + entry * terms[axis];
             }
+            corners.rounding[k] = corners.rounding[k] * unit;
+            corners.error[k] = corners.error[k] + corners.rounding[k];
         }
         corners
     }
@@ -90,7 +98,7 @@ impl<S: Lanes> Corners<S> {
                 edges[edge][axis] = simd.load(&block.edges[edge][axis]).widen();
             }
         }
-        Corners::transform::<EXACT>(simd, frame, &block.corner, edges, 1.0 / (1 << 23) as f32)
+        Corners::transform::<EXACT>(simd, frame, &block.corner, edges, 1.0001 / (1 << 24) as f32)
     }
 
     /// Of corners and edges in `f64`.

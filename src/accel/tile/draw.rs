@@ -1,7 +1,9 @@
 //! Triangles against the pixels of a tile.
 
-use super::pixels::{DepthPlane, LANE_COLUMNS, LANE_ROWS, Pixel, Pixels};
+use super::frame::PixelArea;
+use super::pixels::{LANE_COLUMNS, LANE_ROWS, Pixel, Pixels, Slot};
 use super::planes::Planes;
+use super::walk::blocks_between;
 use crate::shape::{Primitive, Shapes};
 use crate::simd::{F32s, LANES, Lanes, Mask};
 
@@ -21,87 +23,181 @@ pub(super) struct Contested {
     pub(super) primitive: Primitive,
 }
 
-/// Draws the triangles of `lanes` into the pixels. What is unsure is added to `contested`; with `EXACT` off nothing is, and
-/// computed numbers count as they are.
-#[inline(always)]
-pub(super) fn draw<S: Lanes, const EXACT: bool>(
-    simd: S,
-    planes: &Planes,
-    mut lanes: u32,
-    primitives: &[Primitive; LANES],
-    rule: &Rule,
-    shapes: &Shapes,
-    pixels: &mut Pixels,
-    contested: &mut Vec<Contested>,
-) {
-    let [factor, addend] = rule.surely_nearer;
-    let (factor, addend) = (simd.splat(factor), simd.splat(addend));
-    while lanes != 0 {
-        let lane = lanes.trailing_zeros() as usize;
-        lanes &= lanes - 1;
+/// Where a batch of triangles is drawn.
+pub(super) struct Canvas<'a> {
+    pub(super) primitives: &'a [Primitive; LANES],
+    pub(super) shapes: &'a Shapes,
+    pub(super) rule: Rule,
+    pub(super) pixels: &'a mut Pixels,
+    /// Takes what is unsure.
+    pub(super) contested: &'a mut Vec<Contested>,
+}
+
+impl Canvas<'_> {
+    /// Draws the triangles of `lanes`. With `EXACT` off nothing is contested: computed numbers count as they are.
+    #[inline(always)]
+    pub(super) fn draw<S: Lanes, const EXACT: bool>(&mut self, simd: S, planes: &Planes, lanes: u32) {
+        let small = planes.small(lanes);
+        if small != 0 {
+            self.draw_small::<S, EXACT>(simd, planes, small);
+        }
+        let mut large = lanes & !small;
+        while large != 0 {
+            let lane = large.trailing_zeros() as usize;
+            large &= large - 1;
+            self.draw_large::<S, EXACT>(simd, planes, lane);
+        }
+    }
+
+    /// One triangle, sixteen pixels at once.
+    #[inline(always)]
+    fn draw_large<S: Lanes, const EXACT: bool>(&mut self, simd: S, planes: &Planes, lane: usize) {
+        let Canvas { pixels, contested, .. } = self;
+        let area = planes.area(lane);
+        let hidden = simd.load(&pixels.farthest).above(simd.splat(area.nearest)).bits();
+        let mut blocks = blocks_between(area.columns, area.rows) & !hidden;
+        if blocks == 0 {
+            return;
+        }
+        let [factor, addend] = self.rule.surely_nearer;
+        let (factor, addend) = (simd.splat(factor), simd.splat(addend));
         let triangle = Broadcast::of(simd, planes, lane);
-        let place = |ends: &[[i32; LANES]; 2]| [ends[0][lane] as usize >> 2 & 3, ends[1][lane] as usize >> 2 & 3];
-        let ([left, right], [top, bottom]) = (place(&planes.columns), place(&planes.rows));
-        let nearest = planes.nearest[lane];
-        let primitive = primitives[lane];
-        let slot = pixels.planes.len() as u32;
+        let origin = [area.columns[0] & !3, area.rows[0] & !3];
+        let primitive = self.primitives[lane];
+        let slot = pixels.planes.len() as Slot;
+        let slots = simd.splat(f32::from_bits(slot));
         let mut is_kept = false;
-        for row in top..=bottom {
-            for column in left..=right {
-                let block = row * 4 + column;
-                if pixels.farthest[block] > nearest {
-                    continue;
+        while blocks != 0 {
+            let block = blocks.trailing_zeros() as usize;
+            blocks &= blocks - 1;
+            let first = Pixel::of(block, 0);
+            let x = simd.load(&LANE_COLUMNS) + simd.splat((first.column() as i32 - origin[0]) as f32);
+            let y = simd.load(&LANE_ROWS) + simd.splat((first.row() as i32 - origin[1]) as f32);
+            let edge = triangle.least_edge::<EXACT>(x, y);
+            let best = simd.load(&pixels.nearness[block]);
+            let nearness = if self.rule.hits_only { triangle.infinity } else { triangle.nearness::<EXACT>(x, y) };
+            let wins = if EXACT {
+                let wins = edge.above(triangle.error) & nearness.above(best.fused_or_not(factor, addend));
+                let maybe = edge.above(triangle.minus_error) & nearness.fused_or_not(factor, addend).above(best);
+                let mut unsure = (maybe & !wins).bits();
+                while unsure != 0 {
+                    let pixel = Pixel::of(block, unsure.trailing_zeros() as usize);
+                    unsure &= unsure - 1;
+                    contested.push(Contested { pixel, primitive });
                 }
-                let x = simd.load(&LANE_COLUMNS) + simd.splat((4 * (column - left)) as f32);
-                let y = simd.load(&LANE_ROWS) + simd.splat((4 * (row - top)) as f32);
-                let edge = triangle.least_edge::<EXACT>(x, y);
-                let best = simd.load(&pixels.nearness[block]);
-                let nearness = if rule.hits_only { triangle.infinity } else { triangle.nearness::<EXACT>(x, y) };
-                let wins = if EXACT {
-                    let wins = edge.above(triangle.error) & nearness.above(best.fused_or_not(factor, addend));
-                    let maybe = edge.above(triangle.minus_error) & nearness.fused_or_not(factor, addend).above(best);
-                    let mut unsure = maybe.bits() & !wins.bits();
-                    while unsure != 0 {
-                        let pixel = Pixel::of(block, unsure.trailing_zeros() as usize);
-                        unsure &= unsure - 1;
-                        contested.push(Contested { pixel, primitive });
-                    }
-                    wins
-                } else {
-                    let inside = !simd.splat(0.0).above(edge) & Broadcast::within(simd, planes, lane, left, top, x, y);
-                    let mut ties = (inside & !nearness.above(best) & !best.above(nearness)).bits();
-                    while ties != 0 {
-                        let pixel = Pixel::of(block, ties.trailing_zeros() as usize);
-                        ties &= ties - 1;
-                        is_kept |= take_tie(pixel, primitive, slot, shapes, pixels);
-                    }
-                    inside & nearness.above(best)
-                };
-                let mut won = wins.bits();
-                if won == 0 {
-                    continue;
+                wins
+            } else {
+                let inside = !simd.splat(0.0).above(edge) & Broadcast::within(simd, &area, origin, x, y);
+                let mut ties = (inside & !nearness.above(best) & !best.above(nearness)).bits();
+                while ties != 0 {
+                    let pixel = Pixel::of(block, ties.trailing_zeros() as usize);
+                    ties &= ties - 1;
+                    is_kept |= take_tie(pixel, primitive, slot, self.shapes, pixels);
                 }
-                is_kept = true;
-                wins.select(nearness, best).store(&mut pixels.nearness[block]);
-                pixels.changed |= 1 << block;
-                while won != 0 {
-                    pixels.slots[block][won.trailing_zeros() as usize] = slot;
-                    won &= won - 1;
-                }
-            }
+                inside & nearness.above(best)
+            };
+            // Stored whether or not anything has changed: branching here took longer.
+            wins.select(nearness, best).store(&mut pixels.nearness[block]);
+            wins.select(slots, simd.load(&pixels.slots[block])).store(&mut pixels.slots[block]);
+            let has_won = wins.bits() != 0;
+            is_kept |= has_won;
+            pixels.changed |= u32::from(has_won) << block;
         }
         if is_kept {
-            let nearness = [planes.depth[0][lane], planes.depth[1][lane], planes.depth[2][lane]];
-            pixels.planes.push(DepthPlane { nearness, error: planes.depth_error[lane], primitive });
+            pixels.planes.push(planes.depth_plane(lane, primitive));
+        }
+    }
+
+    /// Triangles that cover up to 2 x 2 pixels, sixteen at once.
+    #[inline(always)]
+    fn draw_small<S: Lanes, const EXACT: bool>(&mut self, simd: S, planes: &Planes, lanes: u32) {
+        let error = simd.load(&planes.edge_error);
+        let mut kept = Kept([NOT_KEPT; LANES]);
+        for place in 0..4 {
+            let (column, row) = (place & 1, place >> 1);
+            let (x, y, within) = planes.pixel_of_small(simd, column, row);
+            let mut edge = at::<S, EXACT>(&planes.function(simd, &planes.edges[0]), x, y);
+            edge = edge.min(at::<S, EXACT>(&planes.function(simd, &planes.edges[1]), x, y));
+            edge = edge.min(at::<S, EXACT>(&planes.function(simd, &planes.edges[2]), x, y));
+            let (inside, maybe) = if EXACT {
+                (edge.above(error), edge.above(simd.splat(0.0) - error))
+            } else {
+                let inside = !simd.splat(0.0).above(edge);
+                (inside, inside)
+            };
+            let mut maybe = (maybe & within).bits() & lanes;
+            if maybe == 0 {
+                continue;
+            }
+            let inside = inside.bits();
+            let mut nearness = [0.0; LANES];
+            let exact = at::<S, EXACT>(&planes.function(simd, &planes.nearness), x, y);
+            if EXACT { exact } else { exact.min(simd.load(&planes.nearest)) }.store(&mut nearness);
+            while maybe != 0 {
+                let lane = maybe.trailing_zeros() as usize;
+                maybe &= maybe - 1;
+                let column = planes.columns[0][lane] as u32 + column;
+                let row = planes.rows[0][lane] as u32 + row;
+                let nearness = if self.rule.hits_only { f32::INFINITY } else { nearness[lane & 15] };
+                let is_inside = inside >> lane & 1 != 0;
+                self.put_small::<EXACT>(planes, lane, Pixel::at(column, row), nearness, is_inside, &mut kept);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn put_small<const EXACT: bool>(
+        &mut self,
+        planes: &Planes,
+        lane: usize,
+        pixel: Pixel,
+        nearness: f32,
+        is_inside: bool,
+        kept: &mut Kept,
+    ) {
+        let [factor, addend] = self.rule.surely_nearer;
+        let primitive = self.primitives[lane];
+        let best = self.pixels.nearness[pixel.block()][pixel.lane()];
+        let wins = if EXACT {
+            is_inside && nearness > best * factor + addend
+        } else {
+            let best_primitive = || self.pixels.primitive(pixel);
+            nearness > best
+                || nearness == best && best_primitive().is_some_and(|best| self.shapes.precedes(primitive, best))
+        };
+        if wins {
+            let slot = kept.slot(lane, self.pixels, planes, primitive);
+            self.pixels.slots[pixel.block()][pixel.lane()] = f32::from_bits(slot);
+            self.pixels.nearness[pixel.block()][pixel.lane()] = nearness;
+            self.pixels.changed |= 1 << pixel.block();
+        } else if EXACT && nearness * factor + addend > best {
+            self.contested.push(Contested { pixel, primitive });
         }
     }
 }
 
+/// The slots of triangles, as far as they have one.
+struct Kept([Slot; LANES]);
+
+const NOT_KEPT: Slot = Slot::MAX;
+
+impl Kept {
+    #[inline(always)]
+    fn slot(&mut self, lane: usize, pixels: &mut Pixels, planes: &Planes, primitive: Primitive) -> Slot {
+        let slot = &mut self.0[lane & (LANES - 1)];
+        if *slot == NOT_KEPT {
+            *slot = pixels.planes.len() as Slot;
+            pixels.planes.push(planes.depth_plane(lane, primitive));
+        }
+        *slot
+    }
+}
+
 /// Of two hits at the same nearness the first in the file counts (rule E3).
-fn take_tie(pixel: Pixel, primitive: Primitive, slot: u32, shapes: &Shapes, pixels: &mut Pixels) -> bool {
+fn take_tie(pixel: Pixel, primitive: Primitive, slot: Slot, shapes: &Shapes, pixels: &mut Pixels) -> bool {
     let wins = pixels.primitive(pixel).is_some_and(|best| shapes.precedes(primitive, best));
     if wins {
-        pixels.slots[pixel.block()][pixel.lane()] = slot;
+        pixels.slots[pixel.block()][pixel.lane()] = f32::from_bits(slot);
     }
     wins
 }
@@ -165,10 +261,10 @@ impl<S: Lanes> Broadcast<S> {
 
     /// The pixels that the triangle may cover, of which alone trees know.
     #[inline(always)]
-    fn within(simd: S, planes: &Planes, lane: usize, left: usize, top: usize, x: S::F, y: S::F) -> S::M {
-        let mut within = !simd.splat(planes.columns[0][lane] as f32 - 4.0 * left as f32).above(x);
-        within = within & !x.above(simd.splat(planes.columns[1][lane] as f32 - 4.0 * left as f32));
-        within = within & !simd.splat(planes.rows[0][lane] as f32 - 4.0 * top as f32).above(y);
-        within & !y.above(simd.splat(planes.rows[1][lane] as f32 - 4.0 * top as f32))
+    fn within(simd: S, area: &PixelArea, origin: [i32; 2], x: S::F, y: S::F) -> S::M {
+        let mut within = !simd.splat((area.columns[0] - origin[0]) as f32).above(x);
+        within = within & !x.above(simd.splat((area.columns[1] - origin[0]) as f32));
+        within = within & !simd.splat((area.rows[0] - origin[1]) as f32).above(y);
+        within & !y.above(simd.splat((area.rows[1] - origin[1]) as f32))
     }
 }

@@ -16,6 +16,10 @@ pub(super) struct Frame<'a> {
     pub(super) tile_from_world: [[f64; 3]; 3],
     /// As [`View::offset`].
     pub(super) offset: [f64; 2],
+    /// The matrix in `f32`.
+    pub(super) tile_from_world_f32: [[f32; 3]; 3],
+    /// Sums of the absolute entries of its rows.
+    pub(super) terms: [f32; 3],
 }
 
 impl<'a> Frame<'a> {
@@ -32,7 +36,9 @@ impl<'a> Frame<'a> {
                 offset[k] -= shift;
             }
         }
-        Frame { view, first, tile_from_world, offset }
+        let tile_from_world_f32 = tile_from_world.map(|row| row.map(|entry| entry as f32));
+        let terms = tile_from_world_f32.map(|row| row.iter().map(|entry| entry.abs()).sum());
+        Frame { view, first, tile_from_world, offset, tile_from_world_f32, terms }
     }
 
     pub(super) fn eye(&self) -> Point {

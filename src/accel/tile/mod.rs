@@ -11,6 +11,7 @@ mod block;
 mod corners;
 mod draw;
 mod frame;
+mod glance;
 mod pixels;
 mod planes;
 mod resolve;

@@ -61,7 +61,7 @@ pub(super) struct DepthPlane {
 
 /// What a pixel hit, as a number: nothing, a place in a list of planes, or one in a list of hits found by exact search.
 pub(super) type Slot = u32;
-pub(super) const NOTHING: Slot = u32::MAX;
+const NOTHING: Slot = u32::MAX;
 const SEARCHED: Slot = 1 << 31;
 
 /// The nearest hits so far of all pixels of a tile.
@@ -70,7 +70,8 @@ const SEARCHED: Slot = 1 << 31;
 pub(super) struct Pixels {
     /// Block by block. Of a pixel outside the window infinite, so that nothing hits it.
     pub(super) nearness: [[f32; LANES]; BLOCKS],
-    pub(super) slots: [[Slot; LANES]; BLOCKS],
+    /// Bits of [`Slot`]s: so that lanes of `f32` can choose between them.
+    pub(super) slots: [[f32; LANES]; BLOCKS],
     /// The least nearness of each block.
     pub(super) farthest: [f32; BLOCKS],
     /// Blocks of which `farthest` may have changed.
@@ -87,19 +88,11 @@ pub(super) enum Held {
     Hit(usize),
 }
 
-pub(super) fn held(slot: Slot) -> Held {
-    match slot {
-        NOTHING => Held::Nothing,
-        slot if slot & SEARCHED != 0 => Held::Hit((slot & !SEARCHED) as usize),
-        slot => Held::Plane(slot as usize),
-    }
-}
-
 impl Pixels {
     pub(super) fn new() -> Pixels {
         Pixels {
             nearness: [[0.0; LANES]; BLOCKS],
-            slots: [[NOTHING; LANES]; BLOCKS],
+            slots: [[f32::from_bits(NOTHING); LANES]; BLOCKS],
             farthest: [0.0; BLOCKS],
             changed: 0,
             planes: Vec::new(),
@@ -109,9 +102,9 @@ impl Pixels {
 
     /// Forgets all; `least` is a nearness that everything has more of.
     pub(super) fn clear(&mut self, least: f32) {
-        self.nearness = [[least; LANES]; BLOCKS];
-        self.slots = [[NOTHING; LANES]; BLOCKS];
-        self.farthest = [least; BLOCKS];
+        self.nearness.as_flattened_mut().fill(least);
+        self.slots.as_flattened_mut().fill(f32::from_bits(NOTHING));
+        self.farthest.fill(least);
         self.changed = 0;
         self.planes.clear();
         self.hits.clear();
@@ -134,9 +127,19 @@ impl Pixels {
         self.changed = (1 << BLOCKS) - 1;
     }
 
+    /// What a pixel holds.
+    #[inline(always)]
+    pub(super) fn held(&self, pixel: Pixel) -> Held {
+        match self.slots[pixel.block()][pixel.lane()].to_bits() {
+            NOTHING => Held::Nothing,
+            slot if slot & SEARCHED != 0 => Held::Hit((slot & !SEARCHED) as usize),
+            slot => Held::Plane(slot as usize),
+        }
+    }
+
     /// What a pixel hit so far.
     pub(super) fn primitive(&self, pixel: Pixel) -> Option<Primitive> {
-        match held(self.slots[pixel.block()][pixel.lane()]) {
+        match self.held(pixel) {
             Held::Nothing => None,
             Held::Plane(place) => Some(self.planes[place].primitive),
             Held::Hit(place) => Some(self.hits[place].primitive),
@@ -148,7 +151,7 @@ impl Pixels {
         let slot = SEARCHED | self.hits.len() as u32;
         self.hits.push(hit);
         let (block, lane) = (pixel.block(), pixel.lane());
-        self.slots[block][lane] = slot;
+        self.slots[block][lane] = f32::from_bits(slot);
         self.nearness[block][lane] = nearness;
         self.changed |= 1 << block;
     }

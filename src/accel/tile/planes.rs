@@ -26,7 +26,9 @@
 
 use super::corners::{Corners, Cover, multiply_add, multiply_add_f32};
 use super::frame::{Frame, PixelArea, TILE};
+use super::pixels::DepthPlane;
 use super::view::View;
+use crate::shape::Primitive;
 use crate::simd::{F32s, F64s, LANES, Lanes, Mask};
 
 /// Sixteen triangles ready to be tested against pixels. Numbers relative to a pixel of each triangle, where its first block of
@@ -37,6 +39,9 @@ pub(super) struct Planes {
     /// First and last column and first and last row of pixels that each may cover.
     pub(super) columns: [[i32; LANES]; 2],
     pub(super) rows: [[i32; LANES]; 2],
+    /// First and last column and row relative to the pixel where the triangle's first block begins.
+    first: [[f32; LANES]; 2],
+    last: [[f32; LANES]; 2],
     /// The three edge functions: at the pixel, and what a column and a row add.
     pub(super) edges: [[[f32; LANES]; 3]; 3],
     /// Nearness, in the same way.
@@ -56,6 +61,8 @@ impl Planes {
         Planes {
             columns: [[0; LANES]; 2],
             rows: [[0; LANES]; 2],
+            first: [[0.0; LANES]; 2],
+            last: [[0.0; LANES]; 2],
             edges: [[[0.0; LANES]; 3]; 3],
             nearness: [[0.0; LANES]; 3],
             nearest: [0.0; LANES],
@@ -69,6 +76,39 @@ impl Planes {
     pub(super) fn area(&self, lane: usize) -> PixelArea {
         let ends = |sides: &[[i32; LANES]; 2]| [sides[0][lane], sides[1][lane]];
         PixelArea { columns: ends(&self.columns), rows: ends(&self.rows), nearest: self.nearest[lane] }
+    }
+
+    /// Which of `lanes` cover no more than 2 x 2 pixels.
+    #[inline(always)]
+    pub(super) fn small(&self, lanes: u32) -> u32 {
+        let mut small = 0;
+        for lane in 0..LANES {
+            let is_small = self.columns[1][lane] - self.columns[0][lane] < 2 && self.rows[1][lane] - self.rows[0][lane] < 2;
+            small |= u32::from(is_small) << lane;
+        }
+        small & lanes
+    }
+
+    /// The pixel of small triangles that is `column` and `row` from the first, and which triangles may cover it.
+    #[inline(always)]
+    pub(super) fn pixel_of_small<S: Lanes>(&self, simd: S, column: u32, row: u32) -> (S::F, S::F, S::M) {
+        let (column, row) = (simd.splat(column as f32), simd.splat(row as f32));
+        let [x, y] = [simd.load(&self.first[0]) + column, simd.load(&self.first[1]) + row];
+        let within = !x.above(simd.load(&self.last[0])) & !y.above(simd.load(&self.last[1]));
+        (x, y, within)
+    }
+
+    /// A linear function of each triangle.
+    #[inline(always)]
+    pub(super) fn function<S: Lanes>(&self, simd: S, function: &[[f32; LANES]; 3]) -> [S::F; 3] {
+        [simd.load(&function[0]), simd.load(&function[1]), simd.load(&function[2])]
+    }
+
+    /// What a pixel keeps of a triangle.
+    #[inline(always)]
+    pub(super) fn depth_plane(&self, lane: usize, primitive: Primitive) -> DepthPlane {
+        let nearness = [self.depth[0][lane], self.depth[1][lane], self.depth[2][lane]];
+        DepthPlane { nearness, error: self.depth_error[lane], primitive }
     }
 
     /// Fills in all triangles. Returns those of which the bounds are good enough for exact decisions, or with `EXACT` off,
@@ -90,6 +130,11 @@ impl Planes {
             cover.rows[side].store_whole(&mut self.rows[side]);
         }
         let (origin, extent) = pixel_block(simd, &first, &last);
+        for axis in 0..2 {
+            let origin = origin[axis].narrow();
+            (first[axis] - origin).store(&mut self.first[axis]);
+            (last[axis] - origin).store(&mut self.last[axis]);
+        }
 
         let homogeneous = Homogeneous::of(simd, corners, is_perspective);
         let normals = homogeneous.normals::<EXACT>();
@@ -128,16 +173,11 @@ impl Planes {
         edge_error.store(&mut self.edge_error);
 
         let slope = [depth[0].narrow().abs(), depth[1].narrow().abs(), depth[2].narrow().abs()];
-        let plane_error = if is_perspective {
-            slope[0] * bounds.corner[0] + slope[1] * bounds.corner[1] + slope[2] * bounds.corner[2]
-        } else {
-            slope[0] * bounds.corner[0] + slope[1] * bounds.corner[1] + bounds.depth
-        };
-        let plane_error = plane_error + bounds.normal / volume;
+        let plane_error = plane_error(simd, frame, corners, &bounds, &depth, &slope) + bounds.normal / volume;
         // In a perspective nearness is 1 over the depth at least, which makes its error relative.
         let farthest = if is_perspective { bounds.size[2] } else { simd.splat(1.0) };
         let evaluation = (tile * (slope[0] + slope[1]) + slope[2]) * farthest * simd.splat(1.0 / (1u64 << 49) as f32);
-        let depth_error = (plane_error * simd.splat(2.0) + evaluation) * simd.splat(1.001);
+        let depth_error = (plane_error + evaluation) * simd.splat(1.01);
         depth_error.store(&mut self.depth_error);
         let nearness_error = depth_error + nearness_size * farthest * rounding;
 
@@ -259,14 +299,44 @@ fn magnitude<S: Lanes>(function: &[S::F; 3], extent: &[S::F; 2]) -> S::F {
     multiply_add_f32::<S, false>(function[2].abs(), extent[1], columns)
 }
 
+/// By how much the errors of corners move the plane of `depth`, at a point between the corners.
+///
+/// That of the edges is bounded in world space, along the plane's normal there, which is a row times K: in the space of the tile
+/// the errors of columns, rows and depth are not independent.
+#[inline(always)]
+fn plane_error<S: Lanes>(
+    simd: S,
+    frame: &Frame,
+    corners: &Corners<S>,
+    bounds: &Bounds<S>,
+    depth: &[S::D; 3],
+    slope: &[S::F; 3],
+) -> S::F {
+    let is_perspective = frame.view.is_perspective;
+    let normal = [depth[0].narrow(), depth[1].narrow(), if is_perspective { depth[2].narrow() } else { simd.splat(1.0) }];
+    let size = [slope[0], slope[1], if is_perspective { slope[2] } else { simd.splat(1.0) }];
+    let mut sum = simd.splat(0.0);
+    for axis in 0..3 {
+        let mut along = simd.splat(0.0);
+        for k in 0..3 {
+            along = along + normal[k] * simd.splat(frame.tile_from_world[k][axis] as f32);
+        }
+        sum = sum + along.abs() * corners.edge_error[axis];
+    }
+    // The roundings of this sum, and those of everything but the edges.
+    let relative = simd.splat(1.0 / (1 << 20) as f32);
+    for k in 0..3 {
+        sum = sum + size[k] * (corners.rounding[k] + bounds.of_ray[k] + corners.error[k] * relative);
+    }
+    sum
+}
+
 /// What is known of errors; see the head of the file.
 struct Bounds<S: Lanes> {
     /// The largest absolute components of the corners.
     size: [S::F; 3],
-    /// Of the corners' homogeneous components.
-    corner: [S::F; 3],
-    /// Of their depth.
-    depth: S::F,
+    /// What of them is due to the ray, and to the roundings of products.
+    of_ray: [S::F; 3],
     /// Of the edge functions times the volume.
     edge: S::F,
     /// Of the volume.
@@ -292,10 +362,11 @@ impl<S: Lanes> Bounds<S> {
         }
         // |first + edge| may have cancelled: no error is smaller than this part of the depth.
         let along_depth = size[2] * simd.splat(view.ray_error + 1.0 / (1u64 << 46) as f32);
+        let mut of_ray = error;
         for k in 0..3 {
-            error[k] = error[k] + size[k] * simd.splat(view.ray_error + 1.0 / (1u64 << 46) as f32) + along_depth;
+            of_ray[k] = size[k] * simd.splat(view.ray_error + 1.0 / (1u64 << 46) as f32) + along_depth;
+            error[k] = error[k] + of_ray[k];
         }
-        let depth = error[2];
         if !view.is_perspective {
             error[2] = along_depth;
         }
@@ -317,8 +388,7 @@ impl<S: Lanes> Bounds<S> {
         let normal = terms * simd.splat(1.0 / (1u64 << 49) as f32);
         Bounds {
             size,
-            corner: error,
-            depth,
+            of_ray,
             edge: edge * simd.splat(3.0),
             volume: volume * simd.splat(8.0),
             normal,

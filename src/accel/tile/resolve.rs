@@ -1,7 +1,7 @@
 //! From what a tile knows of its pixels to their depths.
 
 use super::frame::Frame;
-use super::pixels::{BLOCKS, Held, LANE_COLUMNS, LANE_ROWS, Pixel, Pixels, held};
+use super::pixels::{BLOCKS, Held, LANE_COLUMNS, LANE_ROWS, Pixel, Pixels};
 use super::search::Searcher;
 use super::traced::TracedTile;
 use crate::accel::{Depth, Fallbacks, Precision};
@@ -94,11 +94,12 @@ pub(super) fn resolve<S: Lanes>(
             }
         };
         unsure = (unsure | planes.searched) & hit;
+       
         while unsure != 0 {
             let lane = unsure.trailing_zeros() as usize;
             unsure &= unsure - 1;
             let pixel = Pixel::of(block, lane);
-            let depth = match held(pixels.slots[block][lane]) {
+            let depth = match pixels.held(pixel) {
                 Held::Hit(place) => searcher.depth_of(frame.first, pixel, &pixels.hits[place], fallbacks),
                 Held::Plane(place) => {
                     searcher.depth(frame.first, pixel, pixels.planes[place].primitive, fallbacks)
@@ -130,7 +131,7 @@ impl Gathered {
         let mut hit = 0;
         for lane in 0..LANES {
             let pixel = Pixel::of(block, lane);
-            match held(pixels.slots[block][lane]) {
+            match pixels.held(pixel) {
                 Held::Nothing => {}
                 Held::Plane(place) => {
                     let plane = &pixels.planes[place];

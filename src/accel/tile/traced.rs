@@ -32,12 +32,6 @@ impl TracedTile {
         self.hits = [0; TILE as usize];
     }
 
-    /// Whether the ray of a pixel hits anything, column and row within the tile.
-    #[inline]
-    pub fn is_hit(&self, column: u32, row: u32) -> bool {
-        self.hits[row as usize] >> column & 1 != 0
-    }
-
     /// How many pixels hit of those from the first to before the second column and row.
     pub fn hits_within(&self, columns: [u32; 2], rows: [u32; 2]) -> u64 {
         let columns = (1u32 << columns[1]) - (1 << columns[0]);
@@ -45,17 +39,28 @@ impl TracedTile {
         rows.iter().map(|row| u64::from((u32::from(*row) & columns).count_ones())).sum()
     }
 
-    /// What the ray of a pixel hits, column and row within the tile.
+    /// What the ray of a pixel, which is known to hit, hits.
     #[inline]
-    pub fn primitive(&self, column: u32, row: u32) -> Option<Primitive> {
-        self.is_hit(column, row).then(|| self.primitives[place(column, row)])
+    pub fn hit(&self, column: u32, row: u32) -> Primitive {
+        self.primitives[place(column, row)]
     }
 
-    /// How far away it is, if that was asked for.
+    /// The pixels of a row that hit, column k as bit k.
     #[inline]
-    pub fn depth(&self, column: u32, row: u32) -> Depth {
-        let place = place(column, row);
-        Depth { z: self.z[place], t: self.t[place] }
+    pub fn hits_of_row(&self, row: u32) -> u32 {
+        u32::from(self.hits[row as usize])
+    }
+
+    /// Planar depths of a row's hits, anything where nothing was hit.
+    #[inline]
+    pub fn z_of_row(&self, row: u32) -> &[f32] {
+        &self.z[place(0, row)..place(0, row + 1)]
+    }
+
+    /// Distances of a row's hits, anything where nothing was hit.
+    #[inline]
+    pub fn t_of_row(&self, row: u32) -> &[f32] {
+        &self.t[place(0, row)..place(0, row + 1)]
     }
 
     pub(super) fn put(&mut self, column: u32, row: u32, primitive: Primitive, depth: Depth) {

@@ -2,8 +2,9 @@
 
 use super::block::Block;
 use super::corners::{Corners, Cover};
-use super::draw::{Contested, Rule, draw};
+use super::draw::{Canvas, Contested, Rule};
 use super::frame::{Frame, PixelArea, TILE};
+use super::glance::{Batch, glance};
 use super::pixels::{Pixel, Pixels};
 use super::planes::Planes;
 use super::resolve::{Wanted, resolve};
@@ -11,7 +12,7 @@ use super::search::Searcher;
 use super::traced::TracedTile;
 use super::view::View;
 use super::view_node::{Project, ViewNode};
-use super::walk::{Occlusion, Stack};
+use super::walk::{Occlusion, Stack, ViewTree};
 use crate::accel::{Aggregate, Depth, Fallbacks, Precision, Tracer};
 use crate::camera::Camera;
 use crate::film::PixelBounds;
@@ -129,7 +130,8 @@ impl TileTracer<'_> {
         scratch.pixels.clear(least);
         let [columns, rows] = part_of(first, window);
         scratch.pixels.keep_only(columns, rows);
-        let kernel = Tile { frame, nodes, searcher, wanted, scratch, traced, fallbacks };
+        let tree = ViewTree { nodes, blocks: &aggregate.wide.blocks };
+        let kernel = Tile { frame, tree, searcher, wanted, scratch, traced, fallbacks };
         match options.precision {
             Precision::Exact => options.level.run(Exactly(kernel)),
             Precision::Fast => options.level.run(Fast(kernel)),
@@ -150,20 +152,19 @@ fn part_of(first: [u32; 2], window: &PixelBounds) -> [[u32; 2]; 2] {
 struct Scratch {
     pixels: Pixels,
     stack: Stack,
-    planes: Planes,
     contested: Vec<Contested>,
 }
 
 impl Scratch {
     fn new() -> Scratch {
-        Scratch { pixels: Pixels::new(), stack: Stack::default(), planes: Planes::new(), contested: Vec::new() }
+        Scratch { pixels: Pixels::new(), stack: Stack::default(), contested: Vec::new() }
     }
 }
 
 /// One tile.
 struct Tile<'a> {
     frame: Frame<'a>,
-    nodes: &'a [ViewNode],
+    tree: ViewTree<'a>,
     searcher: Searcher<'a>,
     wanted: Wanted,
     scratch: &'a mut Scratch,
@@ -190,70 +191,144 @@ impl Kernel for Fast<'_> {
     }
 }
 
+/// What one tile works with. On the stack, and aligned, so that the compiler aligns the registers that it puts there too:
+/// without it, half of them lay across cache lines.
+struct Work<'a, 'b> {
+    tile: &'b mut Tile<'a>,
+    planes: Planes,
+    batch: Batch,
+}
+
+/// Blocks that were come by, and the triangles of one that are still to be drawn.
+#[derive(Debug, Default)]
+struct Seen {
+    block: usize,
+    lanes: u32,
+    next_block: usize,
+    end_block: usize,
+}
+
 impl Tile<'_> {
     #[inline(always)]
     fn run<S: Lanes, const EXACT: bool>(mut self, simd: S) {
-        let occlusion = Occlusion::of(self.frame.view, EXACT);
-        let blocks = &self.searcher.aggregate.wide.blocks;
-        let mut farthest = occlusion.refresh(simd, &mut self.scratch.pixels);
-        if !self.nodes.is_empty() {
-            self.scratch.stack.start();
-        }
-        while let Some(child) = self.scratch.stack.pop(simd, &self.scratch.pixels) {
-            if child.blocks == 0 {
-                let node = &self.nodes[child.first as usize];
-                let Scratch { stack, pixels, .. } = &mut *self.scratch;
-                stack.push(simd, &self.frame, node, pixels, farthest);
-                continue;
-            }
-            for block in &blocks[child.first as usize..][..child.blocks as usize] {
-                self.visit::<S, EXACT>(simd, block, farthest);
-                farthest = occlusion.refresh(simd, &mut self.scratch.pixels);
-            }
-            if farthest == f32::INFINITY {
-                break;
-            }
-        }
+        let mut work = Work { tile: &mut self, planes: Planes::new(), batch: Batch::new() };
+        work.walk::<S, EXACT>(simd);
         let Tile { frame, searcher, wanted, scratch, traced, fallbacks, .. } = self;
         resolve(simd, &frame, &searcher, wanted, &scratch.pixels, traced, fallbacks);
     }
+}
 
-    /// Tests the primitives of a block, those that may be nearer than `farthest`.
+impl Work<'_, '_> {
     #[inline(always)]
-    fn visit<S: Lanes, const EXACT: bool>(&mut self, simd: S, block: &Block, farthest: f32) {
-        if block.triangles != 0 {
-            let corners = Corners::of_block::<EXACT>(simd, &self.frame, block);
-            let cover = Cover::of(simd, &self.frame, &corners);
-            let hidden = simd.splat(farthest).above(cover.nearness);
-            let lanes = (cover.covers & !hidden).bits() & block.triangles;
-            if lanes != 0 {
-                let usable = self.scratch.planes.fill::<S, EXACT>(simd, &self.frame, &corners, &cover);
-                self.draw::<S, EXACT>(simd, lanes & usable, &block.primitives);
-                if EXACT && lanes & !usable != 0 {
-                    self.refine::<S>(simd, lanes & !usable, &block.primitives);
-                }
+    fn walk<S: Lanes, const EXACT: bool>(&mut self, simd: S) {
+        let occlusion = Occlusion::of(self.tile.frame.view, EXACT);
+        let tree = self.tile.tree;
+        let mut farthest = occlusion.refresh(simd, &mut self.tile.scratch.pixels);
+        if tree.nodes.is_empty() {
+            return;
+        }
+        self.tile.scratch.stack.start();
+        let mut seen = Seen::default();
+        loop {
+            let is_done = !self.gather::<S>(simd, &mut seen, occlusion, &mut farthest);
+            if self.batch.block.count != 0 {
+                self.flush::<S, EXACT>(simd, farthest);
+                farthest = occlusion.refresh(simd, &mut self.tile.scratch.pixels);
+            }
+            if is_done || farthest == f32::INFINITY {
+                return;
             }
         }
-        if block.triangles.count_ones() != block.count {
-            self.contest_spheres(block, Occlusion::of(self.frame.view, EXACT));
+    }
+
+    /// Goes on through the tree until the batch is full, and leaves the rest of a block for later. Returns whether there may be
+    /// more.
+    #[inline(always)]
+    fn gather<S: Lanes>(&mut self, simd: S, seen: &mut Seen, occlusion: Occlusion, farthest: &mut f32) -> bool {
+        let tree = self.tile.tree;
+        loop {
+            while seen.lanes != 0 {
+                if self.batch.is_full() {
+                    return true;
+                }
+                let lane = seen.lanes.trailing_zeros() as usize;
+                seen.lanes &= seen.lanes - 1;
+                self.batch.push(&tree.blocks[seen.block], lane);
+            }
+            if seen.next_block < seen.end_block {
+                seen.block = seen.next_block;
+                seen.next_block += 1;
+                let block = &tree.blocks[seen.block];
+                if block.triangles.count_ones() != block.count {
+                    self.tile.contest_spheres(block, occlusion);
+                    self.tile.settle();
+                    *farthest = occlusion.refresh(simd, &mut self.tile.scratch.pixels);
+                }
+                if block.triangles != 0 {
+                    seen.lanes = glance(simd, &self.tile.frame, block, *farthest) & block.triangles;
+                }
+                continue;
+            }
+            let Scratch { stack, pixels, .. } = &mut *self.tile.scratch;
+            let Some(child) = stack.pop(simd, pixels) else { return false };
+            if child.blocks == 0 {
+                let node = &tree.nodes[child.first as usize];
+                stack.push(simd, &self.tile.frame, &tree, node, pixels, *farthest);
+            } else {
+                seen.next_block = child.first as usize;
+                seen.end_block = seen.next_block + child.blocks as usize;
+            }
         }
+    }
+
+    /// Draws the triangles that were gathered, those that may be nearer than `farthest`.
+    #[inline(always)]
+    fn flush<S: Lanes, const EXACT: bool>(&mut self, simd: S, farthest: f32) {
+        let Work { tile, planes, batch } = self;
+        let block = &batch.block;
+        let corners = Corners::of_block::<EXACT>(simd, &tile.frame, block);
+        let cover = Cover::of(simd, &tile.frame, &corners);
+        let hidden = simd.splat(farthest).above(cover.nearness);
+        let lanes = (cover.covers & !hidden).bits() & block.triangles;
+        if lanes != 0 {
+            let usable = planes.fill::<S, EXACT>(simd, &tile.frame, &corners, &cover);
+            tile.draw::<S, EXACT>(simd, planes, lanes & usable, &block.primitives);
+            if EXACT && lanes & !usable != 0 {
+                tile.refine::<S>(simd, planes, lanes & !usable, &block.primitives);
+            }
+            tile.settle();
+        }
+        batch.clear();
+    }
+}
+
+impl Tile<'_> {
+    #[inline(always)]
+    fn draw<S: Lanes, const EXACT: bool>(
+        &mut self,
+        simd: S,
+        planes: &Planes,
+        lanes: u32,
+        primitives: &[Primitive; LANES],
+    ) {
+        let surely_nearer = self.frame.view.surely_nearer();
+        let rule = Rule { surely_nearer, hits_only: self.searcher.hits_only };
+        let Scratch { pixels, contested, .. } = &mut *self.scratch;
+        let mut canvas = Canvas { primitives, shapes: self.searcher.shapes, rule, pixels, contested };
+        canvas.draw::<S, EXACT>(simd, planes, lanes);
+    }
+
+    /// Decides what was contested.
+    fn settle(&mut self) {
         if !self.scratch.contested.is_empty() {
             let Scratch { pixels, contested, .. } = &mut *self.scratch;
             self.searcher.settle(self.frame.first, contested, pixels, self.fallbacks);
         }
     }
 
-    #[inline(always)]
-    fn draw<S: Lanes, const EXACT: bool>(&mut self, simd: S, lanes: u32, primitives: &[Primitive; LANES]) {
-        let surely_nearer = self.frame.view.surely_nearer();
-        let rule = Rule { surely_nearer, hits_only: self.searcher.hits_only };
-        let Scratch { pixels, planes, contested, .. } = &mut *self.scratch;
-        draw::<S, EXACT>(simd, planes, lanes, primitives, &rule, self.searcher.shapes, pixels, contested);
-    }
-
     /// Tests triangles again, from their corners in `f64`; what is still not sure enough is contested at every pixel.
-    #[inline(never)]
-    fn refine<S: Lanes>(&mut self, simd: S, lanes: u32, primitives: &[Primitive; LANES]) {
+    #[inline(always)]
+    fn refine<S: Lanes>(&mut self, simd: S, planes: &mut Planes, lanes: u32, primitives: &[Primitive; LANES]) {
         let mut corner = [[0.0; LANES]; 3];
         let mut edges = [[[0.0; LANES]; 3]; 2];
         for lane in (0..LANES).filter(|lane| lanes >> lane & 1 != 0) {
@@ -267,11 +342,10 @@ impl Tile<'_> {
         let corners = Corners::of_wide(simd, &self.frame, &corner, &edges);
         let cover = Cover::of(simd, &self.frame, &corners);
         let lanes = cover.covers.bits() & lanes;
-        let usable = self.scratch.planes.fill::<S, true>(simd, &self.frame, &corners, &cover);
-        self.draw::<S, true>(simd, lanes & usable, primitives);
+        let usable = planes.fill::<S, true>(simd, &self.frame, &corners, &cover);
+        self.draw::<S, true>(simd, planes, lanes & usable, primitives);
         for lane in (0..LANES).filter(|lane| lanes & !usable & 1 << lane != 0) {
-            let area = self.scratch.planes.area(lane);
-            self.scratch.contest(Occlusion::of(self.frame.view, true), area, primitives[lane]);
+            self.scratch.contest(Occlusion::of(self.frame.view, true), planes.area(lane), primitives[lane]);
         }
     }
 

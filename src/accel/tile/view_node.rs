@@ -85,12 +85,17 @@ fn project<S: Lanes>(simd: S, view: &View, node: &WideNode) -> ViewNode {
     let depth_terms = terms(simd, &k[2], &corners);
     let error = simd.splat(1.0 / (1 << 20) as f32);
     let depth_error = magnitude::<S>(&depth_terms) * error;
-    let mut nearest = sum::<S>(&depth_terms, 0);
-    let mut farthest = nearest;
-    for corner in 1..8 {
+    let one = simd.splat(1.0);
+    let mut nearest = simd.splat(f32::INFINITY);
+    let mut farthest = simd.splat(f32::NEG_INFINITY);
+    let mut inverses = [one; 8];
+    for corner in 0..8 {
         let depth = sum::<S>(&depth_terms, corner);
         nearest = nearest.min(depth);
         farthest = farthest.max(depth);
+        if view.is_perspective {
+            inverses[corner] = one / depth;
+        }
     }
     nearest = nearest - depth_error;
     farthest = farthest + depth_error;
@@ -99,7 +104,6 @@ fn project<S: Lanes>(simd: S, view: &View, node: &WideNode) -> ViewNode {
     // Neither is what has no box.
     let visible = farthest.above(zero).bits() & node.used();
     let infinity = simd.splat(f32::INFINITY);
-    let one = simd.splat(1.0);
     let (nearness, inverse_nearest, inverse_farthest) = if view.is_perspective {
         let inverse = one / nearest;
         (in_front.select(inverse * simd.splat(NEARER), infinity), inverse, one / farthest)
@@ -123,7 +127,7 @@ fn project<S: Lanes>(simd: S, view: &View, node: &WideNode) -> ViewNode {
             let film = sum::<S>(&film_terms, corner);
             low_film = low_film.min(film);
             high_film = high_film.max(film);
-            let pixel = if view.is_perspective { film / sum::<S>(&depth_terms, corner) } else { film };
+            let pixel = film * inverses[corner];
             low = low.min(pixel);
             high = high.max(pixel);
         }

@@ -1,5 +1,6 @@
 //! The way of a tile down the tree.
 
+use super::block::Block;
 use super::frame::{Frame, TILE};
 use super::pixels::{BLOCKS, Pixels};
 use super::view::View;
@@ -21,6 +22,13 @@ pub(super) struct Waiting {
 #[derive(Debug, Default)]
 pub(super) struct Stack {
     waiting: Vec<Waiting>,
+}
+
+/// The tree as a view sees it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ViewTree<'a> {
+    pub(super) nodes: &'a [ViewNode],
+    pub(super) blocks: &'a [Block],
 }
 
 /// How near something must be for a block of pixels to be worth a look.
@@ -111,7 +119,15 @@ impl Stack {
 
     /// Adds the children of `node` that the tile may see, the nearest last.
     #[inline(always)]
-    pub(super) fn push<S: Lanes>(&mut self, simd: S, frame: &Frame, node: &ViewNode, pixels: &Pixels, farthest: f32) {
+    pub(super) fn push<S: Lanes>(
+        &mut self,
+        simd: S,
+        frame: &Frame,
+        tree: &ViewTree,
+        node: &ViewNode,
+        pixels: &Pixels,
+        farthest: f32,
+    ) {
         let (zero, whole) = (simd.splat(0.0), simd.splat(TILE as f32 - 1.0));
         let nearness = simd.load(&node.nearness);
         let mut ends = [[[0i32; LANES]; 2]; 2];
@@ -136,7 +152,13 @@ impl Stack {
             if blocks & !farthest.above(simd.splat(nearness)).bits() == 0 {
                 continue;
             }
-            self.insert(bottom, Waiting { nearness, blocks, child: node.children[lane] });
+            let child = node.children[lane];
+            if child.blocks == 0 {
+                simd.prefetch(&tree.nodes[child.first as usize]);
+            } else {
+                simd.prefetch(&tree.blocks[child.first as usize]);
+            }
+            self.insert(bottom, Waiting { nearness, blocks, child });
         }
     }
 

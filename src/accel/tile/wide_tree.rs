@@ -43,7 +43,7 @@ impl WideTree {
         shapes: &Shapes,
     ) -> WideTree {
         let Some(root) = root else { return WideTree { nodes: Vec::new(), blocks: Vec::new() } };
-        let mut collapse = Collapse { below, runs: runs_of(below), nodes: Vec::new(), blocks: Vec::new() };
+        let mut collapse = Collapse { below, measured: measure(below), nodes: Vec::new(), blocks: Vec::new() };
         collapse.node(vec![*root]);
         WideTree { blocks: blocks_of(&collapse.blocks, order, shapes), nodes: collapse.nodes }
     }
@@ -55,58 +55,69 @@ impl WideTree {
 }
 
 /// A run of primitives in the order of the leaves.
-#[derive(Clone, Copy)]
+#[derive(Debug, Clone, Copy)]
 struct Run {
     first: u32,
     count: u32,
 }
 
-/// For each pair of children, the run of all primitives below it, where that is short and without a gap.
-fn runs_of(below: &[Children]) -> Vec<Option<Run>> {
-    let mut runs: Vec<Option<Run>> = vec![None; below.len()];
+/// What is below a node of the binary tree.
+#[derive(Debug, Clone, Copy)]
+struct Below {
+    /// All primitives, where they are few and follow each other: they need not be looked into.
+    run: Option<Run>,
+    /// How many runs they form.
+    runs: u32,
+}
+
+/// What is below each pair of children.
+fn measure(below: &[Children]) -> Vec<Below> {
+    let mut measured = vec![Below { run: None, runs: 0 }; below.len()];
     // Children stand behind their parents.
     for place in (0..below.len()).rev() {
-        let [left, right] = [0, 1].map(|side| run_of(&below[place].node(side), &runs));
-        runs[place] = left.zip(right).and_then(|(left, right)| {
+        let [left, right] = [0, 1].map(|side| below_node(&below[place].node(side), &measured));
+        let run = left.run.zip(right.run).and_then(|(left, right)| {
             let (a, b) = if left.first < right.first { (left, right) } else { (right, left) };
             let joined = Run { first: a.first, count: a.count + b.count };
             (a.first + a.count == b.first && joined.count as usize <= BLOCK).then_some(joined)
         });
+        measured[place] = Below { run, runs: if run.is_some() { 1 } else { left.runs + right.runs } };
     }
-    runs
+    measured
 }
 
-/// The run of primitives below a node that need not be looked into.
-fn run_of(node: &Node, runs: &[Option<Run>]) -> Option<Run> {
-    if node.is_leaf() { Some(Run { first: node.first, count: node.count }) } else { runs[node.first as usize] }
+fn below_node(node: &Node, measured: &[Below]) -> Below {
+    if node.is_leaf() {
+        Below { run: Some(Run { first: node.first, count: node.count }), runs: 1 }
+    } else {
+        measured[node.first as usize]
+    }
 }
 
 /// Leaves out levels.
 struct Collapse<'a> {
     below: &'a [Children],
-    runs: Vec<Option<Run>>,
+    measured: Vec<Below>,
     nodes: Vec<WideNode>,
     /// The first primitive and the number of primitives of each block.
     blocks: Vec<(u32, u32)>,
 }
 
 impl Collapse<'_> {
-    /// Appends a node over `parts`, the largest of which are opened while there is room, and all below it; returns its place.
+    /// Appends a node over `parts`, as many of which are opened as there is room for, and all below it; returns its place.
     ///
     /// Recursion is no deeper than the binary tree.
     fn node(&mut self, mut parts: Vec<Node>) -> u32 {
         while parts.len() < LANES {
-            let area = |part: &Node| part.bounds.half_area();
-            let inner = parts.iter().enumerate().filter(|(_, part)| run_of(part, &self.runs).is_none());
-            let Some((largest, _)) = inner.max_by(|(_, a), (_, b)| area(a).total_cmp(&area(b))) else { break };
-            let children = &self.below[parts[largest].first as usize];
-            parts[largest] = children.node(0);
+            let Some(part) = self.part_to_open(&parts) else { break };
+            let children = &self.below[parts[part].first as usize];
+            parts[part] = children.node(0);
             parts.push(children.node(1));
         }
         let place = self.nodes.len();
         self.nodes.push(WideNode::over(&parts));
         for (lane, part) in parts.iter().enumerate() {
-            self.nodes[place].children[lane] = match run_of(part, &self.runs) {
+            self.nodes[place].children[lane] = match self.of(part).run {
                 Some(run) => self.blocks_of(run),
                 None => {
                     let [left, right] = [0, 1].map(|side| self.below[part.first as usize].node(side));
@@ -115,6 +126,22 @@ impl Collapse<'_> {
             };
         }
         place as u32
+    }
+
+    fn of(&self, node: &Node) -> Below {
+        below_node(node, &self.measured)
+    }
+
+    /// The largest part that is best opened: one that fits with all its runs, or one that will not make a small node.
+    fn part_to_open(&self, parts: &[Node]) -> Option<usize> {
+        let room = LANES - parts.len() + 1;
+        let fits = |runs: u32| runs as usize > LANES || runs as usize <= room;
+        let inner = parts.iter().enumerate().filter(|(_, part)| {
+            let Below { run, runs } = self.of(part);
+            run.is_none() && fits(runs)
+        });
+        let largest = inner.max_by(|(_, a), (_, b)| a.bounds.half_area().total_cmp(&b.bounds.half_area()));
+        largest.map(|(part, _)| part)
     }
 
     fn blocks_of(&mut self, run: Run) -> Child {

@@ -74,6 +74,14 @@ macro_rules! level {
                 let (parts, _) = from.as_chunks::<{ $w / 2 }>();
                 registers!(D, zero_wide, 2 * $n, k => ops::load_wide(&parts[k]))
             }
+            #[inline(always)]
+            fn prefetch<T>(self, what: &T) {
+                let start: *const T = what;
+                for offset in (0..size_of::<T>()).step_by(64) {
+                    // SAFETY: SSE is part of x86-64, and fetching ahead reads nothing that the program could notice.
+                    unsafe { _mm_prefetch::<_MM_HINT_T0>(start.cast::<i8>().wrapping_add(offset)) }
+                }
+            }
         }
 
         macro_rules! operators {
