@@ -45,7 +45,8 @@ pub struct Loaded {
 
 /// Reads the PLY file `path`.
 pub fn read_ply(path: &Path) -> Result<Loaded> {
-    parse_ply(path, &input::read(path)?)
+    let plain = input::Storage::open(path).and_then(|storage| ply::read_plain(path, &storage));
+    plain.map_or_else(|| ply::parse_odd(path, &input::read(path)?), Ok)
 }
 
 /// Reads the OBJ file `path`. Material libraries that it names are not opened.
