@@ -31,12 +31,7 @@ const SAFE_DIGITS: usize = 19;
 pub(crate) fn leading(text: &[u8]) -> Option<(f64, usize)> {
     let sign = usize::from(text.first() == Some(&b'-'));
     let signed = |magnitude: f64| if sign == 1 { -magnitude } else { magnitude };
-    let whole = EightBytes::of(text.get(sign..)?)?;
-    let length = whole.digits();
-    if length == 8 {
-        return None;
-    }
-    let number = whole.number(length);
+    let (number, length) = leading_digits(text.get(sign..)?)?;
     let at = sign + length;
     if text[at] != b'.' {
         return (length > 0).then(|| (signed(number as f64), at));
@@ -53,6 +48,18 @@ pub(crate) fn leading(text: &[u8]) -> Option<(f64, usize)> {
     // Of 14 digits at most, so that both numbers are exact and the division rounds once.
     let mantissa = number * WHOLE_POWERS[places] + fraction.number(places);
     Some((signed(mantissa as f64 / EXACT_POWERS[places]), at + 1 + places))
+}
+
+/// The digits that `text` begins with, 0 to 7, and how many they are; another byte follows.
+#[inline]
+fn leading_digits(text: &[u8]) -> Option<(u64, usize)> {
+    // Where the next number begins should not have to wait for the length of this one, if that can be guessed.
+    if let [digit @ b'0'..=b'9', b'.', ..] = text {
+        return Some((u64::from(digit - b'0'), 1));
+    }
+    let bytes = EightBytes::of(text)?;
+    let length = bytes.digits();
+    (length < 8).then(|| (bytes.number(length), length))
 }
 
 /// The digits `whole`, 7 at most, eight more and those that `rest` begins with, where an `f64` holds them exactly; and how
@@ -186,7 +193,10 @@ mod tests {
         let taken = ["0", "-0.0", "1234567", "-.5", "5.", "1234567.12345678", "0.900719925474099", "-0.0750396"];
         for text in taken {
             let expected = (text.parse::<f64>().expect("a number"), text.len());
-            assert_eq!(read(text).map(|(value, length)| (value.to_bits(), length)), Some((expected.0.to_bits(), expected.1)));
+            assert_eq!(
+                read(text).map(|(value, length)| (value.to_bits(), length)),
+                Some((expected.0.to_bits(), expected.1))
+            );
         }
         let left = ["", "-", ".", "-.", "+1", "x", "12345678", "0.1234567812345678", "9.12345678123456789", "nan"];
         for text in left {

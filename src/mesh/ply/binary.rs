@@ -74,7 +74,8 @@ impl<'a, Order: ByteOrder> Binary<'a, Order> {
         let [3, a0, a1, a2, a3, b0, b1, b2, b3, c0, c1, c2, c3] = *list.first_chunk::<TRIANGLE>()? else {
             return None;
         };
-        let corners = [[a0, a1, a2, a3], [b0, b1, b2, b3], [c0, c1, c2, c3]].map(Order::ordered).map(u32::from_le_bytes);
+        let corners =
+            [[a0, a1, a2, a3], [b0, b1, b2, b3], [c0, c1, c2, c3]].map(Order::ordered).map(u32::from_le_bytes);
         corners.iter().all(|corner| *corner < limit).then_some(corners)
     }
 

@@ -32,7 +32,11 @@ pub fn parse_ply(path: &Path, bytes: &[u8]) -> Result<Loaded> {
 /// The mesh in `storage`, compressed or not, if it is a plain PLY file: the quick way, which has no messages.
 pub(super) fn read_plain(path: &Path, storage: &Storage) -> Option<Loaded> {
     let is_compressed = gzip::is_in(storage);
-    if is_compressed { gzip::stream(storage, |text| plain::read_stream(path, text)) } else { plain::read(path, storage) }
+    if is_compressed {
+        gzip::stream(storage, |text| plain::read_stream(path, text))
+    } else {
+        plain::read(path, storage)
+    }
 }
 
 /// The mesh in the bytes of any PLY file that [`read_plain`] has left alone.

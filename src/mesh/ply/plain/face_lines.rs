@@ -45,7 +45,7 @@ struct FaceLines<'a> {
 impl FaceLines<'_> {
     #[inline]
     fn corners<'c>(&mut self, corners: &'c mut [u32; MOST_CORNERS]) -> Option<&'c [u32]> {
-        let count = self.lines.whole(MOST_CORNERS as u64 + 1)? as usize;
+        let count = self.lines.small()?;
         let limit = self.vertices.len() as u64;
         for corner in &mut corners[..count] {
             *corner = self.lines.whole(limit)? as u32;

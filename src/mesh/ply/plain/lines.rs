@@ -46,6 +46,16 @@ impl<'a> Lines<'a> {
         (value < limit).then_some(value)
     }
 
+    /// The next whole number, if it is below 10: one digit in most files.
+    #[inline]
+    pub(super) fn small(&mut self) -> Option<usize> {
+        if let [digit @ b'0'..=b'9', b' ', rest @ ..] = self.rest {
+            self.rest = rest;
+            return Some(usize::from(digit - b'0'));
+        }
+        self.whole(10).map(|value| value as usize)
+    }
+
     /// Leaves a value out, whatever it is.
     #[inline]
     pub(super) fn skip(&mut self) -> Option<()> {

@@ -55,8 +55,10 @@ fn check(bytes: &[u8]) -> bool {
 
 /// Reads `bytes` in blocks that begin to be small right after the header.
 fn read_as_stream(bytes: &[u8], block: usize) -> Option<Loaded> {
-    let end = b"end_header\n";
-    let first = bytes.windows(end.len()).position(|window| window == end).map_or(0, |at| at + end.len()) + block;
+    let end = b"end_header";
+    let end = bytes.windows(end.len()).position(|window| window == end).map_or(0, |at| at + end.len());
+    let line_end = bytes[end..].iter().position(|byte| *byte == b'\n').map_or(0, |at| at + 1);
+    let first = end + line_end + block;
     let mut stream = Stream { content: Box::new(bytes), trusted_size: bytes.len() };
     super::stream::read_in_blocks(Path::new(PATH), &mut stream, first, block)
 }
@@ -86,7 +88,10 @@ fn plain_text_is_read() {
     assert!(is_plain(&two_lines(VERTICES, "3 0 1 2\n4 0 1 2 3\n3 0 2 4\n")));
     assert!(is_plain(&two_lines(VERTICES, "5 0 1 2 3 4\n3 0 1 2")), "a polygon, and no end of the last line");
     assert!(is_plain(&two_lines(VERTICES, "3 0 1 2 \n3\t0  1 2\n").replace('\n', "\r\n")));
-    assert!(is_plain(&two_lines("+1 -0 x 1e-3\n  nan\tinf 1 -1e999\n0.1234567890123456789 12345678.5 0 16777217\n", "3 0 +1 002\n")));
+    assert!(is_plain(&two_lines(
+        "+1 -0 x 1e-3\n  nan\tinf 1 -1e999\n0.1234567890123456789 12345678.5 0 16777217\n",
+        "3 0 +1 002\n"
+    )));
     assert!(is_plain(&(two_lines(VERTICES, "3 0 1 2\n") + "\n \t\n\n  ")));
     assert!(is_plain(&two_lines(VERTICES, "3 0 1 2\n").replace("float", "double").replace("0 0 9", "0.1 3 9")));
     let more = two_lines(VERTICES, "3 0 1 2 7 x\n3 0 1 3 8 y\n");
@@ -153,7 +158,8 @@ fn line_end() -> impl Strategy<Value = &'static str> {
 fn any_text() -> impl Strategy<Value = String> {
     let vertex = (number(), blank(), number(), blank(), number(), line_end());
     let vertex = vertex.prop_map(|(x, a, y, b, z, end)| format!("{x}{a}{y}{b}255 {z}{end}"));
-    let corners = prop_oneof![12 => proptest::collection::vec(0..12_u32, 3..5), 1 => proptest::collection::vec(0..30_u32, 0..12)];
+    let corners =
+        prop_oneof![12 => proptest::collection::vec(0..12_u32, 3..5), 1 => proptest::collection::vec(0..30_u32, 0..12)];
     let face = (corners, blank(), line_end()).prop_map(|(corners, blank, end)| {
         let corners: String = corners.iter().map(|corner| format!("{blank}{corner}")).collect();
         format!("{}{corners}{end}", corners.split_whitespace().count())
