@@ -24,6 +24,8 @@ impl Part {
         while !rest.is_empty() {
             rest = part.line(skip_blanks(rest))?;
         }
+        part.positions.shrink_to_fit();
+        part.corners.shrink_to_fit();
         Some(part)
     }
 

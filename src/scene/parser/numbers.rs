@@ -48,17 +48,17 @@ fn leading(input: &[u8]) -> Option<(f64, usize)> {
 fn in_blocks(input: &[u8], size: usize) -> Option<(&[u8], Vec<f64>)> {
     // After a comment there may be more of them.
     let (plain, rest) = input.split_at(end(input).filter(|end| *end > size && input[*end] != b'#')?);
-    let blocks: Option<Vec<Vec<f64>>> = cut(plain, size).into_par_iter().map(|block| whole(&plain[block])).collect();
-    let blocks = blocks?;
-    let mut values = vec![0.0; blocks.iter().map(Vec::len).sum()];
-    let mut places = values.as_mut_slice();
-    let mut copies = Vec::with_capacity(blocks.len());
-    for block in blocks {
-        let (place, others) = std::mem::take(&mut places).split_at_mut(block.len());
-        copies.push((place, block));
-        places = others;
+    let blocks = cut(plain, size);
+    let counts: Vec<usize> = blocks.par_iter().map(|block| count_words(&plain[block.clone()])).collect();
+    let mut values = vec![0.0; counts.iter().sum()];
+    let mut rest_of_values = values.as_mut_slice();
+    let mut tasks = Vec::with_capacity(blocks.len());
+    for (block, count) in blocks.into_iter().zip(counts) {
+        let (places, others) = std::mem::take(&mut rest_of_values).split_at_mut(count);
+        tasks.push((&plain[block], places));
+        rest_of_values = others;
     }
-    copies.into_par_iter().for_each(|(place, block)| place.copy_from_slice(&block));
+    tasks.into_par_iter().try_for_each(|(text, places)| fill(text, places))?;
     Some((rest, values))
 }
 
@@ -87,12 +87,34 @@ fn cut(text: &[u8], size: usize) -> Vec<Range<usize>> {
     blocks
 }
 
-/// The numbers that are all of `text`.
-fn whole(text: &[u8]) -> Option<Vec<f64>> {
-    match in_order(text, Keep::All) {
-        Ok(([], values)) => Some(values),
-        _ => None,
+/// The words of `text`, which has nothing but words and separators.
+fn count_words(text: &[u8]) -> usize {
+    /// As many as the sum of ones that a byte holds, so that many bytes are looked at in one instruction.
+    const AT_ONCE: usize = u8::MAX as usize;
+    let followed = &text[..text.len().saturating_sub(1)];
+    let ends = followed.chunks(AT_ONCE).zip(text[text.len().min(1)..].chunks(AT_ONCE));
+    let count = |(bytes, next): (&[u8], &[u8])| {
+        let is_end = |(byte, next): (&u8, &u8)| u8::from(!is_separator(*byte) & is_separator(*next));
+        usize::from(bytes.iter().zip(next).map(is_end).sum::<u8>())
+    };
+    ends.map(count).sum::<usize>() + usize::from(text.last().is_some_and(|byte| !is_separator(*byte)))
+}
+
+/// What is not in a word, apart from brackets, quotes and comments.
+#[inline]
+fn is_separator(byte: u8) -> bool {
+    (byte == b' ') | (byte == b',') | ((b'\t'..=b'\r').contains(&byte))
+}
+
+/// Reads `text`, which must be a number for each of `places`.
+fn fill(text: &[u8], places: &mut [f64]) -> Option<()> {
+    let mut rest = text;
+    for place in places {
+        let (value, length) = leading(rest)?;
+        *place = value;
+        (rest, ()) = separators(&rest[length..]).ok()?;
     }
+    rest.is_empty().then_some(())
 }
 
 #[cfg(test)]
@@ -117,6 +139,17 @@ mod tests {
                 prop_assert_eq!((rest, bits(&values)), (expected.0, bits(&expected.1)));
             }
         }
+    }
+
+    #[test]
+    fn separators_are_what_words_end_with() {
+        for byte in 0..=u8::MAX {
+            assert_eq!(is_separator(byte), !is_word(byte) && !matches!(byte, b'"' | b'[' | b']' | b'#'), "{byte}");
+        }
+        for (text, words) in [("", 0), ("1", 1), (" ", 0), ("1 ", 1), (" 1,,2", 2), ("1 2 3\n", 3)] {
+            assert_eq!(count_words(text.as_bytes()), words, "{text:?}");
+        }
+        assert_eq!(count_words("1 ".repeat(1000).as_bytes()), 1000);
     }
 
     #[test]
