@@ -7,6 +7,7 @@ use std::path::Path;
 use flate2::bufread::MultiGzDecoder;
 
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
+use crate::input::Storage;
 
 const MAGIC: &[u8] = b"\x1f\x8b";
 
@@ -22,6 +23,30 @@ fn recognises(bytes: &[u8]) -> bool {
     bytes.starts_with(MAGIC)
 }
 
+/// Whether the content of `storage` is compressed.
+pub(super) fn is_in(storage: &Storage) -> bool {
+    let mut buffer = Vec::new();
+    storage.piece(0..MAGIC.len() as u64, &mut buffer).is_ok_and(recognises)
+}
+
+/// Compressed content, decompressed as it is read.
+pub(super) struct Stream<'a> {
+    /// The content, which ends at the limit of what is believed.
+    pub(super) content: Box<dyn Read + Send + 'a>,
+    /// The bytes that it may be trusted to have, as far as memory is concerned.
+    pub(super) trusted_size: usize,
+}
+
+/// What `read` makes of the content of the compressed `storage`: nothing where there is too much of it.
+pub(super) fn stream<T>(storage: &Storage, read: impl FnOnce(&mut Stream) -> Option<T>) -> Option<T> {
+    let mut buffer = Vec::new();
+    let size = storage.size();
+    let end = storage.piece(size.saturating_sub(4)..size, &mut buffer).ok()?;
+    let trusted_size = trusted_size(end, usize::try_from(size).ok()?);
+    let content = MultiGzDecoder::new(storage.reader()).take(limit(size) + 1);
+    read(&mut Stream { content: Box::new(content), trusted_size })
+}
+
 /// What `parse` makes of the content of the file `path`, whose bytes are `bytes`.
 pub(super) fn parsed<T>(path: &Path, bytes: &[u8], parse: impl FnOnce(&[u8]) -> Result<T>) -> Result<T> {
     parse(&decompressed(path, bytes)?).map_err(|error| match recognises(bytes) {
@@ -34,8 +59,8 @@ fn decompressed<'a>(path: &Path, bytes: &'a [u8]) -> Result<Cow<'a, [u8]>> {
     if !recognises(bytes) {
         return Ok(Cow::Borrowed(bytes));
     }
-    let limit = bytes.len() as u64 * MOST_TIMES + MOST_BYTES;
-    let mut content = Vec::with_capacity(claimed_size(bytes).min(bytes.len() * TRUSTED_TIMES));
+    let limit = limit(bytes.len() as u64);
+    let mut content = Vec::with_capacity(trusted_size(bytes, bytes.len()));
     let read = MultiGzDecoder::new(bytes).take(limit + 1).read_to_end(&mut content);
     read.map_err(|error| damaged(path, &error))?;
     if content.len() as u64 > limit {
@@ -44,9 +69,15 @@ fn decompressed<'a>(path: &Path, bytes: &'a [u8]) -> Result<Cow<'a, [u8]>> {
     Ok(Cow::Owned(content))
 }
 
-/// The last four bytes are the size of the content, modulo 2^32.
-fn claimed_size(bytes: &[u8]) -> usize {
-    bytes.last_chunk().map_or(0, |size| u32::from_le_bytes(*size) as usize)
+/// The content of `size` compressed bytes may have this size, unless it is made to fill the memory.
+fn limit(size: u64) -> u64 {
+    size.saturating_mul(MOST_TIMES).saturating_add(MOST_BYTES)
+}
+
+/// What is believed of the last four bytes, the size of the content modulo 2^32, at the `end` of `size` bytes.
+fn trusted_size(end: &[u8], size: usize) -> usize {
+    let claimed = end.last_chunk().map_or(0, |size| u32::from_le_bytes(*size) as usize);
+    claimed.min(size.saturating_mul(TRUSTED_TIMES))
 }
 
 fn damaged(path: &Path, error: &std::io::Error) -> Error {

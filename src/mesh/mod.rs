@@ -18,6 +18,8 @@ mod tests;
 
 use std::path::Path;
 
+use rayon::prelude::*;
+
 use crate::error::{Diagnostic, Result, SourceLocation};
 use crate::geometry::Point;
 use crate::input;
@@ -45,7 +47,8 @@ pub struct Loaded {
 
 /// Reads the PLY file `path`.
 pub fn read_ply(path: &Path) -> Result<Loaded> {
-    parse_ply(path, &input::read(path)?)
+    let plain = input::Storage::open(path).and_then(|storage| ply::read_plain(path, &storage));
+    plain.map_or_else(|| ply::parse_odd(path, &input::read(path)?), Ok)
 }
 
 /// Reads the OBJ file `path`. Material libraries that it names are not opened.
@@ -56,7 +59,7 @@ pub fn read_obj(path: &Path) -> Result<Loaded> {
 impl Loaded {
     /// Adds the warnings that any format can give rise to.
     fn new(path: &Path, mesh: TriangleMesh, mut warnings: Vec<Diagnostic>) -> Loaded {
-        let broken = mesh.vertices.iter().filter(|vertex| !vertex.is_finite()).count();
+        let broken = mesh.vertices.par_iter().filter(|vertex| !vertex.is_finite()).count();
         if broken > 0 && !mesh.triangles.is_empty() {
             let message = format!("{} with an infinite or NaN coordinate", tally::counted(broken as u64, "vertex"));
             let warning = Diagnostic::new(message).at(SourceLocation::file(path));

@@ -7,6 +7,7 @@ use crate::error::{Diagnostic, Error, Result};
 use crate::geometry::{Matrix, Point};
 use crate::mesh::{self, Loaded};
 use crate::shape::{CapacityError, Cut, Shapes, Sphere};
+use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 
 /// Where shapes go.
@@ -112,7 +113,7 @@ impl ShapeTarget<'_> {
             let message = format!("`P` has {} numbers, expected three a vertex", coordinates.len());
             return Err(parameters.error_at("P", message));
         }
-        let vertices: Vec<Point> = coordinates.chunks_exact(3).map(|p| Point::new(p[0], p[1], p[2])).collect();
+        let vertices: Vec<Point> = coordinates.par_chunks_exact(3).map(|p| Point::new(p[0], p[1], p[2])).collect();
         let triangles = match parameters.numbers("indices")? {
             Some(indices) => triangles_of(parameters, indices, vertices.len())?,
             None if vertices.len() == 3 => vec![[0, 1, 2]],
@@ -141,13 +142,11 @@ impl ShapeTarget<'_> {
     }
 
     fn add_mesh(&mut self, parameters: &Parameters, vertices: Vec<Point>, triangles: Vec<[u32; 3]>) -> Result<()> {
-        let finite_file = vertices.iter().all(|vertex| vertex.is_finite());
         self.transforms.intern(&self.world_from_object, self.shapes);
-        let first = self.shapes.vertices().len();
         let added = self.shapes.add_mesh(vertices, triangles, &self.world_from_object, self.number);
-        added.map_err(|error| too_many(parameters, error))?;
-        let lost = self.shapes.vertices()[first..].iter().filter(|vertex| !vertex.is_finite()).count();
-        if lost > 0 && !(finite_file || parameters.entity_name() == "trianglemesh") {
+        let broken = added.map_err(|error| too_many(parameters, error))?;
+        let lost = broken.in_world_space;
+        if lost > 0 && broken.in_object_space > 0 && parameters.entity_name() != "trianglemesh" {
             // The file's reader has counted them already.
             return Ok(());
         }
@@ -167,7 +166,10 @@ fn triangles_of(parameters: &Parameters, indices: &[f64], vertex_count: usize) -
         let message = format!("`indices` has {} numbers, expected three a triangle", indices.len());
         return Err(parameters.error_at("indices", message));
     }
-    if let Some(place) = indices.iter().position(|index| !is_index(*index, vertex_count)) {
+    let is_wrong = |index: &f64| !is_index(*index, vertex_count);
+    if indices.par_iter().any(is_wrong)
+        && let Some(place) = indices.iter().position(is_wrong)
+    {
         let (index, position) = (indices[place], place + 1);
         let message = format!("index {index}, number {position} of `indices`, names no vertex");
         let expected = match vertex_count {
@@ -176,13 +178,32 @@ fn triangles_of(parameters: &Parameters, indices: &[f64], vertex_count: usize) -
         };
         return Err(parameters.error_at_number("indices", place, message).note(expected));
     }
-    Ok(indices.chunks_exact(3).map(|corners| [corners[0] as u32, corners[1] as u32, corners[2] as u32]).collect())
+    Ok(indices.par_chunks_exact(3).map(|corners| [corners[0] as u32, corners[1] as u32, corners[2] as u32]).collect())
 }
 
+/// Whether `index` is a whole number below `vertex_count` that 32 bits can hold: only such a one survives the way there and
+/// back.
 fn is_index(index: f64, vertex_count: usize) -> bool {
-    index >= 0.0 && index.fract() == 0.0 && index < vertex_count as f64 && index <= f64::from(u32::MAX)
+    let whole = index as u32;
+    f64::from(whole) == index && (whole as usize) < vertex_count
 }
 
 fn too_many(parameters: &Parameters, error: CapacityError) -> Error {
     parameters.error_at_name(error.to_string()).note("split the scene")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_index;
+
+    #[test]
+    fn indices_are_whole_and_in_range() {
+        for index in [0.0, -0.0, 1.0, 4_294_967_295.0] {
+            assert!(is_index(index, 1 << 32), "{index}");
+        }
+        for index in [-1.0, 0.5, 1e300, 4_294_967_296.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert!(!is_index(index, usize::MAX), "{index}");
+        }
+        assert!(is_index(6.0, 7) && !is_index(7.0, 7) && !is_index(0.0, 0));
+    }
 }

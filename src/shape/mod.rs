@@ -13,7 +13,7 @@ mod verdict;
 
 pub use filter_ray::FilterRay;
 pub use primitive::Primitive;
-pub use shapes::{CapacityError, Shapes};
+pub use shapes::{Broken, CapacityError, Shapes};
 pub use sphere::{Cut, Sector, Sphere};
 pub use triangle::Triangle;
 pub use verdict::Verdict;

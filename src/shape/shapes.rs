@@ -58,22 +58,46 @@ impl fmt::Display for CapacityError {
     }
 }
 
+/// How many vertices of a mesh have a coordinate that is infinite or NaN.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Broken {
+    /// In the file.
+    pub in_object_space: usize,
+    /// In the world, where a large number or a broken matrix may have added some.
+    pub in_world_space: usize,
+}
+
+/// Moves `vertices` to world space, in the one pass over them that has to be.
+fn move_to_world(vertices: &mut [Point], world_from_object: &Matrix) -> Broken {
+    let count = |vertex: &Point| usize::from(!vertex.is_finite());
+    let moved = vertices.par_iter_mut().map(|vertex| {
+        let in_object_space = count(vertex);
+        *vertex = world_from_object.apply(*vertex);
+        Broken { in_object_space, in_world_space: count(vertex) }
+    });
+    moved.reduce(Broken::default, |a, b| Broken {
+        in_object_space: a.in_object_space + b.in_object_space,
+        in_world_space: a.in_world_space + b.in_world_space,
+    })
+}
+
 impl Shapes {
     /// Appends a mesh; its object-space `vertices` are moved to world space (rule R4). Indices must be in range.
+    /// Tells how many of the vertices are not finite before and after the move.
     pub fn add_mesh(
         &mut self,
         mut vertices: Vec<Point>,
         mut triangles: Vec<[u32; 3]>,
         world_from_object: &Matrix,
         shape: u32,
-    ) -> Result<(), CapacityError> {
+    ) -> Result<Broken, CapacityError> {
         self.check_room(self.triangles.len() + triangles.len(), "triangles")?;
         let total_vertices = self.vertices.len() + vertices.len();
         if total_vertices > u32::MAX as usize {
             return Err(CapacityError { what: "vertices", limit: u32::MAX.into() });
         }
         let first_number = self.next_number(triangles.len())?;
-        vertices.par_iter_mut().for_each(|vertex| *vertex = world_from_object.apply(*vertex));
+        let broken = move_to_world(&mut vertices, world_from_object);
         if !triangles.is_empty() {
             self.meshes.push(MeshRun { first_triangle: self.triangles.len() as u32, first_number, shape });
         }
@@ -86,7 +110,7 @@ impl Shapes {
             self.vertices.append(&mut vertices);
             self.triangles.append(&mut triangles);
         }
-        Ok(())
+        Ok(broken)
     }
 
     /// Appends a sphere, whole or cut, under transform number `transform`, as [`Shapes::add_transform`] gave it.
@@ -274,6 +298,13 @@ mod tests {
     fn two_triangles() -> (Vec<Point>, Vec<[u32; 3]>) {
         let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
         (corners.map(|(x, y)| Point::new(x, y, 0.0)).to_vec(), vec![[0, 1, 2], [0, 2, 3]])
+    }
+
+    #[test]
+    fn vertices_that_break_on_the_way_are_counted() {
+        let vertices = [1.0, 1e200, f64::NAN, f64::INFINITY].map(|x| Point::new(x, 0.0, 0.0)).to_vec();
+        let moved = Shapes::default().add_mesh(vertices, Vec::new(), &Matrix::scale([1e200, 1.0, 1.0]), 1);
+        assert_eq!(moved, Ok(Broken { in_object_space: 2, in_world_space: 3 }));
     }
 
     #[test]

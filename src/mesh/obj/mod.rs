@@ -4,8 +4,12 @@
 //! Vertices come in the order in which faces use them, each once, and those without a face are left out.
 
 mod blame;
+mod part;
 mod plain;
+mod simple;
 mod statements;
+#[cfg(test)]
+mod tests;
 
 use std::path::Path;
 
@@ -29,6 +33,14 @@ fn parse(path: &Path, text: &[u8]) -> Result<Loaded> {
         let diagnostic = Diagnostic::new(format!("not an OBJ mesh: this is {found}"));
         return Err(Error::bad_input(diagnostic.at(SourceLocation::file(path))));
     }
+    match simple::read(text) {
+        Some(mesh) => Ok(Loaded::new(path, mesh, Vec::new())),
+        None => parse_odd(path, text),
+    }
+}
+
+/// Reads any OBJ file.
+fn parse_odd(path: &Path, text: &[u8]) -> Result<Loaded> {
     let mut plain = Plain::new(text);
     let models = tobj::load_obj_buf(&mut plain, &OPTIONS, |_| Ok(Default::default()));
     let (models, _) = models.map_err(|error| refused(path, text, &error))?;

@@ -11,7 +11,7 @@ use super::statements::{Statement, Statements};
 use crate::mesh::tally::Tally;
 
 /// Statements that OBJ knows and that do not shape the mesh read here.
-const IGNORED: [&str; 37] = [
+pub(super) const IGNORED: [&str; 37] = [
     "vt",
     "vn",
     "vp",

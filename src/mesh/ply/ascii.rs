@@ -100,7 +100,7 @@ impl Values for Ascii<'_> {
 
 /// A whole number; one beyond `i64` is none that a mesh can mean.
 #[inline]
-fn parse_integer(token: &[u8]) -> Option<i64> {
+pub(super) fn parse_integer(token: &[u8]) -> Option<i64> {
     let (is_negative, digits) = match token {
         [b'-', digits @ ..] => (true, digits),
         [b'+', digits @ ..] => (false, digits),

@@ -16,6 +16,15 @@ use crate::mesh::tally::Tally;
 pub(super) trait ByteOrder: Clone {
     /// Whether the most significant byte comes first.
     const IS_BIG: bool;
+
+    /// The bytes of a number, the least significant one first.
+    #[inline]
+    fn ordered<const N: usize>(mut bytes: [u8; N]) -> [u8; N] {
+        if Self::IS_BIG {
+            bytes.reverse();
+        }
+        bytes
+    }
 }
 
 /// The least significant byte first.
@@ -56,15 +65,7 @@ impl<'a, Order: ByteOrder> Binary<'a, Order> {
         self.last = self.at;
         let bytes = self.bytes[self.at..].first_chunk().ok_or(Fault::End)?;
         self.at += N;
-        Ok(Self::ordered(*bytes))
-    }
-
-    #[inline]
-    fn ordered<const N: usize>(mut bytes: [u8; N]) -> [u8; N] {
-        if Order::IS_BIG {
-            bytes.reverse();
-        }
-        bytes
+        Ok(Order::ordered(*bytes))
     }
 
     /// The corners in a list, if they are three and all of them below `limit`.
@@ -73,7 +74,8 @@ impl<'a, Order: ByteOrder> Binary<'a, Order> {
         let [3, a0, a1, a2, a3, b0, b1, b2, b3, c0, c1, c2, c3] = *list.first_chunk::<TRIANGLE>()? else {
             return None;
         };
-        let corners = [[a0, a1, a2, a3], [b0, b1, b2, b3], [c0, c1, c2, c3]].map(Self::ordered).map(u32::from_le_bytes);
+        let corners =
+            [[a0, a1, a2, a3], [b0, b1, b2, b3], [c0, c1, c2, c3]].map(Order::ordered).map(u32::from_le_bytes);
         corners.iter().all(|corner| *corner < limit).then_some(corners)
     }
 
@@ -86,7 +88,7 @@ impl<'a, Order: ByteOrder> Binary<'a, Order> {
     ) -> Option<Vec<Point>> {
         let value = |record: &[u8], offset: usize| {
             let bytes = record.get(offset..offset + N)?.try_into().ok()?;
-            Some(real(Self::ordered(bytes)))
+            Some(real(Order::ordered(bytes)))
         };
         let point = |record: &[u8]| {
             Some(Point::new(value(record, offsets[0])?, value(record, offsets[1])?, value(record, offsets[2])?))

@@ -10,6 +10,7 @@ mod complaint;
 mod face;
 mod header;
 mod line;
+mod plain;
 mod step;
 mod values;
 mod vertex;
@@ -21,10 +22,30 @@ use self::binary::{BigEndian, Binary, LittleEndian};
 use self::header::{Encoding, Header};
 use super::{Loaded, gzip};
 use crate::error::Result;
+use crate::input::Storage;
 
 /// Reads the bytes of a PLY file, compressed or not; `path` is for messages only.
 pub fn parse_ply(path: &Path, bytes: &[u8]) -> Result<Loaded> {
-    gzip::parsed(path, bytes, |content| parse(path, content))
+    read_plain(path, &Storage::Memory(bytes)).map_or_else(|| parse_odd(path, bytes), Ok)
+}
+
+/// The mesh in `storage`, compressed or not, if it is a plain PLY file: the quick way, which has no messages.
+pub(super) fn read_plain(path: &Path, storage: &Storage) -> Option<Loaded> {
+    let is_compressed = gzip::is_in(storage);
+    if is_compressed {
+        gzip::stream(storage, |text| plain::read_stream(path, text))
+    } else {
+        plain::read(path, storage)
+    }
+}
+
+/// The mesh in the bytes of any PLY file that [`read_plain`] has left alone.
+pub(super) fn parse_odd(path: &Path, bytes: &[u8]) -> Result<Loaded> {
+    gzip::parsed(path, bytes, |content| {
+        // A compressed file may be plain, if not as a stream.
+        let plain = gzip::is_in(&Storage::Memory(bytes)).then(|| plain::read(path, &Storage::Memory(content)));
+        plain.flatten().map_or_else(|| parse(path, content), Ok)
+    })
 }
 
 fn parse(path: &Path, content: &[u8]) -> Result<Loaded> {

@@ -19,7 +19,7 @@ fn obj(content: impl AsRef<[u8]>) -> Result<Loaded> {
     parse_obj(Path::new("a.obj"), content.as_ref())
 }
 
-fn gzipped(content: &[u8]) -> Vec<u8> {
+pub(super) fn gzipped(content: &[u8]) -> Vec<u8> {
     let mut encoder = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::default());
     encoder.write_all(content).expect("memory takes it");
     encoder.finish().expect("memory takes it")

@@ -10,6 +10,7 @@ mod complaint;
 mod directive;
 mod encoding;
 mod keyword;
+mod numbers;
 mod parameter;
 mod source;
 mod statement;

@@ -7,10 +7,11 @@ use nom::combinator::{map, success, verify};
 use nom::sequence::preceded;
 
 use super::keyword::Keyword;
+use super::numbers::numbers;
 use super::parameter::Declaration;
 use super::source::{Parsed, Source, mismatch, wrong};
 use super::statement::{Span, Text, Values};
-use super::token::{Token, blanks, is_word, separators, shorten, word};
+use super::token::{Token, blanks, separators, shorten, word};
 use crate::decimal;
 use crate::error::Error;
 
@@ -27,21 +28,6 @@ pub(super) enum Keep {
 pub(super) fn number(input: &[u8]) -> Parsed<'_, f64> {
     let (rest, word) = word(input)?;
     decimal::parse(word).map_or_else(mismatch, |value| Ok((rest, value)))
-}
-
-/// Numbers and what separates them, as many as there are. Most bytes of a scene pass through here, hence a loop by hand.
-fn numbers(input: &[u8], keep: Keep) -> Parsed<'_, Vec<f64>> {
-    let mut values = Vec::new();
-    let mut rest = input;
-    loop {
-        let length = rest.iter().position(|byte| !is_word(*byte)).unwrap_or(rest.len());
-        let Some(value) = decimal::parse(&rest[..length]) else { break };
-        if keep == Keep::All {
-            values.push(value);
-        }
-        (rest, ()) = separators(&rest[length..])?;
-    }
-    Ok((rest, values))
 }
 
 /// Where number `place`, from 0, of the numbers at `array` is, for messages; all of `array` where there are fewer.

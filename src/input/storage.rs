@@ -1,0 +1,79 @@
+//! Input that is read in pieces, in any order and by several threads at once.
+
+use std::fs::File;
+use std::io::{self, BufRead, BufReader};
+use std::ops::Range;
+use std::path::Path;
+
+/// Bytes that a reader in order takes from a file at a time.
+const READ_AT_ONCE: usize = 1 << 16;
+
+/// Bytes of a known number.
+#[derive(Debug)]
+pub(crate) enum Storage<'a> {
+    /// In memory already.
+    Memory(&'a [u8]),
+    /// A regular file, and its size when it was opened.
+    File(File, u64),
+}
+
+impl Storage<'_> {
+    /// The file `path`; `None` where it is not a regular file or positioned reads are not to be had, and where it cannot be
+    /// opened, so that whoever reads it in another way says why.
+    pub(crate) fn open(path: &Path) -> Option<Storage<'static>> {
+        let is_file = std::fs::metadata(path).is_ok_and(|metadata| metadata.is_file());
+        if !cfg!(unix) || !is_file {
+            return None;
+        }
+        let file = File::open(path).ok()?;
+        let metadata = file.metadata().ok().filter(std::fs::Metadata::is_file)?;
+        Some(Storage::File(file, metadata.len()))
+    }
+
+    /// The number of bytes.
+    pub(crate) fn size(&self) -> u64 {
+        match self {
+            Storage::Memory(bytes) => bytes.len() as u64,
+            Storage::File(_, size) => *size,
+        }
+    }
+
+    /// The bytes from the first to the last one.
+    pub(crate) fn reader(&self) -> Box<dyn BufRead + Send + '_> {
+        match self {
+            Storage::Memory(bytes) => Box::new(*bytes),
+            Storage::File(file, _) => Box::new(BufReader::with_capacity(READ_AT_ONCE, file)),
+        }
+    }
+
+    /// The bytes `span`, which may be put into `buffer`: one that is used again stays in the cache and takes no fresh memory.
+    ///
+    /// # Errors
+    /// Where reading fails or the bytes end earlier.
+    pub(crate) fn piece<'b>(&'b self, span: Range<u64>, buffer: &'b mut Vec<u8>) -> io::Result<&'b [u8]> {
+        match self {
+            Storage::Memory(bytes) => {
+                let ends = usize::try_from(span.start).ok().zip(usize::try_from(span.end).ok());
+                let piece = ends.and_then(|(start, end)| bytes.get(start..end));
+                piece.ok_or_else(|| io::ErrorKind::UnexpectedEof.into())
+            }
+            Storage::File(file, _) => {
+                let size = span.end.checked_sub(span.start).and_then(|size| usize::try_from(size).ok());
+                buffer.resize(size.ok_or(io::ErrorKind::InvalidInput)?, 0);
+                read_at(file, buffer, span.start)?;
+                Ok(buffer)
+            }
+        }
+    }
+}
+
+/// Fills `buffer` from the byte `offset` of `file` on.
+#[cfg(unix)]
+pub(super) fn read_at(file: &File, buffer: &mut [u8], offset: u64) -> io::Result<()> {
+    std::os::unix::fs::FileExt::read_exact_at(file, buffer, offset)
+}
+
+#[cfg(not(unix))]
+pub(super) fn read_at(_: &File, _: &mut [u8], _: u64) -> io::Result<()> {
+    Err(io::ErrorKind::Unsupported.into())
+}
