@@ -102,6 +102,11 @@ impl Search for ExactSearch<'_> {
         self.limit
     }
 
+    #[inline]
+    fn has_hit(&self) -> bool {
+        self.best.is_some()
+    }
+
     fn into_hit(self) -> Option<Hit> {
         let is_hard = self.fallbacks.is_any();
         self.best.map(|best| Hit { primitive: best.primitive, t: best.t, is_hard })

@@ -70,6 +70,11 @@ impl Search for FastSearch<'_> {
         self.best.map_or(f32::INFINITY, |(t, _)| t)
     }
 
+    #[inline]
+    fn has_hit(&self) -> bool {
+        self.best.is_some()
+    }
+
     fn into_hit(self) -> Option<Hit> {
         let t_of = |t| Bracket::exactly(self.ray.unscaled(t));
         self.best.map(|(t, primitive)| Hit { primitive, t: t_of(t), is_hard: false })

@@ -4,6 +4,7 @@
 
 mod aggregate;
 mod anchor_space;
+mod any_hit;
 mod box32;
 mod build_primitive;
 mod depth;
@@ -23,6 +24,7 @@ mod top_down;
 mod tracer;
 mod traversal;
 mod validate;
+mod visibility;
 
 pub use aggregate::{Aggregate, BuildOptions};
 pub use depth::Depth;

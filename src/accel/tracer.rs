@@ -1,12 +1,14 @@
 //! Rays through an aggregate, one after the other.
 
+use super::any_hit::AnyHit;
 use super::exact_search::ExactSearch;
 use super::fast_search::FastSearch;
 use super::hit::{Fallbacks, Hit, Work};
-use super::traversal::{Stack, traverse};
+use super::slab_ray::SlabRay;
+use super::traversal::{Search, Stack, traverse};
 use super::{Aggregate, Depth, Precision};
 use crate::geometry::Ray;
-use crate::shape::{Primitive, Shapes};
+use crate::shape::Shapes;
 
 /// Casts rays, one after the other. Each thread has its own.
 pub struct Tracer<'a> {
@@ -25,18 +27,17 @@ impl<'a> Tracer<'a> {
 
     /// The nearest hit of `ray`; of several at one `t`, the primitive that comes first in the file (rule E3).
     pub fn closest_hit(&mut self, ray: &Ray) -> Option<Hit> {
-        self.trace::<false>(ray, &mut Work::default())
+        self.trace::<false, false>(ray, &mut Work::default())
     }
 
     /// Some hit of `ray`, if it has any: which one, depends on the tree.
-    pub fn any_hit(&mut self, ray: &Ray) -> Option<Primitive> {
-        // TODO
-        self.closest_hit(ray).map(|hit| hit.primitive)
+    pub fn any_hit(&mut self, ray: &Ray) -> Option<Hit> {
+        self.trace::<false, true>(ray, &mut Work::default())
     }
 
     /// As [`Tracer::closest_hit`], adding to `work` what it took.
     pub fn closest_hit_counted(&mut self, ray: &Ray, work: &mut Work) -> Option<Hit> {
-        self.trace::<true>(ray, work)
+        self.trace::<true, false>(ray, work)
     }
 
     /// How far away the `hit` of `ray` is.
@@ -57,17 +58,17 @@ impl<'a> Tracer<'a> {
 
 impl Tracer<'_> {
     #[inline]
-    fn trace<const COUNTED: bool>(&mut self, ray: &Ray, work: &mut Work) -> Option<Hit> {
+    fn trace<const COUNTED: bool, const ANY: bool>(&mut self, ray: &Ray, work: &mut Work) -> Option<Hit> {
         if !ray.can_hit() {
             return None;
         }
-        let Tracer { aggregate, shapes, stack, .. } = self;
+        let Tracer { aggregate, shapes, .. } = *self;
         let slab = aggregate.space.ray(ray);
         match self.precision {
             Precision::Exact => {
                 let mut fallbacks = Fallbacks::default();
                 let search = ExactSearch::new(shapes, ray, &slab, &mut fallbacks);
-                let hit = traverse::<COUNTED, _>(aggregate, &slab, search, stack, work);
+                let hit = self.search::<COUNTED, ANY, _>(&slab, search, work);
                 if fallbacks.is_any() {
                     self.fallbacks += Fallbacks { rays: 1, ..fallbacks };
                 }
@@ -75,8 +76,22 @@ impl Tracer<'_> {
             }
             Precision::Fast => {
                 let search = FastSearch::new(shapes, &aggregate.space, ray, &slab);
-                traverse::<COUNTED, _>(aggregate, &slab, search, stack, work)
+                self.search::<COUNTED, ANY, _>(&slab, search, work)
             }
+        }
+    }
+
+    #[inline]
+    fn search<const COUNTED: bool, const ANY: bool, S: Search>(
+        &mut self,
+        slab: &SlabRay,
+        search: S,
+        work: &mut Work,
+    ) -> Option<Hit> {
+        if ANY {
+            traverse::<COUNTED, _>(self.aggregate, slab, AnyHit::new(search), &mut self.stack, work)
+        } else {
+            traverse::<COUNTED, _>(self.aggregate, slab, search, &mut self.stack, work)
         }
     }
 }

@@ -15,6 +15,9 @@ pub(super) trait Search {
     /// In the units of the slab test: what is entered later cannot hold a better hit.
     fn limit(&self) -> f32;
 
+    /// Whether any primitive that was tested is hit.
+    fn has_hit(&self) -> bool;
+
     /// The best hit of all primitives that were tested.
     fn into_hit(self) -> Option<Hit>;
 }

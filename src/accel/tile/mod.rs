@@ -26,4 +26,5 @@ mod wide_tree;
 pub(crate) use frame::TILE;
 pub use traced::TracedTile;
 pub use tracer::{TileOptions, TileTracer, Tiles};
+pub(super) use view::View;
 pub(crate) use wide_tree::WideTree;

@@ -48,7 +48,7 @@ pub struct Tiles<'a> {
 impl<'a> Tiles<'a> {
     /// For the rays of `camera` through `aggregate`, which was built over `shapes`.
     pub fn new(camera: &'a Camera, shapes: &'a Shapes, aggregate: &'a Aggregate, options: TileOptions) -> Tiles<'a> {
-        let together = View::new(camera, aggregate).map(|view| {
+        let together = View::new(camera, &aggregate.space).map(|view| {
             let chunks = aggregate.wide.nodes.par_chunks(256);
             let project = |nodes| options.level.run(Project { view: &view, nodes });
             let nodes = chunks.flat_map_iter(project).collect();
@@ -108,8 +108,8 @@ impl TileTracer<'_> {
             for column in columns[0]..columns[1] {
                 let ray = self.tiles.camera.ray(first[0] + column, first[1] + row);
                 if self.tiles.hits_only() {
-                    if let Some(primitive) = self.single.any_hit(&ray) {
-                        self.traced.put_hit(column, row, primitive);
+                    if let Some(hit) = self.single.any_hit(&ray) {
+                        self.traced.put_hit(column, row, hit.primitive);
                     }
                 } else if let Some(hit) = self.single.closest_hit(&ray) {
                     let depth = if with_z || with_t { self.single.depth(&ray, &hit) } else { Depth::default() };

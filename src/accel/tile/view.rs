@@ -7,7 +7,7 @@
 //!
 //! Of an orthographic camera the ray of pixel (i, j) passes (i, j, t) at t, after the offset.
 
-use crate::accel::Aggregate;
+use crate::accel::anchor_space::AnchorSpace;
 use crate::camera::{Camera, Projection};
 use crate::exact::UNIT_ROUNDOFF as U;
 use crate::geometry::Point;
@@ -17,13 +17,13 @@ const ROUNDINGS: f64 = 32.0;
 
 /// A view of a tree in which tiles of rays can travel together.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct View {
-    pub(super) is_perspective: bool,
-    pub(super) eye: Point,
+pub(in crate::accel) struct View {
+    pub(in crate::accel) is_perspective: bool,
+    pub(in crate::accel) eye: Point,
     /// K, times points relative to the eye: pixels times depth, and depth; orthographic: pixels, and depth.
-    pub(super) film_from_world: [[f64; 3]; 3],
+    pub(in crate::accel) film_from_world: [[f64; 3]; 3],
     /// Added to the first two, orthographic only: the film's first pixel is not at the eye.
-    pub(super) offset: [f64; 2],
+    pub(in crate::accel) offset: [f64; 2],
     /// K d is off by less, in any component.
     pub(super) ray_error: f32,
     /// How far the nearness that is compared may be off: a part of itself, orthographic in units of depth.
@@ -44,7 +44,7 @@ const MAX_RAY_ERROR: f64 = 1.0 / (1u64 << 24) as f64;
 impl View {
     /// `None` where the tree was built for another eye, where numbers are so large or small, or the camera is so skewed, that the bounds would not hold or be of
     /// no use: then rays travel alone.
-    pub(super) fn new(camera: &Camera, aggregate: &Aggregate) -> Option<View> {
+    pub(in crate::accel) fn new(camera: &Camera, space: &AnchorSpace) -> Option<View> {
         let eye = camera.anchor();
         let inverse = camera.world_from_camera.inverse();
         let c = &camera.world_from_camera;
@@ -66,8 +66,8 @@ impl View {
         let film_from_world = [row(0), row(1), depth];
         let offset = if is_perspective { [0.0; 2] } else { [0, 1].map(|k| -first[k] / step[k]) };
 
-        let units = aggregate.space.units();
-        let reach = 2.0 * aggregate.space.reach();
+        let units = space.units();
+        let reach = 2.0 * space.reach();
         // The sum of the absolute terms of a row of K times what a ray may be made of.
         let sum_of_terms = |k: usize, of: &dyn Fn(usize) -> f64| -> f64 {
             let entry = |axis: usize| match k {
@@ -89,7 +89,7 @@ impl View {
         let ray_error = |k: usize| ROUNDINGS * U * (sum_of_terms(k, &terms_of_ray) + offsets.get(k).unwrap_or(&0.0));
         let largest_error = ray_error(0).max(ray_error(1)).max(ray_error(2));
         let largest = sum_of_terms(0, &|_| reach).max(sum_of_terms(1, &|_| reach)).max(farthest) + offsets[0] + offsets[1];
-        let fits = aggregate.space.anchor() == eye
+        let fits = space.anchor() == eye
             && largest_error < MAX_RAY_ERROR && largest < LARGEST && farthest > LEAST_DEPTH && units.is_normal();
         fits.then_some(View {
             is_perspective,
