@@ -199,13 +199,45 @@ struct Work<'a, 'b> {
     batch: Batch,
 }
 
-/// Blocks that were come by, and the triangles of one that are still to be drawn.
+/// Blocks on their way from memory, and the triangles of one that are still to be drawn.
 #[derive(Debug, Default)]
 struct Seen {
     block: usize,
     lanes: u32,
+    coming: Queue,
     next_block: usize,
     end_block: usize,
+}
+
+/// Blocks that are being fetched, in the order in which they were come by: while one is worked on, the others arrive.
+#[derive(Debug, Default)]
+struct Queue {
+    blocks: [u32; Queue::CAPACITY],
+    first: usize,
+    count: usize,
+}
+
+impl Queue {
+    const CAPACITY: usize = 8;
+    /// Fewer wait for memory, more are looked at before what is nearer has hidden them.
+    const ENOUGH: usize = 4;
+
+    #[inline(always)]
+    fn push(&mut self, block: u32) {
+        self.blocks[(self.first + self.count) % Queue::CAPACITY] = block;
+        self.count += 1;
+    }
+
+    #[inline(always)]
+    fn pop(&mut self) -> Option<usize> {
+        if self.count == 0 {
+            return None;
+        }
+        let block = self.blocks[self.first];
+        self.first = (self.first + 1) % Queue::CAPACITY;
+        self.count -= 1;
+        Some(block as usize)
+    }
 }
 
 impl Tile<'_> {
@@ -255,25 +287,38 @@ impl Work<'_, '_> {
                 seen.lanes &= seen.lanes - 1;
                 self.batch.push(&tree.blocks[seen.block], lane);
             }
+            self.fetch(simd, seen, *farthest);
+            let Some(place) = seen.coming.pop() else { return false };
+            seen.block = place;
+            let block = &tree.blocks[place];
+            if block.triangles.count_ones() != block.count {
+                self.tile.contest_spheres(block, occlusion);
+                self.tile.settle();
+                *farthest = occlusion.refresh(simd, &mut self.tile.scratch.pixels);
+            }
+            if block.triangles != 0 {
+                seen.lanes = glance(simd, &self.tile.frame, block, *farthest) & block.triangles;
+            }
+        }
+    }
+
+    /// Goes on through the tree until enough blocks are coming.
+    #[inline(always)]
+    fn fetch<S: Lanes>(&mut self, simd: S, seen: &mut Seen, farthest: f32) {
+        let tree = self.tile.tree;
+        let Scratch { stack, pixels, .. } = &mut *self.tile.scratch;
+        while seen.coming.count < Queue::ENOUGH {
             if seen.next_block < seen.end_block {
-                seen.block = seen.next_block;
+                let block = seen.next_block;
                 seen.next_block += 1;
-                let block = &tree.blocks[seen.block];
-                if block.triangles.count_ones() != block.count {
-                    self.tile.contest_spheres(block, occlusion);
-                    self.tile.settle();
-                    *farthest = occlusion.refresh(simd, &mut self.tile.scratch.pixels);
-                }
-                if block.triangles != 0 {
-                    seen.lanes = glance(simd, &self.tile.frame, block, *farthest) & block.triangles;
-                }
+                simd.prefetch(&tree.blocks[block]);
+                seen.coming.push(block as u32);
                 continue;
             }
-            let Scratch { stack, pixels, .. } = &mut *self.tile.scratch;
-            let Some(child) = stack.pop(simd, pixels) else { return false };
+            let Some(child) = stack.pop(simd, pixels) else { return };
             if child.blocks == 0 {
                 let node = &tree.nodes[child.first as usize];
-                stack.push(simd, &self.tile.frame, &tree, node, pixels, *farthest);
+                stack.push(simd, &self.tile.frame, &tree, node, pixels, farthest);
             } else {
                 seen.next_block = child.first as usize;
                 seen.end_block = seen.next_block + child.blocks as usize;

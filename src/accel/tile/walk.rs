@@ -155,8 +155,6 @@ impl Stack {
             let child = node.children[lane];
             if child.blocks == 0 {
                 simd.prefetch(&tree.nodes[child.first as usize]);
-            } else {
-                simd.prefetch(&tree.blocks[child.first as usize]);
             }
             self.insert(bottom, Waiting { nearness, blocks, child });
         }
