@@ -2,7 +2,7 @@
 
 use super::sphere::Cut;
 use super::{FilterRay, Primitive, Sphere, Triangle, Verdict};
-use crate::exact::Root;
+use crate::exact::{Bracket, Root};
 use crate::geometry::{Bounds, Matrix, Point, Ray};
 use rayon::prelude::*;
 use std::fmt;
@@ -214,6 +214,17 @@ impl Shapes {
     pub fn exact(&self, primitive: Primitive, ray: &Ray) -> Option<Root> {
         let index = primitive.index();
         if primitive.is_sphere() { self.sphere(index).exact(ray) } else { self.triangle(index).exact(ray) }
+    }
+
+    /// Where the `t` lies at which `ray` meets a primitive first, which it is known to do, as far as floating point can tell.
+    pub fn t_of_hit(&self, primitive: Primitive, ray: &FilterRay) -> Option<Bracket> {
+        if !primitive.is_sphere() {
+            return self.triangle(primitive.index()).t_of_hit(ray);
+        }
+        match self.sphere(primitive.index()).filter(ray) {
+            Verdict::Hit(t) => Some(t),
+            _ => None,
+        }
     }
 
     /// The `t` at which `ray` meets a primitive first, which it is known to do.

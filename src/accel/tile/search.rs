@@ -9,7 +9,7 @@ use crate::accel::traversal::Search;
 use crate::accel::{Aggregate, Depth, Fallbacks, Hit, Precision};
 use crate::camera::Camera;
 use crate::geometry::Ray;
-use crate::shape::{FilterRay, Primitive, Shapes, Verdict};
+use crate::shape::{FilterRay, Primitive, Shapes};
 
 /// Casts single rays at single primitives.
 pub(super) struct Searcher<'a> {
@@ -103,11 +103,9 @@ impl Searcher<'_> {
         fallbacks: &mut Fallbacks,
     ) -> Depth {
         let ray = self.ray(first, pixel);
-        let (t, is_hard) = match self.shapes.filter(primitive, &FilterRay::new(&ray)) {
-            Verdict::Hit(t) => (t, false),
-            _ => (self.shapes.exact_t(primitive, &ray).bracket(), true),
-        };
-        self.depth_of_hit(&ray, &Hit { primitive, t, is_hard }, fallbacks)
+        let t = self.shapes.t_of_hit(primitive, &FilterRay::new(&ray));
+        let t = t.unwrap_or_else(|| self.shapes.exact_t(primitive, &ray).bracket());
+        self.depth_of_hit(&ray, &Hit { primitive, t, is_hard: false }, fallbacks)
     }
 
     /// The depth of a hit that was searched for.

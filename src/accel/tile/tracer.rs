@@ -68,6 +68,8 @@ impl<'a> Tiles<'a> {
             tiles: self,
             single: Tracer::new(self.aggregate, self.shapes, self.options.precision),
             scratch: Scratch::new(),
+            planes: Planes::new(),
+            batch: Batch::new(),
             traced: TracedTile::new(),
             fallbacks: Fallbacks::default(),
         }
@@ -79,6 +81,8 @@ pub struct TileTracer<'a> {
     tiles: &'a Tiles<'a>,
     single: Tracer<'a>,
     scratch: Scratch,
+    planes: Planes,
+    batch: Batch,
     traced: TracedTile,
     fallbacks: Fallbacks,
 }
@@ -125,7 +129,7 @@ impl TileTracer<'_> {
         let searcher = Searcher { camera, shapes, aggregate, view, precision: options.precision, hits_only };
         let frame = Frame::new(view, first);
         let wanted = Wanted { z: options.with_z, t: options.with_t };
-        let TileTracer { scratch, traced, fallbacks, .. } = self;
+        let TileTracer { scratch, planes, batch, traced, fallbacks, .. } = self;
         let least = if view.is_perspective { 0.0 } else { f32::NEG_INFINITY };
         scratch.pixels.clear(least);
         let [columns, rows] = part_of(first, window);
@@ -133,8 +137,8 @@ impl TileTracer<'_> {
         let tree = ViewTree { nodes, blocks: &aggregate.wide.blocks };
         let kernel = Tile { frame, tree, searcher, wanted, scratch, traced, fallbacks };
         match options.precision {
-            Precision::Exact => options.level.run(Exactly(kernel)),
-            Precision::Fast => options.level.run(Fast(kernel)),
+            Precision::Exact => options.level.run(Exactly(kernel, planes, batch)),
+            Precision::Fast => options.level.run(Fast(kernel, planes, batch)),
         }
     }
 }
@@ -172,14 +176,14 @@ struct Tile<'a> {
     fallbacks: &'a mut Fallbacks,
 }
 
-struct Exactly<'a>(Tile<'a>);
-struct Fast<'a>(Tile<'a>);
+struct Exactly<'a>(Tile<'a>, &'a mut Planes, &'a mut Batch);
+struct Fast<'a>(Tile<'a>, &'a mut Planes, &'a mut Batch);
 
 impl Kernel for Exactly<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Lanes>(self, simd: S) {
-        self.0.run::<S, true>(simd);
+        self.0.run::<S, true>(simd, self.1, self.2);
     }
 }
 
@@ -187,17 +191,21 @@ impl Kernel for Fast<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Lanes>(self, simd: S) {
-        self.0.run::<S, false>(simd);
+        self.0.run::<S, false>(simd, self.1, self.2);
     }
 }
 
-/// What one tile works with. On the stack, and aligned, so that the compiler aligns the registers that it puts there too:
-/// without it, half of them lay across cache lines.
+/// What one tile works with.
 struct Work<'a, 'b> {
     tile: &'b mut Tile<'a>,
-    planes: Planes,
-    batch: Batch,
+    planes: &'b mut Planes,
+    batch: &'b mut Batch,
 }
+
+/// Something that the compiler has to align on the stack. Then it aligns the registers that it puts there too: without it,
+/// three out of four lay across cache lines.
+#[repr(align(64))]
+struct Aligned(#[allow(dead_code)] u8);
 
 /// Blocks on their way from memory, and the triangles of one that are still to be drawn.
 #[derive(Debug, Default)]
@@ -242,9 +250,9 @@ impl Queue {
 
 impl Tile<'_> {
     #[inline(always)]
-    fn run<S: Lanes, const EXACT: bool>(mut self, simd: S) {
-        let mut work = Work { tile: &mut self, planes: Planes::new(), batch: Batch::new() };
-        work.walk::<S, EXACT>(simd);
+    fn run<S: Lanes, const EXACT: bool>(mut self, simd: S, planes: &mut Planes, batch: &mut Batch) {
+        std::hint::black_box(&mut Aligned(0));
+        Work { tile: &mut self, planes, batch }.walk::<S, EXACT>(simd);
         let Tile { frame, searcher, wanted, scratch, traced, fallbacks, .. } = self;
         resolve(simd, &frame, &searcher, wanted, &scratch.pixels, traced, fallbacks);
     }

@@ -8,7 +8,7 @@
 //! first stage in the same way). Two triangles that share an edge compute the same numbers with opposite signs.
 
 use super::Triangle;
-use crate::exact::{Approximation, UNIT_ROUNDOFF as U, may_underflow_below};
+use crate::exact::{Approximation, Bracket, UNIT_ROUNDOFF as U, may_underflow_below};
 use crate::geometry::Vector;
 use crate::shape::{FilterRay, Verdict};
 
@@ -45,6 +45,14 @@ impl Triangle {
             Side::Outside => Verdict::Miss,
             Side::Inside => self.place(ray),
             Side::Unsure => Verdict::Unsure,
+        }
+    }
+
+    /// Where the `t` lies of a ray that is known to cross the triangle, as far as `f64` can tell.
+    pub fn t_of_hit(&self, ray: &FilterRay) -> Option<Bracket> {
+        match self.place(ray) {
+            Verdict::Hit(t) => Some(t),
+            _ => None,
         }
     }
 
@@ -126,7 +134,7 @@ fn side_of(edges: &[f64; 3], errors: &[f64; 3]) -> Side {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exact::{Bracket, Dyadic, ExactVector};
+    use crate::exact::{Dyadic, ExactVector};
     use crate::geometry::{Point, Ray};
     use proptest::prelude::*;
     use std::cmp::Ordering;
