@@ -10,6 +10,7 @@ use super::{SplitMethod, Statistics};
 use crate::geometry::Point;
 use crate::progress::Progress;
 use crate::shape::{Primitive, Shapes};
+use rayon::prelude::*;
 
 /// How to build.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,7 +23,7 @@ pub struct BuildOptions {
 
 impl BuildOptions {
     /// pbrt's default.
-    pub const MAX_LEAF: usize = 4;
+    pub const MAX_LEAF: usize = 16;
 
     /// `method` with leaves of the usual size.
     pub fn new(method: SplitMethod) -> BuildOptions {
@@ -54,12 +55,11 @@ impl Aggregate {
     ///
     /// `progress` counts primitives.
     pub fn build(shapes: &Shapes, anchor: Point, options: BuildOptions, progress: Progress) -> Aggregate {
-        let (space, mut primitives) = build_primitive::collect(shapes, anchor);
+        let (space, primitives) = build_primitive::collect(shapes, anchor);
         if primitives.is_empty() {
             return Aggregate { space, root: None, below: Vec::new(), order: Vec::new() };
         }
-        let Subtree { root, below } = build_tree(&mut primitives, options, progress);
-        let order = primitives.iter().map(|primitive| primitive.primitive).collect();
+        let (Subtree { root, below }, order) = build_tree(primitives, options, progress);
         Aggregate { space, root: Some(root), below, order }
     }
 
@@ -74,18 +74,23 @@ impl Aggregate {
     }
 }
 
-fn build_tree(primitives: &mut Vec<BuildPrimitive>, options: BuildOptions, progress: Progress) -> Subtree {
+/// The tree and the primitives in the order of its leaves.
+fn build_tree(
+    mut primitives: Vec<BuildPrimitive>,
+    options: BuildOptions,
+    progress: Progress,
+) -> (Subtree, Vec<Primitive>) {
     let max_leaf = options.max_leaf.max(1);
-    match options.method {
+    let subtree = match options.method {
         SplitMethod::None => {
             progress.advance(primitives.len());
-            let root = Node::leaf(bounds_of(primitives), 0, primitives.len() as u32);
-            Subtree { root, below: Vec::new() }
+            Subtree { root: Node::leaf(bounds_of(&primitives), 0, primitives.len() as u32), below: Vec::new() }
         }
-        SplitMethod::Hlbvh => hlbvh::build(primitives, max_leaf, progress),
+        SplitMethod::Hlbvh => return hlbvh::build(&primitives, max_leaf, progress),
         method => {
             let splitter = Splitter { method, max_leaf };
-            TopDown { splitter, max_depth: MAX_TOP_DOWN_DEPTH, progress }.build(primitives, 0)
+            TopDown { splitter, max_depth: MAX_TOP_DOWN_DEPTH, progress }.build(&mut primitives)
         }
-    }
+    };
+    (subtree, primitives.par_iter().map(BuildPrimitive::primitive).collect())
 }

@@ -4,15 +4,21 @@
 
 mod aggregate;
 mod anchor_space;
+mod binning;
 mod box32;
+mod branch;
 mod build_primitive;
 mod depth;
 mod exact_search;
 mod fast_search;
 mod hit;
 mod hlbvh;
+mod lanes;
+mod morton;
 mod node;
+mod partition;
 mod precision;
+mod radix_sort;
 mod rounding;
 mod slab_ray;
 mod split_method;
