@@ -2,6 +2,7 @@
 
 use super::anchor_space::AnchorSpace;
 use super::build_primitive::{self, BuildPrimitive, bounds_of};
+use super::full_leaves::LeafSize;
 use super::hlbvh;
 use super::node::{Children, Node, Subtree};
 use super::splitter::Splitter;
@@ -31,12 +32,8 @@ impl BuildOptions {
     }
 }
 
-/// The deepest tree that the top-down build makes: 64 levels of free choice, then halving.
-const MAX_TOP_DOWN_DEPTH: u32 = 96;
-
-/// No tree is deeper, so no traversal needs a longer stack.
-pub(super) const MAX_DEPTH: usize =
-    if MAX_TOP_DOWN_DEPTH > hlbvh::MAX_DEPTH { MAX_TOP_DOWN_DEPTH } else { hlbvh::MAX_DEPTH } as usize;
+/// No tree is deeper, so no traversal needs a longer stack: 64 levels of free choice, then halving.
+pub(super) const MAX_DEPTH: usize = 96;
 
 /// A tree over the primitives of a scene. It refers to them by number; the geometry stays where it is.
 #[derive(Debug, PartialEq)]
@@ -80,16 +77,16 @@ fn build_tree(
     options: BuildOptions,
     progress: Progress,
 ) -> (Subtree, Vec<Primitive>) {
-    let max_leaf = options.max_leaf.max(1);
+    let leaf_size = LeafSize(options.max_leaf.max(1));
     let subtree = match options.method {
         SplitMethod::None => {
             progress.advance(primitives.len());
             Subtree { root: Node::leaf(bounds_of(&primitives), 0, primitives.len() as u32), below: Vec::new() }
         }
-        SplitMethod::Hlbvh => return hlbvh::build(&primitives, max_leaf, progress),
+        SplitMethod::Hlbvh => return hlbvh::build(&primitives, leaf_size, MAX_DEPTH as u32, progress),
         method => {
-            let splitter = Splitter { method, max_leaf };
-            TopDown { splitter, max_depth: MAX_TOP_DOWN_DEPTH, progress }.build(&mut primitives)
+            let splitter = Splitter { method, leaf_size };
+            TopDown { splitter, max_depth: MAX_DEPTH as u32, progress }.build(&mut primitives, 0)
         }
     };
     (subtree, primitives.par_iter().map(BuildPrimitive::primitive).collect())

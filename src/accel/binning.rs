@@ -1,6 +1,7 @@
 //! The binned surface area heuristic (Wald, 2007).
 
 use super::build_primitive::{BuildPrimitive, centre_bounds};
+use super::full_leaves::LeafSize;
 use super::lanes::{LaneBox, Lanes};
 
 /// Bins an axis, at most.
@@ -118,21 +119,21 @@ impl Bins {
 
 /// The plane of the least cost over all axes; `None` where all centres are in one place. `leaf_size` primitives cost as
 /// much as one.
-pub(super) fn best_plane(primitives: &[BuildPrimitive], leaf_size: usize) -> Option<Plane> {
+pub(super) fn best_plane(primitives: &[BuildPrimitive], leaf_size: LeafSize) -> Option<Plane> {
     if primitives.len() > LONG {
-        return best_plane_of_all(&sample(primitives), 1);
+        return best_plane_of_all(&sample(primitives), LeafSize(1));
     }
     best_plane_of_all(primitives, leaf_size)
 }
 
-fn best_plane_of_all(primitives: &[BuildPrimitive], leaf_size: usize) -> Option<Plane> {
+fn best_plane_of_all(primitives: &[BuildPrimitive], leaf_size: LeafSize) -> Option<Plane> {
     let count = bins_for(primitives.len());
     let binning = Binning::new(centre_bounds(primitives), count);
     let bins = Bins::of(&binning, primitives);
     let mut best = None;
     let mut least = f32::INFINITY;
-    let per_leaf = 1.0 / leaf_size as f32;
-    let leaves = |count: u32| ((count + leaf_size as u32 - 1) as f32 * per_leaf) as i32 as f32;
+    let per_leaf = 1.0 / leaf_size.0 as f32;
+    let leaves = |count: u32| ((count + leaf_size.0 as u32 - 1) as f32 * per_leaf) as i32 as f32;
     let cost = |bin: &Bin| leaves(bin.count) * bin.bounds.half_area();
     for axis in (0..3).filter(|axis| binning.per_unit.0[*axis] > 0.0) {
         let mut right_costs = [0.0; BINS];

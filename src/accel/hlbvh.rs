@@ -1,13 +1,15 @@
-//! Hierarchical linear BVH (Pantaleoni and Luebke, 2010), with all of the upper tree by the surface area heuristic
-//! (Garanzha, Pantaleoni and McAllister, 2011).
+//! Hierarchical linear BVH (Pantaleoni and Luebke, 2010; Garanzha, Pantaleoni and McAllister, 2011).
 //!
-//! Primitives are sorted along a Morton curve, runs of them become treelets, and the surface area heuristic builds the tree
-//! above the treelets. Treelets are as small as a leaf of the usual size, since the tree above them costs little.
+//! Primitives are sorted along a Morton curve, and runs of codes that share their upper bits become treelets: so the upper
+//! half of the levels costs no more than a sort. The surface area heuristic builds the tree above the treelets. Within them,
+//! unlike there, the codes do not count any more: lists so short are split in the middle as fast, and better.
 
 use super::SplitMethod;
+use super::branch::Branch;
 use super::build_primitive::BuildPrimitive;
-use super::morton::along_curve;
-use super::node::{Children, Node, Subtree};
+use super::full_leaves::LeafSize;
+use super::morton::{CurvePlace, along_curve};
+use super::node::{Node, Subtree};
 use super::splitter::Splitter;
 use super::top_down::TopDown;
 use crate::progress::Progress;
@@ -15,58 +17,75 @@ use crate::shape::Primitive;
 use rayon::prelude::*;
 use std::ops::Range;
 
-pub(super) const MAX_UPPER_DEPTH: u32 = 64;
-pub(super) const MAX_DEPTH: u32 = MAX_UPPER_DEPTH;
+/// Leaves in a treelet, but for primitives that share all bits of their codes.
+const TREELET_LEAVES: usize = 16;
+
+/// Levels of the tree above the treelets at most.
+const MAX_UPPER_DEPTH: u32 = 40;
 
 /// The tree over `primitives`, which are not empty, and they in the order of its leaves.
-pub(super) fn build(primitives: &[BuildPrimitive], max_leaf: usize, progress: Progress) -> (Subtree, Vec<Primitive>) {
-    let keys = along_curve(primitives);
-    let splitter = Splitter { method: SplitMethod::Sah, max_leaf };
-    let mut runs = Vec::new();
-    cut(&splitter, &keys, 0..keys.len(), 62, &mut runs);
-    let order = keys.par_iter().map(|k| primitives[*k as u32 as usize].primitive()).collect();
-    let mut leaves: Vec<BuildPrimitive> = Vec::new();
-    runs.par_iter()
-        .enumerate()
-        .map(|(index, run)| {
-            let mut bounds = super::lanes::LaneBox::EMPTY;
-            for key in &keys[run.start as usize..run.end as usize] {
-                let p = &primitives[*key as u32 as usize];
-                bounds = p.bounds().union(bounds);
-            }
-            BuildPrimitive::new(&bounds.to_box(), Primitive::triangle(index))
-        })
-        .collect_into_vec(&mut leaves);
-    drop(keys);
-    let splitter = Splitter { method: SplitMethod::Sah, max_leaf: 1 };
-    let mut tree = TopDown { splitter, max_depth: MAX_UPPER_DEPTH, progress: Progress::SILENT }.build(&mut leaves);
-    let fix = |node: Node| {
-        if !node.is_leaf() {
-            return node;
-        }
-        let run = &runs[leaves[node.first as usize].primitive().index()];
-        Node::leaf(node.bounds, run.start, run.end - run.start)
+pub(super) fn build(
+    primitives: &[BuildPrimitive],
+    leaf_size: LeafSize,
+    max_depth: u32,
+    progress: Progress,
+) -> (Subtree, Vec<Primitive>) {
+    let method = if std::env::var("TS").is_ok() { SplitMethod::Sah } else { SplitMethod::Middle };
+    let splitter = Splitter { method, leaf_size };
+    let top_down = TopDown { splitter, max_depth: max_depth - MAX_UPPER_DEPTH, progress };
+    let curve = along_curve(primitives);
+    let runs = runs(&curve, TREELET_LEAVES * leaf_size.0);
+    let treelet = |run: &Range<usize>| {
+        let mut list: Vec<_> = curve[run.clone()].iter().map(|place| primitives[place.index()]).collect();
+        let treelet = top_down.build(&mut list, run.start);
+        (treelet, list.iter().map(BuildPrimitive::primitive).collect::<Vec<_>>())
     };
-    tree.below.par_iter_mut().for_each(|c| *c = Children::new(&fix(c.node(0)), &fix(c.node(1))));
-    tree.root = fix(tree.root);
-    progress.advance(primitives.len());
-    (tree, order)
+    let (treelets, orders): (Vec<_>, Vec<_>) = runs.par_iter().map(treelet).unzip();
+    drop(curve);
+    (join_by_sah(treelets), orders.into_iter().flatten().collect())
 }
 
-fn cut(splitter: &Splitter, keys: &[u64], run: Range<usize>, bits: u32, runs: &mut Vec<Range<u32>>) {
-    if run.len() <= splitter.max_leaf {
-        runs.push(run.start as u32..run.end as u32);
-        return;
+/// Cuts the curve into runs of up to `longest`, each time where the highest bit changes that is not the same in all codes.
+/// Runs of one code may be longer.
+fn runs(curve: &[CurvePlace], longest: usize) -> Vec<Range<usize>> {
+    let mut runs = Vec::new();
+    // The later parts of all cuts: as many as a code has bits.
+    let mut waiting = vec![0..curve.len()];
+    while let Some(run) = waiting.pop() {
+        let codes = &curve[run.clone()];
+        let differing = codes[0].code() ^ codes[codes.len() - 1].code();
+        if codes.len() <= longest || differing == 0 {
+            runs.push(run);
+            continue;
+        }
+        let bit = differing.ilog2();
+        let middle = run.start + codes.partition_point(|place| place.code() >> bit & 1 == 0);
+        waiting.push(middle..run.end);
+        waiting.push(run.start..middle);
     }
-    let differing = (keys[run.start] ^ keys[run.end - 1]) >> 32;
-    let mut middle = run.len() / 2;
-    if differing != 0 {
-        let bit = 32 + 63 - differing.leading_zeros();
-        middle = keys[run.clone()].partition_point(|key| key >> bit & 1 == 0);
+    runs
+}
+
+/// Builds the tree above the treelets.
+fn join_by_sah(mut treelets: Vec<Subtree>) -> Subtree {
+    let stand_in = |(index, treelet): (usize, &Subtree)| BuildPrimitive::new(&treelet.root.bounds, Primitive::triangle(index));
+    let mut stand_ins: Vec<BuildPrimitive> = treelets.iter().enumerate().map(stand_in).collect();
+    let splitter = Splitter { method: SplitMethod::Sah, leaf_size: LeafSize(1) };
+    let top_down = TopDown { splitter, max_depth: MAX_UPPER_DEPTH, progress: Progress::SILENT };
+    let upper = top_down.build(&mut stand_ins, 0);
+    graft(upper.root, &upper, &mut |place| {
+        let treelet = &mut treelets[stand_ins[place].primitive().index()];
+        Subtree { root: treelet.root, below: std::mem::take(&mut treelet.below) }
+    })
+    .into_subtree()
+}
+
+/// The tree under `node` of `upper`, with treelets in the places of its leaves.
+fn graft(node: Node, upper: &Subtree, treelet: &mut impl FnMut(usize) -> Subtree) -> Branch {
+    if node.is_leaf() {
+        return Branch::Part(treelet(node.first as usize));
     }
-    if run.len() <= 16 * splitter.max_leaf {
-        middle = splitter.full(run.len(), middle);
-    }
-    cut(splitter, keys, run.start..run.start + middle, bits, runs);
-    cut(splitter, keys, run.start + middle..run.end, bits, runs);
+    let children = &upper.below[node.first as usize];
+    let left = graft(children.node(0), upper, treelet);
+    Branch::fork(left, graft(children.node(1), upper, treelet))
 }

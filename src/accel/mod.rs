@@ -11,6 +11,7 @@ mod build_primitive;
 mod depth;
 mod exact_search;
 mod fast_search;
+mod full_leaves;
 mod hit;
 mod hlbvh;
 mod lanes;

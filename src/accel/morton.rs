@@ -1,41 +1,66 @@
 //! Places along a Morton curve.
 
 use super::build_primitive::{BuildPrimitive, centre_bounds};
-use super::lanes::LaneBox;
-use super::radix_sort::sort_from_bit;
+use super::lanes::{LaneBox, Lanes};
+use super::radix_sort::sort_by_digits;
 use rayon::prelude::*;
 
-/// Bits of a Morton code on each axis.
-const AXIS_BITS: u32 = 10;
+/// Bits of a code on each axis, at most.
+const MOST_AXIS_BITS: u32 = 10;
 
-/// The places in the list of `primitives` in the order of the curve, where codes are equal in that of the list: the
-/// lower half of each key. The upper one is the code.
-pub(super) fn along_curve(primitives: &[BuildPrimitive]) -> Vec<u64> {
-    let grid = Grid::over(centre_bounds(primitives));
-    let key = |(index, primitive): (usize, &BuildPrimitive)| u64::from(grid.code(primitive)) << 32 | index as u64;
-    sort_from_bit(primitives.par_iter().enumerate().map(key).collect(), 32)
+/// Bits on each axis with which a cell of the grid holds some ten primitives of `count` that lie on a surface.
+fn axis_bits(count: usize) -> u32 {
+    (count.max(1).ilog2() / 2).saturating_sub(3).clamp(2, MOST_AXIS_BITS)
 }
 
-/// 2^10 cells an axis.
+/// A primitive on the curve: its Morton code and, in the lower half, its place in the list.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct CurvePlace(u64);
+
+impl CurvePlace {
+    /// The Morton code.
+    #[inline]
+    pub(super) fn code(self) -> u32 {
+        (self.0 >> 32) as u32
+    }
+
+    /// The place in the list.
+    #[inline]
+    pub(super) fn index(self) -> usize {
+        self.0 as u32 as usize
+    }
+}
+
+/// All of `primitives` in the order of the curve; where codes are equal, in that of the list.
+pub(super) fn along_curve(primitives: &[BuildPrimitive]) -> Vec<CurvePlace> {
+    let axis_bits = axis_bits(primitives.len());
+    let grid = Grid::new(centre_bounds(primitives), axis_bits);
+    let place = |(index, primitive): (usize, &BuildPrimitive)| {
+        CurvePlace(u64::from(grid.code(primitive)) << 32 | index as u64)
+    };
+    let places = primitives.par_iter().enumerate().map(place).collect();
+    sort_by_digits(places, 3 * axis_bits, |place| place.code())
+}
+
+/// Cells, as many on each axis.
 struct Grid {
-    low: [f32; 4],
-    cells_per_unit: [f32; 4],
+    low: Lanes,
+    cells_per_unit: Lanes,
+    last: u32,
 }
 
 impl Grid {
-    fn over(centres: LaneBox) -> Grid {
-        let cells = |extent: f32| if extent > 0.0 { (1 << AXIS_BITS) as f32 / extent } else { 0.0 };
-        Grid { low: centres.low.0, cells_per_unit: centres.extent().0.map(cells) }
+    fn new(centres: LaneBox, axis_bits: u32) -> Grid {
+        let cells = |extent: f32| if extent > 0.0 { (1 << axis_bits) as f32 / extent } else { 0.0 };
+        Grid { low: centres.low, cells_per_unit: Lanes(centres.extent().0.map(cells)), last: (1 << axis_bits) - 1 }
     }
 
+    #[inline]
     fn code(&self, primitive: &BuildPrimitive) -> u32 {
-        let centre = primitive.doubled_centre().0;
-        let cell = |k: usize| {
-            // A NaN, from infinite boxes, becomes 0.
-            let cell = ((centre[k] - self.low[k]) * self.cells_per_unit[k]) as u32;
-            spread(cell.min((1 << AXIS_BITS) - 1))
-        };
-        cell(2) << 2 | cell(1) << 1 | cell(0)
+        // A NaN, from infinite boxes, becomes 0.
+        let [x, y, z, _] = primitive.doubled_centre().minus(self.low).times(self.cells_per_unit).0;
+        let cell = |along: f32| spread((along as u32).min(self.last));
+        cell(z) << 2 | cell(y) << 1 | cell(x)
     }
 }
 

@@ -1,57 +1,55 @@
-//! Sorting keys by some of their bits, a digit at a time.
+//! Sorting by a key of few bits, a digit at a time.
 
 use rayon::prelude::*;
 use std::slice::IterMut;
 
-/// Bits of a digit: so many lines being written to fit into the caches.
+/// Bits of a digit: as many lines of memory are written to in turn as the caches hold.
 const DIGIT_BITS: u32 = 10;
 const DIGITS: usize = 1 << DIGIT_BITS;
 
-/// Fewer keys than this are left to the standard library.
+/// Shorter lists are left to the standard library.
 const SHORT: usize = 1 << 12;
 
-/// Sorts `keys` by their bits from `low_bit` on; those that agree there keep their order.
-pub(super) fn sort_from_bit(mut keys: Vec<u64>, low_bit: u32) -> Vec<u64> {
-    if keys.len() < SHORT {
-        keys.sort_by_key(|key| key >> low_bit);
-        return keys;
+/// Sorts `items` by the lower `bits` bits of their keys, and those with equal keys by where they were.
+pub(super) fn sort_by_digits<T: Copy + Send + Sync>(
+    mut items: Vec<T>,
+    bits: u32,
+    key: impl Fn(T) -> u32 + Sync,
+) -> Vec<T> {
+    if items.len() < SHORT {
+        items.sort_by_key(|item| key(*item));
+        return items;
     }
-    let largest = keys.par_iter().copied().reduce(|| 0, u64::max);
-    let mut moved = vec![0; keys.len()];
-    let mut shift = low_bit;
-    while shift < u64::BITS && largest >> shift > 0 {
-        sort_by_digit(&keys, &mut moved, shift);
-        std::mem::swap(&mut keys, &mut moved);
-        shift += DIGIT_BITS;
+    let mut sorted = items.clone();
+    let digit_bits = bits.div_ceil(bits.div_ceil(DIGIT_BITS).max(1));
+    for shift in (0..bits).step_by(digit_bits.max(1) as usize) {
+        sort_by_digit(&items, &mut sorted, |item| (key(item) >> shift) as usize % (1 << digit_bits));
+        std::mem::swap(&mut items, &mut sorted);
     }
-    keys
+    items
 }
 
-fn digit(key: u64, shift: u32) -> usize {
-    (key >> shift) as usize % DIGITS
-}
-
-/// Writes `keys` to `sorted` in the order of a digit. Chunks are counted and moved in parallel: each has a place of its own
-/// for every digit, behind that of the chunks before it.
-fn sort_by_digit(keys: &[u64], sorted: &mut [u64], shift: u32) {
-    let chunk = keys.len().div_ceil(4 * rayon::current_num_threads());
-    let count = |keys: &[u64]| {
+/// Writes `items` to `sorted` in the order of a digit. Chunks are counted and moved in parallel: each has places of its own
+/// for every digit, behind those of the chunks before it. So the order does not depend on their number.
+fn sort_by_digit<T: Copy + Send + Sync>(items: &[T], sorted: &mut [T], digit: impl Fn(T) -> usize + Sync) {
+    let chunk = items.len().div_ceil(4 * rayon::current_num_threads());
+    let count = |items: &[T]| {
         let mut counts = [0u32; DIGITS];
-        keys.iter().for_each(|key| counts[digit(*key, shift)] += 1);
+        items.iter().for_each(|item| counts[digit(*item)] += 1);
         counts
     };
-    let counts: Vec<[u32; DIGITS]> = keys.par_chunks(chunk).map(count).collect();
+    let counts: Vec<[u32; DIGITS]> = items.par_chunks(chunk).map(count).collect();
     let places = places(sorted, &counts);
-    keys.par_chunks(chunk).zip(places).for_each(|(keys, mut places)| {
-        for key in keys {
-            *places[digit(*key, shift)].next().expect("as many places as keys were counted") = *key;
+    items.par_chunks(chunk).zip(places).for_each(|(items, mut places)| {
+        for item in items {
+            *places[digit(*item)].next().expect("as many places as items were counted") = *item;
         }
     });
 }
 
 /// For each chunk the places of each digit.
-fn places<'a>(mut sorted: &'a mut [u64], counts: &[[u32; DIGITS]]) -> Vec<Vec<IterMut<'a, u64>>> {
-    let mut places: Vec<Vec<IterMut<u64>>> = counts.iter().map(|_| Vec::with_capacity(DIGITS)).collect();
+fn places<'a, T>(mut sorted: &'a mut [T], counts: &[[u32; DIGITS]]) -> Vec<Vec<IterMut<'a, T>>> {
+    let mut places: Vec<Vec<IterMut<T>>> = counts.iter().map(|_| Vec::with_capacity(DIGITS)).collect();
     for digit in 0..DIGITS {
         for (places, counts) in places.iter_mut().zip(counts) {
             let (these, rest) = sorted.split_at_mut(counts[digit] as usize);
@@ -60,4 +58,20 @@ fn places<'a>(mut sorted: &'a mut [u64], counts: &[[u32; DIGITS]]) -> Vec<Vec<It
         }
     }
     places
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sorts_as_the_standard_library_does() {
+        for len in [0, 1, SHORT - 1, SHORT, 50_000] {
+            let item = |place: usize| ((place as u32).wrapping_mul(0x9e37_79b9) >> (place % 30), place);
+            let items: Vec<(u32, usize)> = (0..len).map(item).collect();
+            let mut expected = items.clone();
+            expected.sort_by_key(|(key, _)| key % (1 << 20));
+            assert!(sort_by_digits(items, 20, |(key, _)| key) == expected, "{len} items");
+        }
+    }
 }

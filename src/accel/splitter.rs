@@ -3,6 +3,7 @@
 use super::SplitMethod;
 use super::binning::best_plane;
 use super::build_primitive::{BuildPrimitive, centre_bounds};
+use super::full_leaves::LeafSize;
 use super::partition::partition;
 
 /// Lists of up to so many leaves are split where the leaves come out full.
@@ -12,15 +13,14 @@ const FULL_LEAVES: usize = 16;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Splitter {
     pub(super) method: SplitMethod,
-    /// Primitives in a leaf at most.
-    pub(super) max_leaf: usize,
+    pub(super) leaf_size: LeafSize,
 }
 
 impl Splitter {
     /// Reorders `primitives` so that the first ones, as many as are returned, form the left part; `None` where they
     /// should form a leaf.
     pub(super) fn split(&self, primitives: &mut [BuildPrimitive]) -> Option<usize> {
-        if primitives.len() <= self.max_leaf || self.method == SplitMethod::None {
+        if primitives.len() <= self.leaf_size.0 || self.method == SplitMethod::None {
             return None;
         }
         let len = primitives.len();
@@ -30,31 +30,17 @@ impl Splitter {
             _ => None,
         };
         Some(match parted {
-            Some((_, count)) if len > FULL_LEAVES * self.max_leaf => count,
-            Some((axis, count)) => move_boundary(primitives, axis, count, self.full(len, count)),
-            None => split_at(primitives, self.full(len, len / 2)),
+            Some((_, count)) if len > FULL_LEAVES * self.leaf_size.0 => count,
+            Some((axis, count)) => move_boundary(primitives, axis, count, self.leaf_size.full(len, count)),
+            None => split_at(primitives, self.leaf_size.full(len, len / 2)),
         })
     }
 
     /// The axis and the number of primitives on the left; `None` where all centres are in one place.
     fn split_by_sah(&self, primitives: &mut [BuildPrimitive]) -> Option<(usize, usize)> {
-        let plane = best_plane(primitives, self.max_leaf)?;
+        let plane = best_plane(primitives, self.leaf_size)?;
         let count = partition(primitives, |primitive| primitive.centre_along(plane.axis) < plane.at);
         both_sides(plane.axis, count, primitives.len())
-    }
-
-    /// The count nearest to `count` with which both parts of a list of `len` primitives need no more leaves than the whole.
-    pub(super) fn full(&self, len: usize, count: usize) -> usize {
-        let leaf = self.max_leaf;
-        let spare = len.div_ceil(leaf) * leaf - len;
-        // The last leaf of the left part holds so many, and may hold as many as leave `spare` places free, or be full.
-        let last = count % leaf;
-        let enough = leaf - spare;
-        if last == 0 || last >= enough {
-            return count;
-        }
-        let (fewer, more) = (count - last, count - last + enough);
-        if more >= len || fewer > 0 && count - fewer < more - count { fewer } else { more }
     }
 }
 

@@ -18,9 +18,10 @@ pub(super) struct TopDown<'a> {
 }
 
 impl TopDown<'_> {
-    /// The tree over `primitives`, which come to lie in the order of its leaves. The list must not be empty.
-    pub(super) fn build(&self, primitives: &mut [BuildPrimitive]) -> Subtree {
-        self.branch(primitives, 0, 0).into_subtree()
+    /// The tree over `primitives`, which come to lie in the order of its leaves; the first of them has place `first`.
+    /// The list must not be empty.
+    pub(super) fn build(&self, primitives: &mut [BuildPrimitive], first: usize) -> Subtree {
+        self.branch(primitives, first, 0).into_subtree()
     }
 
     /// The tree over `primitives`, of which the first has place `first`.
@@ -61,7 +62,7 @@ impl TopDown<'_> {
     fn split(&self, primitives: &mut [BuildPrimitive], depth: u32) -> Option<usize> {
         // Halving from here on just ends at the deepest level allowed.
         let levels_needed = usize::BITS - (primitives.len().max(1) - 1).leading_zeros();
-        if depth + levels_needed >= self.max_depth && primitives.len() > self.splitter.max_leaf {
+        if depth + levels_needed >= self.max_depth && primitives.len() > self.splitter.leaf_size.0 {
             return Some(split_evenly(primitives));
         }
         self.splitter.split(primitives)

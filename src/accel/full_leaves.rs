@@ -1,0 +1,53 @@
+//! Where to split a list so that its leaves come out full.
+
+/// Primitives in a leaf at most; 1 or more.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct LeafSize(pub(super) usize);
+
+impl LeafSize {
+    /// Leaves that `count` primitives need.
+    #[inline]
+    pub(super) fn leaves(self, count: usize) -> usize {
+        count.div_ceil(self.0)
+    }
+
+    /// Whether both parts of a list of `len` primitives, the first `count` and the rest, need no more leaves than the whole.
+    #[inline]
+    pub(super) fn fills(self, len: usize, count: usize) -> bool {
+        self.leaves(count) + self.leaves(len - count) == self.leaves(len)
+    }
+
+    /// The count nearest to `count` that [fills](LeafSize::fills) leaves, of those that leave something on both sides of a list
+    /// longer than a leaf.
+    pub(super) fn full(self, len: usize, count: usize) -> usize {
+        let spare = self.leaves(len) * self.0 - len;
+        // So many primitives in the last leaf of the left part, or more, leave no more than the spare places free.
+        let enough = self.0 - spare;
+        let last = count % self.0;
+        if last == 0 || last >= enough {
+            return count;
+        }
+        let (fewer, more) = (count - last, count - last + enough);
+        if fewer == 0 || more < len && more - count < count - fewer { more } else { fewer }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_count_that_fills_leaves() {
+        for leaf_size in [1, 2, 3, 4, 16].map(LeafSize) {
+            for len in leaf_size.0 + 1..70 {
+                let all: Vec<usize> = (1..len).filter(|count| leaf_size.fills(len, *count)).collect();
+                for count in 1..len {
+                    let full = leaf_size.full(len, count);
+                    assert!(all.contains(&full), "{count} of {len} in {leaf_size:?}: {full}");
+                    let distance = all.iter().map(|other| other.abs_diff(count)).min();
+                    assert_eq!(Some(full.abs_diff(count)), distance, "{count} of {len} in {leaf_size:?}");
+                }
+            }
+        }
+    }
+}
