@@ -23,7 +23,7 @@ pub struct BuildOptions {
 }
 
 impl BuildOptions {
-    /// pbrt's default.
+    /// As many as a test of a tile against a leaf takes at a time. pbrt's default is 4.
     pub const MAX_LEAF: usize = 16;
 
     /// `method` with leaves of the usual size.
@@ -77,7 +77,7 @@ fn build_tree(
     options: BuildOptions,
     progress: Progress,
 ) -> (Subtree, Vec<Primitive>) {
-    let leaf_size = LeafSize(options.max_leaf.max(1));
+    let leaf_size = LeafSize(options.max_leaf.clamp(1, Primitive::MAX_COUNT));
     let subtree = match options.method {
         SplitMethod::None => {
             progress.advance(primitives.len());

@@ -74,16 +74,17 @@ impl AnchorSpace {
     }
 
     /// A coordinate of a point, before it is narrowed to `f32`.
-    #[inline]
+    #[inline(always)]
     fn coordinate(&self, point: &Point, axis: usize) -> f64 {
         (point[axis] * self.before - self.anchor[axis] * self.before) * self.scale
     }
 
     /// The box around world-space `bounds`, strictly.
+    #[inline(always)]
     pub(super) fn enclose(&self, bounds: &Bounds) -> Box32 {
         let low = |k| below(self.coordinate(&bounds.low, k));
         let high = |k| above(self.coordinate(&bounds.high, k));
-        Box32 { low: std::array::from_fn(low), high: std::array::from_fn(high) }
+        Box32 { low: [low(0), low(1), low(2)], high: [high(0), high(1), high(2)] }
     }
 
     /// The ray as the slab test needs it.

@@ -20,9 +20,10 @@ const SAMPLE: usize = 1 << 10;
 /// patterns, such as the rows of a grid.
 fn sample(primitives: &[BuildPrimitive]) -> Vec<BuildPrimitive> {
     let step = primitives.len() / SAMPLE;
-    // Multiples of the golden ratio, of which only the fraction counts, spread evenly.
-    let offset = |part: usize| (part as u32).wrapping_mul(0x9e37_79b9) as usize * step >> 32;
-    (0..SAMPLE).map(|part| primitives[part * step + offset(part)]).collect()
+    // The fractions of multiples of the golden ratio are spread evenly.
+    let fraction = |part: usize| u64::from((part as u32).wrapping_mul(0x9e37_79b9));
+    let place = |part: usize| part * step + (fraction(part) * step as u64 >> 32) as usize;
+    (0..SAMPLE).map(|part| primitives[place(part)]).collect()
 }
 
 /// A plane between two bins.
@@ -69,6 +70,7 @@ impl Binning {
     }
 }
 
+/// What is in a bin, or in several.
 #[derive(Clone, Copy)]
 struct Bin {
     bounds: LaneBox,
@@ -79,8 +81,16 @@ impl Bin {
     const EMPTY: Bin = Bin { bounds: LaneBox::EMPTY, count: 0 };
 
     #[inline(always)]
-    fn with(self, other: &Bin) -> Bin {
+    fn with(self, other: Bin) -> Bin {
         Bin { bounds: self.bounds.union(other.bounds), count: self.count + other.count }
+    }
+
+    /// The expected number of leaves that a ray meets in it, times an area that all bins share.
+    fn cost(self, leaf_size: LeafSize) -> f32 {
+        if self.count == 0 {
+            return 0.0;
+        }
+        leaf_size.approximate_leaves(self.count) * self.bounds.half_area()
     }
 }
 
@@ -91,64 +101,58 @@ struct Bins {
 }
 
 impl Bins {
-    const EMPTY: Bins = Bins { bounds: [[LaneBox::EMPTY; BINS]; 3], counts: [[0; BINS]; 3] };
-
     fn of(binning: &Binning, primitives: &[BuildPrimitive]) -> Bins {
-        let mut bins = Bins::EMPTY;
-        bins.fill(binning, primitives);
-        bins
-    }
-
-    fn fill(&mut self, binning: &Binning, primitives: &[BuildPrimitive]) {
+        let mut bins = Bins { bounds: [[LaneBox::EMPTY; BINS]; 3], counts: [[0; BINS]; 3] };
         for primitive in primitives {
             let places = binning.places(primitive);
-            let bounds = primitive.bounds();
-            for axis in 0..3 {
-                let place = places[axis];
-                let bin = &mut self.bounds[axis][place];
-                *bin = bounds.union(*bin);
-                self.counts[axis][place] += 1;
+            for (axis, place) in places.into_iter().enumerate() {
+                let bounds = &mut bins.bounds[axis][place];
+                *bounds = primitive.bounds().union(*bounds);
+                bins.counts[axis][place] += 1;
             }
         }
+        bins
     }
 
     fn bin(&self, axis: usize, place: usize) -> Bin {
         Bin { bounds: self.bounds[axis][place], count: self.counts[axis][place] }
     }
+
+    /// For each of the first `count` bins of an axis, the cost of it and all to its right.
+    fn costs_from_the_right(&self, axis: usize, count: usize, leaf_size: LeafSize) -> [f32; BINS] {
+        let mut costs = [0.0; BINS];
+        let mut right = Bin::EMPTY;
+        for place in (1..count).rev() {
+            right = right.with(self.bin(axis, place));
+            costs[place] = right.cost(leaf_size);
+        }
+        costs
+    }
 }
 
-/// The plane of the least cost over all axes; `None` where all centres are in one place. `leaf_size` primitives cost as
-/// much as one.
+/// The plane of the least cost over all axes; `None` where all centres are in one place.
 pub(super) fn best_plane(primitives: &[BuildPrimitive], leaf_size: LeafSize) -> Option<Plane> {
     if primitives.len() > LONG {
+        // Each stands for many, so it counts whether or not it fills a leaf.
         return best_plane_of_all(&sample(primitives), LeafSize(1));
     }
     best_plane_of_all(primitives, leaf_size)
 }
 
 fn best_plane_of_all(primitives: &[BuildPrimitive], leaf_size: LeafSize) -> Option<Plane> {
-    let count = bins_for(primitives.len());
-    let binning = Binning::new(centre_bounds(primitives), count);
+    let binning = Binning::new(centre_bounds(primitives), bins_for(primitives.len()));
     let bins = Bins::of(&binning, primitives);
     let mut best = None;
     let mut least = f32::INFINITY;
-    let per_leaf = 1.0 / leaf_size.0 as f32;
-    let leaves = |count: u32| ((count + leaf_size.0 as u32 - 1) as f32 * per_leaf) as i32 as f32;
-    let cost = |bin: &Bin| leaves(bin.count) * bin.bounds.half_area();
     for axis in (0..3).filter(|axis| binning.per_unit.0[*axis] > 0.0) {
-        let mut right_costs = [0.0; BINS];
-        let mut right = Bin::EMPTY;
-        for place in (1..count).rev() {
-            right = right.with(&bins.bin(axis, place));
-            right_costs[place] = cost(&right);
-        }
+        let right_costs = bins.costs_from_the_right(axis, binning.count, leaf_size);
         let mut left = Bin::EMPTY;
-        for left_bins in 1..count {
-            left = left.with(&bins.bin(axis, left_bins - 1));
+        for left_bins in 1..binning.count {
+            left = left.with(bins.bin(axis, left_bins - 1));
             if left.count == 0 || left.count as usize == primitives.len() {
                 continue;
             }
-            let cost = cost(&left) + right_costs[left_bins];
+            let cost = left.cost(leaf_size) + right_costs[left_bins];
             if best.is_none() || cost < least {
                 best = Some(binning.plane(axis, left_bins));
                 least = cost;

@@ -4,7 +4,7 @@ use super::anchor_space::AnchorSpace;
 use super::box32::Box32;
 use super::lanes::{LaneBox, Lanes};
 use crate::geometry::{Bounds, Point};
-use crate::shape::{Primitive, Shapes};
+use crate::shape::{Primitive, Shapes, Triangle};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -79,7 +79,7 @@ pub(super) fn collect(shapes: &Shapes, anchor: Point) -> (AnchorSpace, Vec<Build
         if !triangle.can_be_hit() {
             return dead();
         }
-        BuildPrimitive::new(&space.enclose(&triangle.bounds()), Primitive::triangle(index))
+        BuildPrimitive::new(&space.enclose(&bounds_of_finite(&triangle)), Primitive::triangle(index))
     });
     let spheres = (0..shapes.sphere_count()).into_par_iter().map(|index| {
         let sphere = shapes.sphere(index);
@@ -97,12 +97,25 @@ pub(super) fn collect(shapes: &Shapes, anchor: Point) -> (AnchorSpace, Vec<Build
     (space, primitives)
 }
 
+/// The box around corners none of which is a NaN, so that plain comparisons do.
+#[inline]
+fn bounds_of_finite(triangle: &Triangle) -> Bounds {
+    let [a, b, c] = triangle.0;
+    let lower = |p: f64, q: f64| if p < q { p } else { q };
+    let upper = |p: f64, q: f64| if p > q { p } else { q };
+    let low = |k: usize| lower(lower(a[k], b[k]), c[k]);
+    let high = |k: usize| upper(upper(a[k], b[k]), c[k]);
+    Bounds { low: Point::new(low(0), low(1), low(2)), high: Point::new(high(0), high(1), high(2)) }
+}
+
 /// How far any coordinate is from the anchor's, those left out that are not finite themselves.
 fn reach(shapes: &Shapes, anchor: Point) -> f64 {
     let include = |bounds: Bounds, point: &Point| {
         // A NaN is neither, an infinity only one of them, and never at the end.
-        let low = |k: usize| if point[k] < bounds.low[k] && point[k] > f64::NEG_INFINITY { point[k] } else { bounds.low[k] };
-        let high = |k: usize| if point[k] > bounds.high[k] && point[k] < f64::INFINITY { point[k] } else { bounds.high[k] };
+        let low =
+            |k: usize| if point[k] < bounds.low[k] && point[k] > f64::NEG_INFINITY { point[k] } else { bounds.low[k] };
+        let high =
+            |k: usize| if point[k] > bounds.high[k] && point[k] < f64::INFINITY { point[k] } else { bounds.high[k] };
         Bounds { low: Point::new(low(0), low(1), low(2)), high: Point::new(high(0), high(1), high(2)) }
     };
     let around = |points: &[Point]| points.iter().fold(Bounds::EMPTY, include);
@@ -145,4 +158,23 @@ fn union_of(primitives: &[BuildPrimitive], part: impl Fn(&BuildPrimitive) -> Lan
         return of_chunk(primitives);
     }
     primitives.par_chunks(CHUNK).map(of_chunk).reduce(|| LaneBox::EMPTY, LaneBox::union)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_bit_of_a_primitive_comes_back_and_none_disturbs_sums() {
+        let bounds = Box32 { low: [-1.0, 2.0, 3.0], high: [4.0, 5.0, 6.0] };
+        for primitive in [0, 1, 0xffff, 0x1_0000, 0x1234_5678, Primitive::MAX_COUNT - 1]
+            .into_iter()
+            .flat_map(|index| [Primitive::triangle(index), Primitive::sphere(index)])
+        {
+            let placed = BuildPrimitive::new(&bounds, primitive);
+            assert_eq!((placed.primitive(), placed.bounds().to_box()), (primitive, bounds));
+            assert!((2.0..4.0).contains(&placed.doubled_centre().0[3]));
+            assert!(!placed.is_dead());
+        }
+    }
 }

@@ -11,6 +11,14 @@ impl LeafSize {
         count.div_ceil(self.0)
     }
 
+    /// The same as a float, by a multiplication instead of a division: one too many or too few now and then, where leaves do
+    /// not hold a power of two.
+    #[inline]
+    pub(super) fn approximate_leaves(self, count: u32) -> f32 {
+        let per_primitive = 1.0 / self.0 as f32;
+        ((count as f32 + (self.0 - 1) as f32) * per_primitive) as i32 as f32
+    }
+
     /// Whether both parts of a list of `len` primitives, the first `count` and the rest, need no more leaves than the whole.
     #[inline]
     pub(super) fn fills(self, len: usize, count: usize) -> bool {
@@ -35,6 +43,17 @@ impl LeafSize {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn approximate_numbers_of_leaves() {
+        for leaf_size in [1, 3, 4, 16, 255].map(LeafSize) {
+            for count in 1..3000 {
+                let exact = leaf_size.leaves(count) as f32;
+                let off = (leaf_size.approximate_leaves(count as u32) - exact).abs();
+                assert!(off <= if leaf_size.0.is_power_of_two() { 0.0 } else { 1.0 }, "{count} in {leaf_size:?}");
+            }
+        }
+    }
 
     #[test]
     fn the_nearest_count_that_fills_leaves() {

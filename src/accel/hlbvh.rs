@@ -30,19 +30,25 @@ pub(super) fn build(
     max_depth: u32,
     progress: Progress,
 ) -> (Subtree, Vec<Primitive>) {
-    let method = if std::env::var("TS").is_ok() { SplitMethod::Sah } else { SplitMethod::Middle };
-    let splitter = Splitter { method, leaf_size };
+    let splitter = Splitter { method: SplitMethod::Middle, leaf_size };
     let top_down = TopDown { splitter, max_depth: max_depth - MAX_UPPER_DEPTH, progress };
     let curve = along_curve(primitives);
     let runs = runs(&curve, TREELET_LEAVES * leaf_size.0);
-    let treelet = |run: &Range<usize>| {
+    let mut order = vec![Primitive::triangle(0); primitives.len()];
+    let treelet = |(run, order): (&Range<usize>, &mut [Primitive])| {
         let mut list: Vec<_> = curve[run.clone()].iter().map(|place| primitives[place.index()]).collect();
         let treelet = top_down.build(&mut list, run.start);
-        (treelet, list.iter().map(BuildPrimitive::primitive).collect::<Vec<_>>())
+        order.iter_mut().zip(&list).for_each(|(place, primitive)| *place = primitive.primitive());
+        treelet
     };
-    let (treelets, orders): (Vec<_>, Vec<_>) = runs.par_iter().map(treelet).unzip();
-    drop(curve);
-    (join_by_sah(treelets), orders.into_iter().flatten().collect())
+    let treelets = runs.par_iter().zip(split_into(&mut order, &runs)).map(treelet).collect();
+    (join_by_sah(treelets), order)
+}
+
+/// The parts of `list` at `runs`, which cover all of it.
+fn split_into<'a, T>(mut list: &'a mut [T], runs: &[Range<usize>]) -> Vec<&'a mut [T]> {
+    let part = |run: &Range<usize>| list.split_off_mut(..run.len()).expect("runs cover the list");
+    runs.iter().map(part).collect()
 }
 
 /// Cuts the curve into runs of up to `longest`, each time where the highest bit changes that is not the same in all codes.
@@ -68,7 +74,8 @@ fn runs(curve: &[CurvePlace], longest: usize) -> Vec<Range<usize>> {
 
 /// Builds the tree above the treelets.
 fn join_by_sah(mut treelets: Vec<Subtree>) -> Subtree {
-    let stand_in = |(index, treelet): (usize, &Subtree)| BuildPrimitive::new(&treelet.root.bounds, Primitive::triangle(index));
+    let stand_in =
+        |(index, treelet): (usize, &Subtree)| BuildPrimitive::new(&treelet.root.bounds, Primitive::triangle(index));
     let mut stand_ins: Vec<BuildPrimitive> = treelets.iter().enumerate().map(stand_in).collect();
     let splitter = Splitter { method: SplitMethod::Sah, leaf_size: LeafSize(1) };
     let top_down = TopDown { splitter, max_depth: MAX_UPPER_DEPTH, progress: Progress::SILENT };

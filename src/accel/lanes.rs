@@ -66,8 +66,7 @@ pub(super) struct LaneBox {
 
 impl LaneBox {
     /// The box of nothing.
-    pub(super) const EMPTY: LaneBox =
-        LaneBox { low: Lanes::all(f32::INFINITY), high: Lanes::all(f32::NEG_INFINITY) };
+    pub(super) const EMPTY: LaneBox = LaneBox { low: Lanes::all(f32::INFINITY), high: Lanes::all(f32::NEG_INFINITY) };
 
     /// The smallest box around both.
     #[inline(always)]

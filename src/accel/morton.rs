@@ -35,9 +35,8 @@ impl CurvePlace {
 pub(super) fn along_curve(primitives: &[BuildPrimitive]) -> Vec<CurvePlace> {
     let axis_bits = axis_bits(primitives.len());
     let grid = Grid::new(centre_bounds(primitives), axis_bits);
-    let place = |(index, primitive): (usize, &BuildPrimitive)| {
-        CurvePlace(u64::from(grid.code(primitive)) << 32 | index as u64)
-    };
+    let place =
+        |(index, primitive): (usize, &BuildPrimitive)| CurvePlace(u64::from(grid.code(primitive)) << 32 | index as u64);
     let places = primitives.par_iter().enumerate().map(place).collect();
     sort_by_digits(places, 3 * axis_bits, |place| place.code())
 }

@@ -81,3 +81,40 @@ fn pieces_of_equal_length<'a, T>(a: Vec<&'a mut [T]>, b: Vec<&'a mut [T]>) -> Ve
         (a_rest, b_rest) = (a_after, b_after);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::accel::box32::Box32;
+    use crate::shape::Primitive;
+
+    /// Boxes at places that follow no order.
+    fn scattered(len: usize) -> Vec<BuildPrimitive> {
+        let at = |index: usize| (index as u32).wrapping_mul(0x9e37_79b9) as f32;
+        let place = |index| {
+            BuildPrimitive::new(&Box32 { low: [at(index); 3], high: [at(index); 3] }, Primitive::triangle(index))
+        };
+        (0..len).map(place).collect()
+    }
+
+    #[test]
+    fn long_lists_are_parted_like_short_ones_by_any_number_of_threads() {
+        for len in [0, 1, 100, PARALLEL, 3 * PARALLEL + 17] {
+            for share in [0.0, 0.01, 0.5, 0.9, 3.0] {
+                let limit = share * u32::MAX as f32;
+                let is_left = |primitive: &BuildPrimitive| primitive.centre_along(0) < 2.0 * limit;
+                let parted = [1, 3].map(|threads| {
+                    let mut list = scattered(len);
+                    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+                    (pool.install(|| partition(&mut list, is_left)), list)
+                });
+                let (count, list) = &parted[0];
+                assert!(list[..*count].iter().all(is_left) && !list[*count..].iter().any(is_left), "{len}, {share}");
+                let mut indices: Vec<usize> = list.iter().map(|primitive| primitive.primitive().index()).collect();
+                indices.sort_unstable();
+                assert!(indices.into_iter().eq(0..len), "{len}, {share}");
+                assert!(parted[0] == parted[1], "{len}, {share}");
+            }
+        }
+    }
+}

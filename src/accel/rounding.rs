@@ -22,7 +22,7 @@ pub(super) fn at_or_below(x: f64) -> f32 {
 /// infinity and NaN stay what they are.
 ///
 /// Without a branch: whether `x` was rounded up is as good as random.
-#[inline]
+#[inline(always)]
 pub(super) fn below(x: f64) -> f32 {
     let nearest = x as f32;
     let rank = rank(nearest) - i32::from(f64::from(nearest) >= x);
@@ -48,7 +48,7 @@ fn of_rank(rank: i32) -> f32 {
 }
 
 /// An `f32` greater than `x`, and not 0.
-#[inline]
+#[inline(always)]
 pub(super) fn above(x: f64) -> f32 {
     -below(-x)
 }

@@ -29,17 +29,15 @@ impl Statistics {
             return Statistics::default();
         };
         let mut statistics = Statistics { bytes, ..Statistics::default() };
-        let (mut cost, mut la, mut ia) = (0.0, 0.0, 0.0); //TEMP
+        let mut cost = 0.0;
         for (node, depth) in walk(root, &aggregate.below) {
             statistics.nodes += 1;
             statistics.leaves += usize::from(node.is_leaf());
             statistics.depth = statistics.depth.max(depth);
             let work = if node.is_leaf() { node.count as f32 } else { NODE_COST };
-            if node.is_leaf() { la += f64::from(node.bounds.half_area()) } else { ia += f64::from(node.bounds.half_area()) } //TEMP
             cost += f64::from(node.bounds.half_area()) * f64::from(work);
         }
         statistics.sah_cost = cost / f64::from(root.bounds.half_area());
-        let r = f64::from(root.bounds.half_area()); println!("      leaf area {:.2} inner area {:.2}", la / r, ia / r); //TEMP
         statistics
     }
 }

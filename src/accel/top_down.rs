@@ -32,10 +32,8 @@ impl TopDown<'_> {
             && let Some(middle) = self.split(primitives, depth)
         {
             let (left, right) = primitives.split_at_mut(middle);
-            let (left, right) = rayon::join(
-                || self.branch(left, first, depth + 1),
-                || self.branch(right, first + middle, depth + 1),
-            );
+            let (left, right) =
+                rayon::join(|| self.branch(left, first, depth + 1), || self.branch(right, first + middle, depth + 1));
             return Branch::fork(left, right);
         }
         let mut below = Vec::new();
