@@ -22,7 +22,7 @@ fn sample(primitives: &[BuildPrimitive]) -> Vec<BuildPrimitive> {
     let step = primitives.len() / SAMPLE;
     // The fractions of multiples of the golden ratio are spread evenly.
     let fraction = |part: usize| u64::from((part as u32).wrapping_mul(0x9e37_79b9));
-    let place = |part: usize| part * step + (fraction(part) * step as u64 >> 32) as usize;
+    let place = |part: usize| part * step + ((fraction(part) * step as u64) >> 32) as usize;
     (0..SAMPLE).map(|part| primitives[place(part)]).collect()
 }
 
@@ -44,9 +44,6 @@ struct Binning {
     count: usize,
 }
 
-/// Added to a small number of at least 0, leaves its nearest integer in the lowest bits.
-const ROUND: f32 = (1 << 23) as f32;
-
 impl Binning {
     fn new(centres: LaneBox, count: usize) -> Binning {
         let extent = centres.extent();
@@ -58,9 +55,9 @@ impl Binning {
     /// The bin on each axis; some bin for a NaN, which comes from infinite boxes.
     #[inline(always)]
     fn places(&self, primitive: &BuildPrimitive) -> [usize; 3] {
-        let bins = primitive.doubled_centre().minus(self.low).times(self.per_unit).plus(Lanes::all(ROUND));
-        let [x, y, z, _] = bins.0;
-        [x.to_bits() as usize % BINS, y.to_bits() as usize % BINS, z.to_bits() as usize % BINS]
+        let bins = primitive.doubled_centre().minus(self.low).times(self.per_unit);
+        let [x, y, z, _] = bins.rounded().map(|bin| bin as usize % BINS);
+        [x, y, z]
     }
 
     /// The plane to the right of the first `left_bins`.

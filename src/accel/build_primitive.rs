@@ -3,8 +3,9 @@
 use super::anchor_space::AnchorSpace;
 use super::box32::Box32;
 use super::lanes::{LaneBox, Lanes};
+use super::triangle_block::{BLOCK, place_triangles};
 use crate::geometry::{Bounds, Point};
-use crate::shape::{Primitive, Shapes, Triangle};
+use crate::shape::{Primitive, Shapes};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -29,7 +30,7 @@ fn bits_in(number: f32) -> u32 {
 
 impl BuildPrimitive {
     /// Stands for what can never be hit, until it is removed.
-    const DEAD: BuildPrimitive = BuildPrimitive { corners: LaneBox::EMPTY };
+    pub(super) const DEAD: BuildPrimitive = BuildPrimitive { corners: LaneBox::EMPTY };
 
     pub(super) fn new(bounds: &Box32, primitive: Primitive) -> BuildPrimitive {
         let ([x0, y0, z0], [x1, y1, z1], bits) = (bounds.low, bounds.high, primitive.to_bits());
@@ -70,42 +71,37 @@ impl BuildPrimitive {
 pub(super) fn collect(shapes: &Shapes, anchor: Point) -> (AnchorSpace, Vec<BuildPrimitive>) {
     let space = AnchorSpace::new(anchor, reach(shapes, anchor));
     let any_dead = AtomicBool::new(false);
-    let dead = || {
+    let mut primitives = place_all_triangles(shapes, &space, &any_dead);
+    let place_sphere = |index| {
+        let sphere = shapes.sphere(index);
+        if sphere.can_be_hit() {
+            return BuildPrimitive::new(&space.enclose(&sphere.bounds()), Primitive::sphere(index));
+        }
         any_dead.store(true, Ordering::Relaxed);
         BuildPrimitive::DEAD
     };
-    let triangles = (0..shapes.triangle_count()).into_par_iter().map(|index| {
-        let triangle = shapes.triangle(index);
-        if !triangle.can_be_hit() {
-            return dead();
-        }
-        BuildPrimitive::new(&space.enclose(&bounds_of_finite(&triangle)), Primitive::triangle(index))
-    });
-    let spheres = (0..shapes.sphere_count()).into_par_iter().map(|index| {
-        let sphere = shapes.sphere(index);
-        if !sphere.can_be_hit() {
-            return dead();
-        }
-        BuildPrimitive::new(&space.enclose(&sphere.bounds()), Primitive::sphere(index))
-    });
-    // The number is known, so that each box is written to its place and nothing is moved.
-    let mut primitives = Vec::new();
-    triangles.chain(spheres).collect_into_vec(&mut primitives);
+    primitives.par_extend((0..shapes.sphere_count()).into_par_iter().map(place_sphere));
     if any_dead.into_inner() {
         primitives.retain(|primitive| !primitive.is_dead());
     }
     (space, primitives)
 }
 
-/// The box around corners none of which is a NaN, so that plain comparisons do.
-#[inline]
-fn bounds_of_finite(triangle: &Triangle) -> Bounds {
-    let [a, b, c] = triangle.0;
-    let lower = |p: f64, q: f64| if p < q { p } else { q };
-    let upper = |p: f64, q: f64| if p > q { p } else { q };
-    let low = |k: usize| lower(lower(a[k], b[k]), c[k]);
-    let high = |k: usize| upper(upper(a[k], b[k]), c[k]);
-    Bounds { low: Point::new(low(0), low(1), low(2)), high: Point::new(high(0), high(1), high(2)) }
+/// All triangles, dead ones too. Their number is known, so that each is written to its place and not moved.
+fn place_all_triangles(shapes: &Shapes, space: &AnchorSpace, any_dead: &AtomicBool) -> Vec<BuildPrimitive> {
+    let count = shapes.triangle_count();
+    let place = |block: usize| {
+        let first = block * BLOCK;
+        let placed = place_triangles(shapes, space, first);
+        if placed.iter().take(count - first).any(BuildPrimitive::is_dead) {
+            any_dead.store(true, Ordering::Relaxed);
+        }
+        placed
+    };
+    let blocks: Vec<_> = (0..count.div_ceil(BLOCK)).into_par_iter().map(place).collect();
+    let mut primitives = blocks.into_flattened();
+    primitives.truncate(count);
+    primitives
 }
 
 /// How far any coordinate is from the anchor's, those left out that are not finite themselves.

@@ -19,14 +19,8 @@ impl LeafSize {
         ((count as f32 + (self.0 - 1) as f32) * per_primitive) as i32 as f32
     }
 
-    /// Whether both parts of a list of `len` primitives, the first `count` and the rest, need no more leaves than the whole.
-    #[inline]
-    pub(super) fn fills(self, len: usize, count: usize) -> bool {
-        self.leaves(count) + self.leaves(len - count) == self.leaves(len)
-    }
-
-    /// The count nearest to `count` that [fills](LeafSize::fills) leaves, of those that leave something on both sides of a list
-    /// longer than a leaf.
+    /// The count nearest to `count` with which both parts of a list of `len` primitives, the first ones and the rest, need no
+    /// more leaves than the whole, and neither is empty. The list is longer than a leaf.
     pub(super) fn full(self, len: usize, count: usize) -> usize {
         let spare = self.leaves(len) * self.0 - len;
         // So many primitives in the last leaf of the left part, or more, leave no more than the spare places free.
@@ -55,11 +49,15 @@ mod tests {
         }
     }
 
+    fn fills(leaf_size: LeafSize, len: usize, count: usize) -> bool {
+        leaf_size.leaves(count) + leaf_size.leaves(len - count) == leaf_size.leaves(len)
+    }
+
     #[test]
     fn the_nearest_count_that_fills_leaves() {
         for leaf_size in [1, 2, 3, 4, 16].map(LeafSize) {
             for len in leaf_size.0 + 1..70 {
-                let all: Vec<usize> = (1..len).filter(|count| leaf_size.fills(len, *count)).collect();
+                let all: Vec<usize> = (1..len).filter(|count| fills(leaf_size, len, *count)).collect();
                 for count in 1..len {
                     let full = leaf_size.full(len, count);
                     assert!(all.contains(&full), "{count} of {len} in {leaf_size:?}: {full}");

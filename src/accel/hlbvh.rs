@@ -56,8 +56,9 @@ fn split_into<'a, T>(mut list: &'a mut [T], runs: &[Range<usize>]) -> Vec<&'a mu
 fn runs(curve: &[CurvePlace], longest: usize) -> Vec<Range<usize>> {
     let mut runs = Vec::new();
     // The later parts of all cuts: as many as a code has bits.
-    let mut waiting = vec![0..curve.len()];
-    while let Some(run) = waiting.pop() {
+    let mut waiting = Vec::new();
+    let mut next = Some(0..curve.len());
+    while let Some(run) = next.take().or_else(|| waiting.pop()) {
         let codes = &curve[run.clone()];
         let differing = codes[0].code() ^ codes[codes.len() - 1].code();
         if codes.len() <= longest || differing == 0 {
@@ -67,7 +68,7 @@ fn runs(curve: &[CurvePlace], longest: usize) -> Vec<Range<usize>> {
         let bit = differing.ilog2();
         let middle = run.start + codes.partition_point(|place| place.code() >> bit & 1 == 0);
         waiting.push(middle..run.end);
-        waiting.push(run.start..middle);
+        next = Some(run.start..middle);
     }
     runs
 }

@@ -51,6 +51,14 @@ impl Lanes {
         self.with(other, |a, b| a * b)
     }
 
+    /// The nearest integers in the lowest 22 bits, of numbers from 0 to below 2^22: adding 2^23 pushes all other bits out.
+    /// Anything where a number is none of these.
+    #[inline(always)]
+    pub(super) fn rounded(self) -> [u32; 4] {
+        let [a, b, c, d] = self.plus(Lanes::all((1 << 23) as f32)).0;
+        [a.to_bits(), b.to_bits(), c.to_bits(), d.to_bits()]
+    }
+
     /// The axis of the largest number, the lowest of equal ones.
     pub(super) fn widest_axis(self) -> usize {
         (1..3).fold(0, |widest, k| if self.0[k] > self.0[widest] { k } else { widest })
@@ -66,7 +74,8 @@ pub(super) struct LaneBox {
 
 impl LaneBox {
     /// The box of nothing.
-    pub(super) const EMPTY: LaneBox = LaneBox { low: Lanes::all(f32::INFINITY), high: Lanes::all(f32::NEG_INFINITY) };
+    pub(super) const EMPTY: LaneBox =
+        LaneBox { low: Lanes::all(Box32::EMPTY.low[0]), high: Lanes::all(Box32::EMPTY.high[0]) };
 
     /// The smallest box around both.
     #[inline(always)]

@@ -28,6 +28,7 @@ mod statistics;
 mod top_down;
 mod tracer;
 mod traversal;
+mod triangle_block;
 mod validate;
 
 pub use aggregate::{Aggregate, BuildOptions};

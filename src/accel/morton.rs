@@ -41,7 +41,7 @@ pub(super) fn along_curve(primitives: &[BuildPrimitive]) -> Vec<CurvePlace> {
     sort_by_digits(places, 3 * axis_bits, |place| place.code())
 }
 
-/// Cells, as many on each axis.
+/// Cells, as many on each axis. The first and the last one are half as wide as the others.
 struct Grid {
     low: Lanes,
     cells_per_unit: Lanes,
@@ -50,16 +50,18 @@ struct Grid {
 
 impl Grid {
     fn new(centres: LaneBox, axis_bits: u32) -> Grid {
-        let cells = |extent: f32| if extent > 0.0 { (1 << axis_bits) as f32 / extent } else { 0.0 };
-        Grid { low: centres.low, cells_per_unit: Lanes(centres.extent().0.map(cells)), last: (1 << axis_bits) - 1 }
+        let last = (1 << axis_bits) - 1;
+        let [x, y, z, _] = centres.extent().0;
+        let cells = |extent: f32| if extent > 0.0 { last as f32 / extent } else { 0.0 };
+        Grid { low: centres.low, cells_per_unit: Lanes([cells(x), cells(y), cells(z), 0.0]), last }
     }
 
     #[inline]
     fn code(&self, primitive: &BuildPrimitive) -> u32 {
-        // A NaN, from infinite boxes, becomes 0.
-        let [x, y, z, _] = primitive.doubled_centre().minus(self.low).times(self.cells_per_unit).0;
-        let cell = |along: f32| spread((along as u32).min(self.last));
-        cell(z) << 2 | cell(y) << 1 | cell(x)
+        let [x, y, z, _] = primitive.doubled_centre().minus(self.low).times(self.cells_per_unit).rounded();
+        // A NaN, from infinite boxes, is in some cell.
+        let spread = |cell: u32| spread(cell & self.last);
+        spread(z) << 2 | spread(y) << 1 | spread(x)
     }
 }
 

@@ -20,13 +20,17 @@ impl Triangle {
     }
 
     /// Whether any ray can hit it: all corners finite, and an area that is not exactly 0 (rule E1).
-    #[inline(always)]
     pub fn can_be_hit(&self) -> bool {
+        self.0.iter().all(|corner| corner.is_finite()) && (self.surely_has_area() || self.has_exact_area())
+    }
+
+    /// Whether plain arithmetic, without a branch, can tell that [it can be hit](Triangle::can_be_hit).
+    #[inline(always)]
+    pub(crate) fn can_surely_be_hit(&self) -> bool {
         let [a, b, c] = self.0;
-        // Infinite or a NaN if any of them is; and if they are huge.
+        // Infinite or a NaN if one of them is; and perhaps if they are huge.
         let sum = ((a.x + a.y) + (a.z + b.x)) + ((b.y + b.z) + (c.x + c.y)) + c.z;
-        (sum.is_finite() || self.0.iter().all(|corner| corner.is_finite()))
-            && (self.surely_has_area() || self.has_exact_area())
+        (sum.abs() < f64::INFINITY) & self.surely_has_area()
     }
 
     #[inline(always)]
@@ -38,8 +42,8 @@ impl Triangle {
         // One without area that passed would not be hit either, only counted.
         let surely_not_zero = |p: f64, q: f64| (p - q).abs() > 8.0 * U * (p.abs() + q.abs()) + 1e-290;
         surely_not_zero(u.y * v.z, u.z * v.y)
-            || surely_not_zero(u.z * v.x, u.x * v.z)
-            || surely_not_zero(u.x * v.y, u.y * v.x)
+            | surely_not_zero(u.z * v.x, u.x * v.z)
+            | surely_not_zero(u.x * v.y, u.y * v.x)
     }
 
     #[cold]
