@@ -2,6 +2,7 @@
 
 use super::anchor_space::AnchorSpace;
 use super::build_primitive::{self, BuildPrimitive, bounds_of};
+use super::full_leaves::LeafSize;
 use super::hlbvh;
 use super::node::{Children, Node, Subtree};
 use super::splitter::Splitter;
@@ -11,6 +12,7 @@ use super::{SplitMethod, Statistics};
 use crate::geometry::Point;
 use crate::progress::Progress;
 use crate::shape::{Primitive, Shapes};
+use rayon::prelude::*;
 
 /// How to build.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,8 +24,8 @@ pub struct BuildOptions {
 }
 
 impl BuildOptions {
-    /// pbrt's default.
-    pub const MAX_LEAF: usize = 4;
+    /// As many as a test of a tile against a leaf takes at a time. pbrt's default is 4.
+    pub const MAX_LEAF: usize = 16;
 
     /// `method` with leaves of the usual size.
     pub fn new(method: SplitMethod) -> BuildOptions {
@@ -31,12 +33,8 @@ impl BuildOptions {
     }
 }
 
-/// The deepest tree that the top-down build makes: 64 levels of free choice, then halving.
-const MAX_TOP_DOWN_DEPTH: u32 = 96;
-
-/// No tree is deeper, so no traversal needs a longer stack.
-pub(super) const MAX_DEPTH: usize =
-    if MAX_TOP_DOWN_DEPTH > hlbvh::MAX_DEPTH { MAX_TOP_DOWN_DEPTH } else { hlbvh::MAX_DEPTH } as usize;
+/// No tree is deeper, so no traversal needs a longer stack: 64 levels of free choice, then halving.
+pub(super) const MAX_DEPTH: usize = 96;
 
 /// A tree over the primitives of a scene. It refers to them by number; the geometry stays where it is.
 #[derive(Debug, PartialEq)]
@@ -57,14 +55,12 @@ impl Aggregate {
     ///
     /// `progress` counts primitives.
     pub fn build(shapes: &Shapes, anchor: Point, options: BuildOptions, progress: Progress) -> Aggregate {
-        let (space, mut primitives) = build_primitive::collect(shapes, anchor);
+        let (space, primitives) = build_primitive::collect(shapes, anchor);
         if primitives.is_empty() {
             let wide = WideTree::of(None, &[], &[], shapes);
             return Aggregate { space, root: None, below: Vec::new(), order: Vec::new(), wide };
         }
-        let Subtree { root, below } = build_tree(&mut primitives, options, progress);
-        let order: Vec<Primitive> = primitives.iter().map(|primitive| primitive.primitive).collect();
-        drop(primitives);
+        let (Subtree { root, below }, order) = build_tree(primitives, options, progress);
         let wide = WideTree::of(Some(&root), &below, &order, shapes);
         Aggregate { space, root: Some(root), below, order, wide }
     }
@@ -80,18 +76,23 @@ impl Aggregate {
     }
 }
 
-fn build_tree(primitives: &mut Vec<BuildPrimitive>, options: BuildOptions, progress: Progress) -> Subtree {
-    let max_leaf = options.max_leaf.max(1);
-    match options.method {
+/// The tree and the primitives in the order of its leaves.
+fn build_tree(
+    mut primitives: Vec<BuildPrimitive>,
+    options: BuildOptions,
+    progress: Progress,
+) -> (Subtree, Vec<Primitive>) {
+    let leaf_size = LeafSize(options.max_leaf.clamp(1, Primitive::MAX_COUNT));
+    let subtree = match options.method {
         SplitMethod::None => {
             progress.advance(primitives.len());
-            let root = Node::leaf(bounds_of(primitives), 0, primitives.len() as u32);
-            Subtree { root, below: Vec::new() }
+            Subtree { root: Node::leaf(bounds_of(&primitives), 0, primitives.len() as u32), below: Vec::new() }
         }
-        SplitMethod::Hlbvh => hlbvh::build(primitives, max_leaf, progress),
+        SplitMethod::Hlbvh => return hlbvh::build(&primitives, leaf_size, MAX_DEPTH as u32, progress),
         method => {
-            let splitter = Splitter { method, max_leaf };
-            TopDown { splitter, max_depth: MAX_TOP_DOWN_DEPTH, progress }.build(primitives, 0)
+            let splitter = Splitter { method, leaf_size };
+            TopDown { splitter, max_depth: MAX_DEPTH as u32, progress }.build(&mut primitives, 0)
         }
-    }
+    };
+    (subtree, primitives.par_iter().map(BuildPrimitive::primitive).collect())
 }

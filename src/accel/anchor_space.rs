@@ -76,14 +76,32 @@ impl AnchorSpace {
     /// A coordinate of a point, before it is narrowed to `f32`.
     #[inline]
     fn coordinate(&self, point: &Point, axis: usize) -> f64 {
-        (point[axis] * self.before - self.anchor[axis] * self.before) * self.scale
+        self.along(point[axis], axis)
+    }
+
+    /// The coordinate on `axis` where it is `x` in world space, before it is narrowed to `f32`.
+    #[inline(always)]
+    fn along(&self, x: f64, axis: usize) -> f64 {
+        (x * self.before - self.anchor[axis] * self.before) * self.scale
     }
 
     /// The box around world-space `bounds`, strictly.
     pub(super) fn enclose(&self, bounds: &Bounds) -> Box32 {
-        let low = |k| below(self.coordinate(&bounds.low, k));
-        let high = |k| above(self.coordinate(&bounds.high, k));
-        Box32 { low: std::array::from_fn(low), high: std::array::from_fn(high) }
+        let low = |k| self.low_face(bounds.low[k], k);
+        let high = |k| self.high_face(bounds.high[k], k);
+        Box32 { low: [low(0), low(1), low(2)], high: [high(0), high(1), high(2)] }
+    }
+
+    /// The low face on `axis` of a box that begins at `x` in world space.
+    #[inline(always)]
+    pub(super) fn low_face(&self, x: f64, axis: usize) -> f32 {
+        below(self.along(x, axis))
+    }
+
+    /// The high face on `axis` of a box that ends at `x` in world space.
+    #[inline(always)]
+    pub(super) fn high_face(&self, x: f64, axis: usize) -> f32 {
+        above(self.along(x, axis))
     }
 
     /// The ray as the slab test needs it.

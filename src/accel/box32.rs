@@ -48,10 +48,4 @@ impl Box32 {
     pub(super) fn contains(&self, other: &Box32) -> bool {
         (0..3).all(|k| self.low[k] <= other.low[k] && other.high[k] <= self.high[k])
     }
-
-    /// Twice the centre.
-    #[inline]
-    pub(super) fn doubled_centre(&self) -> [f32; 3] {
-        std::array::from_fn(|k| self.low[k] + self.high[k])
-    }
 }

@@ -2,71 +2,175 @@
 
 use super::anchor_space::AnchorSpace;
 use super::box32::Box32;
+use super::lanes::{LaneBox, Lanes};
+use super::triangle_block::{BLOCK, place_triangles};
 use crate::geometry::{Bounds, Point};
 use crate::shape::{Primitive, Shapes};
 use rayon::prelude::*;
+use std::sync::atomic::{AtomicBool, Ordering};
 
-/// The box of a primitive, moved about while a tree is built.
+/// The box of a primitive, moved about while a tree is built: 32 bytes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct BuildPrimitive {
-    pub(super) bounds: Box32,
-    pub(super) primitive: Primitive,
+    /// In each spare lane, half of the primitive's bits.
+    corners: LaneBox,
+}
+
+const _: () = assert!(size_of::<BuildPrimitive>() == 32);
+
+/// A number from 1 to below 2 with 16 bits of something else in it. Sums of lanes meet it, and as the bits of an `f32` small
+/// numbers would be subnormal, with which sums take many times as long.
+fn with_bits(bits: u32) -> f32 {
+    f32::from_bits(1f32.to_bits() | bits & 0xffff)
+}
+
+fn bits_in(number: f32) -> u32 {
+    number.to_bits() & 0xffff
 }
 
 impl BuildPrimitive {
-    /// Twice the centre of the box.
-    #[inline]
-    pub(super) fn doubled_centre(&self) -> [f32; 3] {
-        self.bounds.doubled_centre()
+    /// Stands for what can never be hit, until it is removed.
+    pub(super) const DEAD: BuildPrimitive = BuildPrimitive { corners: LaneBox::EMPTY };
+
+    pub(super) fn new(bounds: &Box32, primitive: Primitive) -> BuildPrimitive {
+        let ([x0, y0, z0], [x1, y1, z1], bits) = (bounds.low, bounds.high, primitive.to_bits());
+        let (low, high) = ([x0, y0, z0, with_bits(bits >> 16)], [x1, y1, z1, with_bits(bits)]);
+        BuildPrimitive { corners: LaneBox { low: Lanes(low), high: Lanes(high) } }
+    }
+
+    /// Its box, with anything in the spare lanes.
+    #[inline(always)]
+    pub(super) fn bounds(&self) -> LaneBox {
+        self.corners
+    }
+
+    #[inline(always)]
+    pub(super) fn primitive(&self) -> Primitive {
+        Primitive::from_bits(bits_in(self.corners.low.0[3]) << 16 | bits_in(self.corners.high.0[3]))
+    }
+
+    /// Twice the centre of the box, and an ordinary number in the spare lane.
+    #[inline(always)]
+    pub(super) fn doubled_centre(&self) -> Lanes {
+        self.corners.low.plus(self.corners.high)
+    }
+
+    /// Twice the centre of the box along one axis.
+    #[inline(always)]
+    pub(super) fn centre_along(&self, axis: usize) -> f32 {
+        self.corners.low.0[axis] + self.corners.high.0[axis]
+    }
+
+    /// No box that something is in begins at infinity.
+    fn is_dead(&self) -> bool {
+        self.corners.low.0[0] == f32::INFINITY
     }
 }
 
 /// The primitives that can be hit, in the order of their stores, and the space of their boxes.
 pub(super) fn collect(shapes: &Shapes, anchor: Point) -> (AnchorSpace, Vec<BuildPrimitive>) {
     let space = AnchorSpace::new(anchor, reach(shapes, anchor));
-    let place = |primitive: Primitive, bounds: Bounds| BuildPrimitive { bounds: space.enclose(&bounds), primitive };
-    let triangles = (0..shapes.triangle_count()).into_par_iter().filter_map(|index| {
-        let triangle = shapes.triangle(index);
-        triangle.can_be_hit().then(|| place(Primitive::triangle(index), triangle.bounds()))
-    });
-    let spheres = (0..shapes.sphere_count()).into_par_iter().filter_map(|index| {
+    let any_dead = AtomicBool::new(false);
+    let mut primitives = place_all_triangles(shapes, &space, &any_dead);
+    let place_sphere = |index| {
         let sphere = shapes.sphere(index);
-        sphere.can_be_hit().then(|| place(Primitive::sphere(index), sphere.bounds()))
-    });
-    (space, triangles.chain(spheres).collect())
+        if sphere.can_be_hit() {
+            return BuildPrimitive::new(&space.enclose(&sphere.bounds()), Primitive::sphere(index));
+        }
+        any_dead.store(true, Ordering::Relaxed);
+        BuildPrimitive::DEAD
+    };
+    primitives.par_extend((0..shapes.sphere_count()).into_par_iter().map(place_sphere));
+    if any_dead.into_inner() {
+        primitives.retain(|primitive| !primitive.is_dead());
+    }
+    (space, primitives)
+}
+
+/// All triangles, dead ones too. Their number is known, so that each is written to its place and not moved.
+fn place_all_triangles(shapes: &Shapes, space: &AnchorSpace, any_dead: &AtomicBool) -> Vec<BuildPrimitive> {
+    let count = shapes.triangle_count();
+    let place = |block: usize| {
+        let first = block * BLOCK;
+        let placed = place_triangles(shapes, space, first);
+        if placed.iter().take(count - first).any(BuildPrimitive::is_dead) {
+            any_dead.store(true, Ordering::Relaxed);
+        }
+        placed
+    };
+    let blocks: Vec<_> = (0..count.div_ceil(BLOCK)).into_par_iter().map(place).collect();
+    let mut primitives = blocks.into_flattened();
+    primitives.truncate(count);
+    primitives
 }
 
 /// How far any coordinate is from the anchor's, those left out that are not finite themselves.
 fn reach(shapes: &Shapes, anchor: Point) -> f64 {
-    let distance = |point: Point| {
-        let along = |k| if f64::is_finite(point[k]) { (point[k] - anchor[k]).abs() } else { 0.0 };
-        f64::max(along(0), along(1)).max(along(2))
+    let include = |bounds: Bounds, point: &Point| {
+        // A NaN is neither, an infinity only one of them, and never at the end.
+        let low =
+            |k: usize| if point[k] < bounds.low[k] && point[k] > f64::NEG_INFINITY { point[k] } else { bounds.low[k] };
+        let high =
+            |k: usize| if point[k] > bounds.high[k] && point[k] < f64::INFINITY { point[k] } else { bounds.high[k] };
+        Bounds { low: Point::new(low(0), low(1), low(2)), high: Point::new(high(0), high(1), high(2)) }
     };
-    let vertices = shapes.vertices().par_iter().map(|vertex| distance(*vertex)).reduce(|| 0.0, f64::max);
+    let around = |points: &[Point]| points.iter().fold(Bounds::EMPTY, include);
+    let vertices = shapes.vertices().par_chunks(CHUNK).map(around).reduce(|| Bounds::EMPTY, Bounds::union);
     let sphere = |index| {
         let bounds = shapes.sphere(index).bounds();
-        distance(bounds.low).max(distance(bounds.high))
+        around(&[bounds.low, bounds.high])
     };
-    (0..shapes.sphere_count()).into_par_iter().map(sphere).reduce(|| vertices, f64::max)
+    let spheres = (0..shapes.sphere_count()).into_par_iter().map(sphere).reduce(|| Bounds::EMPTY, Bounds::union);
+    let bounds = vertices.union(spheres);
+    // Rounding is monotone, so no other coordinate is farther than one of the ends.
+    let along = |k: usize| f64::max((bounds.low[k] - anchor[k]).abs(), (bounds.high[k] - anchor[k]).abs());
+    (0..3).filter(|k| bounds.low[*k] <= bounds.high[*k]).map(along).fold(0.0, f64::max)
 }
 
 /// Lists longer than this are worked on by several threads.
 pub(super) const PARALLEL: usize = 1 << 16;
 
+/// How much of a long list a thread takes at a time. The same for any number of threads: so is the tree.
+pub(super) const CHUNK: usize = PARALLEL / 4;
+
 /// The box around the doubled centres.
-pub(super) fn centre_bounds(primitives: &[BuildPrimitive]) -> Box32 {
-    let include = |bounds: Box32, primitive: &BuildPrimitive| {
+pub(super) fn centre_bounds(primitives: &[BuildPrimitive]) -> LaneBox {
+    union_of(primitives, |primitive| {
         let centre = primitive.doubled_centre();
-        bounds.union(&Box32 { low: centre, high: centre })
-    };
-    if primitives.len() < PARALLEL {
-        return primitives.iter().fold(Box32::EMPTY, include);
-    }
-    let chunks = primitives.par_chunks(PARALLEL / 4);
-    chunks.map(|chunk| chunk.iter().fold(Box32::EMPTY, include)).reduce(|| Box32::EMPTY, |a, b| a.union(&b))
+        LaneBox { low: centre, high: centre }
+    })
 }
 
 /// The box around all of `primitives`.
 pub(super) fn bounds_of(primitives: &[BuildPrimitive]) -> Box32 {
-    primitives.iter().fold(Box32::EMPTY, |bounds, primitive| bounds.union(&primitive.bounds))
+    union_of(primitives, BuildPrimitive::bounds).to_box()
+}
+
+#[inline]
+fn union_of(primitives: &[BuildPrimitive], part: impl Fn(&BuildPrimitive) -> LaneBox + Sync) -> LaneBox {
+    let of_chunk =
+        |chunk: &[BuildPrimitive]| chunk.iter().fold(LaneBox::EMPTY, |bounds, primitive| part(primitive).union(bounds));
+    if primitives.len() < PARALLEL {
+        return of_chunk(primitives);
+    }
+    primitives.par_chunks(CHUNK).map(of_chunk).reduce(|| LaneBox::EMPTY, LaneBox::union)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_bit_of_a_primitive_comes_back_and_none_disturbs_sums() {
+        let bounds = Box32 { low: [-1.0, 2.0, 3.0], high: [4.0, 5.0, 6.0] };
+        for primitive in [0, 1, 0xffff, 0x1_0000, 0x1234_5678, Primitive::MAX_COUNT - 1]
+            .into_iter()
+            .flat_map(|index| [Primitive::triangle(index), Primitive::sphere(index)])
+        {
+            let placed = BuildPrimitive::new(&bounds, primitive);
+            assert_eq!((placed.primitive(), placed.bounds().to_box()), (primitive, bounds));
+            assert!((2.0..4.0).contains(&placed.doubled_centre().0[3]));
+            assert!(!placed.is_dead());
+        }
+    }
 }

@@ -90,7 +90,7 @@ impl Children {
     }
 
     /// The same children in a list in which everything below them lies `by` places further on.
-    pub(super) fn shifted(self, by: usize) -> Children {
+    pub(super) fn shifted(&self, by: usize) -> Children {
         Children::new(&self.node(0).shifted(by), &self.node(1).shifted(by))
     }
 }
@@ -100,17 +100,4 @@ impl Children {
 pub(super) struct Subtree {
     pub(super) root: Node,
     pub(super) below: Vec<Children>,
-}
-
-impl Subtree {
-    /// Puts two subtrees under one root.
-    pub(super) fn join(left: Subtree, right: Subtree) -> Subtree {
-        let root = Node::inner(left.root.bounds.union(&right.root.bounds), 0);
-        let right_base = 1 + left.below.len();
-        let mut below = Vec::with_capacity(right_base + right.below.len());
-        below.push(Children::new(&left.root.shifted(1), &right.root.shifted(right_base)));
-        below.extend(left.below.into_iter().map(|children| children.shifted(1)));
-        below.extend(right.below.into_iter().map(|children| children.shifted(right_base)));
-        Subtree { root, below }
-    }
 }

@@ -18,14 +18,37 @@ pub(super) fn at_or_below(x: f64) -> f32 {
     if f64::from(nearest) > x { nearest.next_down() } else { nearest }
 }
 
-/// An `f32` less than `x`, and not 0: a face in the plane of the origin is on its own side of it.
+/// The largest `f32` less than `x` that is not 0: a face in the plane of the origin is on its own side of it. Minus
+/// infinity and NaN stay what they are.
+///
+/// Without a branch: whether `x` was rounded up is as good as random.
+#[inline(always)]
 pub(super) fn below(x: f64) -> f32 {
-    let lower = at_or_below(x);
-    let lower = if f64::from(lower) < x { lower } else { lower.next_down() };
-    if lower == 0.0 { -f32::from_bits(1) } else { lower }
+    let nearest = x as f32;
+    let rank = rank(nearest) - i32::from(f64::from(nearest) >= x);
+    let rank = if rank == ZERO || rank == MINUS_ZERO { MINUS_ZERO - 1 } else { rank };
+    of_rank(if nearest == f32::NEG_INFINITY { self::rank(nearest) } else { rank })
+}
+
+/// The ranks of 0 and -0.
+const ZERO: i32 = 0;
+const MINUS_ZERO: i32 = -1;
+
+/// Where an `f32` is among all: neighbours differ by 1.
+#[inline]
+fn rank(x: f32) -> i32 {
+    let bits = x.to_bits() as i32;
+    bits ^ (bits >> 31 & i32::MAX)
+}
+
+/// The inverse of [`rank`].
+#[inline]
+fn of_rank(rank: i32) -> f32 {
+    f32::from_bits((rank ^ (rank >> 31 & i32::MAX)) as u32)
 }
 
 /// An `f32` greater than `x`, and not 0.
+#[inline(always)]
 pub(super) fn above(x: f64) -> f32 {
     -below(-x)
 }
@@ -33,6 +56,7 @@ pub(super) fn above(x: f64) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
 
     #[test]
     fn rounding_is_strict_and_avoids_zero() {
@@ -42,5 +66,26 @@ mod tests {
         assert_eq!(above(-1e-300), f32::from_bits(1));
         assert_eq!(below(f64::MAX), f32::MAX);
         assert_eq!(above(f64::MAX), f32::INFINITY);
+        assert_eq!(below(f64::INFINITY), f32::MAX);
+        assert_eq!(below(f64::NEG_INFINITY), f32::NEG_INFINITY);
+        assert_eq!(above(f64::INFINITY), f32::INFINITY);
+        assert!(below(f64::NAN).is_nan() && above(f64::NAN).is_nan());
+    }
+
+    /// Step by step, as it is defined.
+    fn slowly_below(x: f64) -> f32 {
+        let lower = at_or_below(x);
+        let lower = if f64::from(lower) < x { lower } else { lower.next_down() };
+        if lower == 0.0 { -f32::from_bits(1) } else { lower }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+        #[test]
+        fn below_is_the_next_one_down(x in prop_oneof![any::<f64>(), any::<f32>().prop_map(f64::from), -1e-44..1e-44]) {
+            prop_assert_eq!(below(x).to_bits(), slowly_below(x).to_bits());
+            prop_assert_eq!(above(x).to_bits(), (-slowly_below(-x)).to_bits());
+        }
     }
 }

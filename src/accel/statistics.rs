@@ -2,7 +2,9 @@
 
 use super::Aggregate;
 use super::node::{Children, Node};
-use super::splitter::NODE_COST;
+
+/// What visiting a node costs, in units of testing a primitive.
+const NODE_COST: f32 = 1.0;
 
 /// Counts and costs of a tree.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -1,6 +1,6 @@
 //! The one top-down build, whatever the split method.
 
-use super::box32::Box32;
+use super::branch::Branch;
 use super::build_primitive::{BuildPrimitive, bounds_of};
 use super::node::{Children, Node, Subtree};
 use super::splitter::{Splitter, split_evenly};
@@ -21,42 +21,32 @@ impl TopDown<'_> {
     /// The tree over `primitives`, which come to lie in the order of its leaves; the first of them has place `first`.
     /// The list must not be empty.
     pub(super) fn build(&self, primitives: &mut [BuildPrimitive], first: usize) -> Subtree {
-        self.subtree(primitives, first, 0)
+        self.branch(primitives, first, 0).into_subtree()
     }
 
+    /// The tree over `primitives`, of which the first has place `first`.
+    ///
     /// Recursion goes as deep as the tree, which `max_depth` bounds.
-    fn subtree(&self, primitives: &mut [BuildPrimitive], first: usize, depth: u32) -> Subtree {
-        if primitives.len() <= PARALLEL_SUBTREE {
-            let mut below = Vec::new();
-            let count = primitives.len();
-            let root = self.node(primitives, first, depth, &mut below);
-            self.progress.advance(count);
-            return Subtree { root, below };
+    fn branch(&self, primitives: &mut [BuildPrimitive], first: usize, depth: u32) -> Branch {
+        if primitives.len() > PARALLEL_SUBTREE
+            && let Some(middle) = self.split(primitives, depth)
+        {
+            let (left, right) = primitives.split_at_mut(middle);
+            let (left, right) =
+                rayon::join(|| self.branch(left, first, depth + 1), || self.branch(right, first + middle, depth + 1));
+            return Branch::fork(left, right);
         }
-        let bounds = bounds_of(primitives);
-        match self.split(primitives, &bounds, depth) {
-            None => self.leaf(bounds, first, primitives.len()),
-            Some(middle) => {
-                let (left, right) = primitives.split_at_mut(middle);
-                let (left, right) = rayon::join(
-                    || self.subtree(left, first, depth + 1),
-                    || self.subtree(right, first + middle, depth + 1),
-                );
-                Subtree::join(left, right)
-            }
-        }
-    }
-
-    fn leaf(&self, bounds: Box32, first: usize, count: usize) -> Subtree {
+        let mut below = Vec::new();
+        let count = primitives.len();
+        let root = self.node(primitives, first, depth, &mut below);
         self.progress.advance(count);
-        Subtree { root: Node::leaf(bounds, first as u32, count as u32), below: Vec::new() }
+        Branch::Part(Subtree { root, below })
     }
 
-    /// The node over `primitives`, with the nodes below it appended to `below`: in the order of [`Subtree::join`].
+    /// The node over `primitives`, with the nodes below it appended to `below`, depth first.
     fn node(&self, primitives: &mut [BuildPrimitive], first: usize, depth: u32, below: &mut Vec<Children>) -> Node {
-        let bounds = bounds_of(primitives);
-        let Some(middle) = self.split(primitives, &bounds, depth) else {
-            return Node::leaf(bounds, first as u32, primitives.len() as u32);
+        let Some(middle) = self.split(primitives, depth) else {
+            return Node::leaf(bounds_of(primitives), first as u32, primitives.len() as u32);
         };
         let children = below.len();
         below.push(Children::PLACEHOLDER);
@@ -64,15 +54,15 @@ impl TopDown<'_> {
         let left = self.node(left, first, depth + 1, below);
         let right = self.node(right, first + middle, depth + 1, below);
         below[children] = Children::new(&left, &right);
-        Node::inner(bounds, children as u32)
+        Node::inner(left.bounds.union(&right.bounds), children as u32)
     }
 
-    fn split(&self, primitives: &mut [BuildPrimitive], bounds: &Box32, depth: u32) -> Option<usize> {
+    fn split(&self, primitives: &mut [BuildPrimitive], depth: u32) -> Option<usize> {
         // Halving from here on just ends at the deepest level allowed.
         let levels_needed = usize::BITS - (primitives.len().max(1) - 1).leading_zeros();
-        if depth + levels_needed >= self.max_depth && primitives.len() > self.splitter.max_leaf {
+        if depth + levels_needed >= self.max_depth && primitives.len() > self.splitter.leaf_size.0 {
             return Some(split_evenly(primitives));
         }
-        self.splitter.split(primitives, bounds)
+        self.splitter.split(primitives)
     }
 }

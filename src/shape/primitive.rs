@@ -25,6 +25,16 @@ impl Primitive {
         Primitive(index as u32 | SPHERE)
     }
 
+    /// What [`Primitive::to_bits`] gave.
+    pub(crate) fn from_bits(bits: u32) -> Primitive {
+        Primitive(bits)
+    }
+
+    /// All that there is to it, for places that hold numbers.
+    pub(crate) fn to_bits(self) -> u32 {
+        self.0
+    }
+
     /// Whether this is a sphere.
     pub fn is_sphere(self) -> bool {
         self.0 & SPHERE != 0

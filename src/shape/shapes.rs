@@ -188,7 +188,8 @@ impl Shapes {
     /// Triangle `index` of the store.
     #[inline]
     pub fn triangle(&self, index: usize) -> Triangle {
-        Triangle(self.triangles[index].map(|corner| self.vertices[corner as usize]))
+        let [a, b, c] = self.triangles[index].map(|corner| corner as usize);
+        Triangle([self.vertices[a], self.vertices[b], self.vertices[c]])
     }
 
     /// Sphere `index` of the store.

@@ -33,7 +33,7 @@ fn verbose_tells_of_each_phase() {
     let folder = Folder::new();
     for flag in ["-v", "--verbose"] {
         let run = folder.render(&format!("ball.pbrt {flag}")).succeeded();
-        run.said("loaded 2 shapes: 1 triangles, 1 spheres").said("built 3 nodes over 2 primitives by sah");
+        run.said("loaded 2 shapes: 1 triangles, 1 spheres").said("built 1 nodes over 2 primitives by sah");
     }
     folder.render("ball.pbrt -v -q").failed(2, "cannot be used with");
 }

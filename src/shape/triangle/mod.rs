@@ -21,22 +21,37 @@ impl Triangle {
 
     /// Whether any ray can hit it: all corners finite, and an area that is not exactly 0 (rule E1).
     pub fn can_be_hit(&self) -> bool {
+        self.0.iter().all(|corner| corner.is_finite()) && (self.surely_has_area() || self.has_exact_area())
+    }
+
+    /// Whether plain arithmetic, without a branch, can tell that [it can be hit](Triangle::can_be_hit).
+    #[inline(always)]
+    pub(crate) fn can_surely_be_hit(&self) -> bool {
         let [a, b, c] = self.0;
-        if !self.0.iter().all(|corner| corner.is_finite()) || a == b || b == c || c == a {
-            return false;
-        }
+        // Infinite or a NaN if one of them is; and perhaps if they are huge.
+        let sum = ((a.x + a.y) + (a.z + b.x)) + ((b.y + b.z) + (c.x + c.y)) + c.z;
+        (sum.abs() < f64::INFINITY) & self.surely_has_area()
+    }
+
+    #[inline(always)]
+    fn surely_has_area(&self) -> bool {
+        let [a, b, c] = self.0;
         let (u, v) = (b - a, c - a);
         // A component of the cross product is off by at most the roundings of two differences, one product and
         // one sum, 4U of its terms' absolute sum; 8U is ample. Below 1e-290 bits may be lost to underflow.
         // One without area that passed would not be hit either, only counted.
         let surely_not_zero = |p: f64, q: f64| (p - q).abs() > 8.0 * U * (p.abs() + q.abs()) + 1e-290;
         surely_not_zero(u.y * v.z, u.z * v.y)
-            || surely_not_zero(u.z * v.x, u.x * v.z)
-            || surely_not_zero(u.x * v.y, u.y * v.x)
-            || self.has_exact_area()
+            | surely_not_zero(u.z * v.x, u.x * v.z)
+            | surely_not_zero(u.x * v.y, u.y * v.x)
     }
 
+    #[cold]
     fn has_exact_area(&self) -> bool {
+        let [a, b, c] = self.0;
+        if a == b || b == c || c == a {
+            return false;
+        }
         let [a, b, c] = self.0.map(ExactVector::from);
         !b.minus(&a).cross(&c.minus(&a)).is_zero()
     }

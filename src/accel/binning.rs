@@ -1,0 +1,160 @@
+//! The binned surface area heuristic (Wald, 2007).
+
+use super::build_primitive::{BuildPrimitive, centre_bounds};
+use super::full_leaves::LeafSize;
+use super::lanes::{LaneBox, Lanes};
+
+/// Bins an axis, at most.
+const BINS: usize = 16;
+
+/// Bins for a list of `count` primitives: short lists, most of all, are not worth many.
+fn bins_for(count: usize) -> usize {
+    (count / 4).clamp(4, BINS)
+}
+
+/// For lists longer than this, a sample tells where to split.
+const LONG: usize = 4 * SAMPLE;
+const SAMPLE: usize = 1 << 10;
+
+/// One primitive of each of [`SAMPLE`] equal parts of the list. Which one differs from part to part, since lists have
+/// patterns, such as the rows of a grid.
+fn sample(primitives: &[BuildPrimitive]) -> Vec<BuildPrimitive> {
+    let step = primitives.len() / SAMPLE;
+    // The fractions of multiples of the golden ratio are spread evenly.
+    let fraction = |part: usize| u64::from((part as u32).wrapping_mul(0x9e37_79b9));
+    let place = |part: usize| part * step + ((fraction(part) * step as u64) >> 32) as usize;
+    (0..SAMPLE).map(|part| primitives[place(part)]).collect()
+}
+
+/// A plane between two bins.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Plane {
+    pub(super) axis: usize,
+    /// Doubled centres below this are on the left.
+    pub(super) at: f32,
+}
+
+/// Maps doubled centres to bins, on each axis. The first and the last bin are half as wide as the others.
+#[derive(Debug, Clone, Copy)]
+struct Binning {
+    low: Lanes,
+    extent: Lanes,
+    /// Bins per unit; 0 on an axis without extent.
+    per_unit: Lanes,
+    count: usize,
+}
+
+impl Binning {
+    fn new(centres: LaneBox, count: usize) -> Binning {
+        let extent = centres.extent();
+        let per_unit = |extent: f32| if extent > 0.0 { (count - 1) as f32 / extent } else { 0.0 };
+        let [x, y, z, _] = extent.0;
+        Binning { low: centres.low, extent, per_unit: Lanes([per_unit(x), per_unit(y), per_unit(z), 0.0]), count }
+    }
+
+    /// The bin on each axis; some bin for a NaN, which comes from infinite boxes.
+    #[inline(always)]
+    fn places(&self, primitive: &BuildPrimitive) -> [usize; 3] {
+        let bins = primitive.doubled_centre().minus(self.low).times(self.per_unit);
+        let [x, y, z, _] = bins.rounded().map(|bin| bin as usize % BINS);
+        [x, y, z]
+    }
+
+    /// The plane to the right of the first `left_bins`.
+    fn plane(&self, axis: usize, left_bins: usize) -> Plane {
+        let share = (left_bins as f32 - 0.5) / (self.count - 1) as f32;
+        Plane { axis, at: self.low.0[axis] + share * self.extent.0[axis] }
+    }
+}
+
+/// What is in a bin, or in several.
+#[derive(Clone, Copy)]
+struct Bin {
+    bounds: LaneBox,
+    count: u32,
+}
+
+impl Bin {
+    const EMPTY: Bin = Bin { bounds: LaneBox::EMPTY, count: 0 };
+
+    #[inline(always)]
+    fn with(self, other: Bin) -> Bin {
+        Bin { bounds: self.bounds.union(other.bounds), count: self.count + other.count }
+    }
+
+    /// The expected number of leaves that a ray meets in it, times an area that all bins share.
+    fn cost(self, leaf_size: LeafSize) -> f32 {
+        if self.count == 0 {
+            return 0.0;
+        }
+        leaf_size.approximate_leaves(self.count) * self.bounds.half_area()
+    }
+}
+
+/// What is in each bin of each axis.
+struct Bins {
+    bounds: [[LaneBox; BINS]; 3],
+    counts: [[u32; BINS]; 3],
+}
+
+impl Bins {
+    fn of(binning: &Binning, primitives: &[BuildPrimitive]) -> Bins {
+        let mut bins = Bins { bounds: [[LaneBox::EMPTY; BINS]; 3], counts: [[0; BINS]; 3] };
+        for primitive in primitives {
+            let places = binning.places(primitive);
+            for (axis, place) in places.into_iter().enumerate() {
+                let bounds = &mut bins.bounds[axis][place];
+                *bounds = primitive.bounds().union(*bounds);
+                bins.counts[axis][place] += 1;
+            }
+        }
+        bins
+    }
+
+    fn bin(&self, axis: usize, place: usize) -> Bin {
+        Bin { bounds: self.bounds[axis][place], count: self.counts[axis][place] }
+    }
+
+    /// For each of the first `count` bins of an axis, the cost of it and all to its right.
+    fn costs_from_the_right(&self, axis: usize, count: usize, leaf_size: LeafSize) -> [f32; BINS] {
+        let mut costs = [0.0; BINS];
+        let mut right = Bin::EMPTY;
+        for place in (1..count).rev() {
+            right = right.with(self.bin(axis, place));
+            costs[place] = right.cost(leaf_size);
+        }
+        costs
+    }
+}
+
+/// The plane of the least cost over all axes; `None` where all centres are in one place.
+pub(super) fn best_plane(primitives: &[BuildPrimitive], leaf_size: LeafSize) -> Option<Plane> {
+    if primitives.len() > LONG {
+        // Each stands for many, so it counts whether or not it fills a leaf.
+        return best_plane_of_all(&sample(primitives), LeafSize(1));
+    }
+    best_plane_of_all(primitives, leaf_size)
+}
+
+fn best_plane_of_all(primitives: &[BuildPrimitive], leaf_size: LeafSize) -> Option<Plane> {
+    let binning = Binning::new(centre_bounds(primitives), bins_for(primitives.len()));
+    let bins = Bins::of(&binning, primitives);
+    let mut best = None;
+    let mut least = f32::INFINITY;
+    for axis in (0..3).filter(|axis| binning.per_unit.0[*axis] > 0.0) {
+        let right_costs = bins.costs_from_the_right(axis, binning.count, leaf_size);
+        let mut left = Bin::EMPTY;
+        for left_bins in 1..binning.count {
+            left = left.with(bins.bin(axis, left_bins - 1));
+            if left.count == 0 || left.count as usize == primitives.len() {
+                continue;
+            }
+            let cost = left.cost(leaf_size) + right_costs[left_bins];
+            if best.is_none() || cost < least {
+                best = Some(binning.plane(axis, left_bins));
+                least = cost;
+            }
+        }
+    }
+    best
+}

@@ -1,0 +1,120 @@
+//! Putting one part of a list before the rest.
+
+use super::build_primitive::{BuildPrimitive, CHUNK, PARALLEL};
+use rayon::prelude::*;
+use std::ops::Range;
+
+/// Moves those for which `is_left` holds to the front and returns how many they are. The order that results does not
+/// depend on the number of threads.
+#[inline]
+pub(super) fn partition(primitives: &mut [BuildPrimitive], is_left: impl Fn(&BuildPrimitive) -> bool + Sync) -> usize {
+    if primitives.len() < PARALLEL {
+        return partition_serially(primitives, &is_left);
+    }
+    let left_counts: Vec<usize> =
+        primitives.par_chunks_mut(CHUNK).map(|chunk| partition_serially(chunk, &is_left)).collect();
+    exchange(primitives, &left_counts);
+    left_counts.iter().sum()
+}
+
+/// Without a branch on `is_left`, which nobody could foresee.
+#[inline]
+fn partition_serially(primitives: &mut [BuildPrimitive], is_left: &impl Fn(&BuildPrimitive) -> bool) -> usize {
+    let mut left = 0;
+    for place in 0..primitives.len() {
+        let goes_left = is_left(&primitives[place]);
+        primitives.swap(left, place);
+        left += usize::from(goes_left);
+    }
+    left
+}
+
+/// Joins chunks whose first primitives, as many as `left_counts` says, belong to the left: those that lie in the wrong
+/// part of the whole list change places.
+fn exchange(primitives: &mut [BuildPrimitive], left_counts: &[usize]) {
+    let middle: usize = left_counts.iter().sum();
+    let len = primitives.len();
+    let (mut rights, mut lefts) = (Vec::new(), Vec::new());
+    for (chunk, left_count) in left_counts.iter().enumerate() {
+        let (begin, end) = (chunk * CHUNK, len.min((chunk + 1) * CHUNK));
+        let cut = begin + left_count;
+        rights.push(cut.min(middle)..end.min(middle));
+        lefts.push(begin.max(middle) - middle..cut.max(middle) - middle);
+    }
+    let (front, back) = primitives.split_at_mut(middle);
+    pieces_of_equal_length(runs(front, &rights), runs(back, &lefts))
+        .into_par_iter()
+        .for_each(|(right, left)| right.swap_with_slice(left));
+}
+
+/// The parts of `list` at `ranges`, which ascend and do not overlap; empty ones are left out.
+fn runs<'a, T>(mut list: &'a mut [T], ranges: &[Range<usize>]) -> Vec<&'a mut [T]> {
+    let mut first = 0;
+    let mut runs = Vec::new();
+    for range in ranges.iter().filter(|range| !range.is_empty()) {
+        let (_, rest) = list.split_at_mut(range.start - first);
+        let (run, rest) = rest.split_at_mut(range.len());
+        runs.push(run);
+        (list, first) = (rest, range.end);
+    }
+    runs
+}
+
+/// Two lists of runs, which have the same length in all, cut so that each run has a partner as long as itself.
+fn pieces_of_equal_length<'a, T>(a: Vec<&'a mut [T]>, b: Vec<&'a mut [T]>) -> Vec<(&'a mut [T], &'a mut [T])> {
+    let (mut a, mut b) = (a.into_iter(), b.into_iter());
+    let mut pairs = Vec::new();
+    let (mut a_rest, mut b_rest): (&mut [T], &mut [T]) = (&mut [], &mut []);
+    loop {
+        if a_rest.is_empty() {
+            let Some(next) = a.next() else { return pairs };
+            a_rest = next;
+        }
+        if b_rest.is_empty() {
+            let Some(next) = b.next() else { return pairs };
+            b_rest = next;
+        }
+        let len = a_rest.len().min(b_rest.len());
+        let (a_piece, a_after) = a_rest.split_at_mut(len);
+        let (b_piece, b_after) = b_rest.split_at_mut(len);
+        pairs.push((a_piece, b_piece));
+        (a_rest, b_rest) = (a_after, b_after);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::accel::box32::Box32;
+    use crate::shape::Primitive;
+
+    /// Boxes at places that follow no order.
+    fn scattered(len: usize) -> Vec<BuildPrimitive> {
+        let at = |index: usize| (index as u32).wrapping_mul(0x9e37_79b9) as f32;
+        let place = |index| {
+            BuildPrimitive::new(&Box32 { low: [at(index); 3], high: [at(index); 3] }, Primitive::triangle(index))
+        };
+        (0..len).map(place).collect()
+    }
+
+    #[test]
+    fn long_lists_are_parted_like_short_ones_by_any_number_of_threads() {
+        for len in [0, 1, 100, PARALLEL, 3 * PARALLEL + 17] {
+            for share in [0.0, 0.01, 0.5, 0.9, 3.0] {
+                let limit = share * u32::MAX as f32;
+                let is_left = |primitive: &BuildPrimitive| primitive.centre_along(0) < 2.0 * limit;
+                let parted = [1, 3].map(|threads| {
+                    let mut list = scattered(len);
+                    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+                    (pool.install(|| partition(&mut list, is_left)), list)
+                });
+                let (count, list) = &parted[0];
+                assert!(list[..*count].iter().all(is_left) && !list[*count..].iter().any(is_left), "{len}, {share}");
+                let mut indices: Vec<usize> = list.iter().map(|primitive| primitive.primitive().index()).collect();
+                indices.sort_unstable();
+                assert!(indices.into_iter().eq(0..len), "{len}, {share}");
+                assert!(parted[0] == parted[1], "{len}, {share}");
+            }
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! The boxes of several triangles at a time.
+
+use super::anchor_space::AnchorSpace;
+use super::box32::Box32;
+use super::build_primitive::BuildPrimitive;
+use crate::geometry::Point;
+use crate::shape::{Primitive, Shapes, Triangle};
+
+/// Triangles in a block.
+pub(super) const BLOCK: usize = 16;
+
+/// A number of each triangle.
+type Numbers = [f64; BLOCK];
+
+/// The corners of triangles, each coordinate of all of them side by side: so memory has time to answer before the first is
+/// looked at, and the compiler can compute several at a time.
+struct TriangleBlock {
+    /// By corner and axis.
+    corners: [[Numbers; 3]; 3],
+}
+
+/// The build primitives of the triangles from `first` on, of which there are some; dead ones for those that can never be
+/// hit, and behind the last.
+pub(super) fn place_triangles(shapes: &Shapes, space: &AnchorSpace, first: usize) -> [BuildPrimitive; BLOCK] {
+    let count = BLOCK.min(shapes.triangle_count() - first);
+    let block = TriangleBlock::fetch(shapes, first, count);
+    let alive = block.can_be_hit();
+    let faces = [0, 1, 2].map(|axis| block.faces(space, axis));
+    std::array::from_fn(|k| {
+        if k >= count || !alive[k] {
+            return BuildPrimitive::DEAD;
+        }
+        let [x, y, z] = &faces;
+        let bounds = Box32 { low: [x.low[k], y.low[k], z.low[k]], high: [x.high[k], y.high[k], z.high[k]] };
+        BuildPrimitive::new(&bounds, Primitive::triangle(first + k))
+    })
+}
+
+/// The sides of boxes across an axis.
+struct Faces {
+    low: [f32; BLOCK],
+    high: [f32; BLOCK],
+}
+
+impl TriangleBlock {
+    fn fetch(shapes: &Shapes, first: usize, count: usize) -> TriangleBlock {
+        let mut corners = [[[0.0; BLOCK]; 3]; 3];
+        for k in 0..count {
+            let Triangle([a, b, c]) = shapes.triangle(first + k);
+            for (corner, point) in corners.iter_mut().zip([a, b, c]) {
+                (corner[0][k], corner[1][k], corner[2][k]) = (point.x, point.y, point.z);
+            }
+        }
+        TriangleBlock { corners }
+    }
+
+    #[inline(always)]
+    fn triangle(&self, k: usize) -> Triangle {
+        let point = |corner: &[Numbers; 3]| Point::new(corner[0][k], corner[1][k], corner[2][k]);
+        let [a, b, c] = &self.corners;
+        Triangle([point(a), point(b), point(c)])
+    }
+
+    fn can_be_hit(&self) -> [bool; BLOCK] {
+        let mut alive = [false; BLOCK];
+        for k in 0..BLOCK {
+            alive[k] = self.triangle(k).can_surely_be_hit();
+        }
+        if alive.contains(&false) {
+            alive = std::array::from_fn(|k| alive[k] || self.triangle(k).can_be_hit());
+        }
+        alive
+    }
+
+    /// Around each triangle that can be hit, whose coordinates are numbers, so that plain comparisons do.
+    fn faces(&self, space: &AnchorSpace, axis: usize) -> Faces {
+        let mut faces = Faces { low: [0.0; BLOCK], high: [0.0; BLOCK] };
+        let [a, b, c] = self.corners.each_ref().map(|corner| &corner[axis]);
+        for k in 0..BLOCK {
+            let lower = if a[k] < b[k] { a[k] } else { b[k] };
+            let upper = if a[k] > b[k] { a[k] } else { b[k] };
+            faces.low[k] = space.low_face(if lower < c[k] { lower } else { c[k] }, axis);
+            faces.high[k] = space.high_face(if upper > c[k] { upper } else { c[k] }, axis);
+        }
+        faces
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Matrix;
+
+    /// Blocks agree with triangles one by one, also where some are dead or none is left.
+    #[test]
+    fn blocks_hold_what_triangles_do() {
+        let place = |k: usize| (k as u32).wrapping_mul(0x9e37_79b9) as f64 * 1e-3 - 2e6;
+        let mut vertices: Vec<Point> = (0..99).map(|k| Point::new(place(k), place(k + 100), place(k + 200))).collect();
+        vertices[40].y = f64::NAN;
+        vertices[50].z = f64::INFINITY;
+        vertices[60] = Point::new(1e308, 1e308, -1e308);
+        vertices[61] = Point::new(1e308, -1e308, 1e308);
+        let corner = |k: usize| (k * k % 99) as u32;
+        let triangles: Vec<[u32; 3]> = (0..85).map(|k| [corner(k), corner(k + 1), corner(k + k % 5)]).collect();
+        let mut shapes = Shapes::default();
+        shapes.add_mesh(vertices, triangles, &Matrix::IDENTITY, 1).unwrap();
+        for reach in [1e7, f64::INFINITY] {
+            let space = AnchorSpace::new(Point::new(1.0, 2.0, 3.0), reach);
+            let blocks = (0..85).step_by(BLOCK).flat_map(|first| place_triangles(&shapes, &space, first));
+            let expected = (0..85).map(|index| {
+                let primitive = Primitive::triangle(index);
+                let bounds = space.enclose(&shapes.bounds(primitive));
+                if shapes.can_be_hit(primitive) {
+                    BuildPrimitive::new(&bounds, primitive)
+                } else {
+                    BuildPrimitive::DEAD
+                }
+            });
+            let blocks: Vec<BuildPrimitive> = blocks.collect();
+            assert!(blocks.iter().take(85).copied().eq(expected));
+            assert!(blocks.iter().skip(85).all(|primitive| *primitive == BuildPrimitive::DEAD));
+            assert!(blocks.contains(&BuildPrimitive::DEAD));
+        }
+    }
+}
