@@ -1,7 +1,7 @@
 //! The finished aggregate.
 
 use super::anchor_space::AnchorSpace;
-use super::build_primitive::{self, BuildPrimitive, bounds_of};
+use super::build_primitive::{self, BuildPrimitive, Collected, bounds_of};
 use super::full_leaves::LeafSize;
 use super::hlbvh;
 use super::node::{Children, Node, Subtree};
@@ -9,6 +9,9 @@ use super::splitter::Splitter;
 use super::tile::WideTree;
 use super::top_down::TopDown;
 use super::{SplitMethod, Statistics};
+use super::visibility::Visibility;
+use crate::camera::Camera;
+use crate::film::PixelBounds;
 use crate::geometry::Point;
 use crate::progress::Progress;
 use crate::shape::{Primitive, Shapes};
@@ -47,6 +50,7 @@ pub struct Aggregate {
     pub(super) order: Vec<Primitive>,
     /// The same tree for tiles.
     pub(super) wide: WideTree,
+    never_hit: usize,
 }
 
 impl Aggregate {
@@ -55,17 +59,52 @@ impl Aggregate {
     ///
     /// `progress` counts primitives.
     pub fn build(shapes: &Shapes, anchor: Point, options: BuildOptions, progress: Progress) -> Aggregate {
-        let (space, primitives) = build_primitive::collect(shapes, anchor);
+        let space = build_primitive::space_around(shapes, anchor);
+        Aggregate::over(build_primitive::collect(shapes, &space, None), space, shapes, options, progress)
+    }
+
+    /// Builds for one picture: over the primitives that a ray of `camera` through a pixel of `window` may meet. Other rays
+    /// must not be cast.
+    ///
+    /// `progress` counts primitives, those left out at once.
+    pub fn build_for_view(
+        shapes: &Shapes,
+        camera: &Camera,
+        window: &PixelBounds,
+        options: BuildOptions,
+        progress: Progress,
+    ) -> Aggregate {
+        let space = build_primitive::space_around(shapes, camera.anchor());
+        let visibility = Visibility::new(camera, window, shapes, &space);
+        let collected = build_primitive::collect(shapes, &space, visibility.as_ref());
+        drop(visibility);
+        progress.advance(shapes.primitive_count() - collected.primitives.len());
+        Aggregate::over(collected, space, shapes, options, progress)
+    }
+
+    fn over(
+        collected: Collected,
+        space: AnchorSpace,
+        shapes: &Shapes,
+        options: BuildOptions,
+        progress: Progress,
+    ) -> Aggregate {
+        let Collected { primitives, never_hit } = collected;
         if primitives.is_empty() {
             let wide = WideTree::of(None, &[], &[], shapes);
-            return Aggregate { space, root: None, below: Vec::new(), order: Vec::new(), wide };
+            return Aggregate { space, root: None, below: Vec::new(), order: Vec::new(), wide, never_hit };
         }
         let (Subtree { root, below }, order) = build_tree(primitives, options, progress);
         let wide = WideTree::of(Some(&root), &below, &order, shapes);
-        Aggregate { space, root: Some(root), below, order, wide }
+        Aggregate { space, root: Some(root), below, order, wide, never_hit }
     }
 
-    /// Primitives that can be hit.
+    /// Primitives that no ray can hit: without area, or not finite.
+    pub fn never_hit(&self) -> usize {
+        self.never_hit
+    }
+
+    /// Primitives in the tree.
     pub fn primitive_count(&self) -> usize {
         self.order.len()
     }

@@ -4,10 +4,11 @@ use super::anchor_space::AnchorSpace;
 use super::box32::Box32;
 use super::lanes::{LaneBox, Lanes};
 use super::triangle_block::{BLOCK, place_triangles};
+use super::visibility::Visibility;
 use crate::geometry::{Bounds, Point};
 use crate::shape::{Primitive, Shapes};
 use rayon::prelude::*;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The box of a primitive, moved about while a tree is built: 32 bytes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -67,41 +68,83 @@ impl BuildPrimitive {
     }
 }
 
-/// The primitives that can be hit, in the order of their stores, and the space of their boxes.
-pub(super) fn collect(shapes: &Shapes, anchor: Point) -> (AnchorSpace, Vec<BuildPrimitive>) {
-    let space = AnchorSpace::new(anchor, reach(shapes, anchor));
-    let any_dead = AtomicBool::new(false);
-    let mut primitives = place_all_triangles(shapes, &space, &any_dead);
+/// What a tree is built over.
+pub(super) struct Collected {
+    /// The primitives that can be hit, and are wanted, in the order of their stores.
+    pub(super) primitives: Vec<BuildPrimitive>,
+    /// How many can never be hit.
+    pub(super) never_hit: usize,
+}
+
+/// Collects the primitives that `visibility` sees, where that is given.
+pub(super) fn collect(shapes: &Shapes, space: &AnchorSpace, visibility: Option<&Visibility>) -> Collected {
+    let never_hit = AtomicUsize::new(0);
+    let mut primitives = match visibility {
+        None => place_all_triangles(shapes, space, &never_hit),
+        Some(visibility) => place_visible_triangles(shapes, space, visibility, &never_hit),
+    };
     let place_sphere = |index| {
         let sphere = shapes.sphere(index);
-        if sphere.can_be_hit() {
-            return BuildPrimitive::new(&space.enclose(&sphere.bounds()), Primitive::sphere(index));
+        if !sphere.can_be_hit() {
+            never_hit.fetch_add(1, Ordering::Relaxed);
+            return BuildPrimitive::DEAD;
         }
-        any_dead.store(true, Ordering::Relaxed);
-        BuildPrimitive::DEAD
+        let bounds = sphere.bounds();
+        if visibility.is_some_and(|visibility| !visibility.may_see_box(&bounds)) {
+            return BuildPrimitive::DEAD;
+        }
+        BuildPrimitive::new(&space.enclose(&bounds), Primitive::sphere(index))
     };
     primitives.par_extend((0..shapes.sphere_count()).into_par_iter().map(place_sphere));
-    if any_dead.into_inner() {
+    let never_hit = never_hit.into_inner();
+    if never_hit > 0 || visibility.is_some() {
         primitives.retain(|primitive| !primitive.is_dead());
     }
-    (space, primitives)
+    Collected { primitives, never_hit }
 }
 
 /// All triangles, dead ones too. Their number is known, so that each is written to its place and not moved.
-fn place_all_triangles(shapes: &Shapes, space: &AnchorSpace, any_dead: &AtomicBool) -> Vec<BuildPrimitive> {
+fn place_all_triangles(shapes: &Shapes, space: &AnchorSpace, never_hit: &AtomicUsize) -> Vec<BuildPrimitive> {
     let count = shapes.triangle_count();
     let place = |block: usize| {
-        let first = block * BLOCK;
-        let placed = place_triangles(shapes, space, first);
-        if placed.iter().take(count - first).any(BuildPrimitive::is_dead) {
-            any_dead.store(true, Ordering::Relaxed);
+        let placed = place_triangles(shapes, space, block * BLOCK, |_| true);
+        if placed.never_hit > 0 {
+            never_hit.fetch_add(placed.never_hit, Ordering::Relaxed);
         }
-        placed
+        placed.primitives
     };
     let blocks: Vec<_> = (0..count.div_ceil(BLOCK)).into_par_iter().map(place).collect();
     let mut primitives = blocks.into_flattened();
     primitives.truncate(count);
     primitives
+}
+
+/// The triangles that are seen: they may be few.
+fn place_visible_triangles(
+    shapes: &Shapes,
+    space: &AnchorSpace,
+    visibility: &Visibility,
+    never_hit: &AtomicUsize,
+) -> Vec<BuildPrimitive> {
+    let is_seen = |index: usize| visibility.may_see_triangle(shapes.corners_of(index));
+    let place = |first: usize| {
+        let end = shapes.triangle_count().min(first + CHUNK);
+        let mut seen = Vec::new();
+        for first in (first..end).step_by(BLOCK) {
+            let placed = place_triangles(shapes, space, first, is_seen);
+            never_hit.fetch_add(placed.never_hit, Ordering::Relaxed);
+            seen.extend(placed.primitives.iter().filter(|primitive| !primitive.is_dead()));
+        }
+        seen
+    };
+    let firsts = (0..shapes.triangle_count().div_ceil(CHUNK)).into_par_iter().map(|chunk| chunk * CHUNK);
+    let seen: Vec<Vec<BuildPrimitive>> = firsts.map(place).collect();
+    seen.concat()
+}
+
+/// The space of the boxes around the primitives of `shapes`.
+pub(super) fn space_around(shapes: &Shapes, anchor: Point) -> AnchorSpace {
+    AnchorSpace::new(anchor, reach(shapes, anchor))
 }
 
 /// How far any coordinate is from the anchor's, those left out that are not finite themselves.

@@ -24,7 +24,8 @@ pub struct Statistics {
 
 impl Statistics {
     pub(super) fn of(aggregate: &Aggregate) -> Statistics {
-        let bytes = size_of_val(&aggregate.below[..]) + size_of_val(&aggregate.order[..]) + size_of::<Node>();
+        let binary = size_of_val(&aggregate.below[..]) + size_of_val(&aggregate.order[..]) + size_of::<Node>();
+        let bytes = binary + aggregate.wide.bytes();
         let Some(root) = aggregate.root else {
             return Statistics::default();
         };

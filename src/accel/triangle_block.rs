@@ -19,21 +19,40 @@ struct TriangleBlock {
     corners: [[Numbers; 3]; 3],
 }
 
-/// The build primitives of the triangles from `first` on, of which there are some; dead ones for those that can never be
-/// hit, and behind the last.
-pub(super) fn place_triangles(shapes: &Shapes, space: &AnchorSpace, first: usize) -> [BuildPrimitive; BLOCK] {
+/// Triangles in a row, placed.
+pub(super) struct Placed {
+    /// Dead ones for those that can never be hit, or were not wanted, and behind the last.
+    pub(super) primitives: [BuildPrimitive; BLOCK],
+    /// How many can never be hit.
+    pub(super) never_hit: usize,
+}
+
+/// The build primitives of the triangles from `first` on, of which there are some: of those whose index is `wanted`.
+#[inline]
+pub(super) fn place_triangles(
+    shapes: &Shapes,
+    space: &AnchorSpace,
+    first: usize,
+    wanted: impl Fn(usize) -> bool,
+) -> Placed {
     let count = BLOCK.min(shapes.triangle_count() - first);
     let block = TriangleBlock::fetch(shapes, first, count);
-    let alive = block.can_be_hit();
+    let can_be_hit = block.can_be_hit();
+    let never_hit = can_be_hit[..count].iter().filter(|can_be_hit| !**can_be_hit).count();
+    let alive: [bool; BLOCK] = std::array::from_fn(|k| k < count && can_be_hit[k] && wanted(first + k));
+    if !alive.contains(&true) {
+        return Placed { primitives: [BuildPrimitive::DEAD; BLOCK], never_hit };
+    }
     let faces = [0, 1, 2].map(|axis| block.faces(space, axis));
-    std::array::from_fn(|k| {
-        if k >= count || !alive[k] {
+    let primitives = std::array::from_fn(|k| {
+        if !alive[k] {
             return BuildPrimitive::DEAD;
         }
         let [x, y, z] = &faces;
         let bounds = Box32 { low: [x.low[k], y.low[k], z.low[k]], high: [x.high[k], y.high[k], z.high[k]] };
         BuildPrimitive::new(&bounds, Primitive::triangle(first + k))
-    })
+    });
+    Placed { primitives, never_hit }
 }
 
 /// The sides of boxes across an axis.
@@ -106,7 +125,7 @@ mod tests {
         shapes.add_mesh(vertices, triangles, &Matrix::IDENTITY, 1).unwrap();
         for reach in [1e7, f64::INFINITY] {
             let space = AnchorSpace::new(Point::new(1.0, 2.0, 3.0), reach);
-            let blocks = (0..85).step_by(BLOCK).flat_map(|first| place_triangles(&shapes, &space, first));
+            let blocks = (0..85).step_by(BLOCK).flat_map(|first| place_triangles(&shapes, &space, first, |_| true).primitives);
             let expected = (0..85).map(|index| {
                 let primitive = Primitive::triangle(index);
                 let bounds = space.enclose(&shapes.bounds(primitive));

@@ -107,13 +107,18 @@ impl Renderer<'_> {
     fn make(&self, scene: &Scene, target: Target) -> Result<Finished> {
         let Target { destination, picture, window, build } = target;
         let primitives = scene.shapes.primitive_count();
-        let build_aggregate =
-            |progress: Progress<'_>| Aggregate::build(&scene.shapes, scene.camera.anchor(), build, progress);
+        let Scene { shapes, camera, .. } = scene;
+        // Statistics are those of the whole tree; a picture alone needs only what it shows.
+        let build_aggregate = |progress: Progress<'_>| match self.plan.stats {
+            true => Aggregate::build(shapes, camera.anchor(), build, progress),
+            false => Aggregate::build_for_view(shapes, camera, &window, build, progress),
+        };
         let (aggregate, build_ms) = timed(|| self.bars.during(Phase::Building(primitives), build_aggregate));
         let statistics = aggregate.statistics();
         let (nodes, method) = (statistics.nodes, build.method);
-        self.reporter.detail(format_args!("built {nodes} nodes over {primitives} primitives by {method}"));
-        summary::note_dead(primitives - aggregate.primitive_count(), primitives, self.reporter);
+        let built = aggregate.primitive_count();
+        self.reporter.detail(format_args!("built {nodes} nodes over {built} of {primitives} primitives by {method}"));
+        summary::note_dead(aggregate.never_hit(), primitives, self.reporter);
 
         let options = RenderOptions {
             data_window: window,

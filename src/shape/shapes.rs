@@ -192,6 +192,12 @@ impl Shapes {
         Triangle([self.vertices[a], self.vertices[b], self.vertices[c]])
     }
 
+    /// The places of a triangle's corners among the vertices.
+    #[inline]
+    pub fn corners_of(&self, index: usize) -> [u32; 3] {
+        self.triangles[index]
+    }
+
     /// Sphere `index` of the store.
     pub fn sphere(&self, index: usize) -> Sphere {
         let stored = &self.spheres[index];
