@@ -2,6 +2,7 @@
 
 use crate::views::ViewName;
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use feimos::simd::Level;
 use std::path::PathBuf;
 
 /// feimos beside Embree, obvhs and bvh: the same views, in alternating runs.
@@ -56,9 +57,19 @@ pub(crate) struct CompareOptions {
     /// The instruction set that Embree is limited to
     #[arg(long)]
     pub(crate) isa: Option<Isa>,
+    /// The instruction set that feimos is limited to [default: the best there is]
+    #[arg(long, value_parser = level)]
+    pub(crate) simd: Option<Level>,
     /// Let the peers allocate the arrays that they fill while the clock runs, as feimos does
     #[arg(long)]
     pub(crate) fresh: bool,
+}
+
+/// One of feimos's instruction sets, if this machine has it.
+fn level(name: &str) -> Result<Level, String> {
+    let known = Level::ALL.iter().find(|level| level.as_str() == name && level.is_available());
+    let available = || Level::ALL.iter().filter(|level| level.is_available()).map(|level| level.as_str());
+    known.copied().ok_or_else(|| format!("expected one of {}", available().collect::<Vec<_>>().join(", ")))
 }
 
 /// What Embree's `isa` can be on x86-64.

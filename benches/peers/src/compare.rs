@@ -9,6 +9,7 @@ use crate::picture::Picture;
 use crate::rounds::{Series, alternate};
 use crate::table::{self, BuildRow, TraceRow};
 use crate::view::View;
+use feimos::simd::Level;
 use std::time::{Duration, Instant};
 
 /// Prints two tables for each view and number of threads.
@@ -31,14 +32,23 @@ fn heading(view: &View, threads: usize, device: &Device, options: &CompareOption
     let (width, height) = (view.width(), view.height());
     let primitives = table::grouped(view.geometry.len() as u64);
     let kind = view.geometry.kind();
-    let lanes = if device.has_16_lanes() { "16 lanes" } else { "fewer than 16 lanes" };
-    let isa = options.isa.map(|isa| format!(" ({})", isa.name())).unwrap_or_default();
-    let runs = options.runs;
-    format!("{threads}: {width} x {height} pixels, {primitives} {kind}, {runs} rounds, Embree with {lanes}{isa}")
+    let embree = match options.isa {
+        Some(isa) => isa.name(),
+        None if device.has_16_lanes() => "avx512",
+        None => "what there is",
+    };
+    let (runs, simd) = (options.runs, level(options).as_str());
+    format!(
+        "{threads}: {width} x {height} pixels, {primitives} {kind}, {runs} rounds, feimos with {simd}, Embree with {embree}"
+    )
+}
+
+fn level(options: &CompareOptions) -> Level {
+    options.simd.unwrap_or_else(Level::detect)
 }
 
 fn compare(view: &View, device: &Device, options: &CompareOptions) -> Result<()> {
-    let mut competitors = competitors::all(view, device);
+    let mut competitors = competitors::all(view, level(options), device);
     // The first is feimos, whose exact picture is what pictures are compared with.
     let exact = competitors[0].name();
     competitors.retain(|competitor| competitor.name() == exact || is_wanted(competitor.as_ref(), options));

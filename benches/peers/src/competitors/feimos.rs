@@ -7,6 +7,7 @@ use feimos::accel::{Aggregate, BuildOptions, Precision, SplitMethod};
 use feimos::film::{ChannelName, Image, PixelBounds};
 use feimos::progress::Progress;
 use feimos::render::{RenderOptions, render};
+use feimos::simd::Level;
 use std::time::{Duration, Instant};
 
 /// What is written for a peer's depth and primitive.
@@ -27,12 +28,13 @@ const MODE_NAMES: [&str; 4] = ["exact", "fast", "exact, five channels", "exact, 
 pub(crate) struct Feimos<'a> {
     view: &'a View,
     method: SplitMethod,
+    level: Level,
     aggregate: Option<Aggregate>,
 }
 
 impl Feimos<'_> {
-    pub(crate) fn new(view: &View, method: SplitMethod) -> Feimos<'_> {
-        Feimos { view, method, aggregate: None }
+    pub(crate) fn new(view: &View, method: SplitMethod, level: Level) -> Feimos<'_> {
+        Feimos { view, method, level, aggregate: None }
     }
 }
 
@@ -68,6 +70,7 @@ impl Competitor for Feimos<'_> {
             miss: f32::INFINITY,
             counted: false,
             precision,
+            level: self.level,
         };
         let aggregate = self.aggregate.as_ref().expect("built before it is traced");
         let start = Instant::now();

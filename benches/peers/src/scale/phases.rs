@@ -8,6 +8,7 @@ use feimos::film::{ChannelName, exr_file};
 use feimos::progress::Progress;
 use feimos::render::{RenderOptions, render};
 use feimos::scene::{LoadOptions, load};
+use feimos::simd::Level;
 use serde::{Deserialize, Serialize};
 use std::time::Instant;
 
@@ -61,6 +62,7 @@ pub(crate) fn print_phases(options: &PhaseOptions) -> Result<()> {
         miss: f32::INFINITY,
         counted: false,
         precision: Precision::Exact,
+        level: Level::detect(),
     };
     let rendering = measured(&mut costs, || render(camera, shapes, &aggregate, &render_options, Progress::SILENT))??;
     let folder = tempfile::tempdir()?;

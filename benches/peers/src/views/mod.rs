@@ -70,6 +70,7 @@ mod tests {
     use crate::competitors::{self, Device};
     use crate::differences::Differences;
     use crate::picture::Picture;
+    use feimos::simd::Level;
 
     /// Every competitor sees what feimos sees, but for a pixel in a thousand.
     #[test]
@@ -78,7 +79,7 @@ mod tests {
         for name in [ViewName::Spheres, ViewName::Wall, ViewName::Terrain, ViewName::Interior, ViewName::Thumbnail] {
             let view = name.make().unwrap();
             let mut first: Option<Picture> = None;
-            for mut competitor in competitors::all(&view, &device) {
+            for mut competitor in competitors::all(&view, Level::detect(), &device) {
                 competitor.build();
                 let mut picture = Picture::new(view.width(), view.height());
                 competitor.trace(0, &mut picture);
