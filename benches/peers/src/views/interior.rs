@@ -11,7 +11,7 @@ use feimos::shape::Shapes;
 const HALF: f64 = 10.0;
 const HEIGHT: f64 = 4.0;
 
-/// Half a million triangles on all sides of the eye; floor and ceiling are two triangles each, which cross its plane.
+/// A million triangles on all sides of the eye; floor and ceiling are two triangles each, which cross its plane.
 pub(super) fn view() -> Result<View> {
     let mut hall = Hall::default();
     let plain = Grid { columns: 1, rows: 1 };
