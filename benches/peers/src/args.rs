@@ -1,0 +1,133 @@
+//! The command line.
+
+use crate::views::ViewName;
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use feimos::simd::Level;
+use std::path::PathBuf;
+
+/// feimos beside Embree, obvhs and bvh: the same views, in alternating runs.
+#[derive(Debug, Parser)]
+#[command(name = "peers")]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Build and trace views with every competitor; print tables in Markdown
+    Compare(CompareOptions),
+    /// Write a bumpy sphere as a binary PLY file
+    Generate {
+        /// Triangles, about: the nearest number that a grid twice as long as high can have
+        triangles: u64,
+        /// The file
+        output: PathBuf,
+    },
+    /// Time and memory of feimos per phase as meshes grow; print a table in Markdown
+    Scale(ScaleOptions),
+    /// One row of `scale`, in this process, as JSON
+    #[command(hide = true)]
+    Phases(PhaseOptions),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CompareOptions {
+    /// What to look at
+    #[arg(long, value_delimiter = ',', default_value = "a,b")]
+    pub(crate) views: Vec<ViewName>,
+    /// Numbers of threads
+    #[arg(long, value_delimiter = ',', default_value = "1,2")]
+    pub(crate) threads: Vec<usize>,
+    /// Rounds of tracing that count; each competitor runs once a round
+    #[arg(long, default_value_t = 15, value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) runs: u32,
+    /// Rounds of building that count [default: as many as of tracing]
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) build_runs: Option<u32>,
+    /// Rounds before those that count
+    #[arg(long, default_value_t = 1)]
+    pub(crate) warmup: u32,
+    /// Only competitors whose name contains one of these ("hlbvh", "embree low"), feimos sah and the baseline
+    #[arg(long, value_delimiter = ',')]
+    pub(crate) only: Vec<String>,
+    /// The row that the others are divided by
+    #[arg(long, default_value = "embree medium, packets")]
+    pub(crate) baseline: String,
+    /// The instruction set that Embree is limited to
+    #[arg(long)]
+    pub(crate) isa: Option<Isa>,
+    /// The instruction set that feimos is limited to [default: the best there is]
+    #[arg(long, value_parser = level)]
+    pub(crate) simd: Option<Level>,
+    /// Let the peers allocate the arrays that they fill while the clock runs, as feimos does
+    #[arg(long)]
+    pub(crate) fresh: bool,
+}
+
+/// One of feimos's instruction sets, if this machine has it.
+fn level(name: &str) -> Result<Level, String> {
+    let known = Level::ALL.iter().find(|level| level.as_str() == name && level.is_available());
+    let available = || Level::ALL.iter().filter(|level| level.is_available()).map(|level| level.as_str());
+    known.copied().ok_or_else(|| format!("expected one of {}", available().collect::<Vec<_>>().join(", ")))
+}
+
+/// What Embree's `isa` can be on x86-64.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Isa {
+    /// The least of x86-64
+    Sse2,
+    /// 4 lanes
+    #[value(name = "sse4.2")]
+    Sse42,
+    /// 8 lanes of floats
+    Avx,
+    /// 8 lanes
+    Avx2,
+    /// 16 lanes
+    Avx512,
+}
+
+impl Isa {
+    /// As in Embree's configuration.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Isa::Sse2 => "sse2",
+            Isa::Sse42 => "sse4.2",
+            Isa::Avx => "avx",
+            Isa::Avx2 => "avx2",
+            Isa::Avx512 => "avx512",
+        }
+    }
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ScaleOptions {
+    /// Sizes, in millions of triangles
+    #[arg(long, value_delimiter = ',', default_value = "1,4,16,64")]
+    pub(crate) millions: Vec<u64>,
+    /// Split methods
+    #[arg(long, value_delimiter = ',', default_value = "sah,hlbvh")]
+    pub(crate) accel: Vec<String>,
+    /// Threads
+    #[arg(long, default_value_t = 2)]
+    pub(crate) threads: usize,
+    /// Processes per row; the table shows medians
+    #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) runs: u32,
+    /// Where the meshes are written, and removed again [default: the system's folder for temporary files]
+    #[arg(long)]
+    pub(crate) folder: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct PhaseOptions {
+    /// The mesh
+    pub(crate) mesh: PathBuf,
+    /// Split method
+    #[arg(long)]
+    pub(crate) accel: String,
+    /// Threads
+    #[arg(long)]
+    pub(crate) threads: usize,
+}

@@ -1,0 +1,13 @@
+//! Embree's C interface, and a safe one over the part that is used. The only unsafe code of this crate.
+
+#![allow(unsafe_code)]
+
+mod device;
+mod ffi;
+mod packet;
+mod scene;
+
+pub(crate) use device::Device;
+pub(super) use packet::{LANES, Packet};
+pub(super) use scene::Scene;
+pub(crate) use scene::{Input, Quality};

@@ -1,0 +1,92 @@
+//! feimos itself.
+
+use crate::competitor::Competitor;
+use crate::picture::Picture;
+use crate::view::View;
+use feimos::accel::{Aggregate, BuildOptions, Precision, SplitMethod};
+use feimos::film::{ChannelName, Image, PixelBounds};
+use feimos::progress::Progress;
+use feimos::render::{RenderOptions, render};
+use feimos::simd::Level;
+use std::time::{Duration, Instant};
+
+/// What is written for a peer's depth and primitive.
+const SAME: &[ChannelName] = &[ChannelName::Z, ChannelName::Prim];
+
+/// What an EXR file holds by default.
+const ALL: &[ChannelName] = &[ChannelName::Z, ChannelName::T, ChannelName::A, ChannelName::Id, ChannelName::Prim];
+
+/// Hit or miss.
+const HITS: &[ChannelName] = &[ChannelName::A];
+
+/// The ways to trace, and their names.
+const MODES: [(Precision, &[ChannelName]); 4] =
+    [(Precision::Exact, SAME), (Precision::Fast, SAME), (Precision::Exact, ALL), (Precision::Exact, HITS)];
+const MODE_NAMES: [&str; 4] = ["exact", "fast", "exact, five channels", "exact, hit or miss"];
+
+/// feimos with one split method.
+pub(crate) struct Feimos<'a> {
+    view: &'a View,
+    method: SplitMethod,
+    level: Level,
+    aggregate: Option<Aggregate>,
+}
+
+impl Feimos<'_> {
+    pub(crate) fn new(view: &View, method: SplitMethod, level: Level) -> Feimos<'_> {
+        Feimos { view, method, level, aggregate: None }
+    }
+}
+
+impl Competitor for Feimos<'_> {
+    fn name(&self) -> String {
+        format!("feimos {}", self.method)
+    }
+
+    fn discard(&mut self) {
+        self.aggregate = None;
+    }
+
+    fn build(&mut self) {
+        let options = BuildOptions::new(self.method);
+        let anchor = self.view.camera.anchor();
+        self.aggregate = Some(Aggregate::build(&self.view.shapes, anchor, options, Progress::SILENT));
+    }
+
+    fn modes(&self) -> &[&'static str] {
+        &MODE_NAMES
+    }
+
+    fn makes_its_own_picture(&self) -> bool {
+        true
+    }
+
+    fn trace(&self, mode: usize, picture: &mut Picture) -> Duration {
+        let (precision, channels) = MODES[mode];
+        let [width, height] = self.view.camera.resolution;
+        let options = RenderOptions {
+            data_window: PixelBounds::of_film(width, height),
+            channels: channels.to_vec(),
+            miss: f32::INFINITY,
+            counted: false,
+            precision,
+            level: self.level,
+        };
+        let aggregate = self.aggregate.as_ref().expect("built before it is traced");
+        let start = Instant::now();
+        let rendering = render(&self.view.camera, &self.view.shapes, aggregate, &options, Progress::SILENT);
+        let elapsed = start.elapsed();
+        copy(&rendering.expect("the picture has been allocated once before").image, picture);
+        elapsed
+    }
+}
+
+/// What an image knows of depths and primitives; of hits alone, 1 as the primitive.
+fn copy(image: &Image, picture: &mut Picture) {
+    if let (Some(depths), Some(primitives)) = (image.measures(ChannelName::Z), image.numbers(ChannelName::Prim)) {
+        picture.depths.copy_from_slice(depths);
+        picture.primitives.copy_from_slice(primitives);
+    } else if let Some(hits) = image.measures(ChannelName::A) {
+        picture.primitives.iter_mut().zip(hits).for_each(|(primitive, &hit)| *primitive = hit as u32);
+    }
+}

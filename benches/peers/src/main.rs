@@ -1,0 +1,43 @@
+//! feimos beside Embree, obvhs and bvh: the same views, in alternating runs.
+
+mod args;
+mod camera_rays;
+mod compare;
+mod competitor;
+mod competitors;
+mod differences;
+mod geometry;
+mod grid;
+mod memory;
+mod picture;
+mod ply;
+mod random;
+mod rounds;
+mod scale;
+mod single_rays;
+mod table;
+mod view;
+mod views;
+
+use args::{Arguments, Command};
+use clap::Parser;
+use std::process::ExitCode;
+
+/// What can go wrong here only ends the program: a sentence is enough.
+type Result<T> = std::result::Result<T, Box<dyn std::error::Error + Send + Sync>>;
+
+fn main() -> ExitCode {
+    let done = match Arguments::parse().command {
+        Command::Compare(options) => compare::run(&options),
+        Command::Generate { triangles, output } => ply::generate(triangles, &output),
+        Command::Scale(options) => scale::run(&options),
+        Command::Phases(options) => scale::print_phases(&options),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("peers: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
