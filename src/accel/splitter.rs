@@ -85,8 +85,29 @@ fn move_boundary(primitives: &mut [BuildPrimitive], axis: usize, count: usize, w
 /// Brings the first `count` along `axis` to the front. Ties are broken by the primitive: which ones come to the front
 /// does not depend on how the list came about.
 fn select(primitives: &mut [BuildPrimitive], axis: usize, count: usize) {
-    primitives.select_nth_unstable_by(count, |a, b| {
-        let (a_centre, b_centre) = (a.centre_along(axis), b.centre_along(axis));
-        a_centre.total_cmp(&b_centre).then(a.primitive().cmp(&b.primitive()))
-    });
+    let key = |primitive: &BuildPrimitive| {
+        u64::from(rank(primitive.centre_along(axis))) << 32 | u64::from(primitive.primitive().to_bits())
+    };
+    // Numbers are selected from in less time than boxes.
+    let mut keys: Vec<u64> = primitives.iter().map(key).collect();
+    let limit = *keys.select_nth_unstable(count).1;
+    partition(primitives, |primitive| key(primitive) < limit);
+}
+
+/// A number that grows with `x`, in the order of [`f32::total_cmp`].
+#[inline]
+fn rank(x: f32) -> u32 {
+    let bits = x.to_bits();
+    bits ^ ((bits as i32 >> 31) as u32 | 1 << 31)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ranks_ascend() {
+        let ascending = [f32::NEG_INFINITY, -2.0, -1.5, -0.0, 0.0, f32::from_bits(1), 1.0, f32::INFINITY, f32::NAN];
+        assert!(ascending.map(rank).is_sorted_by(|a, b| a < b));
+    }
 }
