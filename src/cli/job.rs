@@ -4,7 +4,7 @@ use super::output_name::Destination;
 use super::picture::{Picture, write_to_stdout};
 use super::plan::Plan;
 use super::progress_bar::{Phase, ProgressBars};
-use super::record::{Milliseconds, Record, peak_bytes};
+use super::record::{Milliseconds, Record, SIMD, peak_bytes};
 use super::reporter::Reporter;
 use super::summary;
 use feimos::accel::{Aggregate, BuildOptions, Precision, SplitMethod, Statistics};
@@ -144,7 +144,7 @@ fn record(path: &Path, scene: &Scene, finished: &Finished) -> Record {
         accel: finished.method.name(),
         precision: finished.precision.name(),
         threads: rayon::current_num_threads(),
-        simd: "scalar",
+        simd: SIMD,
         width: window.width(),
         height: window.height(),
         rays: window.area(),

@@ -2,6 +2,9 @@
 
 use serde::Serialize;
 
+/// The instructions that rays are traced with.
+pub(super) const SIMD: &str = "scalar";
+
 /// One line of `--json`.
 #[derive(Debug, Clone, Serialize)]
 pub(crate) struct Record {
