@@ -2,9 +2,11 @@
 //!
 //! The format's own preparation ([`super::exr_zip`]) turns pixels that equal their left neighbour into bytes that repeat with a
 //! period of two, and the lower bytes of measured values into noise, which nothing makes shorter. So this looks for that one
-//! pattern, copies everything else, and is many times faster than a compressor that looks for all. What comes out is a
-//! plain zlib stream (RFC 1950 and 1951): stored blocks, and blocks of the fixed code that hold nothing but copies of the
-//! two bytes before.
+//! pattern and copies everything else. What comes out is a plain zlib stream (RFC 1950 and 1951): stored blocks, and blocks
+//! of the fixed code that hold nothing but copies of the two bytes before.
+//!
+//! The dragon from nearby, 1920 by 1080 with five channels, one thread, medians of nine: 40 ms for 14.7 MB, preparation
+//! included, where zlib's level 1 takes 159 ms for 12.9 MB. (Level 2 took 1.5 times as long as level 1 for 6 to 9 % fewer bytes.)
 
 /// Bytes after which the pattern repeats.
 const PERIOD: usize = 2;
