@@ -38,6 +38,7 @@
 //! ```
 
 pub mod accel;
+pub mod bench;
 pub mod camera;
 pub mod decimal;
 pub mod error;

@@ -125,7 +125,8 @@ mod tests {
         shapes.add_mesh(vertices, triangles, &Matrix::IDENTITY, 1).unwrap();
         for reach in [1e7, f64::INFINITY] {
             let space = AnchorSpace::new(Point::new(1.0, 2.0, 3.0), reach);
-            let blocks = (0..85).step_by(BLOCK).flat_map(|first| place_triangles(&shapes, &space, first, |_| true).primitives);
+            let blocks =
+                (0..85).step_by(BLOCK).flat_map(|first| place_triangles(&shapes, &space, first, |_| true).primitives);
             let expected = (0..85).map(|index| {
                 let primitive = Primitive::triangle(index);
                 let bounds = space.enclose(&shapes.bounds(primitive));

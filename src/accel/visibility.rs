@@ -38,9 +38,15 @@ const ROUNDING: f64 = 1.0 / (1u64 << 48) as f64;
 
 impl Visibility {
     /// `None` where the view's numbers are too large or small to tell.
-    pub(super) fn new(camera: &Camera, window: &PixelBounds, shapes: &Shapes, space: &AnchorSpace) -> Option<Visibility> {
+    pub(super) fn new(
+        camera: &Camera,
+        window: &PixelBounds,
+        shapes: &Shapes,
+        space: &AnchorSpace,
+    ) -> Option<Visibility> {
         let view = View::new(camera, space)?;
-        let vertices = shapes.vertices().par_iter().with_min_len(1 << 12).map(|vertex| on_film(&view, *vertex)).collect();
+        let vertices =
+            shapes.vertices().par_iter().with_min_len(1 << 12).map(|vertex| on_film(&view, *vertex)).collect();
         let window = [[window.x0, window.x1 - 1], [window.y0, window.y1 - 1]].map(|ends| ends.map(|end| end as f32));
         Some(Visibility { view, window, vertices })
     }

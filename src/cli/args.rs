@@ -1,5 +1,6 @@
 //! Options as typed.
 
+use super::bench_args::BenchArgs;
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 use feimos::accel::{Precision, SplitMethod};
 use feimos::film::{ChannelName, ColorMap, PixelBounds, View};
@@ -19,6 +20,11 @@ pub(crate) enum Command {
     ///
     /// A scene is a .pbrt file, `-` for standard input, or a bare .ply or .obj, which is framed automatically.
     Render(Box<RenderArgs>),
+    /// Measure how fast accelerators are built and traced.
+    ///
+    /// Each scene is loaded once; then every accelerator with every precision builds and traces the whole image, in turn, round
+    /// after round, so that whatever else the machine does meets all of them alike.
+    Bench(BenchArgs),
 }
 
 #[derive(Debug, Args)]
@@ -36,6 +42,8 @@ pub(crate) struct RenderArgs {
     pub(crate) batch: BatchArgs,
     #[command(flatten, next_help_heading = "Talk")]
     pub(crate) talk: TalkArgs,
+    #[command(flatten, next_help_heading = "Talk")]
+    pub(crate) report: ReportArgs,
     #[command(flatten)]
     pub(crate) pbrt: PbrtArgs,
 }
@@ -122,6 +130,10 @@ pub(crate) struct TalkArgs {
     /// Colours in messages.
     #[arg(long, value_name = "WHEN", default_value = "auto")]
     pub(crate) color: When,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ReportArgs {
     /// Print counts and costs of the aggregate and of the rays.
     #[arg(long)]
     pub(crate) stats: bool,
@@ -213,7 +225,7 @@ fn miss(text: &str) -> Result<f32, String> {
 /// Threads at most: a typing error should not take the machine down.
 const MAX_THREADS: usize = 4096;
 
-fn threads(text: &str) -> Result<usize, String> {
+pub(super) fn threads(text: &str) -> Result<usize, String> {
     let threads = text.parse().ok().filter(|threads| (1..=MAX_THREADS).contains(threads));
     threads.ok_or_else(|| format!("expected a number from 1 to {MAX_THREADS}"))
 }

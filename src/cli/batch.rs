@@ -1,6 +1,7 @@
 //! Scenes, one after the other.
 
 use super::args::{BatchArgs, RenderArgs};
+use super::failures::Failures;
 use super::job::{Outcome, Renderer};
 use super::manifest::{Entry, Manifest, Status};
 use super::output_name::Destination;
@@ -8,6 +9,7 @@ use super::plan::Plan;
 use super::progress_bar::ProgressBars;
 use super::record::Record;
 use super::reporter::Reporter;
+use super::thread_pool::thread_pool;
 use feimos::accel::SplitMethod;
 use feimos::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
 use feimos::film::atomic_file::Overwrite;
@@ -18,12 +20,9 @@ use std::path::{Path, PathBuf};
 /// The exit code of warnings under `--strict`.
 const WARNED: u8 = 1;
 
-/// Builds recurse as deep as their trees, up to a hundred levels.
-const STACK_BYTES: usize = 8 << 20;
-
 /// Renders all scenes and returns the exit code: the highest of any scene.
-pub(crate) fn render(args: RenderArgs, reporter: &Reporter) -> Result<u8> {
-    let plan = Plan::new(&args)?;
+pub(crate) fn render(args: &RenderArgs, reporter: &Reporter) -> Result<u8> {
+    let plan = Plan::new(args)?;
     for flag in args.pbrt.given() {
         reporter.note(format_args!("{flag} has no meaning here and is ignored"));
     }
@@ -35,18 +34,11 @@ pub(crate) fn render(args: RenderArgs, reporter: &Reporter) -> Result<u8> {
         manifest: args.batch.manifest.as_deref().map(Manifest::open).transpose()?,
         pool: thread_pool(plan.threads)?,
         args: &args.batch,
-        json: args.talk.json,
-        strict: args.talk.strict,
-        failed: Vec::new(),
+        json: args.report.json,
+        strict: args.report.strict,
+        failures: Failures::default(),
     };
     batch.run(&args.scenes, &outputs)
-}
-
-fn thread_pool(threads: usize) -> Result<rayon::ThreadPool> {
-    rayon::ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK_BYTES).build().map_err(|error| {
-        let diagnostic = Diagnostic::new(format!("cannot start {threads} threads: {error}"));
-        Error::new(ErrorKind::TryAgain, diagnostic.note("use fewer, with --threads"))
-    })
 }
 
 struct Batch<'a> {
@@ -56,8 +48,7 @@ struct Batch<'a> {
     args: &'a BatchArgs,
     json: bool,
     strict: bool,
-    /// A line for each scene that failed.
-    failed: Vec<String>,
+    failures: Failures,
 }
 
 impl Batch<'_> {
@@ -69,13 +60,11 @@ impl Batch<'_> {
             let result = self.try_one(path, output.as_ref());
             code = code.max(self.take_note(path, result)?);
             tried += 1;
-            if self.args.fail_fast && !self.failed.is_empty() {
+            if self.args.fail_fast && !self.failures.is_empty() {
                 break;
             }
         }
-        if scenes.len() > 1 {
-            self.report_failed(scenes.len(), scenes.len() - tried);
-        }
+        self.failures.report(scenes.len(), scenes.len() - tried, self.renderer.reporter);
         Ok(code)
     }
 
@@ -108,9 +97,7 @@ impl Batch<'_> {
                 self.record(&name, Status::Done, exit_code, None, Some(&record))
             }
             Err(error) => {
-                self.renderer.reporter.error(&error);
-                let exit_code = error.kind().exit_code();
-                self.failed.push(format!("{name} (exit code {exit_code})"));
+                let exit_code = self.failures.add(path, &error, self.renderer.reporter);
                 self.record(&name, Status::Failed, exit_code, Some(error.to_string()), None)
             }
         }
@@ -128,20 +115,6 @@ impl Batch<'_> {
             manifest.add(&Entry { scene, status, exit_code, error, image })?;
         }
         Ok(exit_code)
-    }
-
-    fn report_failed(&self, count: usize, untried: usize) {
-        if self.failed.is_empty() {
-            return;
-        }
-        let untried = match untried {
-            0 => String::new(),
-            1 => ", and 1 was not tried".to_owned(),
-            _ => format!(", and {untried} were not tried"),
-        };
-        let reporter = self.renderer.reporter;
-        reporter.line(format_args!("{} of {count} scenes failed{untried}:", self.failed.len()));
-        self.failed.iter().for_each(|line| reporter.line(format_args!("  {line}")));
     }
 }
 

@@ -2,6 +2,9 @@
 
 mod args;
 mod batch;
+mod bench;
+mod bench_args;
+mod failures;
 mod job;
 mod manifest;
 mod output_name;
@@ -12,10 +15,11 @@ mod record;
 mod reporter;
 mod summary;
 mod terminal;
+mod thread_pool;
 
-use args::{Cli, Command};
+use args::{Cli, Command, TalkArgs};
 use clap::Parser;
-use feimos::error::Error;
+use feimos::error::Result;
 use reporter::Reporter;
 use std::process::ExitCode;
 
@@ -23,15 +27,18 @@ use std::process::ExitCode;
 pub(crate) fn run() -> ExitCode {
     // clap prints help, version and its own errors, and leaves with 0 or 2.
     let cli = Cli::parse();
-    let Command::Render(args) = cli.command;
-    let reporter = Reporter::new(&args.talk);
-    match batch::render(*args, &reporter) {
-        Ok(code) => code.into(),
-        Err(error) => fail(&reporter, &error),
+    match cli.command {
+        Command::Render(args) => report(&args.talk, |reporter| batch::render(&args, reporter)),
+        Command::Bench(args) => report(&args.talk, |reporter| bench::bench(&args, reporter)),
     }
 }
 
-fn fail(reporter: &Reporter, error: &Error) -> ExitCode {
-    reporter.error(error);
-    error.kind().exit_code().into()
+/// Runs a command and tells of the error that ended it, if one did.
+fn report(talk: &TalkArgs, command: impl FnOnce(&Reporter) -> Result<u8>) -> ExitCode {
+    let reporter = Reporter::new(talk);
+    let code = command(&reporter).unwrap_or_else(|error| {
+        reporter.error(&error);
+        error.kind().exit_code()
+    });
+    code.into()
 }

@@ -16,7 +16,8 @@ pub(crate) struct Plan {
     pub(crate) load: LoadOptions,
     pub(crate) accel: Option<SplitMethod>,
     pub(crate) precision: Precision,
-    pub(crate) threads: usize,
+    /// All that the process may use, where nothing is said.
+    pub(crate) threads: Option<usize>,
     pub(crate) stats: bool,
     miss: Option<f32>,
     aov: Option<Vec<ChannelName>>,
@@ -34,7 +35,7 @@ impl Plan {
         if let Some(repeated) = aov.as_deref().and_then(first_repeated) {
             return Err(Error::usage(format!("--aov names `{}` twice", repeated.as_str())));
         }
-        if args.talk.json && output.as_deref() == Some("-") {
+        if args.report.json && output.as_deref() == Some("-") {
             return Err(Error::usage("--json and -o - would both write to standard output"));
         }
         let plan = Plan {
@@ -42,9 +43,9 @@ impl Plan {
             load: LoadOptions { resolution },
             accel: args.engine.accel,
             precision: args.engine.precision,
-            threads: args.engine.threads.unwrap_or_else(all_threads),
+            threads: args.engine.threads,
             miss: *miss,
-            stats: args.talk.stats,
+            stats: args.report.stats,
             aov: aov.clone(),
             view: *view,
             colors: *colormap,
@@ -115,9 +116,14 @@ impl Plan {
                 "the scene asks for the accelerator `{unknown}`, which is unknown here: sah is used"
             ));
         }
-        let max_leaf = accelerator.max_leaf.map_or(BuildOptions::MAX_LEAF, |count| count as usize);
-        BuildOptions { method: self.accel.or(from_scene.ok()).unwrap_or(SplitMethod::Sah), max_leaf }
+        build_options(self.accel.or(from_scene.ok()).unwrap_or(SplitMethod::Sah), accelerator)
     }
+}
+
+/// How to build by `method`, with leaves as large as the scene wants them.
+pub(super) fn build_options(method: SplitMethod, accelerator: &AcceleratorParameters) -> BuildOptions {
+    let max_leaf = accelerator.max_leaf.map_or(BuildOptions::MAX_LEAF, |count| count as usize);
+    BuildOptions { method, max_leaf }
 }
 
 /// What the scene asks for, or the name that means nothing here.
@@ -136,14 +142,9 @@ fn refuse(flags: &[(&str, bool)], destination: &Destination, reason: &str) -> Re
     }
 }
 
-fn first_repeated(channels: &[ChannelName]) -> Option<ChannelName> {
-    let repeated = |(place, channel): (usize, &ChannelName)| channels[..place].contains(channel);
-    channels.iter().enumerate().find(|item| repeated(*item)).map(|(_, channel)| *channel)
-}
-
-/// All that the process may use.
-fn all_threads() -> usize {
-    std::thread::available_parallelism().map_or(1, usize::from)
+/// The first item of a list from the command line that stands there before.
+pub(super) fn first_repeated<T: Copy + PartialEq>(items: &[T]) -> Option<T> {
+    items.iter().enumerate().find(|(place, item)| items[..*place].contains(item)).map(|(_, item)| *item)
 }
 
 fn depth_range([near, far]: [f64; 2]) -> Result<DepthRange> {

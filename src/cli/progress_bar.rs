@@ -16,6 +16,8 @@ pub(crate) enum Phase {
     Building(usize),
     /// This many pixels.
     Rendering(u64),
+    /// This many runs of `bench`.
+    Measuring(usize),
 }
 
 /// Whether and where bars are drawn.
@@ -56,6 +58,7 @@ fn bar(phase: Phase, target: ProgressDrawTarget) -> ProgressBar {
             (Some(count as u64), "  building  [{bar:40}] {human_pos}/{human_len} primitives {eta}")
         }
         Phase::Rendering(pixels) => (Some(pixels), "  rendering [{bar:40}] {human_pos}/{human_len} pixels {eta}"),
+        Phase::Measuring(runs) => (Some(runs as u64), "  measuring [{bar:40}] {human_pos}/{human_len} runs {eta}"),
     };
     let style = ProgressStyle::with_template(template).expect("a template written above").progress_chars("=> ");
     let bar = ProgressBar::with_draw_target(length, target).with_style(style);

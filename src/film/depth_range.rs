@@ -1,6 +1,7 @@
 //! The stretch of depths that a picture shows.
 
 use super::{ChannelName, Image};
+use rayon::prelude::*;
 
 /// The depths that get the two ends of a colour map. Where `near` lies beyond `far`, the map is reversed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,12 +16,12 @@ impl DepthRange {
     /// The smallest and the largest finite `Z` of the image's hits. `None` where no hit has a finite depth, or
     /// the image lacks `Z` or `A`.
     pub fn of_hits(image: &Image) -> Option<DepthRange> {
-        let depths = image.measures(ChannelName::Z)?.iter().zip(image.measures(ChannelName::A)?);
-        let depths = depths.filter(|(z, a)| **a != 0.0 && z.is_finite()).map(|(z, _)| *z);
-        depths.fold(None, |range, z| match range {
-            None => Some(DepthRange { near: z, far: z }),
-            Some(DepthRange { near, far }) => Some(DepthRange { near: near.min(z), far: far.max(z) }),
-        })
+        let (z, a) = (image.measures(ChannelName::Z)?, image.measures(ChannelName::A)?);
+        // In parts of a fixed size and in order: of two zeros the sign depends on the order.
+        let parts = z.par_chunks(PART).zip(a.par_chunks(PART)).map(|(z, a)| range_of_part(z, a));
+        let parts: Vec<(f32, f32)> = parts.collect();
+        let (near, far) = parts.into_iter().fold(NOTHING, wider);
+        (near <= far).then_some(DepthRange { near, far })
     }
 
     /// Where `z` lies on the way from near (0) to far (1), clamped to it. In a range of one depth, that depth and
@@ -32,6 +33,21 @@ impl DepthRange {
         // Only infinite ends can make a NaN.
         if position.is_nan() { 0.0 } else { position.clamp(0.0, 1.0) }
     }
+}
+
+/// Pixels that one thread looks at.
+const PART: usize = 1 << 14;
+
+/// The range of no depth at all.
+const NOTHING: (f32, f32) = (f32::INFINITY, f32::NEG_INFINITY);
+
+fn range_of_part(z: &[f32], a: &[f32]) -> (f32, f32) {
+    let of_hit = |(z, a): (&f32, &f32)| if *a != 0.0 && z.is_finite() { (*z, *z) } else { NOTHING };
+    z.iter().zip(a).map(of_hit).fold(NOTHING, wider)
+}
+
+fn wider(one: (f32, f32), other: (f32, f32)) -> (f32, f32) {
+    (one.0.min(other.0), one.1.max(other.1))
 }
 
 #[cfg(test)]

@@ -3,9 +3,10 @@
 //! Scan lines in increasing order, each compressed by itself (`zips`), so that equal images are equal files: the
 //! default encoding of the `exr` crate writes its tiles in the order in which threads finish them. The crate's
 //! thread pool is off; lines are compressed in the pool that the caller runs in, and written in order. The header and
-//! the frame of the file are the crate's work; its ZIP is not used, since the one below takes about a third of the time.
+//! the frame of the file are the crate's work; its ZIP is not used, since ours takes a small part of the time.
 
 use std::io::{self, Seek, Write};
+use std::ops::Range;
 
 use exr::block::chunk::{Chunk, CompressedBlock, CompressedScanLineBlock};
 use exr::block::writer::ChunksWriter;
@@ -14,9 +15,9 @@ use exr::math::Vec2;
 use exr::meta::BlockDescription;
 use exr::meta::attribute::{AttributeValue, ChannelDescription, IntegerBounds, LineOrder, SampleType, Text};
 use exr::meta::header::{Header, ImageAttributes, LayerAttributes};
-use flate2::{Compress, Compression, FlushCompress, Status};
 use rayon::prelude::*;
 
+use super::exr_zip::Zipper;
 use super::{Channel, Image, PixelBounds, Samples};
 
 /// The name of the attribute that holds what the caller says about the image. There is only this one, because
@@ -25,7 +26,7 @@ pub const ATTRIBUTE: &str = "feimos";
 
 /// Scan lines that are compressed before they are written: enough to keep every thread busy, few enough that the
 /// compressed image never lies in memory as a whole.
-const BATCH: usize = 256;
+const BATCH: u32 = 256;
 
 /// Writes `image` as an OpenEXR file with `json` in its [`ATTRIBUTE`].
 pub fn write(image: &Image, json: &str, out: &mut (impl Write + Seek)) -> io::Result<()> {
@@ -33,25 +34,17 @@ pub fn write(image: &Image, json: &str, out: &mut (impl Write + Seek)) -> io::Re
     let channels = sorted_channels(image);
     let header = header(image, &channels, json).map_err(into_io)?;
     let window = image.data_window;
-    let lines: Vec<u32> = (0..window.height()).collect();
+    let batches = (0..window.height()).step_by(BATCH as usize).map(|first| first..window.height().min(first + BATCH));
     exr::block::write(out, [header].into_iter().collect(), true, |_, writer| {
-        for batch in lines.chunks(BATCH) {
-            let chunks = batch.par_iter().map_init(deflate, |deflate, line| chunk(&channels, window, *line, deflate));
-            let chunks = chunks.collect::<Result<Vec<Chunk>, ExrError>>()?;
-            for (line, chunk) in batch.iter().zip(chunks) {
-                writer.write_chunk(*line as usize, chunk)?;
+        for batch in batches {
+            let chunks = compress(&channels, window, batch.clone())?;
+            for (line, chunk) in batch.zip(chunks) {
+                writer.write_chunk(line as usize, chunk)?;
             }
         }
         Ok(())
     })
     .map_err(into_io)
-}
-
-/// A compressor, to be reset for each line. 1920 by 1080 with five channels of a scanned mesh on a floor, a hit in every
-/// pixel, medians of nine on one thread: level 1 takes 91 ms for 9.8 MB, level 2 142 ms for 9.2 MB, level 4 158 ms for
-/// 9.2 MB, level 6 176 ms for 9.1 MB, and the `exr` crate's own ZIP 250 ms for 9.1 MB. Two threads take half of each.
-fn deflate() -> Compress {
-    Compress::new(Compression::new(1), true)
 }
 
 /// The channels by name, byte for byte: the order that the format demands.
@@ -93,43 +86,16 @@ fn integer_bounds(bounds: PixelBounds) -> Result<IntegerBounds, ExrError> {
     Ok(IntegerBounds::new(position, (bounds.width() as usize, bounds.height() as usize)))
 }
 
-/// Row `line` of the data window as the file stores it: by `zips`, or as it is where that would not be shorter.
-fn chunk(channels: &[&Channel], window: PixelBounds, line: u32, deflate: &mut Compress) -> Result<Chunk, ExrError> {
-    let bytes = row_bytes(channels, window.width() as usize, line as usize);
-    let pixels = zip(&bytes, deflate)?.unwrap_or(bytes);
-    let block =
-        CompressedScanLineBlock { y_coordinate: i32::try_from(window.y0 + line)?, compressed_pixels_le: pixels };
-    Ok(Chunk { layer_index: 0, compressed_block: CompressedBlock::ScanLine(block) })
-}
-
-/// The row's samples, channel after channel, in little-endian order.
-fn row_bytes(channels: &[&Channel], width: usize, line: usize) -> Vec<u8> {
-    let row = line * width..(line + 1) * width;
-    let mut bytes = Vec::with_capacity(channels.len() * width * size_of::<u32>());
-    for channel in channels {
-        match &channel.samples {
-            Samples::F32(values) => bytes.extend(values[row.clone()].iter().flat_map(|value| value.to_le_bytes())),
-            Samples::U32(values) => bytes.extend(values[row.clone()].iter().flat_map(|value| value.to_le_bytes())),
-        }
-    }
-    bytes
-}
-
-/// The format's ZIP: bytes at even places before those at odd ones, each as its difference from the one before,
-/// then deflate. `None` where that is not shorter than `bytes`, since readers tell by the length.
-fn zip(bytes: &[u8], deflate: &mut Compress) -> io::Result<Option<Vec<u8>>> {
-    let (pairs, _) = bytes.as_chunks::<2>();
-    let split: Vec<u8> = pairs.iter().map(|pair| pair[0]).chain(pairs.iter().map(|pair| pair[1])).collect();
-    let mut differences = vec![split[0]; split.len()];
-    for ((difference, before), byte) in differences[1..].iter_mut().zip(&split).zip(&split[1..]) {
-        *difference = byte.wrapping_sub(*before).wrapping_add(128);
-    }
-    let mut zipped = Vec::with_capacity(bytes.len() - 1);
-    deflate.reset();
-    let status = deflate.compress_vec(&differences, &mut zipped, FlushCompress::Finish)?;
-    // Full before its end is no shorter; the vector may also have got more capacity than it was asked for.
-    let shorter = status == Status::StreamEnd && zipped.len() < bytes.len();
-    Ok(shorter.then_some(zipped))
+/// The compressed lines of a batch, in order, each with what the file says about it.
+fn compress(channels: &[&Channel], window: PixelBounds, lines: Range<u32>) -> Result<Vec<Chunk>, ExrError> {
+    let width = window.width() as usize;
+    let chunk = |zipper: &mut Zipper, line: u32| {
+        let compressed_pixels_le = zipper.zip(channels, width, line as usize);
+        let y_coordinate = i32::try_from(window.y0 + line)?;
+        let block = CompressedScanLineBlock { y_coordinate, compressed_pixels_le };
+        Ok(Chunk { layer_index: 0, compressed_block: CompressedBlock::ScanLine(block) })
+    };
+    lines.into_par_iter().map_init(Zipper::default, chunk).collect()
 }
 
 /// An error of the disk as it came, any other as the input's.
@@ -143,7 +109,7 @@ fn into_io(error: ExrError) -> io::Error {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::film::ChannelName;
+    use crate::film::{ChannelName, exr_zip};
     use exr::prelude::{FlatImage, FlatSamples, ReadChannels, ReadLayers};
     use proptest::prelude::*;
     use std::io::Cursor;
@@ -249,7 +215,6 @@ mod tests {
     #[test]
     fn batches_of_lines_leave_no_line_out() {
         for height in [BATCH - 1, BATCH, BATCH + 1, 2 * BATCH] {
-            let height = height as u32;
             assert_survives(&picture((2, height), PixelBounds::of_film(2, height), &[ChannelName::Id]));
         }
     }
@@ -276,7 +241,7 @@ mod tests {
         let channels = vec![Channel { name: ChannelName::Id, samples: Samples::U32(values) }];
         let image = Image { display_window: (64, 2), data_window: PixelBounds::of_film(64, 2), channels };
         let lines = stored_lines(&encoded(&image, "{}"));
-        assert_eq!(lines[0], row_bytes(&sorted_channels(&image), 64, 0));
+        assert_eq!(lines[0], exr_zip::bytes_of_row(&sorted_channels(&image), 0..64));
         assert!(lines[1].len() < 30, "{}", lines[1].len());
         assert_survives(&image);
     }

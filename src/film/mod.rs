@@ -8,10 +8,12 @@ mod channel;
 mod color_map;
 mod depth_range;
 pub mod exr_file;
+mod exr_zip;
 mod format;
 mod pixel_bounds;
 pub mod png_file;
 mod raster;
+mod run_deflate;
 
 pub use channel::{Channel, ChannelName, Samples};
 pub use color_map::ColorMap;

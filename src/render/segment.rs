@@ -29,9 +29,9 @@ fn cuts(low: u32, high: u32, step: u32) -> Vec<[u32; 2]> {
 pub(super) fn segments_of<'a>(channels: &'a mut [Channel], window: &PixelBounds) -> Vec<Segment<'a>> {
     let columns = cuts(window.x0, window.x1, WIDTH);
     let rows = cuts(window.y0, window.y1, TILE);
-    let bounds = rows.iter().flat_map(|[y0, y1]| {
-        columns.iter().map(|[x0, x1]| PixelBounds { x0: *x0, x1: *x1, y0: *y0, y1: *y1 })
-    });
+    let bounds = rows
+        .iter()
+        .flat_map(|[y0, y1]| columns.iter().map(|[x0, x1]| PixelBounds { x0: *x0, x1: *x1, y0: *y0, y1: *y1 }));
     let mut segments: Vec<Segment> = bounds.map(|bounds| Segment { bounds, channels: Vec::new() }).collect();
     for channel in channels {
         match &mut channel.samples {

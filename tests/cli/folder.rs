@@ -54,10 +54,19 @@ impl Folder {
 
     /// `feimos render` with `arguments`, which are separated by blanks.
     pub(crate) fn command(&self, arguments: &str) -> std::process::Command {
+        self.subcommand("render", arguments)
+    }
+
+    fn subcommand(&self, name: &str, arguments: &str) -> std::process::Command {
         let mut command = std::process::Command::new(cargo_bin!("feimos"));
         command.current_dir(self.0.path()).env_remove("NO_COLOR").env_remove("CLICOLOR_FORCE");
-        command.arg("render").args(arguments.split_whitespace());
+        command.arg(name).args(arguments.split_whitespace());
         command
+    }
+
+    /// Runs `feimos bench` with `arguments` and an empty standard input.
+    pub(crate) fn bench(&self, arguments: &str) -> Run {
+        Run::of(assert_cmd::Command::from_std(self.subcommand("bench", arguments)))
     }
 
     /// Runs [`Folder::command`] with an empty standard input.
@@ -68,12 +77,8 @@ impl Folder {
     /// Runs [`Folder::command`] with `input` on its standard input. Standard output carries results only.
     pub(crate) fn render_input(&self, arguments: &str, input: &str) -> Run {
         let mut command = assert_cmd::Command::from_std(self.command(arguments));
-        let output = command.write_stdin(input).output().unwrap();
-        let run = Run {
-            code: output.status.code().expect("an exit code and no signal"),
-            stdout: output.stdout,
-            stderr: String::from_utf8(output.stderr).unwrap(),
-        };
+        command.write_stdin(input);
+        let run = Run::of(command);
         let results = ["--json", "-o -"].iter().any(|flag| arguments.contains(flag));
         assert!(results || run.stdout.is_empty(), "{arguments}: {run:?}");
         run
@@ -113,6 +118,15 @@ impl Folder {
 }
 
 impl Run {
+    fn of(mut command: assert_cmd::Command) -> Run {
+        let output = command.output().unwrap();
+        Run {
+            code: output.status.code().expect("an exit code and no signal"),
+            stdout: output.stdout,
+            stderr: String::from_utf8(output.stderr).unwrap(),
+        }
+    }
+
     #[track_caller]
     pub(crate) fn succeeded(self) -> Run {
         self.exited(0)

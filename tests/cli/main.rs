@@ -1,6 +1,7 @@
 //! The program as people run it: flags, files, streams, exit codes and messages.
 
 mod batch;
+mod bench;
 mod engine;
 mod exit_code;
 mod folder;

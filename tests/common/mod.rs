@@ -32,8 +32,14 @@ pub(crate) fn picture(
         let aggregate = Aggregate::build(shapes, camera.anchor(), options, Progress::SILENT);
         aggregate.validate(shapes).unwrap_or_else(|wrong| panic!("{options:?}: {wrong}"));
         let channels = ChannelName::ALL.to_vec();
-        let render_options =
-            RenderOptions { data_window: window, channels, miss: f32::INFINITY, counted: false, precision, level: Level::detect() };
+        let render_options = RenderOptions {
+            data_window: window,
+            channels,
+            miss: f32::INFINITY,
+            counted: false,
+            precision,
+            level: Level::detect(),
+        };
         render(camera, shapes, &aggregate, &render_options, Progress::SILENT).unwrap()
     })
 }

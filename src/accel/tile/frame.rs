@@ -65,7 +65,9 @@ impl<'a> Frame<'a> {
             return Some(PixelArea { columns: whole, rows: whole, nearest: f32::INFINITY });
         }
         let pixels = |k: usize| {
-            let pixel = |corner: [f64; 3]| if self.view.is_perspective { corner[k] / corner[2] } else { corner[k] + self.offset[k] };
+            let pixel = |corner: [f64; 3]| {
+                if self.view.is_perspective { corner[k] / corner[2] } else { corner[k] + self.offset[k] }
+            };
             let [low, high] = ends_of(corners.map(pixel));
             let margin = 1.0 / 512.0 + 1e-6 * low.abs().max(high.abs());
             let last = f64::from(TILE - 1);

@@ -53,7 +53,9 @@ pub(super) fn glance<S: Lanes>(simd: S, frame: &Frame, block: &Block, farthest: 
         let margin = simd.splat(MARGIN) + error + from_first * simd.splat(RELATIVE);
         let first_pixel = (low - margin).ceil().max(zero);
         let last_pixel = (high + margin).floor().min(last);
-        seen = seen & !(first_pixel.above(last_pixel) & (in_front | simd.splat(if is_perspective { 0.0 } else { 1.0 }).above(zero)));
+        seen = seen
+            & !(first_pixel.above(last_pixel)
+                & (in_front | simd.splat(if is_perspective { 0.0 } else { 1.0 }).above(zero)));
     }
     seen.bits()
 }

@@ -46,8 +46,10 @@ impl Pixel {
 }
 
 /// Columns and rows of the pixels of a block, relative to its first.
-pub(super) const LANE_COLUMNS: [f32; LANES] = [0.0, 1.0, 2.0, 3.0, 0.0, 1.0, 2.0, 3.0, 0.0, 1.0, 2.0, 3.0, 0.0, 1.0, 2.0, 3.0];
-pub(super) const LANE_ROWS: [f32; LANES] = [0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 2.0, 2.0, 2.0, 2.0, 3.0, 3.0, 3.0, 3.0];
+pub(super) const LANE_COLUMNS: [f32; LANES] =
+    [0.0, 1.0, 2.0, 3.0, 0.0, 1.0, 2.0, 3.0, 0.0, 1.0, 2.0, 3.0, 0.0, 1.0, 2.0, 3.0];
+pub(super) const LANE_ROWS: [f32; LANES] =
+    [0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 2.0, 2.0, 2.0, 2.0, 3.0, 3.0, 3.0, 3.0];
 
 /// What is known of the depth of a triangle that a pixel may keep, relative to the tile.
 #[derive(Debug, Clone, Copy)]

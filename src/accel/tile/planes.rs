@@ -83,7 +83,8 @@ impl Planes {
     pub(super) fn small(&self, lanes: u32) -> u32 {
         let mut small = 0;
         for lane in 0..LANES {
-            let is_small = self.columns[1][lane] - self.columns[0][lane] < 2 && self.rows[1][lane] - self.rows[0][lane] < 2;
+            let is_small =
+                self.columns[1][lane] - self.columns[0][lane] < 2 && self.rows[1][lane] - self.rows[0][lane] < 2;
             small |= u32::from(is_small) << lane;
         }
         small & lanes
@@ -143,11 +144,8 @@ impl Planes {
 
         let mut size = simd.splat(0.0);
         for edge in 0..3 {
-            let plane = [
-                normals.edges[edge][0] * inverse,
-                normals.edges[edge][1] * inverse,
-                normals.edges[edge][2] * inverse,
-            ];
+            let plane =
+                [normals.edges[edge][0] * inverse, normals.edges[edge][1] * inverse, normals.edges[edge][2] * inverse];
             let local = shifted::<S, EXACT>(&plane, &origin);
             store(&local, &mut self.edges[edge]);
             size = size.max(magnitude::<S>(&local, &extent));
@@ -313,7 +311,8 @@ fn plane_error<S: Lanes>(
     slope: &[S::F; 3],
 ) -> S::F {
     let is_perspective = frame.view.is_perspective;
-    let normal = [depth[0].narrow(), depth[1].narrow(), if is_perspective { depth[2].narrow() } else { simd.splat(1.0) }];
+    let normal =
+        [depth[0].narrow(), depth[1].narrow(), if is_perspective { depth[2].narrow() } else { simd.splat(1.0) }];
     let size = [slope[0], slope[1], if is_perspective { slope[2] } else { simd.splat(1.0) }];
     let mut sum = simd.splat(0.0);
     for axis in 0..3 {
@@ -377,7 +376,8 @@ impl<S: Lanes> Bounds<S> {
         let (x, y) = (size[0] + size[2], size[1] + size[2]);
         let volume = error[0] * y * size[2] + error[1] * x * size[2] + error[2] * x * y;
         let sixteenth = size[2] * simd.splat(1.0 / 16.0);
-        let is_small = sixteenth.above(error[0].max(error[1]).max(error[2])) & size[2].above(simd.splat(1.0 / (1 << 20) as f32));
+        let is_small =
+            sixteenth.above(error[0].max(error[1]).max(error[2])) & size[2].above(simd.splat(1.0 / (1 << 20) as f32));
         // The orthographic t is a sum of depths, not a quotient: its rounding is relative to the depths.
         let (x, y) = (size[0] + tile * size[2], size[1] + tile * size[2]);
         let terms = if view.is_perspective {
@@ -386,13 +386,6 @@ impl<S: Lanes> Bounds<S> {
             length[2] * (length[0] * y + length[1] * x)
         };
         let normal = terms * simd.splat(1.0 / (1u64 << 49) as f32);
-        Bounds {
-            size,
-            of_ray,
-            edge: edge * simd.splat(3.0),
-            volume: volume * simd.splat(8.0),
-            normal,
-            is_small,
-        }
+        Bounds { size, of_ray, edge: edge * simd.splat(3.0), volume: volume * simd.splat(8.0), normal, is_small }
     }
 }

@@ -52,11 +52,8 @@ fn speeds<S: Lanes>(simd: S, camera: &Camera, coordinates: &RayCoordinates, bloc
     let mut square = simd.splat_wide(0.0);
     for k in 0..3 {
         let along = simd.splat_wide(c[k][2]);
-        let component = if is_perspective {
-            simd.splat_wide(c[k][0]) * x + simd.splat_wide(c[k][1]) * y + along
-        } else {
-            along
-        };
+        let component =
+            if is_perspective { simd.splat_wide(c[k][0]) * x + simd.splat_wide(c[k][1]) * y + along } else { along };
         square = square + component * component;
     }
     square.sqrt()
@@ -94,16 +91,14 @@ pub(super) fn resolve<S: Lanes>(
             }
         };
         unsure = (unsure | planes.searched) & hit;
-       
+
         while unsure != 0 {
             let lane = unsure.trailing_zeros() as usize;
             unsure &= unsure - 1;
             let pixel = Pixel::of(block, lane);
             let depth = match pixels.held(pixel) {
                 Held::Hit(place) => searcher.depth_of(frame.first, pixel, &pixels.hits[place], fallbacks),
-                Held::Plane(place) => {
-                    searcher.depth(frame.first, pixel, pixels.planes[place].primitive, fallbacks)
-                }
+                Held::Plane(place) => searcher.depth(frame.first, pixel, pixels.planes[place].primitive, fallbacks),
                 Held::Nothing => Depth::default(),
             };
             (z[lane], t[lane]) = (depth.z, depth.t);

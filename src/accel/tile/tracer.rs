@@ -145,9 +145,8 @@ impl TileTracer<'_> {
 
 /// Columns and rows of a tile that are within `window`: from the first to before the second.
 fn part_of(first: [u32; 2], window: &PixelBounds) -> [[u32; 2]; 2] {
-    let part = |first: u32, low: u32, high: u32| {
-        [low.saturating_sub(first).min(TILE), high.saturating_sub(first).min(TILE)]
-    };
+    let part =
+        |first: u32, low: u32, high: u32| [low.saturating_sub(first).min(TILE), high.saturating_sub(first).min(TILE)];
     [part(first[0], window.x0, window.x1), part(first[1], window.y0, window.y1)]
 }
 

@@ -88,9 +88,13 @@ impl View {
         let offsets = [0, 1].map(|k| if is_perspective { 0.0 } else { 4.0 * extent[k] / step[k].abs() });
         let ray_error = |k: usize| ROUNDINGS * U * (sum_of_terms(k, &terms_of_ray) + offsets.get(k).unwrap_or(&0.0));
         let largest_error = ray_error(0).max(ray_error(1)).max(ray_error(2));
-        let largest = sum_of_terms(0, &|_| reach).max(sum_of_terms(1, &|_| reach)).max(farthest) + offsets[0] + offsets[1];
+        let largest =
+            sum_of_terms(0, &|_| reach).max(sum_of_terms(1, &|_| reach)).max(farthest) + offsets[0] + offsets[1];
         let fits = space.anchor() == eye
-            && largest_error < MAX_RAY_ERROR && largest < LARGEST && farthest > LEAST_DEPTH && units.is_normal();
+            && largest_error < MAX_RAY_ERROR
+            && largest < LARGEST
+            && farthest > LEAST_DEPTH
+            && units.is_normal();
         fits.then_some(View {
             is_perspective,
             eye,

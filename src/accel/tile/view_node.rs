@@ -143,7 +143,8 @@ fn project<S: Lanes>(simd: S, view: &View, node: &WideNode) -> ViewNode {
             // In front of the eye's plane only: what lies on one side of the first pixel stays there.
             let beyond = (low_film - film_error).above(zero);
             let before = (zero - film_error).above(high_film);
-            let least = beyond.select((low_film - film_error) * inverse_farthest * simd.splat(0.999), simd.splat(f32::NEG_INFINITY));
+            let least = beyond
+                .select((low_film - film_error) * inverse_farthest * simd.splat(0.999), simd.splat(f32::NEG_INFINITY));
             let most = before.select((high_film + film_error) * inverse_farthest * simd.splat(0.999), infinity);
             let margin = simd.splat(MARGIN);
             (in_front.select(low, least - margin), in_front.select(high, most + margin))

@@ -1,0 +1,98 @@
+//! The machine that was measured on.
+
+use serde::Serialize;
+use std::collections::HashSet;
+use std::fmt;
+
+/// What times depend on besides the program. What the system does not tell is `None`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Machine {
+    /// The processor's model.
+    pub cpu: Option<String>,
+    /// Physical cores.
+    pub cores: Option<usize>,
+    /// Hardware threads that the process may use.
+    pub threads: usize,
+    /// The instructions that rays are traced with.
+    pub simd: String,
+    /// The operating system and the architecture.
+    pub os: String,
+    /// The version of feimos.
+    pub feimos: String,
+}
+
+impl Machine {
+    /// This one, tracing with `simd`.
+    pub fn detect(simd: &str) -> Machine {
+        let cpuinfo = read("/proc/cpuinfo").unwrap_or_default();
+        Machine {
+            cpu: field(&cpuinfo, "model name").next().map(str::to_owned),
+            cores: cores(&cpuinfo),
+            threads: std::thread::available_parallelism().map_or(1, usize::from),
+            simd: simd.to_owned(),
+            os: os(read("/proc/sys/kernel/osrelease")),
+            feimos: env!("CARGO_PKG_VERSION").to_owned(),
+        }
+    }
+}
+
+/// One line for people.
+impl fmt::Display for Machine {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.cpu.as_deref().unwrap_or("unknown processor"))?;
+        if let Some(cores) = self.cores {
+            write!(f, ", {cores} {}", if cores == 1 { "core" } else { "cores" })?;
+        }
+        write!(f, ", {}, {}, feimos {}", self.simd, self.os, self.feimos)
+    }
+}
+
+fn read(path: &str) -> Option<String> {
+    std::fs::read_to_string(path).ok()
+}
+
+fn os(release: Option<String>) -> String {
+    let words = [Some(std::env::consts::OS.to_owned()), release, Some(std::env::consts::ARCH.to_owned())];
+    words.iter().flatten().map(|word| word.trim()).collect::<Vec<_>>().join(" ")
+}
+
+/// The values of the lines `name : value` of `/proc/cpuinfo`, one for each hardware thread.
+fn field<'a>(cpuinfo: &'a str, name: &'a str) -> impl Iterator<Item = &'a str> {
+    let pairs = cpuinfo.lines().filter_map(|line| line.split_once(':'));
+    pairs.filter(move |(key, _)| key.trim() == name).map(|(_, value)| value.trim())
+}
+
+/// Different pairs of a socket and a core in it.
+fn cores(cpuinfo: &str) -> Option<usize> {
+    let pairs = field(cpuinfo, "physical id").zip(field(cpuinfo, "core id"));
+    Some(pairs.collect::<HashSet<_>>().len()).filter(|count| *count > 0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cores_are_counted_once_however_many_threads_they_have() {
+        let thread = |socket, core| format!("model name\t: Quick 9\nphysical id\t: {socket}\ncore id\t\t: {core}\n\n");
+        let cpuinfo: String = [(0, 0), (0, 1), (0, 0), (1, 0)].map(|(socket, core)| thread(socket, core)).concat();
+        assert_eq!(cores(&cpuinfo), Some(3));
+        assert_eq!(field(&cpuinfo, "model name").next(), Some("Quick 9"));
+        assert_eq!(cores("Features : fp asimd\n"), None);
+    }
+
+    #[test]
+    fn one_line_leaves_out_what_is_not_known() {
+        let known = Machine {
+            cpu: Some("Quick 9".into()),
+            cores: Some(2),
+            threads: 4,
+            simd: "scalar".into(),
+            os: "linux 6.1 x86_64".into(),
+            feimos: "0.1.0".into(),
+        };
+        assert_eq!(known.to_string(), "Quick 9, 2 cores, scalar, linux 6.1 x86_64, feimos 0.1.0");
+        let unknown = Machine { cpu: None, cores: None, ..known };
+        assert_eq!(unknown.to_string(), "unknown processor, scalar, linux 6.1 x86_64, feimos 0.1.0");
+    }
+}

@@ -1,0 +1,37 @@
+//! The scenes of a command that failed.
+
+use super::reporter::Reporter;
+use feimos::error::Error;
+use std::path::Path;
+
+/// A line for each scene that failed.
+#[derive(Debug, Default)]
+pub(super) struct Failures(Vec<String>);
+
+impl Failures {
+    /// Tells of the failure at once, keeps a line for the end, and returns the exit code of `error`.
+    pub(super) fn add(&mut self, scene: &Path, error: &Error, reporter: &Reporter) -> u8 {
+        reporter.error(error);
+        let exit_code = error.kind().exit_code();
+        self.0.push(format!("{} (exit code {exit_code})", scene.display()));
+        exit_code
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Of several scenes, says which failed, and that `untried` of them were not tried.
+    pub(super) fn report(&self, count: usize, untried: usize, reporter: &Reporter) {
+        if self.is_empty() || count < 2 {
+            return;
+        }
+        let untried = match untried {
+            0 => String::new(),
+            1 => ", and 1 was not tried".to_owned(),
+            _ => format!(", and {untried} were not tried"),
+        };
+        reporter.line(format_args!("{} of {count} scenes failed{untried}:", self.0.len()));
+        self.0.iter().for_each(|line| reporter.line(format_args!("  {line}")));
+    }
+}

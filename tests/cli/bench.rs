@@ -1,0 +1,190 @@
+//! `feimos bench`: configurations, rows, and what is refused.
+
+use crate::folder::{Folder, Run, WARNED};
+use serde_json::Value;
+
+/// One round of everything.
+const ONCE: &str = "--runs 1 --warmup 0";
+
+const ERRORS: [&str; 6] = ["sampled_pixels", "wrong_hits", "wrong_primitives", "max_ulp", "p99_ulp", "mean_ulp"];
+
+/// The document on standard output.
+fn document(run: &Run) -> Value {
+    serde_json::from_slice(&run.stdout).unwrap()
+}
+
+fn rows(folder: &Folder, arguments: &str) -> Vec<Value> {
+    let run = folder.bench(&format!("{arguments} --json -")).succeeded();
+    document(&run)["rows"].as_array().unwrap().clone()
+}
+
+fn stdout(run: &Run) -> String {
+    String::from_utf8(run.stdout.clone()).unwrap()
+}
+
+/// The accelerator and the precision of each row.
+fn configurations(rows: &[Value]) -> Vec<(String, String)> {
+    let text = |row: &Value, key: &str| row[key].as_str().unwrap().to_owned();
+    rows.iter().map(|row| (text(row, "accel"), text(row, "precision"))).collect()
+}
+
+#[test]
+fn every_accelerator_is_measured_with_every_precision() {
+    let rows = rows(&Folder::new(), &format!("ball.pbrt {ONCE}"));
+    let methods = ["none", "middle", "equal", "sah", "hlbvh"];
+    let expected = methods.iter().flat_map(|method| ["exact", "fast"].map(|how| (method.to_string(), how.to_string())));
+    assert_eq!(configurations(&rows), expected.collect::<Vec<_>>());
+}
+
+#[test]
+fn lists_choose_configurations_and_their_order() {
+    let rows = rows(&Folder::new(), &format!("ball.pbrt {ONCE} --accel sah,none --precision fast"));
+    assert_eq!(configurations(&rows), [("sah".into(), "fast".into()), ("none".into(), "fast".into())]);
+}
+
+#[test]
+fn a_row_has_the_documented_keys_in_their_order() {
+    let run = Folder::new().bench(&format!("ball.pbrt {ONCE} --accel sah --precision exact --json -")).succeeded();
+    let text = stdout(&run);
+    let keys: Vec<&str> = text.split("\":").filter_map(|part| part.rsplit('"').next()).collect();
+    let documented = "machine cpu cores threads simd os feimos rows \
+                      scene accel precision threads rays build_ms min median max trace_ms min median max \
+                      mrays_per_s nodes_per_ray primitives_per_ray sah_cost depth bytes sampled_pixels wrong_hits \
+                      wrong_primitives max_ulp p99_ulp mean_ulp fallback_rays";
+    assert_eq!(keys[..keys.len() - 1], documented.split_whitespace().collect::<Vec<_>>());
+    assert!(text.ends_with("}\n"));
+}
+
+#[test]
+fn rows_hold_what_was_measured_and_null_for_what_was_not() {
+    let rows = rows(&Folder::new(), "ball.pbrt --runs 4 --warmup 2 --accel none,sah --threads 2");
+    for row in &rows {
+        for ms in [&row["build_ms"], &row["trace_ms"]] {
+            let [min, median, max] = ["min", "median", "max"].map(|key| ms[key].as_f64().unwrap());
+            assert!(0.0 <= min && min <= median && median <= max, "{row}");
+        }
+        let (rate, median) = (row["mrays_per_s"].as_f64().unwrap(), row["trace_ms"]["median"].as_f64().unwrap());
+        assert!((rate * median * 1e3 - 91.0).abs() < 1e-6, "91 rays: {row}");
+        assert_eq!((&row["scene"], &row["rays"], &row["threads"]), (&"ball.pbrt".into(), &91.into(), &2.into()));
+        assert!(ERRORS.iter().all(|key| row[key].is_null()), "{row}");
+        let fallbacks = if row["precision"] == "exact" { Value::from(0) } else { Value::Null };
+        assert_eq!(row["fallback_rays"], fallbacks);
+    }
+    // A ball and a triangle: one leaf of both, or a root over a leaf each. Every ray is tested against the root's box.
+    let [none, _, sah, _] = &rows[..] else { panic!("{rows:?}") };
+    assert_eq!((&none["depth"], &sah["depth"]), (&0.into(), &1.into()));
+    assert_eq!(none["nodes_per_ray"], 1.0);
+    assert!(sah["bytes"].as_u64() > none["bytes"].as_u64());
+    assert!(none["primitives_per_ray"].as_f64().unwrap() <= 2.0);
+}
+
+#[test]
+fn counts_are_those_of_render() {
+    let folder = Folder::new();
+    let run = folder.render("ball.pbrt --stats --accel middle -o a.exr").succeeded();
+    let rows = rows(&folder, &format!("ball.pbrt {ONCE} --accel middle --precision exact"));
+    let (nodes, primitives) = (&rows[0]["nodes_per_ray"], &rows[0]["primitives_per_ray"]);
+    let expected = format!("{:.2} nodes, {:.2} primitives", nodes.as_f64().unwrap(), primitives.as_f64().unwrap());
+    run.said(&expected).said(&format!("SAH cost    {:.2}", rows[0]["sah_cost"].as_f64().unwrap()));
+}
+
+#[test]
+fn the_table_has_a_line_for_each_row() {
+    let run = Folder::new().bench(&format!("ball.pbrt {ONCE} --accel none,hlbvh --threads 1")).succeeded();
+    let text = stdout(&run);
+    let lines: Vec<&str> = text.lines().collect();
+    assert!(lines[0].ends_with(concat!("feimos ", env!("CARGO_PKG_VERSION"))), "{text}");
+    assert_eq!(lines[1], "");
+    let title = "ball.pbrt: 13 x 7 rays, 2 primitives, 1 thread, median (fastest-slowest) of 1 run";
+    assert_eq!(lines[2], title);
+    assert!(lines[3].starts_with("accel  precision  "), "{text}");
+    let names: Vec<String> =
+        lines[4..].iter().map(|line| line.split_whitespace().take(2).collect::<Vec<_>>().join(" ")).collect();
+    assert_eq!(names, ["none exact", "none fast", "hlbvh exact", "hlbvh fast"]);
+    assert!(lines.iter().all(|line| line.len() <= 120), "{text}");
+    assert_eq!(run.stderr, "");
+}
+
+#[test]
+fn a_file_of_json_goes_with_the_table() {
+    let folder = Folder::new();
+    let run = folder.bench(&format!("ball.pbrt {ONCE} --accel sah --json rows.json")).succeeded();
+    assert!(stdout(&run).contains("\nsah    exact "), "{run:?}");
+    let document: Value = serde_json::from_slice(&folder.bytes("rows.json")).unwrap();
+    assert_eq!(document["rows"].as_array().unwrap().len(), 2);
+    assert_eq!(document["machine"]["feimos"], env!("CARGO_PKG_VERSION"));
+}
+
+#[test]
+fn a_bad_place_for_the_json_is_known_before_anything_is_measured() {
+    let run = Folder::new().bench("ball.pbrt --json out/rows.json").failed(73, "out/rows.json: cannot create");
+    assert!(run.stdout.is_empty());
+}
+
+#[test]
+fn a_bad_scene_is_told_and_the_others_go_on() {
+    let folder = Folder::new().with("bad.pbrt", "Shap").with("warned.pbrt", WARNED);
+    let run = folder.bench(&format!("bad.pbrt warned.pbrt gone.pbrt ball.pbrt {ONCE} --accel sah --json -"));
+    let run = run.exited(66).said("error: bad.pbrt:1:1: unknown directive").said("error: gone.pbrt: cannot read");
+    let run = run
+        .said("warning: warned.pbrt:2:7")
+        .said("2 of 4 scenes failed:\n  bad.pbrt (exit code 65)\n  gone.pbrt (exit code 66)\n");
+    let scenes: Vec<Value> =
+        document(&run)["rows"].as_array().unwrap().iter().map(|row| row["scene"].clone()).collect();
+    assert_eq!(scenes, ["warned.pbrt", "warned.pbrt", "ball.pbrt", "ball.pbrt"]);
+}
+
+/// A floor of `2 * count` triangles, behind the camera: no ray comes near, so that the test is quick.
+fn floor(count: usize) -> String {
+    let corners: String = (0..2 * (count + 1)).map(|i| format!("{} 0 {} ", i / 2, i % 2)).collect();
+    let faces: String = (0..2 * count).map(|i| format!("{i} {} {} ", i + 1, i + 2)).collect();
+    let film = "Film \"rgb\" \"integer xresolution\" 320 \"integer yresolution\" 320";
+    let mesh = format!("Shape \"trianglemesh\" \"point3 P\" [{corners}] \"integer indices\" [{faces}]");
+    format!("LookAt 0 0 -5  0 0 -6  0 1 0\nCamera \"perspective\"\n{film}\nWorldBegin\n{mesh}\n")
+}
+
+#[test]
+fn none_is_left_out_where_it_would_take_long_unless_it_is_named() {
+    let folder = Folder::new().with("floor.pbrt", floor(5000));
+    let precision = "--precision fast";
+    let run = folder.bench(&format!("floor.pbrt {ONCE} {precision} --json -")).succeeded();
+    let methods: Vec<String> =
+        configurations(document(&run)["rows"].as_array().unwrap()).into_iter().map(|row| row.0).collect();
+    assert_eq!(methods, ["middle", "equal", "sah", "hlbvh"]);
+    run.said(
+        "note: floor.pbrt: none is left out: 102,400 rays, each tested against 10,000 primitives, would take long",
+    );
+    let run = folder.bench(&format!("floor.pbrt {ONCE} {precision} --accel none")).succeeded().did_not_say("left out");
+    assert!(stdout(&run).contains("\nnone   fast "), "{run:?}");
+}
+
+#[test]
+fn what_cannot_be_measured_is_refused() {
+    let folder = Folder::new();
+    let cases = [
+        ("--reference exact", "invalid value 'exact' for '--reference <WHAT>': not available yet"),
+        ("--reference embree", "invalid value 'embree' for '--reference <WHAT>': expected none"),
+        (
+            "--accel sah,kd",
+            "invalid value 'kd' for '--accel <METHODS>': expected one of none, middle, equal, sah, hlbvh",
+        ),
+        ("--accel sah,none,sah", "--accel names `sah` twice"),
+        ("--precision slow", "invalid value 'slow' for '--precision <HOW>': expected one of exact, fast"),
+        ("--precision fast,fast", "--precision names `fast` twice"),
+        ("--runs 0", "invalid value '0' for '--runs <N>': expected a number from 1 to 10000"),
+        ("--warmup 10001", "invalid value '10001' for '--warmup <N>': expected a number from 0 to 10000"),
+        ("--threads 0", "invalid value '0' for '--threads <N>': expected a number from 1 to 4096"),
+    ];
+    for (flags, message) in cases {
+        let run = folder.bench(&format!("ball.pbrt {flags}")).failed(2, message);
+        assert!(run.stdout.is_empty());
+    }
+    folder.bench(&format!("ball.pbrt {ONCE} --accel sah --reference none")).succeeded();
+}
+
+#[test]
+fn progress_is_drawn_where_it_is_asked_for() {
+    let folder = Folder::new();
+    folder.bench(&format!("ball.pbrt {ONCE} --progress always")).succeeded().said("measuring [");
+    folder.bench(&format!("ball.pbrt {ONCE}")).succeeded().did_not_say("measuring [");
+}
