@@ -117,7 +117,7 @@ impl Renderer<'_> {
         let statistics = aggregate.statistics();
         let (nodes, method) = (statistics.nodes, build.method);
         let built = aggregate.primitive_count();
-        self.reporter.detail(format_args!("built {nodes} nodes over {built} of {primitives} primitives by {method}"));
+        self.reporter.detail(format_args!("built {nodes} nodes by {method} over {built} of {primitives} primitives"));
         summary::note_dead(aggregate.never_hit(), primitives, self.reporter);
 
         let options = RenderOptions {

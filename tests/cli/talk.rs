@@ -33,7 +33,7 @@ fn verbose_tells_of_each_phase() {
     let folder = Folder::new();
     for flag in ["-v", "--verbose"] {
         let run = folder.render(&format!("ball.pbrt {flag}")).succeeded();
-        run.said("loaded 2 shapes: 1 triangles, 1 spheres").said("built 1 nodes over 2 primitives by sah");
+        run.said("loaded 2 shapes: 1 triangles, 1 spheres").said("built 1 nodes by sah over 2 of 2 primitives");
     }
     folder.render("ball.pbrt -v -q").failed(2, "cannot be used with");
 }

@@ -18,29 +18,55 @@ pub(crate) fn scene(path: &Path) -> Scene {
     load(path, &LoadOptions::default(), Progress::SILENT).unwrap_or_else(|error| panic!("{error}"))
 }
 
+/// How a picture is made: none of it shows.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Way {
+    pub(crate) build: BuildOptions,
+    pub(crate) threads: usize,
+    pub(crate) level: Level,
+    /// Whether the tree holds only what the picture shows.
+    pub(crate) for_view: bool,
+}
+
 /// Builds, checks the tree, and renders every channel of `window` on `threads` threads.
 pub(crate) fn picture(
     camera: &Camera,
     shapes: &Shapes,
-    options: BuildOptions,
+    build: BuildOptions,
     precision: Precision,
     threads: usize,
     window: PixelBounds,
 ) -> Rendering {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+    picture_by(camera, shapes, Way { build, threads, level: Level::detect(), for_view: false }, precision, window)
+}
+
+/// As [`picture`], some given way.
+pub(crate) fn picture_by(
+    camera: &Camera,
+    shapes: &Shapes,
+    way: Way,
+    precision: Precision,
+    window: PixelBounds,
+) -> Rendering {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(way.threads).build().unwrap();
     pool.install(|| {
-        let aggregate = Aggregate::build(shapes, camera.anchor(), options, Progress::SILENT);
-        aggregate.validate(shapes).unwrap_or_else(|wrong| panic!("{options:?}: {wrong}"));
-        let channels = ChannelName::ALL.to_vec();
-        let render_options = RenderOptions {
-            data_window: window,
-            channels,
-            miss: f32::INFINITY,
-            counted: false,
-            precision,
-            level: Level::detect(),
+        let aggregate = if way.for_view {
+            Aggregate::build_for_view(shapes, camera, &window, way.build, Progress::SILENT)
+        } else {
+            let aggregate = Aggregate::build(shapes, camera.anchor(), way.build, Progress::SILENT);
+            aggregate.validate(shapes).unwrap_or_else(|wrong| panic!("{way:?}: {wrong}"));
+            aggregate
         };
-        render(camera, shapes, &aggregate, &render_options, Progress::SILENT).unwrap()
+        let channels = ChannelName::ALL.to_vec();
+        let (miss, counted, level) = (f32::INFINITY, false, way.level);
+        let options = RenderOptions { data_window: window, channels, miss, counted, precision, level };
+        let rendering = render(camera, shapes, &aggregate, &options, Progress::SILENT).unwrap();
+        // Where only hit or miss is asked for, other code answers.
+        let options = RenderOptions { channels: vec![ChannelName::A], ..options };
+        let hits = render(camera, shapes, &aggregate, &options, Progress::SILENT).unwrap();
+        let hit = |image: &Image| bits_of(image, ChannelName::A);
+        assert_eq!(hit(&rendering.image), hit(&hits.image), "{way:?}: hit or miss alone");
+        rendering
     })
 }
 
@@ -50,15 +76,22 @@ pub(crate) fn whole(camera: &Camera) -> PixelBounds {
     PixelBounds::of_film(width, height)
 }
 
-/// Renders with every accelerator, two leaf sizes and several numbers of threads, and asserts that no bit differs
-/// from the plain list on one thread, which is returned.
+/// Renders with every accelerator, three leaf sizes, several numbers of threads, all instructions that the machine has, with
+/// trees of all and of what is seen, and asserts that no bit differs from the plain list on one thread, which is returned.
 pub(crate) fn agreed_picture(camera: &Camera, shapes: &Shapes, precision: Precision) -> Rendering {
     let window = whole(camera);
-    let reference = picture(camera, shapes, BuildOptions::new(SplitMethod::None), precision, 1, window);
+    let levels: Vec<Level> = Level::ALL.iter().copied().filter(|level| level.is_available()).collect();
+    let way = Way { build: BuildOptions::new(SplitMethod::None), threads: 1, level: Level::Portable, for_view: false };
+    let reference = picture_by(camera, shapes, way, precision, window);
+    let mut turn = 0;
     for method in SplitMethod::ALL {
         for (max_leaf, threads) in [(4, 2), (1, 1), (16, 3)] {
-            let other = picture(camera, shapes, BuildOptions { method, max_leaf }, precision, threads, window);
-            assert_same(&reference.image, &other.image, &format!("{method}, leaves of {max_leaf}, {threads} threads"));
+            // Every level meets every accelerator, leaf size and kind of tree in some order.
+            let (level, for_view) = (levels[turn % levels.len()], turn / levels.len() % 2 == 0);
+            turn += 1;
+            let way = Way { build: BuildOptions { method, max_leaf }, threads, level, for_view };
+            let other = picture_by(camera, shapes, way, precision, window);
+            assert_same(&reference.image, &other.image, &format!("{way:?}"));
             assert_eq!(reference.hits, other.hits);
         }
     }

@@ -83,9 +83,9 @@ impl Planes {
     pub(super) fn small(&self, lanes: u32) -> u32 {
         let mut small = 0;
         for lane in 0..LANES {
-            let is_small =
-                self.columns[1][lane] - self.columns[0][lane] < 2 && self.rows[1][lane] - self.rows[0][lane] < 2;
-            small |= u32::from(is_small) << lane;
+            // Lanes without a triangle hold anything.
+            let [width, height] = [&self.columns, &self.rows].map(|ends| ends[1][lane].wrapping_sub(ends[0][lane]));
+            small |= u32::from(width < 2 && height < 2) << lane;
         }
         small & lanes
     }

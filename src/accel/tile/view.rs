@@ -38,6 +38,8 @@ const TOLERANCE: f32 = 1.0 / (1 << 18) as f32;
 /// What numbers may be, for none to leave the range of `f32` where three are multiplied.
 const LARGEST: f64 = (1u64 << 40) as f64;
 const LEAST_DEPTH: f64 = 1.0 / (1u64 << 30) as f64;
+/// Scenes that are larger keep clear of what is too small for `f32`.
+const LEAST_REACH: f64 = 1.0 / (1u64 << 30) as f64;
 /// Pixels that a ray may be off.
 const MAX_RAY_ERROR: f64 = 1.0 / (1u64 << 24) as f64;
 
@@ -94,6 +96,8 @@ impl View {
             && largest_error < MAX_RAY_ERROR
             && largest < LARGEST
             && farthest > LEAST_DEPTH
+            && reach > LEAST_REACH
+            && reach < LARGEST
             && units.is_normal();
         fits.then_some(View {
             is_perspective,
