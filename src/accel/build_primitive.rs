@@ -70,7 +70,7 @@ impl BuildPrimitive {
 
 /// What a tree is built over.
 pub(super) struct Collected {
-    /// The primitives that can be hit, and are wanted, in the order of their stores.
+    /// The primitives that can be hit, and are wanted. Their order does not depend on the number of threads.
     pub(super) primitives: Vec<BuildPrimitive>,
     /// How many can never be hit.
     pub(super) never_hit: usize,
@@ -98,9 +98,19 @@ pub(super) fn collect(shapes: &Shapes, space: &AnchorSpace, visibility: Option<&
     primitives.par_extend((0..shapes.sphere_count()).into_par_iter().map(place_sphere));
     let never_hit = never_hit.into_inner();
     if never_hit > 0 || visibility.is_some() {
-        primitives.retain(|primitive| !primitive.is_dead());
+        remove_dead(&mut primitives);
     }
     Collected { primitives, never_hit }
+}
+
+/// Puts the last primitives in the places of the dead ones: all others stay where they are.
+fn remove_dead(primitives: &mut Vec<BuildPrimitive>) {
+    let place_of_dead = |(place, primitive): (usize, &BuildPrimitive)| primitive.is_dead().then_some(place);
+    let dead: Vec<usize> = primitives.par_iter().enumerate().filter_map(place_of_dead).collect();
+    for place in dead.into_iter().rev() {
+        // Behind it none is dead any more.
+        primitives.swap_remove(place);
+    }
 }
 
 /// All triangles, dead ones too. Their number is known, so that each is written to its place and not moved.
@@ -202,6 +212,22 @@ fn union_of(primitives: &[BuildPrimitive], part: impl Fn(&BuildPrimitive) -> Lan
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_dead_are_removed_and_nobody_else() {
+        let bounds = Box32 { low: [1.0; 3], high: [2.0; 3] };
+        for dead in [0..0, 0..1, 0..9, 4..7, 8..9] {
+            let place = |index: usize| match dead.contains(&index) {
+                true => BuildPrimitive::DEAD,
+                false => BuildPrimitive::new(&bounds, Primitive::triangle(index)),
+            };
+            let mut primitives: Vec<BuildPrimitive> = (0..9).map(place).collect();
+            remove_dead(&mut primitives);
+            let mut left: Vec<usize> = primitives.iter().map(|primitive| primitive.primitive().index()).collect();
+            left.sort_unstable();
+            assert!(left.into_iter().eq((0..9).filter(|index| !dead.contains(index))), "{dead:?}");
+        }
+    }
 
     #[test]
     fn every_bit_of_a_primitive_comes_back_and_none_disturbs_sums() {
