@@ -98,7 +98,8 @@ fn on_film(view: &View, point: Point) -> OnFilm {
     if depth + depth_error < 0.0 {
         return OnFilm::Behind;
     }
-    if view.is_perspective && !(depth > depth_error * 1e3) || !point.is_finite() {
+    let is_clear_of_eye = depth > depth_error * 1e3;
+    if view.is_perspective && !is_clear_of_eye || !point.is_finite() {
         return OnFilm::Anywhere;
     }
     let inverse = if view.is_perspective { 1.0 / depth } else { 1.0 };

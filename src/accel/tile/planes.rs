@@ -138,7 +138,7 @@ impl Planes {
         }
 
         let homogeneous = Homogeneous::of(simd, corners, is_perspective);
-        let normals = homogeneous.normals::<EXACT>();
+        let normals = homogeneous.normals::<EXACT>(simd);
         let inverse = simd.splat_wide(1.0) / normals.volume;
         let depth = depth_plane::<S, EXACT>(simd, corners, &normals, inverse, is_perspective);
 
@@ -223,8 +223,8 @@ impl<S: Lanes> Homogeneous<S> {
     }
 
     #[inline(always)]
-    fn normals<const EXACT: bool>(&self) -> Normals<S> {
-        let zero = self.edges[0][0] - self.edges[0][0];
+    fn normals<const EXACT: bool>(&self, simd: S) -> Normals<S> {
+        let zero = simd.splat_wide(0.0);
         let [to_second, to_third] = &self.edges;
         let sum = cross::<S, EXACT>(to_second, to_third, zero);
         let second = cross::<S, EXACT>(to_third, &self.corner, zero);

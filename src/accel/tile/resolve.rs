@@ -79,14 +79,14 @@ pub(super) fn resolve<S: Lanes>(
             continue;
         }
         let (mut z, mut t) = ([0.0; LANES], [0.0; LANES]);
-        let speeds = match &coordinates {
-            Some(coordinates) => Some(speeds(simd, searcher.camera, coordinates, block)),
-            None => None,
-        };
+        let mut of_rays = None;
+        if let Some(coordinates) = &coordinates {
+            of_rays = Some(speeds(simd, searcher.camera, coordinates, block));
+        }
         let mut unsure = match searcher.precision {
-            Precision::Exact => planes.depths(simd, frame, block, speeds, &mut z, &mut t),
+            Precision::Exact => planes.depths(simd, frame, block, of_rays, &mut z, &mut t),
             Precision::Fast => {
-                fast_depths(simd, frame, &pixels.nearness[block], speeds, &mut z, &mut t);
+                fast_depths(simd, frame, &pixels.nearness[block], of_rays, &mut z, &mut t);
                 0
             }
         };

@@ -76,7 +76,7 @@ impl Searcher<'_> {
         let mut hit = hit.filter(|hit| hit.primitive == primitive && best != Some(primitive))?;
         let width = hit.t.high - hit.t.low;
         let allowed = if self.view.is_perspective { hit.t.low * NARROW } else { f64::from(self.view.tolerance) / 8.0 };
-        if !(width <= allowed) {
+        if width > allowed || width.is_nan() {
             hit.t = self.shapes.exact_t(primitive, ray).bracket();
         }
         Some((hit, self.view.nearness(hit.t.low)))

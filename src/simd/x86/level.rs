@@ -16,6 +16,9 @@ macro_rules! level {
         #[derive(Debug, Clone, Copy)]
         pub(in crate::simd) struct D([$d; 2 * $n]);
 
+        /// Registers of [`D`].
+        const WIDE: usize = 2 * $n;
+
         /// Sixteen truth values.
         #[derive(Debug, Clone, Copy)]
         pub(in crate::simd) struct M([$m; $n]);
@@ -99,10 +102,10 @@ macro_rules! level {
         operators!(F, zero, $n, Sub sub sub);
         operators!(F, zero, $n, Mul mul mul);
         operators!(F, zero, $n, Div div div);
-        operators!(D, zero_wide, 2 * $n, Add add add_wide);
-        operators!(D, zero_wide, 2 * $n, Sub sub sub_wide);
-        operators!(D, zero_wide, 2 * $n, Mul mul mul_wide);
-        operators!(D, zero_wide, 2 * $n, Div div div_wide);
+        operators!(D, zero_wide, WIDE, Add add add_wide);
+        operators!(D, zero_wide, WIDE, Sub sub sub_wide);
+        operators!(D, zero_wide, WIDE, Mul mul mul_wide);
+        operators!(D, zero_wide, WIDE, Div div div_wide);
         operators!(M, none, $n, BitAnd bitand both);
         operators!(M, none, $n, BitOr bitor either);
 
@@ -157,9 +160,9 @@ macro_rules! level {
             #[inline(always)]
             fn least(self) -> f32 {
                 let mut least = self.0[0];
-                for k in 1..$n {
+                for register in &self.0[1..] {
                     // SAFETY: lanes of this level exist only where its instructions do.
-                    least = unsafe { ops::min(least, self.0[k]) };
+                    least = unsafe { ops::min(least, *register) };
                 }
                 // SAFETY: as above.
                 unsafe { ops::least(least) }
