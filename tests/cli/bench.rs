@@ -79,6 +79,15 @@ fn rows_hold_what_was_measured_and_null_for_what_was_not() {
 }
 
 #[test]
+fn trees_are_told_from_lists() {
+    let folder = Folder::new().with("floor.pbrt", floor(50));
+    let rows = rows(&folder, &format!("floor.pbrt {ONCE} --accel none,sah --precision fast"));
+    let of = |key: &str| [0, 1].map(|row: usize| rows[row][key].as_f64().unwrap());
+    let ([none, sah], [list, tree], [all, few]) = (of("depth"), of("bytes"), of("sah_cost"));
+    assert!(none == 0.0 && sah >= 1.0 && list < tree && all > few, "{rows:?}");
+}
+
+#[test]
 fn counts_are_those_of_render() {
     let folder = Folder::new();
     let run = folder.render("ball.pbrt --stats --accel middle -o a.exr").succeeded();
