@@ -87,7 +87,7 @@ pub(crate) fn agreed_picture(camera: &Camera, shapes: &Shapes, precision: Precis
     for method in SplitMethod::ALL {
         for (max_leaf, threads) in [(4, 2), (1, 1), (16, 3)] {
             // Every level meets every accelerator, leaf size and kind of tree in some order.
-            let (level, for_view) = (levels[turn % levels.len()], turn / levels.len() % 2 == 0);
+            let (level, for_view) = (levels[turn % levels.len()], (turn / levels.len()).is_multiple_of(2));
             turn += 1;
             let way = Way { build: BuildOptions { method, max_leaf }, threads, level, for_view };
             let other = picture_by(camera, shapes, way, precision, window);

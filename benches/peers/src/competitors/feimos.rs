@@ -24,23 +24,41 @@ const MODES: [(Precision, &[ChannelName]); 4] =
     [(Precision::Exact, SAME), (Precision::Fast, SAME), (Precision::Exact, ALL), (Precision::Exact, HITS)];
 const MODE_NAMES: [&str; 4] = ["exact", "fast", "exact, five channels", "exact, hit or miss"];
 
+/// What feimos builds its tree over.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Over {
+    /// All primitives, as its peers do.
+    All,
+    /// What a ray of the view may meet: as `feimos render` does for a picture.
+    Seen,
+}
+
 /// feimos with one split method.
 pub(crate) struct Feimos<'a> {
     view: &'a View,
     method: SplitMethod,
+    over: Over,
     level: Level,
     aggregate: Option<Aggregate>,
 }
 
 impl Feimos<'_> {
-    pub(crate) fn new(view: &View, method: SplitMethod, level: Level) -> Feimos<'_> {
-        Feimos { view, method, level, aggregate: None }
+    pub(crate) fn new(view: &View, method: SplitMethod, over: Over, level: Level) -> Feimos<'_> {
+        Feimos { view, method, over, level, aggregate: None }
+    }
+
+    fn window(&self) -> PixelBounds {
+        let [width, height] = self.view.camera.resolution;
+        PixelBounds::of_film(width, height)
     }
 }
 
 impl Competitor for Feimos<'_> {
     fn name(&self) -> String {
-        format!("feimos {}", self.method)
+        match self.over {
+            Over::All => format!("feimos {}", self.method),
+            Over::Seen => format!("feimos {} of what is seen", self.method),
+        }
     }
 
     fn discard(&mut self) {
@@ -49,8 +67,11 @@ impl Competitor for Feimos<'_> {
 
     fn build(&mut self) {
         let options = BuildOptions::new(self.method);
-        let anchor = self.view.camera.anchor();
-        self.aggregate = Some(Aggregate::build(&self.view.shapes, anchor, options, Progress::SILENT));
+        let View { shapes, camera, .. } = self.view;
+        self.aggregate = Some(match self.over {
+            Over::All => Aggregate::build(shapes, camera.anchor(), options, Progress::SILENT),
+            Over::Seen => Aggregate::build_for_view(shapes, camera, &self.window(), options, Progress::SILENT),
+        });
     }
 
     fn modes(&self) -> &[&'static str] {
@@ -63,9 +84,8 @@ impl Competitor for Feimos<'_> {
 
     fn trace(&self, mode: usize, picture: &mut Picture) -> Duration {
         let (precision, channels) = MODES[mode];
-        let [width, height] = self.view.camera.resolution;
         let options = RenderOptions {
-            data_window: PixelBounds::of_film(width, height),
+            data_window: self.window(),
             channels: channels.to_vec(),
             miss: f32::INFINITY,
             counted: false,

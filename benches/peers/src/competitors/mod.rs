@@ -8,7 +8,7 @@ mod solid;
 
 pub(crate) use embree::Device;
 
-use self::feimos::Feimos;
+use self::feimos::{Feimos, Over};
 use self::obvhs::{Obvhs, Width};
 use crate::competitor::Competitor;
 use crate::geometry::Geometry;
@@ -31,10 +31,11 @@ pub(crate) fn all<'a>(view: &'a View, level: Level, device: &'a Device) -> Vec<B
 fn of_solids<'a, S: Solid + 'a>(view: &'a View, level: Level, device: &'a Device) -> Vec<Box<dyn Competitor + 'a>> {
     let embree_input = embree::input(view);
     vec![
-        Box::new(Feimos::new(view, SplitMethod::Sah, level)),
+        Box::new(Feimos::new(view, SplitMethod::Sah, Over::All, level)),
         Box::new(Embree::new(view, device, &embree_input, Quality::Medium)),
         Box::new(Obvhs::<S>::new(view, Width::Wide)),
-        Box::new(Feimos::new(view, SplitMethod::Hlbvh, level)),
+        Box::new(Feimos::new(view, SplitMethod::Sah, Over::Seen, level)),
+        Box::new(Feimos::new(view, SplitMethod::Hlbvh, Over::All, level)),
         Box::new(Embree::new(view, device, &embree_input, Quality::Low)),
         Box::new(Obvhs::<S>::new(view, Width::Binary)),
         Box::new(BvhCrate::<S>::new(view)),
