@@ -69,12 +69,14 @@ mod tests {
     use super::*;
     use crate::competitors::{self, Device};
     use crate::differences::Differences;
+    use crate::memory;
     use crate::picture::Picture;
     use feimos::simd::Level;
 
     /// Every competitor sees what feimos sees, but for a pixel in a thousand.
     #[test]
     fn all_competitors_see_the_same() {
+        let _alone = memory::MEASURED.lock();
         let device = Device::new(2, None).unwrap();
         for name in [ViewName::Spheres, ViewName::Wall, ViewName::Terrain, ViewName::Interior, ViewName::Thumbnail] {
             let view = name.make().unwrap();
