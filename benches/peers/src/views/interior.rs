@@ -43,7 +43,8 @@ impl Hall {
         self.meshes += 1;
         let (vertices, triangles) = (grid.vertices(place).collect(), grid.triangles().collect());
         let added = self.shapes.add_mesh(vertices, triangles, world_from_object, self.meshes);
-        Ok(added.map_err(|error| error.to_string())?)
+        added.map_err(|error| error.to_string())?;
+        Ok(())
     }
 }
 
