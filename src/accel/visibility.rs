@@ -84,9 +84,18 @@ impl Visibility {
         (0..2).all(|axis| {
             let margin = MARGIN + RELATIVE_MARGIN * low[axis].abs().max(high[axis].abs());
             let [first, last] = self.window[axis];
-            (low[axis] - margin).ceil().max(first) <= (high[axis] + margin).floor().min(last)
+            let (low, high) = ((low[axis] - margin).max(first), (high[axis] + margin).min(last));
+            low <= high && next_whole(low) <= high
         })
     }
+}
+
+/// The least whole number from `x` on, which is not below 0 and at most 2^24. Without the standard library's `ceil`: where the
+/// instruction is not known to be there, that is a call.
+#[inline]
+fn next_whole(x: f32) -> f32 {
+    let below = x as i32 as f32;
+    if below < x { below + 1.0 } else { below }
 }
 
 fn on_film(view: &View, point: Point) -> OnFilm {
@@ -112,5 +121,17 @@ fn on_film(view: &View, point: Point) -> OnFilm {
         OnFilm::At(pixel.map(|coordinate| coordinate as f32))
     } else {
         OnFilm::Anywhere
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::next_whole;
+
+    #[test]
+    fn whole_numbers_stay_and_others_go_up() {
+        for x in [0.0, 0.25, 1.0, 1.5, 8191.0, 8191.002, 16_777_216.0f32] {
+            assert_eq!(next_whole(x), x.ceil());
+        }
     }
 }

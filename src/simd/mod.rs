@@ -1,6 +1,6 @@
 //! Sixteen numbers at once, by whatever instructions the machine has.
 //!
-//! An algorithm is written once, over the trait [`Lanes`], as a [`Kernel`]; [`Level::run`] compiles it for each level and runs
+//! An algorithm is written once, over the trait `Lanes`, as a `Kernel`; `Level::run` compiles it for each level and runs
 //! the one asked for. All that a kernel calls on lanes must be inlined into it (`#[inline(always)]`), or it would be
 //! compiled without the instructions.
 //!
