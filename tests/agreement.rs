@@ -171,6 +171,22 @@ fn trees_do_not_depend_on_the_number_of_threads() {
     }
 }
 
+/// A triangle in whose plane the eye is: its edge functions are 0 all along a row of pixels, and its nearness is nothing.
+#[test]
+fn a_triangle_seen_edge_on_is_not_hit() {
+    let mut shapes = Shapes::default();
+    add_mesh(&mut shapes, &[[[-4, 0, 2], [4, 0, 2], [0, 0, 4]]], &Matrix::IDENTITY, 1);
+    let camera = Camera {
+        world_from_camera: Matrix::IDENTITY,
+        projection: Projection::perspective(90.0),
+        screen_window: ScreenWindow::of_aspect(1.0),
+        resolution: [9, 9],
+    };
+    for precision in Precision::ALL {
+        assert_eq!(agreed_picture(&camera, &shapes, precision).hits, 0, "{precision}");
+    }
+}
+
 /// A tie between a triangle and a sphere, and between triangles of two meshes: the first in the file wins.
 #[test]
 fn ties_go_to_the_first_in_the_file() {

@@ -22,6 +22,8 @@ pub(super) struct Corners<S: Lanes> {
     pub(super) edge_error: [S::F; 3],
     /// All the rest of them.
     pub(super) rounding: [S::F; 3],
+    /// How far edges were off at first, relative to their length.
+    pub(super) edge_rounding: f32,
 }
 
 /// The product and sum that is right for the precision: what is compared by its bits, at whatever level, is never fused.
@@ -59,7 +61,14 @@ impl<S: Lanes> Corners<S> {
         }
         let zero = simd.splat(0.0);
         let none = [zero; 3];
-        let mut corners = Corners { corner: from_eye, edges, error: none, edge_error: none, rounding: none };
+        let mut corners = Corners {
+            corner: from_eye,
+            edges,
+            error: none,
+            edge_error: none,
+            rounding: none,
+            edge_rounding: edge_error,
+        };
         for k in 0..3 {
             let row = &frame.tile_from_world[k];
             corners.corner[k] = row_times::<S, EXACT>(simd, row, &from_eye);

@@ -2,7 +2,7 @@
 
 use super::frame::PixelArea;
 use super::pixels::{LANE_COLUMNS, LANE_ROWS, Pixel, Pixels, Slot};
-use super::planes::Planes;
+use super::planes::{Planes, linear};
 use super::walk::blocks_between;
 use crate::shape::{Primitive, Shapes};
 use crate::simd::{F32s, LANES, Lanes, Mask};
@@ -10,10 +10,21 @@ use crate::simd::{F32s, LANES, Lanes, Mask};
 /// What to do with what triangles cover.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rule {
+    /// Nearness is above 0 in front of the eye; in an orthographic view below.
+    pub(super) is_perspective: bool,
     /// What is surely nearer has more than this times the nearness of the best, plus that.
     pub(super) surely_nearer: [f32; 2],
     /// Only whether a pixel hits anything matters.
     pub(super) hits_only: bool,
+}
+
+impl Rule {
+    /// Whether computed hits are in front of the eye; not where they are NaN.
+    #[inline(always)]
+    fn in_front<S: Lanes>(&self, simd: S, nearness: S::F) -> S::M {
+        let zero = simd.splat(0.0);
+        if self.is_perspective { nearness.above(zero) } else { zero.above(nearness) }
+    }
 }
 
 /// A triangle and a pixel that `f32` cannot decide.
@@ -87,7 +98,10 @@ impl Canvas<'_> {
                 }
                 wins
             } else {
-                let inside = !simd.splat(0.0).above(edge) & Broadcast::within(simd, &area, origin, x, y);
+                let nearness = linear::<S, EXACT>(&triangle.nearness, x, y);
+                let inside = !simd.splat(0.0).above(edge) & self.rule.in_front(simd, nearness);
+                let inside = inside & Broadcast::within(simd, &area, origin, x, y);
+                let nearness = if self.rule.hits_only { triangle.infinity } else { nearness.min(triangle.nearest) };
                 let mut ties = (inside & !nearness.above(best) & !best.above(nearness)).bits();
                 while ties != 0 {
                     let pixel = Pixel::of(block, ties.trailing_zeros() as usize);
@@ -116,13 +130,14 @@ impl Canvas<'_> {
         for place in 0..4 {
             let (column, row) = (place & 1, place >> 1);
             let (x, y, within) = planes.pixel_of_small(simd, column, row);
-            let mut edge = at::<S, EXACT>(&planes.function(simd, &planes.edges[0]), x, y);
-            edge = edge.min(at::<S, EXACT>(&planes.function(simd, &planes.edges[1]), x, y));
-            edge = edge.min(at::<S, EXACT>(&planes.function(simd, &planes.edges[2]), x, y));
+            let mut edge = linear::<S, EXACT>(&planes.function(simd, &planes.edges[0]), x, y);
+            edge = edge.min(linear::<S, EXACT>(&planes.function(simd, &planes.edges[1]), x, y));
+            edge = edge.min(linear::<S, EXACT>(&planes.function(simd, &planes.edges[2]), x, y));
+            let at_pixel = linear::<S, EXACT>(&planes.function(simd, &planes.nearness), x, y);
             let (inside, maybe) = if EXACT {
                 (edge.above(error), edge.above(simd.splat(0.0) - error))
             } else {
-                let inside = !simd.splat(0.0).above(edge);
+                let inside = !simd.splat(0.0).above(edge) & self.rule.in_front(simd, at_pixel);
                 (inside, inside)
             };
             let mut maybe = (maybe & within).bits() & lanes;
@@ -131,8 +146,7 @@ impl Canvas<'_> {
             }
             let inside = inside.bits();
             let mut nearness = [0.0; LANES];
-            let exact = at::<S, EXACT>(&planes.function(simd, &planes.nearness), x, y);
-            if EXACT { exact } else { exact.min(simd.load(&planes.nearest)) }.store(&mut nearness);
+            if EXACT { at_pixel } else { at_pixel.min(simd.load(&planes.nearest)) }.store(&mut nearness);
             while maybe != 0 {
                 let lane = maybe.trailing_zeros() as usize;
                 maybe &= maybe - 1;
@@ -212,16 +226,6 @@ struct Broadcast<S: Lanes> {
     infinity: S::F,
 }
 
-/// A linear function at the columns `x` and the rows `y`.
-#[inline(always)]
-fn at<S: Lanes, const EXACT: bool>(function: &[S::F; 3], x: S::F, y: S::F) -> S::F {
-    if EXACT {
-        function[2].fused_or_not(y, function[1].fused_or_not(x, function[0]))
-    } else {
-        function[0] + function[1] * x + function[2] * y
-    }
-}
-
 impl<S: Lanes> Broadcast<S> {
     #[inline(always)]
     fn of(simd: S, planes: &Planes, lane: usize) -> Broadcast<S> {
@@ -246,16 +250,16 @@ impl<S: Lanes> Broadcast<S> {
 
     #[inline(always)]
     fn least_edge<const EXACT: bool>(&self, x: S::F, y: S::F) -> S::F {
-        let first = at::<S, EXACT>(&self.edges[0], x, y);
-        let second = at::<S, EXACT>(&self.edges[1], x, y);
-        let third = at::<S, EXACT>(&self.edges[2], x, y);
+        let first = linear::<S, EXACT>(&self.edges[0], x, y);
+        let second = linear::<S, EXACT>(&self.edges[1], x, y);
+        let third = linear::<S, EXACT>(&self.edges[2], x, y);
         first.min(second).min(third)
     }
 
     /// A computed nearness that counts as it is must not be more than what trees know of the triangle.
     #[inline(always)]
     fn nearness<const EXACT: bool>(&self, x: S::F, y: S::F) -> S::F {
-        let nearness = at::<S, EXACT>(&self.nearness, x, y);
+        let nearness = linear::<S, EXACT>(&self.nearness, x, y);
         if EXACT { nearness } else { nearness.min(self.nearest) }
     }
 

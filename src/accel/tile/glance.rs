@@ -53,9 +53,20 @@ pub(super) fn glance<S: Lanes>(simd: S, frame: &Frame, block: &Block, farthest: 
         let margin = simd.splat(MARGIN) + error + from_first * simd.splat(RELATIVE);
         let first_pixel = (low - margin).ceil().max(zero);
         let last_pixel = (high + margin).floor().min(last);
-        seen = seen
-            & !(first_pixel.above(last_pixel)
-                & (in_front | simd.splat(if is_perspective { 0.0 } else { 1.0 }).above(zero)));
+        let between = first_pixel.above(last_pixel);
+        if !is_perspective {
+            seen = seen & !between;
+            continue;
+        }
+        // What reaches the eye's plane has no rectangle, but may lie wholly before the first column of pixels, or behind the last.
+        let largest_depth = depth[0].abs().max(depth[1].abs()).max(depth[2].abs());
+        let tolerance = reach * simd.splat((frame.terms[k] + TILE as f32 * frame.terms[2]) * RELATIVE)
+            + largest_depth * simd.splat(MARGIN);
+        let most = film[0].max(film[1]).max(film[2]);
+        let mut least = film[0] - last * depth[0];
+        least = least.min(film[1] - last * depth[1]).min(film[2] - last * depth[2]);
+        let beside = (zero - tolerance).above(most) | least.above(tolerance);
+        seen = seen & !((in_front & between) | beside);
     }
     seen.bits()
 }

@@ -112,8 +112,7 @@ impl Planes {
         DepthPlane { nearness, error: self.depth_error[lane], primitive }
     }
 
-    /// Fills in all triangles. Returns those of which the bounds are good enough for exact decisions, or with `EXACT` off,
-    /// those that are not degenerate.
+    /// Fills in all triangles.
     #[inline(always)]
     pub(super) fn fill<S: Lanes, const EXACT: bool>(
         &mut self,
@@ -121,7 +120,7 @@ impl Planes {
         frame: &Frame,
         corners: &Corners<S>,
         cover: &Cover<S>,
-    ) -> u32 {
+    ) -> Prepared {
         let is_perspective = frame.view.is_perspective;
         cover.nearness.store(&mut self.nearest);
         let first = [cover.columns[0], cover.rows[0]];
@@ -131,10 +130,12 @@ impl Planes {
             cover.rows[side].store_whole(&mut self.rows[side]);
         }
         let (origin, extent) = pixel_block(simd, &first, &last);
+        let mut reach = extent;
         for axis in 0..2 {
             let origin = origin[axis].narrow();
+            reach[axis] = last[axis] - origin;
             (first[axis] - origin).store(&mut self.first[axis]);
-            (last[axis] - origin).store(&mut self.last[axis]);
+            reach[axis].store(&mut self.last[axis]);
         }
 
         let homogeneous = Homogeneous::of(simd, corners, is_perspective);
@@ -143,11 +144,13 @@ impl Planes {
         let depth = depth_plane::<S, EXACT>(simd, corners, &normals, inverse, is_perspective);
 
         let mut size = simd.splat(0.0);
+        let mut least_edge = simd.splat(f32::INFINITY);
         for edge in 0..3 {
             let plane =
                 [normals.edges[edge][0] * inverse, normals.edges[edge][1] * inverse, normals.edges[edge][2] * inverse];
             let local = shifted::<S, EXACT>(&plane, &origin);
             store(&local, &mut self.edges[edge]);
+            least_edge = least_edge.min(most_within::<S, EXACT>(simd, &local, &reach));
             size = size.max(magnitude::<S>(&local, &extent));
         }
         let local = shifted::<S, EXACT>(&depth, &origin);
@@ -160,7 +163,8 @@ impl Planes {
         let moderate = simd.splat(2f32.powi(100)).above(size.max(nearness_size));
         if !EXACT {
             simd.splat(0.0).store(&mut self.edge_error);
-            return (moderate & simd.splat(f32::INFINITY).above(size + nearness_size)).bits();
+            let inside = !simd.splat(0.0).above(least_edge);
+            return Prepared { usable: (moderate & inside).bits(), outside: (!inside).bits() };
         }
         let bounds = Bounds::of(simd, frame.view, corners, &homogeneous);
         let tile = simd.splat(TILE as f32);
@@ -182,7 +186,49 @@ impl Planes {
         let sure = volume.above(bounds.volume);
         let close = simd.splat(frame.view.tolerance * 0.9).above(nearness_error);
         let usable = sure & close & bounds.is_small & moderate & simd.splat(2f32.powi(100)).above(edge_error);
-        if is_perspective { usable.bits() } else { (usable & cover.in_front).bits() }
+        let usable = if is_perspective { usable } else { usable & cover.in_front };
+        // Of a large triangle too many depths would be left open: it is worth its corners in `f64`.
+        let area = (last[0] - first[0]) * (last[1] - first[1]);
+        let is_coarse =
+            depth_error.above(simd.splat(frame.view.tolerance * COARSE)) & area.above(simd.splat(MANY_PIXELS));
+        let usable = usable & !(is_coarse & simd.splat(corners.edge_rounding).above(simd.splat(FINE)));
+        let outside = usable & (simd.splat(0.0) - edge_error).above(least_edge);
+        Prepared { usable: (usable & !outside).bits(), outside: outside.bits() }
+    }
+}
+
+/// Of the tolerance: a depth that is off by more cannot be rounded for one pixel in thirty.
+const COARSE: f32 = 1.0 / (1 << 11) as f32;
+const MANY_PIXELS: f32 = 64.0;
+/// Between the roundings of edges in `f32` and in `f64`.
+const FINE: f32 = 1.0 / (1u64 << 40) as f32;
+
+/// What came of preparing triangles, triangle k as bit k.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Prepared {
+    /// Triangles of which the bounds are good enough for exact decisions, or with `EXACT` off, that are not degenerate.
+    pub(super) usable: u32,
+    /// Triangles that surely cover no pixel of their area.
+    pub(super) outside: u32,
+}
+
+/// The largest value of a linear function between its pixel and the last one. Rounding is monotone, so no pixel in between has a
+/// larger one.
+#[inline(always)]
+fn most_within<S: Lanes, const EXACT: bool>(simd: S, function: &[S::F; 3], reach: &[S::F; 2]) -> S::F {
+    let zero = simd.splat(0.0);
+    let x = function[1].above(zero).select(reach[0], zero);
+    let y = function[2].above(zero).select(reach[1], zero);
+    linear::<S, EXACT>(function, x, y)
+}
+
+/// A linear function at the columns `x` and the rows `y`.
+#[inline(always)]
+pub(super) fn linear<S: Lanes, const EXACT: bool>(function: &[S::F; 3], x: S::F, y: S::F) -> S::F {
+    if EXACT {
+        function[2].fused_or_not(y, function[1].fused_or_not(x, function[0]))
+    } else {
+        function[0] + function[1] * x + function[2] * y
     }
 }
 

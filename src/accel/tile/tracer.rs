@@ -6,7 +6,7 @@ use super::draw::{Canvas, Contested, Rule};
 use super::frame::{Frame, PixelArea, TILE};
 use super::glance::{Batch, glance};
 use super::pixels::{Pixel, Pixels};
-use super::planes::Planes;
+use super::planes::{Planes, Prepared};
 use super::resolve::{Wanted, resolve};
 use super::search::Searcher;
 use super::traced::TracedTile;
@@ -343,10 +343,11 @@ impl Work<'_, '_> {
         let hidden = simd.splat(farthest).above(cover.nearness);
         let lanes = (cover.covers & !hidden).bits() & block.triangles;
         if lanes != 0 {
-            let usable = planes.fill::<S, EXACT>(simd, &tile.frame, &corners, &cover);
+            let Prepared { usable, outside } = planes.fill::<S, EXACT>(simd, &tile.frame, &corners, &cover);
             tile.draw::<S, EXACT>(simd, planes, lanes & usable, &block.primitives);
-            if EXACT && lanes & !usable != 0 {
-                tile.refine::<S>(simd, planes, lanes & !usable, &block.primitives);
+            let open = lanes & !usable & !outside;
+            if EXACT && open != 0 {
+                tile.refine::<S>(simd, planes, open, &block.primitives);
             }
             tile.settle();
         }
@@ -364,7 +365,8 @@ impl Tile<'_> {
         primitives: &[Primitive; LANES],
     ) {
         let surely_nearer = self.frame.view.surely_nearer();
-        let rule = Rule { surely_nearer, hits_only: self.searcher.hits_only };
+        let is_perspective = self.frame.view.is_perspective;
+        let rule = Rule { is_perspective, surely_nearer, hits_only: self.searcher.hits_only };
         let Scratch { pixels, contested, .. } = &mut *self.scratch;
         let mut canvas = Canvas { primitives, shapes: self.searcher.shapes, rule, pixels, contested };
         canvas.draw::<S, EXACT>(simd, planes, lanes);
@@ -394,9 +396,10 @@ impl Tile<'_> {
         let corners = Corners::of_wide(simd, &self.frame, &corner, &edges);
         let cover = Cover::of(simd, &self.frame, &corners);
         let lanes = cover.covers.bits() & lanes;
-        let usable = planes.fill::<S, true>(simd, &self.frame, &corners, &cover);
+        let Prepared { usable, outside } = planes.fill::<S, true>(simd, &self.frame, &corners, &cover);
         self.draw::<S, true>(simd, planes, lanes & usable, primitives);
-        for lane in (0..LANES).filter(|lane| lanes & !usable & 1 << lane != 0) {
+        let open = lanes & !usable & !outside;
+        for lane in (0..LANES).filter(|lane| open >> lane & 1 != 0) {
             self.scratch.contest(Occlusion::of(self.frame.view, true), planes.area(lane), primitives[lane]);
         }
     }
