@@ -12,6 +12,12 @@ pub struct Bounds {
 }
 
 impl Bounds {
+    /// The eight corners.
+    pub fn corners(&self) -> [Point; 8] {
+        let end = |corner: usize, axis: usize| if corner >> axis & 1 == 0 { self.low[axis] } else { self.high[axis] };
+        std::array::from_fn(|corner| Point::new(end(corner, 0), end(corner, 1), end(corner, 2)))
+    }
+
     /// The box of no point.
     pub const EMPTY: Bounds = Bounds {
         low: Point::new(f64::INFINITY, f64::INFINITY, f64::INFINITY),

@@ -32,12 +32,6 @@ pub(super) fn multiply_add<S: Lanes, const EXACT: bool>(a: S::D, b: S::D, c: S::
     if EXACT { a.fused_or_not(b, c) } else { a * b + c }
 }
 
-/// As [`multiply_add`], in `f32`.
-#[inline(always)]
-pub(super) fn multiply_add_f32<S: Lanes, const EXACT: bool>(a: S::F, b: S::F, c: S::F) -> S::F {
-    if EXACT { a.fused_or_not(b, c) } else { a * b + c }
-}
-
 #[inline(always)]
 fn row_times<S: Lanes, const EXACT: bool>(simd: S, row: &[f64; 3], v: &[S::D; 3]) -> S::D {
     let sum = multiply_add::<S, EXACT>(simd.splat_wide(row[1]), v[1], simd.splat_wide(row[0]) * v[0]);

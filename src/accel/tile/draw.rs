@@ -86,7 +86,13 @@ impl Canvas<'_> {
             let y = simd.load(&LANE_ROWS) + simd.splat((first.row() as i32 - origin[1]) as f32);
             let edge = triangle.least_edge::<EXACT>(x, y);
             let best = simd.load(&pixels.nearness[block]);
-            let nearness = if self.rule.hits_only { triangle.infinity } else { triangle.nearness::<EXACT>(x, y) };
+            let at_pixel = linear::<S, EXACT>(&triangle.nearness, x, y);
+            // A computed nearness that counts as it is must not be more than what trees know of the triangle.
+            let nearness = match (self.rule.hits_only, EXACT) {
+                (true, _) => triangle.infinity,
+                (false, true) => at_pixel,
+                (false, false) => at_pixel.min(triangle.nearest),
+            };
             let wins = if EXACT {
                 let wins = edge.above(triangle.error) & nearness.above(best.fused_or_not(factor, addend));
                 let maybe = edge.above(triangle.minus_error) & nearness.fused_or_not(factor, addend).above(best);
@@ -98,10 +104,8 @@ impl Canvas<'_> {
                 }
                 wins
             } else {
-                let nearness = linear::<S, EXACT>(&triangle.nearness, x, y);
-                let inside = !simd.splat(0.0).above(edge) & self.rule.in_front(simd, nearness);
+                let inside = !simd.splat(0.0).above(edge) & self.rule.in_front(simd, at_pixel);
                 let inside = inside & Broadcast::within(simd, &area, origin, x, y);
-                let nearness = if self.rule.hits_only { triangle.infinity } else { nearness.min(triangle.nearest) };
                 let mut ties = (inside & !nearness.above(best) & !best.above(nearness)).bits();
                 while ties != 0 {
                     let pixel = Pixel::of(block, ties.trailing_zeros() as usize);
@@ -254,13 +258,6 @@ impl<S: Lanes> Broadcast<S> {
         let second = linear::<S, EXACT>(&self.edges[1], x, y);
         let third = linear::<S, EXACT>(&self.edges[2], x, y);
         first.min(second).min(third)
-    }
-
-    /// A computed nearness that counts as it is must not be more than what trees know of the triangle.
-    #[inline(always)]
-    fn nearness<const EXACT: bool>(&self, x: S::F, y: S::F) -> S::F {
-        let nearness = linear::<S, EXACT>(&self.nearness, x, y);
-        if EXACT { nearness } else { nearness.min(self.nearest) }
     }
 
     /// The pixels that the triangle may cover, of which alone trees know.

@@ -1,6 +1,6 @@
 //! One tile of a view.
 
-use super::view::View;
+use super::view::{MAX_PIXEL_ERROR, OnFilm, View};
 use crate::geometry::{Bounds, Point};
 
 /// Pixels along a side of a tile. Tiles cover the film from its first pixel on, whatever part is rendered.
@@ -47,41 +47,30 @@ impl<'a> Frame<'a> {
 
     /// The pixels that a box in world space may cover; `None` where it lies elsewhere, or behind the eye.
     pub(super) fn area_of_box(&self, bounds: &Bounds) -> Option<PixelArea> {
-        let corners: [[f64; 3]; 8] = std::array::from_fn(|corner| {
-            let coordinate = |axis: usize| if corner >> axis & 1 == 0 { bounds.low[axis] } else { bounds.high[axis] };
-            let from_eye: [f64; 3] = std::array::from_fn(|axis| coordinate(axis) - self.view.eye[axis]);
-            let component = |row: &[f64; 3]| (0..3).map(|axis| row[axis] * from_eye[axis]).sum::<f64>();
-            self.tile_from_world.each_ref().map(component)
-        });
-        let depths = corners.map(|corner| corner[2]);
-        let [nearest, farthest] = ends_of(depths);
-        let error = 1e-12 * nearest.abs().max(farthest.abs());
-        if farthest + error <= 0.0 {
+        let places = bounds.corners().map(|corner| self.view.on_film(corner));
+        if places.iter().all(|place| *place == OnFilm::Behind) {
             return None;
         }
-        let is_in_front = nearest - error > 0.0;
-        if self.view.is_perspective && !is_in_front {
-            let whole = [0, TILE as i32 - 1];
-            return Some(PixelArea { columns: whole, rows: whole, nearest: f32::INFINITY });
+        let (mut low, mut high, mut depth) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2], f64::INFINITY);
+        for place in places {
+            let OnFilm::At(point) = place else { return Some(PixelArea::WHOLE) };
+            for k in 0..2 {
+                low[k] = low[k].min(point.pixel[k]);
+                high[k] = high[k].max(point.pixel[k]);
+            }
+            depth = depth.min(point.depth);
         }
         let pixels = |k: usize| {
-            let pixel = |corner: [f64; 3]| {
-                if self.view.is_perspective { corner[k] / corner[2] } else { corner[k] + self.offset[k] }
-            };
-            let [low, high] = ends_of(corners.map(pixel));
-            let margin = 1.0 / 512.0 + 1e-6 * low.abs().max(high.abs());
-            let last = f64::from(TILE - 1);
-            let [first, last] = [(low - margin).ceil().max(0.0), (high + margin).floor().min(last)];
+            let margin = MAX_PIXEL_ERROR + 1e-6 * low[k].abs().max(high[k].abs());
+            let first_pixel = f64::from(self.first[k]);
+            let [low, high] = [low[k] - margin - first_pixel, high[k] + margin - first_pixel];
+            let [first, last] = [low.ceil().max(0.0), high.floor().min(f64::from(TILE - 1))];
             (first <= last).then_some([first as i32, last as i32])
         };
-        let nearest = if self.view.is_perspective { 1.0 / (nearest - error) } else { error - nearest };
+        let nearest = if self.view.is_perspective { 1.0 / depth } else { -depth };
         let margin = nearest.abs() * 1e-5;
         Some(PixelArea { columns: pixels(0)?, rows: pixels(1)?, nearest: (nearest + margin) as f32 })
     }
-}
-
-fn ends_of(values: [f64; 8]) -> [f64; 2] {
-    values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(*value), high.max(*value)])
 }
 
 /// Pixels of a tile that something may cover, and how near it may be there.
@@ -93,4 +82,10 @@ pub(super) struct PixelArea {
     pub(super) rows: [i32; 2],
     /// Nothing of it has more nearness.
     pub(super) nearest: f32,
+}
+
+impl PixelArea {
+    /// All of the tile, at any distance.
+    const WHOLE: PixelArea =
+        PixelArea { columns: [0, TILE as i32 - 1], rows: [0, TILE as i32 - 1], nearest: f32::INFINITY };
 }

@@ -26,5 +26,5 @@ mod wide_tree;
 pub(crate) use frame::TILE;
 pub use traced::TracedTile;
 pub use tracer::{TileOptions, TileTracer, Tiles};
-pub(super) use view::View;
+pub(super) use view::{MAX_PIXEL_ERROR, OnFilm, View};
 pub(crate) use wide_tree::WideTree;

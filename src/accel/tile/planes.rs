@@ -24,7 +24,7 @@
 //! |n . x|, relatively by sum_r |n_r| s_r / |g|: no matter how narrow the triangle is. The rounding of n itself, 2^-50 of the
 //! absolute terms |e1| x |e2|, changes t by that times |w| or |x| |w|_z, over |g|.
 
-use super::corners::{Corners, Cover, multiply_add, multiply_add_f32};
+use super::corners::{Corners, Cover, multiply_add};
 use super::frame::{Frame, PixelArea, TILE};
 use super::pixels::DepthPlane;
 use super::view::View;
@@ -339,8 +339,7 @@ fn store<F: F32s>(function: &[F; 3], to: &mut [[f32; LANES]; 3]) {
 /// The sum of a function's absolute terms within `extent`.
 #[inline(always)]
 fn magnitude<S: Lanes>(function: &[S::F; 3], extent: &[S::F; 2]) -> S::F {
-    let columns = multiply_add_f32::<S, false>(function[1].abs(), extent[0], function[0].abs());
-    multiply_add_f32::<S, false>(function[2].abs(), extent[1], columns)
+    function[0].abs() + function[1].abs() * extent[0] + function[2].abs() * extent[1]
 }
 
 /// By how much the errors of corners move the plane of `depth`, at a point between the corners.

@@ -119,4 +119,57 @@ impl View {
     pub(super) fn nearness(&self, t: f64) -> f32 {
         if self.is_perspective { (1.0 / t) as f32 } else { -t as f32 }
     }
+
+    /// Where a point is on the film.
+    pub(in crate::accel) fn on_film(&self, point: Point) -> OnFilm {
+        let from_eye = point - self.eye;
+        let k = &self.film_from_world;
+        let row = |row: &[f64; 3]| row[0] * from_eye.x + row[1] * from_eye.y + row[2] * from_eye.z;
+        let terms = |row: &[f64; 3]| from_eye.largest() * (row[0].abs() + row[1].abs() + row[2].abs()) * ROUNDING;
+        let (depth, depth_error) = (row(&k[2]), terms(&k[2]));
+        if depth + depth_error < 0.0 {
+            return OnFilm::Behind;
+        }
+        let is_clear_of_eye = depth > depth_error * 1e3;
+        if self.is_perspective && !is_clear_of_eye || !point.is_finite() {
+            return OnFilm::Anywhere;
+        }
+        let inverse = if self.is_perspective { 1.0 / depth } else { 1.0 };
+        let pixel = [0, 1].map(|axis| row(&k[axis]) * inverse + self.offset[axis]);
+        // The error of depth moves a pixel in proportion to its distance from the first one.
+        let error = |axis: usize| {
+            (terms(&k[axis]) + pixel[axis].abs() * depth_error) * inverse + self.offset[axis].abs() * ROUNDING
+        };
+        if error(0).max(error(1)) < MAX_PIXEL_ERROR {
+            OnFilm::At(FilmPoint { pixel, depth: depth - depth_error })
+        } else {
+            OnFilm::Anywhere
+        }
+    }
+}
+
+/// What products and sums of three terms are off by, relative to the sum of their absolute terms: ample.
+const ROUNDING: f64 = 1.0 / (1u64 << 48) as f64;
+
+/// Pixels that a place on the film may be off.
+pub(in crate::accel) const MAX_PIXEL_ERROR: f64 = 1.0 / 512.0;
+
+/// A point on the film.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::accel) enum OnFilm<P = FilmPoint> {
+    /// There.
+    At(P),
+    /// Behind the eye: no ray gets there.
+    Behind,
+    /// So close to the eye's plane that it may be anywhere.
+    Anywhere,
+}
+
+/// Where a ray passes a point in front of the eye.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::accel) struct FilmPoint {
+    /// Column and row, off by less than [`MAX_PIXEL_ERROR`].
+    pub(in crate::accel) pixel: [f64; 2],
+    /// Its depth is at least this.
+    pub(in crate::accel) depth: f64,
 }

@@ -7,20 +7,8 @@ use proptest::sample::Index;
 
 use super::simple::read_in_blocks;
 use super::{parse, parse_odd};
-use crate::error::Result;
 use crate::mesh::Loaded;
-
-fn told(result: &Result<Loaded>) -> String {
-    match result {
-        Err(error) => error.to_string(),
-        Ok(loaded) => {
-            let warnings: Vec<_> = loaded.warnings.iter().map(ToString::to_string).collect();
-            let bits = |point: &crate::geometry::Point| point.to_array().map(f64::to_bits);
-            let vertices: Vec<_> = loaded.mesh.vertices.iter().map(bits).collect();
-            format!("{warnings:?} {vertices:?} {:?}", loaded.mesh.triangles)
-        }
-    }
-}
+use crate::mesh::tests::told;
 
 /// Reads `text` in blocks of several sizes; whatever is read must be what `tobj` says. Whether it is simple.
 fn check(text: &[u8]) -> bool {

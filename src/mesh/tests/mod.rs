@@ -25,6 +25,19 @@ pub(super) fn gzipped(content: &[u8]) -> Vec<u8> {
     encoder.finish().expect("memory takes it")
 }
 
+/// All there is to say of a file, bit for bit: what two readers must agree in.
+pub(super) fn told(result: &Result<Loaded>) -> String {
+    match result {
+        Err(error) => error.to_string(),
+        Ok(loaded) => {
+            let warnings: Vec<_> = loaded.warnings.iter().map(ToString::to_string).collect();
+            let bits = |point: &crate::geometry::Point| point.to_array().map(f64::to_bits);
+            let vertices: Vec<_> = loaded.mesh.vertices.iter().map(bits).collect();
+            format!("{warnings:?} {vertices:?} {:?}", loaded.mesh.triangles)
+        }
+    }
+}
+
 /// The text of the error; it must be the file that is to blame.
 fn message(result: Result<Loaded>) -> String {
     let error: Error = result.expect_err("a broken file");

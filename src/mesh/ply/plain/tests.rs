@@ -6,9 +6,9 @@ use proptest::prelude::*;
 use proptest::sample::Index;
 
 use super::read_in_blocks;
-use crate::error::Result;
 use crate::input::Storage;
 use crate::mesh::gzip::{self, Stream};
+use crate::mesh::tests::told;
 use crate::mesh::{Loaded, ply};
 
 const PATH: &str = "a.ply";
@@ -16,18 +16,6 @@ const PATH: &str = "a.ply";
 /// What the reader of everything makes of `bytes`; NaN and negative zero made to differ from other numbers, and NaN from none.
 fn slowly(bytes: &[u8]) -> String {
     told(&ply::parse(Path::new(PATH), bytes))
-}
-
-fn told(result: &Result<Loaded>) -> String {
-    match result {
-        Err(error) => error.to_string(),
-        Ok(loaded) => {
-            let warnings: Vec<_> = loaded.warnings.iter().map(ToString::to_string).collect();
-            let bits = |point: &crate::geometry::Point| point.to_array().map(f64::to_bits);
-            let vertices: Vec<_> = loaded.mesh.vertices.iter().map(bits).collect();
-            format!("{warnings:?} {vertices:?} {:?}", loaded.mesh.triangles)
-        }
-    }
 }
 
 /// Reads `bytes` in blocks of every kind of size; whatever is read must be what the reader of everything says.
