@@ -136,7 +136,7 @@ fn place_visible_triangles(
     visibility: &Visibility,
     never_hit: &AtomicUsize,
 ) -> Vec<BuildPrimitive> {
-    let is_seen = |index: usize| visibility.may_see_triangle(shapes.corners_of(index));
+    let is_seen = |index: usize| visibility.may_see_triangle(*shapes.corners_of(index));
     let place = |first: usize| {
         let end = shapes.triangle_count().min(first + CHUNK);
         let mut seen = Vec::new();

@@ -43,6 +43,7 @@ impl RenderOptions {
             with_z: self.wants(ChannelName::Z),
             with_t: self.wants(ChannelName::T),
             with_primitives: self.wants(ChannelName::Id) || self.wants(ChannelName::Prim),
+            miss: self.miss,
             level: self.level,
         }
     }
@@ -143,7 +144,7 @@ impl Renderer<'_> {
             let traced = tracer.trace([first_column, first_row], &self.options.data_window);
             let columns = [x0.max(first_column), x1.min(first_column + TILE)];
             hits += traced.hits_within(columns.map(|x| x - first_column), [y0 - first_row, y1 - first_row]);
-            segment.put(traced, [first_column, first_row], columns, self.shapes, self.options.miss);
+            segment.put(traced, [first_column, first_row], columns, self.shapes);
         }
         self.progress.advance(segment.bounds.area() as usize);
         (hits, tracer.fallbacks().since(&before))

@@ -2,7 +2,7 @@
 
 use crate::accel::{TILE, TracedTile};
 use crate::film::{Channel, ChannelName, PixelBounds, Samples};
-use crate::shape::{Primitive, Shapes};
+use crate::shape::{Numbers, Primitive, Shapes};
 
 /// Columns of a segment: enough for a thread to be busy for a while, few enough for threads to end together.
 const WIDTH: u32 = 8 * TILE;
@@ -74,15 +74,16 @@ fn divide<'a, T>(
 
 impl Segment<'_> {
     /// Takes over the columns of a tile, the first pixel of which is `first`, both in film pixels.
-    pub(super) fn put(&mut self, tile: &TracedTile, first: [u32; 2], columns: [u32; 2], shapes: &Shapes, miss: f32) {
+    pub(super) fn put(&mut self, tile: &TracedTile, first: [u32; 2], columns: [u32; 2], shapes: &Shapes) {
         let part = Part { tile, first, columns, bounds: self.bounds };
+        let mut numbers = Numbers::of(shapes);
         for (name, rows) in &mut self.channels {
             match (rows, name) {
-                (Rows::F32(rows), ChannelName::Z) => part.put_depths(rows, TracedTile::z_of_row, miss),
-                (Rows::F32(rows), ChannelName::T) => part.put_depths(rows, TracedTile::t_of_row, miss),
+                (Rows::F32(rows), ChannelName::Z) => part.put_depths(rows, TracedTile::z_of_row),
+                (Rows::F32(rows), ChannelName::T) => part.put_depths(rows, TracedTile::t_of_row),
                 (Rows::F32(rows), _) => part.put_hits(rows, |_| 1.0),
                 (Rows::U32(rows), ChannelName::Id) => part.put_hits(rows, |hit| shapes.shape_number(hit)),
-                (Rows::U32(rows), _) => part.put_hits(rows, |hit| shapes.number(hit) + 1),
+                (Rows::U32(rows), _) => part.put_hits(rows, |hit| numbers.of_primitive(hit) + 1),
             }
         }
     }
@@ -106,32 +107,28 @@ impl Part<'_> {
         (self.bounds.y0 - self.first[1]..).zip(rows.iter_mut().map(part))
     }
 
-    /// Copies a row's depths, then overwrites those of misses.
-    fn put_depths(&self, rows: &mut [&mut [f32]], of_row: impl Fn(&TracedTile, u32) -> &[f32], miss: f32) {
+    fn put_depths(&self, rows: &mut [&mut [f32]], of_row: impl Fn(&TracedTile, u32) -> &[f32]) {
         let [first, end] = self.columns.map(|x| (x - self.first[0]) as usize);
         for (y, to) in self.rows(rows) {
-            match self.tile.hits_of_row(y) {
-                0 => to.fill(miss),
-                hits => {
-                    to.copy_from_slice(&of_row(self.tile, y)[first..end]);
-                    for (x, value) in (first..end).zip(to) {
-                        *value = if hits >> x & 1 != 0 { *value } else { miss };
-                    }
-                }
-            }
+            to.copy_from_slice(&of_row(self.tile, y)[first..end]);
         }
     }
 
     /// Puts a value for each hit. There are zeros already.
-    fn put_hits<T>(&self, rows: &mut [&mut [T]], of_hit: impl Fn(Primitive) -> T) {
+    fn put_hits<T>(&self, rows: &mut [&mut [T]], mut of_hit: impl FnMut(Primitive) -> T) {
         let [first, end] = self.columns.map(|x| x - self.first[0]);
         let within = (1 << end) - (1 << first);
         for (y, to) in self.rows(rows) {
-            let mut hits = self.tile.hits_of_row(y) & within;
+            let hit = &self.tile.primitives_of_row(y)[first as usize..end as usize];
+            let mut hits = (self.tile.hits_of_row(y) & within) >> first;
+            if hits == within >> first {
+                to.iter_mut().zip(hit).for_each(|(to, hit)| *to = of_hit(*hit));
+                continue;
+            }
             while hits != 0 {
-                let x = hits.trailing_zeros();
+                let x = hits.trailing_zeros() as usize;
                 hits &= hits - 1;
-                to[(x - first) as usize] = of_hit(self.tile.hit(x, y));
+                to[x] = of_hit(hit[x]);
             }
         }
     }

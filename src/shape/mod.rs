@@ -4,6 +4,7 @@
 //! always knows; and one in `f32`, which never says.
 
 mod filter_ray;
+mod numbers;
 mod primitive;
 mod shapes;
 mod sphere;
@@ -12,6 +13,7 @@ mod vector32;
 mod verdict;
 
 pub use filter_ray::FilterRay;
+pub use numbers::Numbers;
 pub use primitive::Primitive;
 pub use shapes::{Broken, CapacityError, Shapes};
 pub use sphere::{Cut, Sector, Sphere};

@@ -6,6 +6,7 @@ use crate::exact::{Bracket, Root};
 use crate::geometry::{Bounds, Matrix, Point, Ray};
 use rayon::prelude::*;
 use std::fmt;
+use std::ops::Range;
 
 /// The geometry of a scene. Meshes are in world space; spheres keep the number of their transform.
 ///
@@ -194,8 +195,14 @@ impl Shapes {
 
     /// The places of a triangle's corners among the vertices.
     #[inline]
-    pub fn corners_of(&self, index: usize) -> [u32; 3] {
-        self.triangles[index]
+    pub fn corners_of(&self, index: usize) -> &[u32; 3] {
+        &self.triangles[index]
+    }
+
+    /// A vertex of triangles, in world space.
+    #[inline]
+    pub fn vertex(&self, place: u32) -> &Point {
+        &self.vertices[place as usize]
     }
 
     /// Sphere `index` of the store.
@@ -283,6 +290,13 @@ impl Shapes {
             let run = self.mesh_of(index);
             run.first_number + (index - run.first_triangle)
         }
+    }
+
+    /// The triangles of the mesh that a triangle belongs to, and the number of the first.
+    pub(super) fn mesh_around(&self, triangle: u32) -> (Range<u32>, u32) {
+        let mesh = self.meshes.partition_point(|run| run.first_triangle <= triangle) - 1;
+        let end = self.meshes.get(mesh + 1).map_or(u32::MAX, |next| next.first_triangle);
+        (self.meshes[mesh].first_triangle..end, self.meshes[mesh].first_number)
     }
 
     /// The number of the `Shape` statement, from 1.

@@ -2,12 +2,12 @@
 //!
 //! # How far a corner may be off
 //!
-//! With u = 2^-53 and row r of the tile's matrix K: a corner relative to the eye is off by one rounding; the other two corners
-//! besides by the rounding of their edges to `f32`, 2^-24 |e|; products and sums by at most five more roundings of their
-//! absolute terms. [`Corners::error`] is sum_k |K_rk| (2^-24 e_k + 2^-48 (|p_k| + e_k)), e_k the longer edge.
+//! With row r of the tile's matrix K: a corner relative to the eye is off by one rounding; the other two corners
+//! besides by the rounding of their edges, 2^-53 |e|; products and sums by at most five more roundings of their
+//! absolute terms. [`Corners::error`] is sum_k |K_rk| (2^-52 e_k + 2^-48 (|p_k| + e_k)), e_k the longer edge.
 
-use super::block::Block;
 use super::frame::Frame;
+use crate::shape::Triangle;
 use crate::simd::{F32s, F64s, LANES, Lanes, Mask};
 
 /// A triangle's first corner and its edges in the space of the tile. In a perspective: pixels times depth, and depth. In an
@@ -22,8 +22,36 @@ pub(super) struct Corners<S: Lanes> {
     pub(super) edge_error: [S::F; 3],
     /// All the rest of them.
     pub(super) rounding: [S::F; 3],
-    /// How far edges were off at first, relative to their length.
-    pub(super) edge_rounding: f32,
+}
+
+/// What edges are off by, relative to their length.
+const EDGE_ROUNDING: f32 = 1.0 / (1u64 << 52) as f32;
+
+/// Sixteen triangles in world space.
+#[derive(Debug, Clone)]
+#[repr(align(64))]
+pub(super) struct WideTriangles {
+    /// Coordinates of the first corners.
+    pub(super) corner: [[f64; LANES]; 3],
+    /// Components of the vectors from the first to the second corners, and to the third.
+    pub(super) edges: [[[f64; LANES]; 3]; 2],
+}
+
+impl WideTriangles {
+    pub(super) fn new() -> WideTriangles {
+        WideTriangles { corner: [[0.0; LANES]; 3], edges: [[[0.0; LANES]; 3]; 2] }
+    }
+
+    /// Puts a triangle into a lane.
+    #[inline(always)]
+    pub(super) fn put(&mut self, lane: usize, triangle: &Triangle) {
+        let [a, b, c] = &triangle.0;
+        for axis in 0..3 {
+            self.corner[axis][lane] = a[axis];
+            self.edges[0][axis][lane] = b[axis] - a[axis];
+            self.edges[1][axis][lane] = c[axis] - a[axis];
+        }
+    }
 }
 
 /// The product and sum that is right for the precision: what is compared by its bits, at whatever level, is never fused.
@@ -39,30 +67,20 @@ fn row_times<S: Lanes, const EXACT: bool>(simd: S, row: &[f64; 3], v: &[S::D; 3]
 }
 
 impl<S: Lanes> Corners<S> {
-    /// From the first corners and the edges, in world space; `edge_error` is that of an edge relative to its length.
+    /// Of first corners and edges, in world space.
     #[inline(always)]
-    fn transform<const EXACT: bool>(
-        simd: S,
-        frame: &Frame,
-        corner: &[[f64; LANES]; 3],
-        edges: [[S::D; 3]; 2],
-        edge_error: f32,
-    ) -> Corners<S> {
+    pub(super) fn of<const EXACT: bool>(simd: S, frame: &Frame, triangles: &WideTriangles) -> Corners<S> {
         let eye = frame.eye();
-        let mut from_eye = edges[0];
+        let mut from_eye = [simd.splat_wide(0.0); 3];
+        let mut edges = [from_eye; 2];
         for axis in 0..3 {
-            from_eye[axis] = simd.load_wide(&corner[axis]) - simd.splat_wide(eye[axis]);
+            from_eye[axis] = simd.load_wide(&triangles.corner[axis]) - simd.splat_wide(eye[axis]);
+            edges[0][axis] = simd.load_wide(&triangles.edges[0][axis]);
+            edges[1][axis] = simd.load_wide(&triangles.edges[1][axis]);
         }
         let zero = simd.splat(0.0);
         let none = [zero; 3];
-        let mut corners = Corners {
-            corner: from_eye,
-            edges,
-            error: none,
-            edge_error: none,
-            rounding: none,
-            edge_rounding: edge_error,
-        };
+        let mut corners = Corners { corner: from_eye, edges, error: none, edge_error: none, rounding: none };
         for k in 0..3 {
             let row = &frame.tile_from_world[k];
             corners.corner[k] = row_times::<S, EXACT>(simd, row, &from_eye);
@@ -76,7 +94,7 @@ impl<S: Lanes> Corners<S> {
         for axis in 0..3 {
             let edge = edges[0][axis].narrow().abs().max(edges[1][axis].narrow().abs());
             // The least number for what is too small for f32.
-            corners.edge_error[axis] = edge * simd.splat(edge_error) + simd.splat(f32::MIN_POSITIVE);
+            corners.edge_error[axis] = edge * simd.splat(EDGE_ROUNDING) + simd.splat(f32::MIN_POSITIVE);
             terms[axis] = from_eye[axis].narrow().abs() + edge;
         }
         let unit = simd.splat(1.0 / (1u64 << 48) as f32);
@@ -90,35 +108,6 @@ impl<S: Lanes> Corners<S> {
             corners.error[k] = corners.error[k] + corners.rounding[k];
         }
         corners
-    }
-
-    /// Of a block, as it is stored.
-    #[inline(always)]
-    pub(super) fn of_block<const EXACT: bool>(simd: S, frame: &Frame, block: &Block) -> Corners<S> {
-        let mut edges = [[simd.splat_wide(0.0); 3]; 2];
-        for edge in 0..2 {
-            for axis in 0..3 {
-                edges[edge][axis] = simd.load(&block.edges[edge][axis]).widen();
-            }
-        }
-        Corners::transform::<EXACT>(simd, frame, &block.corner, edges, 1.0001 / (1 << 24) as f32)
-    }
-
-    /// Of corners and edges in `f64`.
-    #[inline(always)]
-    pub(super) fn of_wide(
-        simd: S,
-        frame: &Frame,
-        corner: &[[f64; LANES]; 3],
-        edges: &[[[f64; LANES]; 3]; 2],
-    ) -> Corners<S> {
-        let mut wide = [[simd.splat_wide(0.0); 3]; 2];
-        for edge in 0..2 {
-            for axis in 0..3 {
-                wide[edge][axis] = simd.load_wide(&edges[edge][axis]);
-            }
-        }
-        Corners::transform::<true>(simd, frame, corner, wide, 1.0 / (1u64 << 52) as f32)
     }
 
     /// Component `k` of all three corners.

@@ -1,8 +1,8 @@
 //! Triangles against the pixels of a tile.
 
-use super::frame::PixelArea;
+use super::block::Block;
 use super::pixels::{LANE_COLUMNS, LANE_ROWS, Pixel, Pixels, Slot};
-use super::planes::{Planes, linear};
+use super::planes::{Function, Planes};
 use super::walk::blocks_between;
 use crate::shape::{Primitive, Shapes};
 use crate::simd::{F32s, LANES, Lanes, Mask};
@@ -34,9 +34,19 @@ pub(super) struct Contested {
     pub(super) primitive: Primitive,
 }
 
+/// The triangles of a batch as they are stored.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Source<'a> {
+    /// With edges in `f32`.
+    Block(&'a Block),
+    /// Those of the scene: what a batch has is not as good as they are.
+    Shapes,
+}
+
 /// Where a batch of triangles is drawn.
 pub(super) struct Canvas<'a> {
     pub(super) primitives: &'a [Primitive; LANES],
+    pub(super) source: Source<'a>,
     pub(super) shapes: &'a Shapes,
     pub(super) rule: Rule,
     pub(super) pixels: &'a mut Pixels,
@@ -48,7 +58,7 @@ impl Canvas<'_> {
     /// Draws the triangles of `lanes`. With `EXACT` off nothing is contested: computed numbers count as they are.
     #[inline(always)]
     pub(super) fn draw<S: Lanes, const EXACT: bool>(&mut self, simd: S, planes: &Planes, lanes: u32) {
-        let small = planes.small(lanes);
+        let small = planes.small(simd, lanes);
         if small != 0 {
             self.draw_small::<S, EXACT>(simd, planes, small);
         }
@@ -63,9 +73,8 @@ impl Canvas<'_> {
     /// One triangle, sixteen pixels at once.
     #[inline(always)]
     fn draw_large<S: Lanes, const EXACT: bool>(&mut self, simd: S, planes: &Planes, lane: usize) {
-        let Canvas { pixels, contested, .. } = self;
         let area = planes.area(lane);
-        let hidden = simd.load(&pixels.farthest).above(simd.splat(area.nearest)).bits();
+        let hidden = simd.load(&self.pixels.farthest).above(simd.splat(area.nearest)).bits();
         let mut blocks = blocks_between(area.columns, area.rows) & !hidden;
         if blocks == 0 {
             return;
@@ -73,20 +82,21 @@ impl Canvas<'_> {
         let [factor, addend] = self.rule.surely_nearer;
         let (factor, addend) = (simd.splat(factor), simd.splat(addend));
         let triangle = Broadcast::of(simd, planes, lane);
-        let origin = [area.columns[0] & !3, area.rows[0] & !3];
+        let origin = planes.first(lane);
         let primitive = self.primitives[lane];
-        let slot = pixels.planes.len() as Slot;
+        let slot = self.next_slot();
         let slots = simd.splat(f32::from_bits(slot));
         let mut is_kept = false;
+        let Canvas { pixels, contested, .. } = self;
         while blocks != 0 {
             let block = blocks.trailing_zeros() as usize;
             blocks &= blocks - 1;
             let first = Pixel::of(block, 0);
-            let x = simd.load(&LANE_COLUMNS) + simd.splat((first.column() as i32 - origin[0]) as f32);
-            let y = simd.load(&LANE_ROWS) + simd.splat((first.row() as i32 - origin[1]) as f32);
+            let x = simd.load(&LANE_COLUMNS) + simd.splat((first.column() as i32 - origin[0] as i32) as f32);
+            let y = simd.load(&LANE_ROWS) + simd.splat((first.row() as i32 - origin[1] as i32) as f32);
             let edge = triangle.least_edge::<EXACT>(x, y);
             let best = simd.load(&pixels.nearness[block]);
-            let at_pixel = linear::<S, EXACT>(&triangle.nearness, x, y);
+            let at_pixel = triangle.nearness.at::<EXACT>(x, y);
             // A computed nearness that counts as it is must not be more than what trees know of the triangle.
             let nearness = match (self.rule.hits_only, EXACT) {
                 (true, _) => triangle.infinity,
@@ -105,7 +115,7 @@ impl Canvas<'_> {
                 wins
             } else {
                 let inside = !simd.splat(0.0).above(edge) & self.rule.in_front(simd, at_pixel);
-                let inside = inside & Broadcast::within(simd, &area, origin, x, y);
+                let inside = inside & triangle.within(simd, x, y);
                 let mut ties = (inside & !nearness.above(best) & !best.above(nearness)).bits();
                 while ties != 0 {
                     let pixel = Pixel::of(block, ties.trailing_zeros() as usize);
@@ -122,7 +132,7 @@ impl Canvas<'_> {
             pixels.changed |= u32::from(has_won) << block;
         }
         if is_kept {
-            pixels.planes.push(planes.depth_plane(lane, primitive));
+            self.keep::<EXACT>(planes, lane);
         }
     }
 
@@ -133,11 +143,12 @@ impl Canvas<'_> {
         let mut kept = Kept([NOT_KEPT; LANES]);
         for place in 0..4 {
             let (column, row) = (place & 1, place >> 1);
-            let (x, y, within) = planes.pixel_of_small(simd, column, row);
-            let mut edge = linear::<S, EXACT>(&planes.function(simd, &planes.edges[0]), x, y);
-            edge = edge.min(linear::<S, EXACT>(&planes.function(simd, &planes.edges[1]), x, y));
-            edge = edge.min(linear::<S, EXACT>(&planes.function(simd, &planes.edges[2]), x, y));
-            let at_pixel = linear::<S, EXACT>(&planes.function(simd, &planes.nearness), x, y);
+            let (x, y) = (simd.splat(column as f32), simd.splat(row as f32));
+            let within = planes.within(simd, x, y);
+            let mut edge = planes.function(simd, &planes.edges[0]).at::<EXACT>(x, y);
+            edge = edge.min(planes.function(simd, &planes.edges[1]).at::<EXACT>(x, y));
+            edge = edge.min(planes.function(simd, &planes.edges[2]).at::<EXACT>(x, y));
+            let at_pixel = planes.function(simd, &planes.nearness).at::<EXACT>(x, y);
             let (inside, maybe) = if EXACT {
                 (edge.above(error), edge.above(simd.splat(0.0) - error))
             } else {
@@ -154,8 +165,8 @@ impl Canvas<'_> {
             while maybe != 0 {
                 let lane = maybe.trailing_zeros() as usize;
                 maybe &= maybe - 1;
-                let column = planes.columns[0][lane] as u32 + column;
-                let row = planes.rows[0][lane] as u32 + row;
+                let first = planes.first(lane);
+                let (column, row) = (first[0] + column, first[1] + row);
                 let nearness = if self.rule.hits_only { f32::INFINITY } else { nearness[lane & 15] };
                 let is_inside = inside >> lane & 1 != 0;
                 self.put_small::<EXACT>(planes, lane, Pixel::at(column, row), nearness, is_inside, &mut kept);
@@ -184,7 +195,7 @@ impl Canvas<'_> {
                 || nearness == best && best_primitive().is_some_and(|best| self.shapes.precedes(primitive, best))
         };
         if wins {
-            let slot = kept.slot(lane, self.pixels, planes, primitive);
+            let slot = self.slot_of::<EXACT>(planes, lane, kept);
             self.pixels.slots[pixel.block()][pixel.lane()] = f32::from_bits(slot);
             self.pixels.nearness[pixel.block()][pixel.lane()] = nearness;
             self.pixels.changed |= 1 << pixel.block();
@@ -194,22 +205,49 @@ impl Canvas<'_> {
     }
 }
 
+impl Canvas<'_> {
+    /// The slot that the next triangle to be kept will have.
+    #[inline(always)]
+    fn next_slot(&self) -> Slot {
+        // Where only hits count, one will do for all.
+        if self.rule.hits_only { 0 } else { self.pixels.kept.len() as Slot }
+    }
+
+    /// The slot of a small triangle that a pixel keeps.
+    #[inline(always)]
+    fn slot_of<const EXACT: bool>(&mut self, planes: &Planes, lane: usize, kept: &mut Kept) -> Slot {
+        let lane = lane & (LANES - 1);
+        if kept.0[lane] == NOT_KEPT {
+            kept.0[lane] = self.next_slot();
+            self.keep::<EXACT>(planes, lane);
+        }
+        kept.0[lane]
+    }
+
+    /// Keeps a triangle, for its depths.
+    #[inline(always)]
+    fn keep<const EXACT: bool>(&mut self, planes: &Planes, lane: usize) {
+        let primitive = self.primitives[lane];
+        let kept = &mut self.pixels.kept;
+        if self.rule.hits_only && kept.len() > 0 {
+            return;
+        }
+        match self.source {
+            Source::Block(block) if !EXACT || planes.pixel_count(lane) <= MANY_PIXELS => {
+                kept.push_narrow(primitive, &block.corner, &block.edges, lane);
+            }
+            _ => kept.push(primitive, &self.shapes.triangle(primitive.index())),
+        }
+    }
+}
+
+/// Of a triangle that covers more, too many depths would be left open by edges in `f32`: it is worth its corners.
+const MANY_PIXELS: u32 = 64;
+
 /// The slots of triangles, as far as they have one.
 struct Kept([Slot; LANES]);
 
 const NOT_KEPT: Slot = Slot::MAX;
-
-impl Kept {
-    #[inline(always)]
-    fn slot(&mut self, lane: usize, pixels: &mut Pixels, planes: &Planes, primitive: Primitive) -> Slot {
-        let slot = &mut self.0[lane & (LANES - 1)];
-        if *slot == NOT_KEPT {
-            *slot = pixels.planes.len() as Slot;
-            pixels.planes.push(planes.depth_plane(lane, primitive));
-        }
-        *slot
-    }
-}
 
 /// Of two hits at the same nearness the first in the file counts (rule E3).
 fn take_tie(pixel: Pixel, primitive: Primitive, slot: Slot, shapes: &Shapes, pixels: &mut Pixels) -> bool {
@@ -222,50 +260,46 @@ fn take_tie(pixel: Pixel, primitive: Primitive, slot: Slot, shapes: &Shapes, pix
 
 /// One triangle's numbers in all lanes.
 struct Broadcast<S: Lanes> {
-    edges: [[S::F; 3]; 3],
-    nearness: [S::F; 3],
+    edges: [Function<S>; 3],
+    nearness: Function<S>,
     nearest: S::F,
     error: S::F,
     minus_error: S::F,
     infinity: S::F,
+    last: [S::F; 2],
+}
+
+#[inline(always)]
+fn broadcast<S: Lanes>(simd: S, function: &[[f32; LANES]; 3], lane: usize) -> Function<S> {
+    Function([simd.splat(function[0][lane]), simd.splat(function[1][lane]), simd.splat(function[2][lane])])
 }
 
 impl<S: Lanes> Broadcast<S> {
     #[inline(always)]
     fn of(simd: S, planes: &Planes, lane: usize) -> Broadcast<S> {
-        let zero = simd.splat(0.0);
-        let mut edges = [[zero; 3]; 3];
-        let mut nearness = [zero; 3];
-        for k in 0..3 {
-            for edge in 0..3 {
-                edges[edge][k] = simd.splat(planes.edges[edge][k][lane]);
-            }
-            nearness[k] = simd.splat(planes.nearness[k][lane]);
-        }
+        let [first, second, third] = &planes.edges;
+        let last = planes.last(lane);
         Broadcast {
-            edges,
-            nearness,
+            edges: [broadcast(simd, first, lane), broadcast(simd, second, lane), broadcast(simd, third, lane)],
+            nearness: broadcast(simd, &planes.nearness, lane),
             nearest: simd.splat(planes.nearest[lane]),
             error: simd.splat(planes.edge_error[lane]),
             minus_error: simd.splat(-planes.edge_error[lane]),
             infinity: simd.splat(f32::INFINITY),
+            last: [simd.splat(last[0]), simd.splat(last[1])],
         }
     }
 
     #[inline(always)]
     fn least_edge<const EXACT: bool>(&self, x: S::F, y: S::F) -> S::F {
-        let first = linear::<S, EXACT>(&self.edges[0], x, y);
-        let second = linear::<S, EXACT>(&self.edges[1], x, y);
-        let third = linear::<S, EXACT>(&self.edges[2], x, y);
-        first.min(second).min(third)
+        let [first, second, third] = &self.edges;
+        first.at::<EXACT>(x, y).min(second.at::<EXACT>(x, y)).min(third.at::<EXACT>(x, y))
     }
 
     /// The pixels that the triangle may cover, of which alone trees know.
     #[inline(always)]
-    fn within(simd: S, area: &PixelArea, origin: [i32; 2], x: S::F, y: S::F) -> S::M {
-        let mut within = !simd.splat((area.columns[0] - origin[0]) as f32).above(x);
-        within = within & !x.above(simd.splat((area.columns[1] - origin[0]) as f32));
-        within = within & !simd.splat((area.rows[0] - origin[1]) as f32).above(y);
-        within & !y.above(simd.splat((area.rows[1] - origin[1]) as f32))
+    fn within(&self, simd: S, x: S::F, y: S::F) -> S::M {
+        let zero = simd.splat(0.0);
+        !zero.above(x) & !zero.above(y) & !x.above(self.last[0]) & !y.above(self.last[1])
     }
 }

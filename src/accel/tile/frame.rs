@@ -6,6 +6,9 @@ use crate::geometry::{Bounds, Point};
 /// Pixels along a side of a tile. Tiles cover the film from its first pixel on, whatever part is rendered.
 pub(crate) const TILE: u32 = 16;
 
+/// Of absolute terms: five roundings of products and sums, those of their own sum, and of [`Frame::rounding`] itself.
+const ROUNDING: f64 = 1.0 / (1u64 << 48) as f64;
+
 /// A view with the origin moved to the first pixel of a tile: pixel coordinates are 0 to 15.
 #[derive(Debug, Clone)]
 pub(super) struct Frame<'a> {
@@ -14,12 +17,16 @@ pub(super) struct Frame<'a> {
     pub(super) first: [u32; 2],
     /// As [`View::film_from_world`].
     pub(super) tile_from_world: [[f64; 3]; 3],
+    /// As [`View::world_from_film`], from the tile's first pixel.
+    pub(super) world_from_tile: [[f64; 3]; 3],
     /// As [`View::offset`].
     pub(super) offset: [f64; 2],
     /// The matrix in `f32`.
     pub(super) tile_from_world_f32: [[f32; 3]; 3],
-    /// Sums of the absolute entries of its rows.
-    pub(super) terms: [f32; 3],
+    /// Its absolute entries, at most.
+    pub(super) magnitudes: [[f32; 3]; 3],
+    /// What components of a corner in the space of the tile may be off by, where they are worked out in `f64`.
+    pub(super) rounding: [f32; 3],
 }
 
 impl<'a> Frame<'a> {
@@ -37,8 +44,16 @@ impl<'a> Frame<'a> {
             }
         }
         let tile_from_world_f32 = tile_from_world.map(|row| row.map(|entry| entry as f32));
-        let terms = tile_from_world_f32.map(|row| row.iter().map(|entry| entry.abs()).sum());
-        Frame { view, first, tile_from_world, offset, tile_from_world_f32, terms }
+        let magnitudes = tile_from_world_f32.map(|row| row.map(|entry| entry.abs() * 1.0001));
+        let rounding = [0, 1, 2].map(|k| {
+            let offset = if k < 2 { view.offset[k].abs() + offset[k].abs() } else { 0.0 };
+            let terms: f64 = tile_from_world[k].iter().map(|entry| entry.abs()).sum();
+            ((terms * view.reach + offset) * ROUNDING) as f32 + f32::MIN_POSITIVE
+        });
+        let [start, per_column, per_row] = view.world_from_film;
+        let across = |axis: usize| f64::from(first[0]) * per_column[axis] + f64::from(first[1]) * per_row[axis];
+        let world_from_tile = [[0, 1, 2].map(|axis| start[axis] + across(axis)), per_column, per_row];
+        Frame { view, first, tile_from_world, world_from_tile, offset, tile_from_world_f32, magnitudes, rounding }
     }
 
     pub(super) fn eye(&self) -> Point {

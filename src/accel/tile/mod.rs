@@ -4,14 +4,17 @@
 //! nearest point, and the tile visits it if they overlap, and if some pixel of the overlap has hit nothing nearer yet. Sixteen
 //! triangles are then prepared at once and drawn into the tile's pixels, sixteen pixels at once.
 //!
-//! Decisions are made in `f32` with bounds on their errors, from numbers that `f64` made small first; see [`planes`]. What
-//! the bounds leave open is settled by the exact search for single rays.
+//! Decisions are made in `f32` with bounds on their errors; see [`narrow`], and [`wide`] for the few triangles that need `f64`. What
+//! the bounds leave open is settled by the exact search for single rays. Depths are worked out last, for what is hit; see [`kept`].
 
+mod ahead;
 mod block;
+mod cast;
 mod corners;
 mod draw;
 mod frame;
-mod glance;
+mod kept;
+mod narrow;
 mod pixels;
 mod planes;
 mod resolve;
@@ -21,6 +24,7 @@ mod tracer;
 mod view;
 mod view_node;
 mod walk;
+mod wide;
 mod wide_tree;
 
 pub(crate) use frame::TILE;

@@ -1,6 +1,7 @@
 //! What a tile knows of its pixels.
 
 use super::frame::TILE;
+use super::kept::Kept;
 use crate::accel::Hit;
 use crate::shape::Primitive;
 use crate::simd::LANES;
@@ -51,17 +52,7 @@ pub(super) const LANE_COLUMNS: [f32; LANES] =
 pub(super) const LANE_ROWS: [f32; LANES] =
     [0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 2.0, 2.0, 2.0, 2.0, 3.0, 3.0, 3.0, 3.0];
 
-/// What is known of the depth of a triangle that a pixel may keep, relative to the tile.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct DepthPlane {
-    /// Nearness: what a column adds, what a row adds, and at the first pixel.
-    pub(super) nearness: [f64; 3],
-    /// How far it may be off.
-    pub(super) error: f32,
-    pub(super) primitive: Primitive,
-}
-
-/// What a pixel hit, as a number: nothing, a place in a list of planes, or one in a list of hits found by exact search.
+/// What a pixel hit, as a number: nothing, a triangle that was kept, or one in a list of hits found by exact search.
 pub(super) type Slot = u32;
 const NOTHING: Slot = u32::MAX;
 const SEARCHED: Slot = 1 << 31;
@@ -72,13 +63,16 @@ const SEARCHED: Slot = 1 << 31;
 pub(super) struct Pixels {
     /// Block by block. Of a pixel outside the window infinite, so that nothing hits it.
     pub(super) nearness: [[f32; LANES]; BLOCKS],
+    /// What all pixels began with: every hit is nearer.
+    pub(super) least: f32,
     /// Bits of [`Slot`]s: so that lanes of `f32` can choose between them.
     pub(super) slots: [[f32; LANES]; BLOCKS],
     /// The least nearness of each block.
     pub(super) farthest: [f32; BLOCKS],
     /// Blocks of which `farthest` may have changed.
     pub(super) changed: u32,
-    pub(super) planes: Vec<DepthPlane>,
+    /// The triangles that pixels hold.
+    pub(super) kept: Kept,
     pub(super) hits: Vec<Hit>,
 }
 
@@ -86,7 +80,7 @@ pub(super) struct Pixels {
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Held {
     Nothing,
-    Plane(usize),
+    Triangle(usize),
     Hit(usize),
 }
 
@@ -94,21 +88,23 @@ impl Pixels {
     pub(super) fn new() -> Pixels {
         Pixels {
             nearness: [[0.0; LANES]; BLOCKS],
+            least: 0.0,
             slots: [[f32::from_bits(NOTHING); LANES]; BLOCKS],
             farthest: [0.0; BLOCKS],
             changed: 0,
-            planes: Vec::new(),
+            kept: Kept::new(),
             hits: Vec::new(),
         }
     }
 
     /// Forgets all; `least` is a nearness that everything has more of.
     pub(super) fn clear(&mut self, least: f32) {
+        self.least = least;
         self.nearness.as_flattened_mut().fill(least);
         self.slots.as_flattened_mut().fill(f32::from_bits(NOTHING));
         self.farthest.fill(least);
         self.changed = 0;
-        self.planes.clear();
+        self.kept.clear();
         self.hits.clear();
     }
 
@@ -135,7 +131,7 @@ impl Pixels {
         match self.slots[pixel.block()][pixel.lane()].to_bits() {
             NOTHING => Held::Nothing,
             slot if slot & SEARCHED != 0 => Held::Hit((slot & !SEARCHED) as usize),
-            slot => Held::Plane(slot as usize),
+            slot => Held::Triangle(slot as usize),
         }
     }
 
@@ -143,7 +139,7 @@ impl Pixels {
     pub(super) fn primitive(&self, pixel: Pixel) -> Option<Primitive> {
         match self.held(pixel) {
             Held::Nothing => None,
-            Held::Plane(place) => Some(self.planes[place].primitive),
+            Held::Triangle(place) => Some(self.kept.primitive(place)),
             Held::Hit(place) => Some(self.hits[place].primitive),
         }
     }

@@ -11,8 +11,10 @@ const PIXELS: usize = (TILE * TILE) as usize;
 /// What the rays of a tile hit, row by row: of all its pixels, though only those in the window that was asked for count.
 #[derive(Debug)]
 pub struct TracedTile {
+    /// Depths, of misses too.
     z: [f32; PIXELS],
     t: [f32; PIXELS],
+    /// Of hits; of misses anything.
     primitives: [Primitive; PIXELS],
     /// Of each row, the columns that hit, column k as bit k.
     hits: [u16; TILE as usize],
@@ -28,8 +30,15 @@ impl TracedTile {
         TracedTile { z: [0.0; PIXELS], t: [0.0; PIXELS], primitives, hits: [0; TILE as usize] }
     }
 
+    /// Forgets hits; depths are to be put for all pixels.
     pub(super) fn clear(&mut self) {
         self.hits = [0; TILE as usize];
+    }
+
+    /// Has all depths be those of misses.
+    pub(super) fn clear_depths(&mut self, miss: f32) {
+        self.z = [miss; PIXELS];
+        self.t = [miss; PIXELS];
     }
 
     /// How many pixels hit of those from the first to before the second column and row.
@@ -39,10 +48,10 @@ impl TracedTile {
         rows.iter().map(|row| u64::from((u32::from(*row) & columns).count_ones())).sum()
     }
 
-    /// What the ray of a pixel, which is known to hit, hits.
+    /// What the rays of a row hit, anything where nothing was hit.
     #[inline]
-    pub fn hit(&self, column: u32, row: u32) -> Primitive {
-        self.primitives[place(column, row)]
+    pub fn primitives_of_row(&self, row: u32) -> &[Primitive] {
+        &self.primitives[place(0, row)..place(0, row + 1)]
     }
 
     /// The pixels of a row that hit, column k as bit k.
@@ -51,20 +60,19 @@ impl TracedTile {
         u32::from(self.hits[row as usize])
     }
 
-    /// Planar depths of a row's hits, anything where nothing was hit.
+    /// Planar depths of a row.
     #[inline]
     pub fn z_of_row(&self, row: u32) -> &[f32] {
         &self.z[place(0, row)..place(0, row + 1)]
     }
 
-    /// Distances of a row's hits, anything where nothing was hit.
+    /// Distances of a row.
     #[inline]
     pub fn t_of_row(&self, row: u32) -> &[f32] {
         &self.t[place(0, row)..place(0, row + 1)]
     }
 
-    pub(super) fn put(&mut self, column: u32, row: u32, primitive: Primitive, depth: Depth) {
-        self.put_hit(column, row, primitive);
+    pub(super) fn put_depth(&mut self, column: u32, row: u32, depth: Depth) {
         (self.z[place(column, row)], self.t[place(column, row)]) = (depth.z, depth.t);
     }
 

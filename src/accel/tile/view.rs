@@ -26,6 +26,15 @@ pub(in crate::accel) struct View {
     pub(in crate::accel) offset: [f64; 2],
     /// K d is off by less, in any component.
     pub(super) ray_error: f32,
+    /// No coordinate of a corner differs more from the eye's.
+    pub(super) reach: f64,
+    /// What a ray is made of, in world space, as vectors: what pixel (0, 0) has, what a column and what a row adds. In a perspective that is
+    /// the direction, in an orthographic view the origin relative to the eye.
+    pub(super) world_from_film: [[f64; 3]; 3],
+    /// What components of that, and of the direction, are off by in the ray that counts, at most.
+    pub(super) ray_rounding: [f32; 3],
+    /// The direction of the view.
+    pub(super) forward: [f64; 3],
     /// How far the nearness that is compared may be off: a part of itself, orthographic in units of depth.
     pub(super) tolerance: f32,
     /// Anchor space is this times as large as the world.
@@ -33,7 +42,7 @@ pub(in crate::accel) struct View {
 }
 
 /// Of the nearness that is compared: small enough that hardly two surfaces lie so close, large enough for `f32`.
-const TOLERANCE: f32 = 1.0 / (1 << 18) as f32;
+const TOLERANCE: f32 = 1.0 / (1 << 16) as f32;
 
 /// What numbers may be, for none to leave the range of `f32` where three are multiplied.
 const LARGEST: f64 = (1u64 << 40) as f64;
@@ -87,6 +96,14 @@ impl View {
             let across = along(0) * extent[0] + along(1) * extent[1];
             if is_perspective { across + along(2) } else { across + along(3) + along(2) * farthest }
         };
+        let column = |axis: usize| [c.rows[0][axis], c.rows[1][axis], c.rows[2][axis]];
+        let (right, up, forward) = (column(0), column(1), column(2));
+        let start = [0, 1, 2].map(|axis| {
+            let across = first[0] * right[axis] + first[1] * up[axis];
+            if is_perspective { across + forward[axis] } else { across }
+        });
+        let world_from_film = [start, right.map(|x| x * step[0]), up.map(|x| x * step[1])];
+        let ray_rounding = [0, 1, 2].map(|axis| (4.0 * ROUNDINGS * U * terms_of_ray(axis)) as f32 + f32::MIN_POSITIVE);
         let offsets = [0, 1].map(|k| if is_perspective { 0.0 } else { 4.0 * extent[k] / step[k].abs() });
         let ray_error = |k: usize| ROUNDINGS * U * (sum_of_terms(k, &terms_of_ray) + offsets.get(k).unwrap_or(&0.0));
         let largest_error = ray_error(0).max(ray_error(1)).max(ray_error(2));
@@ -105,6 +122,10 @@ impl View {
             film_from_world,
             offset,
             ray_error: largest_error as f32,
+            reach,
+            world_from_film,
+            ray_rounding,
+            forward,
             tolerance: if is_perspective { TOLERANCE } else { TOLERANCE * farthest as f32 },
             units,
         })

@@ -23,6 +23,8 @@ pub(super) struct ViewNode {
 /// Those of triangles have less, so that theirs lie within those of the nodes above.
 const MARGIN: f32 = 1.0 / 256.0;
 const RELATIVE_MARGIN: f32 = 1.0 / (1 << 17) as f32;
+/// Of the terms of what a row of K makes of a corner: more than its roundings.
+const ERROR: f32 = 1.0 / (1 << 20) as f32;
 /// By which the nearness is larger.
 const NEARER: f32 = 1.0 + 1.0 / (1 << 15) as f32;
 
@@ -83,7 +85,7 @@ fn project<S: Lanes>(simd: S, view: &View, node: &WideNode) -> ViewNode {
     }
     let k = &view.film_from_world;
     let depth_terms = terms(simd, &k[2], &corners);
-    let error = simd.splat(1.0 / (1 << 20) as f32);
+    let error = simd.splat(ERROR);
     let depth_error = magnitude::<S>(&depth_terms) * error;
     let one = simd.splat(1.0);
     let mut nearest = simd.splat(f32::INFINITY);
@@ -108,7 +110,8 @@ fn project<S: Lanes>(simd: S, view: &View, node: &WideNode) -> ViewNode {
         let inverse = one / nearest;
         (in_front.select(inverse * simd.splat(NEARER), infinity), inverse, one / farthest)
     } else {
-        (depth_error - nearest, one, one)
+        // As much as that of a triangle may be too large.
+        (depth_error * simd.splat(4.0) - nearest, one, one)
     };
 
     let mut projected = ViewNode {

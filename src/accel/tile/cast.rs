@@ -1,0 +1,187 @@
+//! Casting the rays of one tile.
+
+use super::ahead::Ahead;
+use super::block::Block;
+use super::corners::{Corners, Cover, WideTriangles};
+use super::draw::{Canvas, Contested, Rule, Source};
+use super::frame::{Frame, PixelArea};
+use super::pixels::{Pixel, Pixels};
+use super::planes::{Planes, Prepared};
+use super::resolve::{Wanted, resolve};
+use super::search::Searcher;
+use super::traced::TracedTile;
+use super::walk::{Occlusion, Stack, ViewTree};
+use crate::accel::Fallbacks;
+use crate::shape::Primitive;
+use crate::simd::{Kernel, LANES, Lanes};
+
+/// What a thread keeps from tile to tile, so that nothing is allocated for each.
+#[derive(Debug)]
+pub(super) struct Scratch {
+    pub(super) pixels: Pixels,
+    stack: Stack,
+    planes: Planes,
+    contested: Vec<Contested>,
+}
+
+impl Scratch {
+    pub(super) fn new() -> Scratch {
+        let (stack, contested) = (Stack::default(), Vec::new());
+        Scratch { pixels: Pixels::new(), stack, planes: Planes::new(), contested }
+    }
+}
+
+/// One tile.
+pub(super) struct Tile<'a> {
+    pub(super) frame: Frame<'a>,
+    pub(super) tree: ViewTree<'a>,
+    pub(super) searcher: Searcher<'a>,
+    pub(super) wanted: Wanted,
+    pub(super) scratch: &'a mut Scratch,
+    pub(super) traced: &'a mut TracedTile,
+    pub(super) fallbacks: &'a mut Fallbacks,
+}
+
+/// With bounds, so that every answer is right.
+pub(super) struct Exactly<'a>(pub(super) Tile<'a>);
+/// As computed.
+pub(super) struct Fast<'a>(pub(super) Tile<'a>);
+
+impl Kernel for Exactly<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Lanes>(self, simd: S) {
+        self.0.run::<S, true>(simd);
+    }
+}
+
+impl Kernel for Fast<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Lanes>(self, simd: S) {
+        self.0.run::<S, false>(simd);
+    }
+}
+
+/// Something that the compiler has to align on the stack. Then it aligns the registers that it puts there too: without it,
+/// three out of four lay across cache lines.
+#[repr(align(64))]
+struct Aligned(#[allow(dead_code)] u8);
+
+impl Tile<'_> {
+    #[inline(always)]
+    fn run<S: Lanes, const EXACT: bool>(mut self, simd: S) {
+        std::hint::black_box(&mut Aligned(0));
+        self.walk::<S, EXACT>(simd);
+        let Tile { frame, searcher, wanted, scratch, traced, fallbacks, .. } = self;
+        resolve(simd, &frame, &searcher, wanted, &mut scratch.pixels, traced, fallbacks);
+    }
+
+    /// Draws all that the tile may see.
+    #[inline(always)]
+    fn walk<S: Lanes, const EXACT: bool>(&mut self, simd: S) {
+        let occlusion = Occlusion::of(self.frame.view, EXACT);
+        let tree = self.tree;
+        let mut farthest = occlusion.refresh(simd, &mut self.scratch.pixels);
+        if tree.nodes.is_empty() {
+            return;
+        }
+        self.scratch.stack.start();
+        let mut ahead = Ahead::default();
+        while farthest < f32::INFINITY {
+            let Scratch { stack, pixels, .. } = &mut *self.scratch;
+            let Some(place) = ahead.next(simd, &self.frame, &tree, stack, pixels, farthest) else { return };
+            let block = &tree.blocks[place];
+            if block.triangles != 0 {
+                self.draw_block::<S, EXACT>(simd, farthest, block);
+            }
+            if block.spheres() != 0 {
+                self.contest_spheres(block, occlusion);
+            }
+            self.settle();
+            farthest = occlusion.refresh(simd, &mut self.scratch.pixels);
+        }
+    }
+
+    /// Draws the triangles of a block, those that may be nearer than `farthest`.
+    #[inline(always)]
+    fn draw_block<S: Lanes, const EXACT: bool>(&mut self, simd: S, farthest: f32, block: &Block) {
+        let Prepared { usable, open } = self.scratch.planes.fill_narrow::<S, EXACT>(simd, &self.frame, block, farthest);
+        if usable != 0 {
+            self.draw::<S, EXACT>(simd, usable, &block.primitives, Source::Block(block));
+        }
+        if open != 0 {
+            self.refine::<S, EXACT>(simd, open, &block.primitives);
+        }
+    }
+
+    /// Draws prepared triangles.
+    #[inline(always)]
+    fn draw<S: Lanes, const EXACT: bool>(
+        &mut self,
+        simd: S,
+        lanes: u32,
+        primitives: &[Primitive; LANES],
+        source: Source,
+    ) {
+        let surely_nearer = self.frame.view.surely_nearer();
+        let is_perspective = self.frame.view.is_perspective;
+        let rule = Rule { is_perspective, surely_nearer, hits_only: self.searcher.hits_only };
+        let Scratch { pixels, planes, contested, .. } = &mut *self.scratch;
+        let mut canvas = Canvas { primitives, source, shapes: self.searcher.shapes, rule, pixels, contested };
+        canvas.draw::<S, EXACT>(simd, planes, lanes);
+    }
+
+    /// Tests triangles again, from their corners in `f64`; what is still not sure enough is contested at every pixel.
+    #[inline(always)]
+    fn refine<S: Lanes, const EXACT: bool>(&mut self, simd: S, lanes: u32, primitives: &[Primitive; LANES]) {
+        let mut triangles = WideTriangles::new();
+        for lane in (0..LANES).filter(|lane| lanes >> lane & 1 != 0) {
+            triangles.put(lane, &self.searcher.shapes.triangle(primitives[lane].index()));
+        }
+        let corners = Corners::of::<EXACT>(simd, &self.frame, &triangles);
+        let cover = Cover::of(simd, &self.frame, &corners);
+        let planes = &mut self.scratch.planes;
+        let Prepared { usable, open } = planes.fill_wide::<S, EXACT>(simd, &self.frame, &corners, &cover);
+        self.draw::<S, EXACT>(simd, lanes & usable, primitives, Source::Shapes);
+        let open = lanes & open;
+        for lane in (0..LANES).filter(|lane| open >> lane & 1 != 0) {
+            let area = self.scratch.planes.area(lane);
+            self.scratch.contest(Occlusion::of(self.frame.view, true), area, primitives[lane]);
+        }
+    }
+
+    /// Decides what was contested.
+    fn settle(&mut self) {
+        if !self.scratch.contested.is_empty() {
+            let Scratch { pixels, contested, .. } = &mut *self.scratch;
+            self.searcher.settle(self.frame.first, contested, pixels, self.fallbacks);
+        }
+    }
+
+    fn contest_spheres(&mut self, block: &Block, occlusion: Occlusion) {
+        let spheres = block.spheres();
+        for lane in (0..LANES).filter(|lane| spheres >> lane & 1 != 0) {
+            let primitive = block.primitives[lane];
+            let bounds = self.searcher.shapes.bounds(primitive);
+            if let Some(area) = self.frame.area_of_box(&bounds) {
+                self.scratch.contest(occlusion, area, primitive);
+            }
+        }
+    }
+}
+
+impl Scratch {
+    /// Has a primitive tested alone at the pixels it may cover and be seen at.
+    fn contest(&mut self, occlusion: Occlusion, area: PixelArea, primitive: Primitive) {
+        for row in area.rows[0]..=area.rows[1] {
+            for column in area.columns[0]..=area.columns[1] {
+                let pixel = Pixel::at(column as u32, row as u32);
+                let best = self.pixels.nearness[pixel.block()][pixel.lane()];
+                if best < f32::INFINITY && occlusion.least(best) <= area.nearest {
+                    self.contested.push(Contested { pixel, primitive });
+                }
+            }
+        }
+    }
+}
