@@ -1,12 +1,13 @@
 //! Sixteen triangles side by side.
 
-use crate::shape::{Primitive, Shapes};
+use super::spheres::spread;
+use crate::shape::{Primitive, Shapes, Sphere};
 use crate::simd::LANES;
 use rayon::prelude::*;
 
-/// Primitives of a leaf; the triangles among them laid out for lanes, in world space.
+/// Primitives of a leaf, laid out for lanes, in world space.
 ///
-/// A first corner is exact. The two edges from it are rounded to `f32`, so that they are off by 2^-24 of their own length,
+/// Of triangles a first corner is exact. The two edges from it are rounded to `f32`, so that they are off by 2^-24 of their own length,
 /// whatever the size of the scene: on the film, by a small part of the triangle itself.
 #[derive(Debug, Clone, PartialEq)]
 #[repr(align(64))]
@@ -47,6 +48,7 @@ impl Block {
         for (lane, primitive) in primitives.iter().enumerate() {
             block.primitives[lane] = *primitive;
             if primitive.is_sphere() {
+                block.put_sphere(lane, &shapes.sphere(primitive.index()));
                 continue;
             }
             block.triangles |= 1 << lane;
@@ -58,6 +60,18 @@ impl Block {
             }
         }
         block
+    }
+}
+
+impl Block {
+    /// Spheres have their centres for corners, and for edges what [`spread`] tells of them.
+    fn put_sphere(&mut self, lane: usize, sphere: &Sphere) {
+        let spread = spread(sphere);
+        for axis in 0..3 {
+            self.corner[axis][lane] = sphere.world_from_object.rows[axis][3];
+            self.edges[0][axis][lane] = spread[axis];
+            self.edges[1][axis][lane] = spread[3 + axis];
+        }
     }
 }
 

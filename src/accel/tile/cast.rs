@@ -9,6 +9,7 @@ use super::pixels::{Pixel, Pixels};
 use super::planes::{Planes, Prepared};
 use super::resolve::{Wanted, resolve};
 use super::search::Searcher;
+use super::spheres::SphereAreas;
 use super::traced::TracedTile;
 use super::walk::{Occlusion, Stack, ViewTree};
 use crate::accel::Fallbacks;
@@ -96,7 +97,7 @@ impl Tile<'_> {
                 self.draw_block::<S, EXACT>(simd, farthest, block);
             }
             if block.spheres() != 0 {
-                self.contest_spheres(block, occlusion);
+                self.contest_spheres(simd, farthest, block, occlusion);
             }
             self.settle();
             farthest = occlusion.refresh(simd, &mut self.scratch.pixels);
@@ -159,14 +160,15 @@ impl Tile<'_> {
         }
     }
 
-    fn contest_spheres(&mut self, block: &Block, occlusion: Occlusion) {
-        let spheres = block.spheres();
-        for lane in (0..LANES).filter(|lane| spheres >> lane & 1 != 0) {
-            let primitive = block.primitives[lane];
-            let bounds = self.searcher.shapes.bounds(primitive);
-            if let Some(area) = self.frame.area_of_box(&bounds) {
-                self.scratch.contest(occlusion, area, primitive);
-            }
+    /// Has the spheres of a block tested alone, where they may be seen.
+    #[inline(always)]
+    fn contest_spheres<S: Lanes>(&mut self, simd: S, farthest: f32, block: &Block, occlusion: Occlusion) {
+        let areas = SphereAreas::of(simd, &self.frame, block, farthest);
+        let mut seen = areas.seen;
+        while seen != 0 {
+            let lane = seen.trailing_zeros() as usize;
+            seen &= seen - 1;
+            self.scratch.contest(occlusion, areas.area(lane), block.primitives[lane]);
         }
     }
 }

@@ -1,7 +1,7 @@
 //! One tile of a view.
 
-use super::view::{MAX_PIXEL_ERROR, OnFilm, View};
-use crate::geometry::{Bounds, Point};
+use super::view::View;
+use crate::geometry::Point;
 
 /// Pixels along a side of a tile. Tiles cover the film from its first pixel on, whatever part is rendered.
 pub(crate) const TILE: u32 = 16;
@@ -59,33 +59,6 @@ impl<'a> Frame<'a> {
     pub(super) fn eye(&self) -> Point {
         self.view.eye
     }
-
-    /// The pixels that a box in world space may cover; `None` where it lies elsewhere, or behind the eye.
-    pub(super) fn area_of_box(&self, bounds: &Bounds) -> Option<PixelArea> {
-        let places = bounds.corners().map(|corner| self.view.on_film(corner));
-        if places.iter().all(|place| *place == OnFilm::Behind) {
-            return None;
-        }
-        let (mut low, mut high, mut depth) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2], f64::INFINITY);
-        for place in places {
-            let OnFilm::At(point) = place else { return Some(PixelArea::WHOLE) };
-            for k in 0..2 {
-                low[k] = low[k].min(point.pixel[k]);
-                high[k] = high[k].max(point.pixel[k]);
-            }
-            depth = depth.min(point.depth);
-        }
-        let pixels = |k: usize| {
-            let margin = MAX_PIXEL_ERROR + 1e-6 * low[k].abs().max(high[k].abs());
-            let first_pixel = f64::from(self.first[k]);
-            let [low, high] = [low[k] - margin - first_pixel, high[k] + margin - first_pixel];
-            let [first, last] = [low.ceil().max(0.0), high.floor().min(f64::from(TILE - 1))];
-            (first <= last).then_some([first as i32, last as i32])
-        };
-        let nearest = if self.view.is_perspective { 1.0 / depth } else { -depth };
-        let margin = nearest.abs() * 1e-5;
-        Some(PixelArea { columns: pixels(0)?, rows: pixels(1)?, nearest: (nearest + margin) as f32 })
-    }
 }
 
 /// Pixels of a tile that something may cover, and how near it may be there.
@@ -97,10 +70,4 @@ pub(super) struct PixelArea {
     pub(super) rows: [i32; 2],
     /// Nothing of it has more nearness.
     pub(super) nearest: f32,
-}
-
-impl PixelArea {
-    /// All of the tile, at any distance.
-    const WHOLE: PixelArea =
-        PixelArea { columns: [0, TILE as i32 - 1], rows: [0, TILE as i32 - 1], nearest: f32::INFINITY };
 }

@@ -19,6 +19,7 @@ mod pixels;
 mod planes;
 mod resolve;
 mod search;
+mod spheres;
 mod traced;
 mod tracer;
 mod view;
