@@ -75,10 +75,44 @@ pub fn render(
     options: &RenderOptions,
     progress: Progress,
 ) -> Result<Rendering> {
-    let mut channels = allocate(options)?;
+    let mut image = blank_image(camera, options)?;
+    let Traced { hits, work, fallbacks } = render_into(&mut image, camera, shapes, aggregate, options, progress);
+    Ok(Rendering { image, hits, work, fallbacks })
+}
+
+/// An image for [`render_into`].
+///
+/// # Errors
+/// Where it is larger than memory can hold.
+pub fn blank_image(camera: &Camera, options: &RenderOptions) -> Result<Image> {
+    let [width, height] = camera.resolution;
+    let channels = allocate(options)?;
+    Ok(Image { display_window: (width, height), data_window: options.data_window, channels })
+}
+
+/// What came of the rays of an image.
+#[derive(Debug)]
+pub struct Traced {
+    /// Pixels that hit something.
+    pub hits: u64,
+    /// What all rays together cost, if that was asked for.
+    pub work: Option<Work>,
+    /// How often integers were needed for the exact answer.
+    pub fallbacks: Fallbacks,
+}
+
+/// As [`render`], into an image that [`blank_image`] made for these options: into one that was rendered into before, too.
+pub fn render_into(
+    image: &mut Image,
+    camera: &Camera,
+    shapes: &Shapes,
+    aggregate: &Aggregate,
+    options: &RenderOptions,
+    progress: Progress,
+) -> Traced {
     let tiles = Tiles::new(camera, shapes, aggregate, options.of_tiles());
     let renderer = Renderer { shapes, options, progress };
-    let segments = segments_of(&mut channels, &options.data_window);
+    let segments = segments_of(&mut image.channels, &options.data_window);
     let (hits, fallbacks) = segments
         .into_par_iter()
         .map_init(|| tiles.tracer(), |tracer, segment| renderer.fill(tracer, segment))
@@ -86,10 +120,8 @@ pub fn render(
             fallbacks += others;
             (hits + more, fallbacks)
         });
-    let work = if options.counted { count_work(camera, shapes, aggregate, options) } else { Work::default() };
-    let [width, height] = camera.resolution;
-    let image = Image { display_window: (width, height), data_window: options.data_window, channels };
-    Ok(Rendering { image, hits, work: options.counted.then_some(work), fallbacks })
+    let work = options.counted.then(|| count_work(camera, shapes, aggregate, options));
+    Traced { hits, work, fallbacks }
 }
 
 fn allocate(options: &RenderOptions) -> Result<Vec<Channel>> {

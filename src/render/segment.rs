@@ -114,8 +114,8 @@ impl Part<'_> {
         }
     }
 
-    /// Puts a value for each hit. There are zeros already.
-    fn put_hits<T>(&self, rows: &mut [&mut [T]], mut of_hit: impl FnMut(Primitive) -> T) {
+    /// Puts a value for each hit, and 0 for misses.
+    fn put_hits<T: Copy + Default>(&self, rows: &mut [&mut [T]], mut of_hit: impl FnMut(Primitive) -> T) {
         let [first, end] = self.columns.map(|x| x - self.first[0]);
         let within = (1 << end) - (1 << first);
         for (y, to) in self.rows(rows) {
@@ -125,6 +125,7 @@ impl Part<'_> {
                 to.iter_mut().zip(hit).for_each(|(to, hit)| *to = of_hit(*hit));
                 continue;
             }
+            to.fill(T::default());
             while hits != 0 {
                 let x = hits.trailing_zeros() as usize;
                 hits &= hits - 1;

@@ -33,3 +33,6 @@ pub use traced::TracedTile;
 pub use tracer::{TileOptions, TileTracer, Tiles};
 pub(super) use view::{MAX_PIXEL_ERROR, OnFilm, View};
 pub(crate) use wide_tree::WideTree;
+
+#[cfg(test)]
+mod tests;

