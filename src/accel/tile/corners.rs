@@ -42,6 +42,20 @@ impl WideTriangles {
         WideTriangles { corner: [[0.0; LANES]; 3], edges: [[[0.0; LANES]; 3]; 2] }
     }
 
+    /// The first corners relative to the eye, and the edges.
+    #[inline(always)]
+    pub(super) fn relative_to_eye<S: Lanes>(&self, simd: S, frame: &Frame) -> ([S::D; 3], [[S::D; 3]; 2]) {
+        let eye = frame.eye();
+        let mut corner = [simd.splat_wide(0.0); 3];
+        let mut edges = [corner; 2];
+        for axis in 0..3 {
+            corner[axis] = simd.load_wide(&self.corner[axis]) - simd.splat_wide(eye[axis]);
+            edges[0][axis] = simd.load_wide(&self.edges[0][axis]);
+            edges[1][axis] = simd.load_wide(&self.edges[1][axis]);
+        }
+        (corner, edges)
+    }
+
     /// Puts a triangle into a lane.
     #[inline(always)]
     pub(super) fn put(&mut self, lane: usize, triangle: &Triangle) {
@@ -70,14 +84,7 @@ impl<S: Lanes> Corners<S> {
     /// Of first corners and edges, in world space.
     #[inline(always)]
     pub(super) fn of<const EXACT: bool>(simd: S, frame: &Frame, triangles: &WideTriangles) -> Corners<S> {
-        let eye = frame.eye();
-        let mut from_eye = [simd.splat_wide(0.0); 3];
-        let mut edges = [from_eye; 2];
-        for axis in 0..3 {
-            from_eye[axis] = simd.load_wide(&triangles.corner[axis]) - simd.splat_wide(eye[axis]);
-            edges[0][axis] = simd.load_wide(&triangles.edges[0][axis]);
-            edges[1][axis] = simd.load_wide(&triangles.edges[1][axis]);
-        }
+        let (from_eye, edges) = triangles.relative_to_eye(simd, frame);
         let zero = simd.splat(0.0);
         let none = [zero; 3];
         let mut corners = Corners { corner: from_eye, edges, error: none, edge_error: none, rounding: none };

@@ -139,16 +139,8 @@ impl Group {
 
     #[inline(always)]
     fn fill_planes<S: Lanes>(&mut self, simd: S, frame: &Frame) {
-        let Group { triangles, .. } = self;
         let view = frame.view;
-        let eye = frame.eye();
-        let mut from_eye = [simd.splat_wide(0.0); 3];
-        let mut edges = [from_eye; 2];
-        for axis in 0..3 {
-            from_eye[axis] = simd.load_wide(&triangles.corner[axis]) - simd.splat_wide(eye[axis]);
-            edges[0][axis] = simd.load_wide(&triangles.edges[0][axis]);
-            edges[1][axis] = simd.load_wide(&triangles.edges[1][axis]);
-        }
+        let (from_eye, edges) = self.triangles.relative_to_eye(simd, frame);
         let normal = cross::<S>(simd, &edges[0], &edges[1]);
         let height = dot::<S>(&normal, &from_eye);
         let [start, per_column, per_row] = frame.world_from_tile;
