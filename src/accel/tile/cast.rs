@@ -9,7 +9,7 @@ use super::pixels::{Pixel, Pixels};
 use super::planes::{Planes, Prepared};
 use super::resolve::{Wanted, resolve};
 use super::search::Searcher;
-use super::spheres::SphereAreas;
+use super::spheres::Seen;
 use super::traced::TracedTile;
 use super::walk::{Occlusion, Stack, ViewTree};
 use crate::accel::Fallbacks;
@@ -147,7 +147,7 @@ impl Tile<'_> {
         self.draw::<S, EXACT>(simd, lanes & usable, primitives, Source::Shapes);
         let open = lanes & open;
         for lane in (0..LANES).filter(|lane| open >> lane & 1 != 0) {
-            let area = self.scratch.planes.area(lane);
+            let area = self.scratch.planes.areas.of(lane);
             self.scratch.contest(Occlusion::of(self.frame.view, true), area, primitives[lane]);
         }
     }
@@ -163,12 +163,11 @@ impl Tile<'_> {
     /// Has the spheres of a block tested alone, where they may be seen.
     #[inline(always)]
     fn contest_spheres<S: Lanes>(&mut self, simd: S, farthest: f32, block: &Block, occlusion: Occlusion) {
-        let areas = SphereAreas::of(simd, &self.frame, block, farthest);
-        let mut seen = areas.seen;
-        while seen != 0 {
-            let lane = seen.trailing_zeros() as usize;
-            seen &= seen - 1;
-            self.scratch.contest(occlusion, areas.area(lane), block.primitives[lane]);
+        let Seen { areas, mut lanes } = Seen::of(simd, &self.frame, block, farthest);
+        while lanes != 0 {
+            let lane = lanes.trailing_zeros() as usize;
+            lanes &= lanes - 1;
+            self.scratch.contest(occlusion, areas.of(lane), block.primitives[lane]);
         }
     }
 }

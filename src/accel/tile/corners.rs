@@ -75,9 +75,26 @@ pub(super) fn multiply_add<S: Lanes, const EXACT: bool>(a: S::D, b: S::D, c: S::
 }
 
 #[inline(always)]
-fn row_times<S: Lanes, const EXACT: bool>(simd: S, row: &[f64; 3], v: &[S::D; 3]) -> S::D {
-    let sum = multiply_add::<S, EXACT>(simd.splat_wide(row[1]), v[1], simd.splat_wide(row[0]) * v[0]);
-    multiply_add::<S, EXACT>(simd.splat_wide(row[2]), v[2], sum)
+pub(super) fn dot<S: Lanes, const EXACT: bool>(a: &[S::D; 3], b: &[S::D; 3]) -> S::D {
+    let sum = multiply_add::<S, EXACT>(a[1], b[1], a[0] * b[0]);
+    multiply_add::<S, EXACT>(a[2], b[2], sum)
+}
+
+/// The dot product with one vector for all lanes.
+#[inline(always)]
+pub(super) fn row_times<S: Lanes, const EXACT: bool>(simd: S, row: &[f64; 3], v: &[S::D; 3]) -> S::D {
+    dot::<S, EXACT>(&[simd.splat_wide(row[0]), simd.splat_wide(row[1]), simd.splat_wide(row[2])], v)
+}
+
+#[inline(always)]
+pub(super) fn cross<S: Lanes, const EXACT: bool>(a: &[S::D; 3], b: &[S::D; 3], zero: S::D) -> [S::D; 3] {
+    let mut product = *a;
+    for k in 0..3 {
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        // The second product negated, so that the first may be fused.
+        product[k] = multiply_add::<S, EXACT>(a[i], b[j], zero - a[j] * b[i]);
+    }
+    product
 }
 
 impl<S: Lanes> Corners<S> {

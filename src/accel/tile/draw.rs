@@ -73,7 +73,7 @@ impl Canvas<'_> {
     /// One triangle, sixteen pixels at once.
     #[inline(always)]
     fn draw_large<S: Lanes, const EXACT: bool>(&mut self, simd: S, planes: &Planes, lane: usize) {
-        let area = planes.area(lane);
+        let area = planes.areas.of(lane);
         let hidden = simd.load(&self.pixels.farthest).above(simd.splat(area.nearest)).bits();
         let mut blocks = blocks_between(area.columns, area.rows) & !hidden;
         if blocks == 0 {
@@ -161,7 +161,7 @@ impl Canvas<'_> {
             }
             let inside = inside.bits();
             let mut nearness = [0.0; LANES];
-            if EXACT { at_pixel } else { at_pixel.min(simd.load(&planes.nearest)) }.store(&mut nearness);
+            if EXACT { at_pixel } else { at_pixel.min(simd.load(&planes.areas.nearest)) }.store(&mut nearness);
             while maybe != 0 {
                 let lane = maybe.trailing_zeros() as usize;
                 maybe &= maybe - 1;
@@ -282,7 +282,7 @@ impl<S: Lanes> Broadcast<S> {
         Broadcast {
             edges: [broadcast(simd, first, lane), broadcast(simd, second, lane), broadcast(simd, third, lane)],
             nearness: broadcast(simd, &planes.nearness, lane),
-            nearest: simd.splat(planes.nearest[lane]),
+            nearest: simd.splat(planes.areas.nearest[lane]),
             error: simd.splat(planes.edge_error[lane]),
             minus_error: simd.splat(-planes.edge_error[lane]),
             infinity: simd.splat(f32::INFINITY),

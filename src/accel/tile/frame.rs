@@ -2,6 +2,7 @@
 
 use super::view::View;
 use crate::geometry::Point;
+use crate::simd::{F32s, LANES};
 
 /// Pixels along a side of a tile. Tiles cover the film from its first pixel on, whatever part is rendered.
 pub(crate) const TILE: u32 = 16;
@@ -70,4 +71,36 @@ pub(super) struct PixelArea {
     pub(super) rows: [i32; 2],
     /// Nothing of it has more nearness.
     pub(super) nearest: f32,
+}
+
+/// Areas of sixteen primitives, side by side.
+#[derive(Debug)]
+pub(super) struct PixelAreas {
+    /// First and last columns.
+    pub(super) columns: [[i32; LANES]; 2],
+    /// First and last rows.
+    pub(super) rows: [[i32; LANES]; 2],
+    /// Nothing of each is nearer.
+    pub(super) nearest: [f32; LANES],
+}
+
+impl PixelAreas {
+    pub(super) fn new() -> PixelAreas {
+        PixelAreas { columns: [[0; LANES]; 2], rows: [[0; LANES]; 2], nearest: [0.0; LANES] }
+    }
+
+    /// That of one.
+    #[inline(always)]
+    pub(super) fn of(&self, lane: usize) -> PixelArea {
+        let ends = |sides: &[[i32; LANES]; 2]| [sides[0][lane], sides[1][lane]];
+        PixelArea { columns: ends(&self.columns), rows: ends(&self.rows), nearest: self.nearest[lane] }
+    }
+
+    /// Puts the first and the last columns, or for axis 1 rows.
+    #[inline(always)]
+    pub(super) fn put<F: F32s>(&mut self, axis: usize, first: F, last: F) {
+        let ends = if axis == 0 { &mut self.columns } else { &mut self.rows };
+        first.store_whole(&mut ends[0]);
+        last.store_whole(&mut ends[1]);
+    }
 }

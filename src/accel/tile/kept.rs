@@ -13,7 +13,7 @@
 //! the dot products are as if s were larger by 2^-49 (|v - o|_k + e_k), and the errors of the ray by t times its own. As n is
 //! rounded, n . e is not quite 0: by 2^-52 of the absolute terms of n times e, 6 e_x e_y e_z at most.
 
-use super::corners::WideTriangles;
+use super::corners::{WideTriangles, cross, dot, row_times};
 use super::frame::Frame;
 use super::view::View;
 use crate::shape::{Primitive, Triangle};
@@ -141,18 +141,18 @@ impl Group {
     fn fill_planes<S: Lanes>(&mut self, simd: S, frame: &Frame) {
         let view = frame.view;
         let (from_eye, edges) = self.triangles.relative_to_eye(simd, frame);
-        let normal = cross::<S>(simd, &edges[0], &edges[1]);
-        let height = dot::<S>(&normal, &from_eye);
+        let normal = cross::<S, true>(&edges[0], &edges[1], simd.splat_wide(0.0));
+        let height = dot::<S, true>(&normal, &from_eye);
         let [start, per_column, per_row] = frame.world_from_tile;
         let along = [
-            dot_splat(simd, &normal, &start),
-            dot_splat(simd, &normal, &per_column),
-            dot_splat(simd, &normal, &per_row),
+            row_times::<S, true>(simd, &start, &normal),
+            row_times::<S, true>(simd, &per_column, &normal),
+            row_times::<S, true>(simd, &per_row, &normal),
         ];
         let (along_start, over) = if view.is_perspective {
             (along[0], height)
         } else {
-            (along[0] - height, dot_splat(simd, &normal, &view.forward))
+            (along[0] - height, row_times::<S, true>(simd, &view.forward, &normal))
         };
         let inverse = simd.splat_wide(1.0) / over;
         for (coefficient, to) in [along_start, along[1], along[2]].into_iter().zip(&mut self.nearness) {
@@ -196,24 +196,4 @@ fn depth_error<S: Lanes>(
     }
     let of_quotient = if view.is_perspective { rounding } else { tiny };
     sum * simd.splat(1.01) + of_quotient
-}
-
-#[inline(always)]
-fn cross<S: Lanes>(simd: S, a: &[S::D; 3], b: &[S::D; 3]) -> [S::D; 3] {
-    let mut product = *a;
-    for k in 0..3 {
-        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-        product[k] = a[i].fused_or_not(b[j], simd.splat_wide(0.0) - a[j] * b[i]);
-    }
-    product
-}
-
-#[inline(always)]
-fn dot<S: Lanes>(a: &[S::D; 3], b: &[S::D; 3]) -> S::D {
-    a[2].fused_or_not(b[2], a[1].fused_or_not(b[1], a[0] * b[0]))
-}
-
-#[inline(always)]
-fn dot_splat<S: Lanes>(simd: S, a: &[S::D; 3], b: &[f64; 3]) -> S::D {
-    dot::<S>(a, &[simd.splat_wide(b[0]), simd.splat_wide(b[1]), simd.splat_wide(b[2])])
 }

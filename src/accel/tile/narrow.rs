@@ -27,6 +27,7 @@
 //! What is too small for `f32` is covered by the least numbers that are added to T and D.
 
 use super::block::Block;
+use super::corners;
 use super::frame::{Frame, TILE};
 use super::planes::{Function, Planes, Prepared, Reach, multiply_add};
 use crate::simd::{F32s, F64s, Lanes, Mask};
@@ -76,16 +77,6 @@ fn row_times<S: Lanes, const EXACT: bool>(simd: S, row: &[f32; 3], v: &[S::F; 3]
     multiply_add::<S, EXACT>(simd.splat(row[2]), v[2], sum)
 }
 
-#[inline(always)]
-fn wide_row_times<S: Lanes, const EXACT: bool>(simd: S, row: &[f64; 3], v: &[S::D; 3]) -> S::D {
-    if EXACT {
-        let sum = v[1].fused_or_not(simd.splat_wide(row[1]), simd.splat_wide(row[0]) * v[0]);
-        v[2].fused_or_not(simd.splat_wide(row[2]), sum)
-    } else {
-        simd.splat_wide(row[0]) * v[0] + simd.splat_wide(row[1]) * v[1] + simd.splat_wide(row[2]) * v[2]
-    }
-}
-
 impl Planes {
     /// Fills in the triangles of a block, of which those beyond nearness `farthest` do not matter.
     #[inline(always)]
@@ -104,7 +95,7 @@ impl Planes {
         let rows = Film::of(simd, frame, 1, first[1], [edges[0][1], edges[1][1]], terms[1], &depths);
 
         let tolerance = (first[2].abs() + depths.terms) * simd.splat(16.0 * U);
-        let is_behind = !(depths.farthest + tolerance).above(zero);
+        let is_behind = zero.above(depths.farthest + tolerance);
         let is_steady = if is_perspective { depths.is_steady(simd) } else { (depths.nearest - tolerance).above(zero) };
         let precise = simd.splat(MAX_ERROR).above(columns.error.max(rows.error));
         let nearest =
@@ -118,7 +109,7 @@ impl Planes {
         if dropped.bits() & block.triangles == block.triangles {
             return Prepared { usable: 0, open: 0 };
         }
-        nearest.store(&mut self.nearest);
+        nearest.store(&mut self.areas.nearest);
         let reach = self.put_area(simd, [first_column, first_row], [last_column, last_row]);
 
         let area = Area::of(simd, &columns, &rows, [first_column, first_row]);
@@ -172,7 +163,7 @@ fn transform<S: Lanes, const EXACT: bool>(simd: S, frame: &Frame, block: &Block)
     }
     let mut in_tile = InTile { first: [zero; 3], edges: [[zero; 3]; 2], terms: [zero; 3] };
     for k in 0..3 {
-        let mut corner = wide_row_times::<S, EXACT>(simd, &frame.tile_from_world[k], &from_eye);
+        let mut corner = corners::row_times::<S, EXACT>(simd, &frame.tile_from_world[k], &from_eye);
         if k < 2 && !frame.view.is_perspective {
             corner = corner + simd.splat_wide(frame.offset[k]);
         }

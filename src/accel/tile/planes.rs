@@ -1,23 +1,20 @@
 //! Sixteen triangles ready to be drawn: linear functions of the pixel.
 
-use super::frame::PixelArea;
+use super::frame::PixelAreas;
 use crate::simd::{F32s, LANES, Lanes, Mask};
 
 /// Sixteen triangles ready to be tested against pixels, in numbers relative to the first pixel that each may cover.
 #[derive(Debug)]
 #[repr(align(64))]
 pub(super) struct Planes {
-    /// First and last column and first and last row of pixels that each may cover.
-    columns: [[i32; LANES]; 2],
-    rows: [[i32; LANES]; 2],
+    /// What each may cover.
+    pub(super) areas: PixelAreas,
     /// The last column and row relative to the first.
     reach: [[f32; LANES]; 2],
     /// The three edge functions.
     pub(super) edges: [[[f32; LANES]; 3]; 3],
     /// Nearness.
     pub(super) nearness: [[f32; LANES]; 3],
-    /// Nothing of the triangle is nearer.
-    pub(super) nearest: [f32; LANES],
     /// How far an edge function may be off.
     pub(super) edge_error: [f32; LANES],
 }
@@ -34,26 +31,18 @@ pub(super) struct Prepared {
 impl Planes {
     pub(super) fn new() -> Planes {
         Planes {
-            columns: [[0; LANES]; 2],
-            rows: [[0; LANES]; 2],
+            areas: PixelAreas::new(),
             reach: [[0.0; LANES]; 2],
             edges: [[[0.0; LANES]; 3]; 3],
             nearness: [[0.0; LANES]; 3],
-            nearest: [0.0; LANES],
             edge_error: [0.0; LANES],
         }
-    }
-
-    /// What a triangle may cover.
-    pub(super) fn area(&self, lane: usize) -> PixelArea {
-        let ends = |sides: &[[i32; LANES]; 2]| [sides[0][lane], sides[1][lane]];
-        PixelArea { columns: ends(&self.columns), rows: ends(&self.rows), nearest: self.nearest[lane] }
     }
 
     /// Column and row of the first pixel that a triangle may cover.
     #[inline(always)]
     pub(super) fn first(&self, lane: usize) -> [u32; 2] {
-        [self.columns[0][lane] as u32, self.rows[0][lane] as u32]
+        [self.areas.columns[0][lane] as u32, self.areas.rows[0][lane] as u32]
     }
 
     /// The last column and row that a triangle may cover, relative to the first.
@@ -85,10 +74,8 @@ impl Planes {
     /// Notes from which first to which last column and row each triangle reaches.
     #[inline(always)]
     pub(super) fn put_area<S: Lanes>(&mut self, simd: S, first: [S::F; 2], last: [S::F; 2]) -> Reach<S> {
-        for (axis, sides) in [&mut self.columns, &mut self.rows].into_iter().enumerate() {
-            first[axis].store_whole(&mut sides[0]);
-            last[axis].store_whole(&mut sides[1]);
-        }
+        self.areas.put(0, first[0], last[0]);
+        self.areas.put(1, first[1], last[1]);
         let reach = [last[0] - first[0], last[1] - first[1]];
         reach[0].store(&mut self.reach[0]);
         reach[1].store(&mut self.reach[1]);

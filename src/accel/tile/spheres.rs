@@ -5,9 +5,10 @@
 //! bounds pixels times depth, and depth. The products of k S k are off by less than 16 u of their absolute terms, u = 2^-24.
 
 use super::block::Block;
-use super::frame::{Frame, PixelArea, TILE};
+use super::corners::row_times;
+use super::frame::{Frame, PixelAreas, TILE};
 use crate::shape::Sphere;
-use crate::simd::{F32s, F64s, LANES, Lanes, Mask};
+use crate::simd::{F32s, F64s, Lanes, Mask};
 
 const U: f32 = 1.0 / (1 << 24) as f32;
 /// Pixels by which areas are wider than they seem.
@@ -31,33 +32,20 @@ pub(super) fn spread(sphere: &Sphere) -> [f32; 6] {
     }
 }
 
-/// Sixteen spheres.
-pub(super) struct SphereAreas {
-    columns: [[i32; LANES]; 2],
-    rows: [[i32; LANES]; 2],
-    nearest: [f32; LANES],
-    /// Those that may be seen, sphere k as bit k.
-    pub(super) seen: u32,
+/// The spheres of a block that a tile may see.
+pub(super) struct Seen {
+    pub(super) areas: PixelAreas,
+    /// Sphere k as bit k.
+    pub(super) lanes: u32,
 }
 
-impl SphereAreas {
-    /// What a sphere may cover.
-    pub(super) fn area(&self, lane: usize) -> PixelArea {
-        let ends = |sides: &[[i32; LANES]; 2]| [sides[0][lane], sides[1][lane]];
-        PixelArea { columns: ends(&self.columns), rows: ends(&self.rows), nearest: self.nearest[lane] }
-    }
-
-    /// Of the spheres of `block`, those beyond nearness `farthest` not among the seen.
+impl Seen {
+    /// Of the spheres of `block`, without those beyond nearness `farthest`.
     #[inline(always)]
-    pub(super) fn of<S: Lanes>(simd: S, frame: &Frame, block: &Block, farthest: f32) -> SphereAreas {
+    pub(super) fn of<S: Lanes>(simd: S, frame: &Frame, block: &Block, farthest: f32) -> Seen {
         let is_perspective = frame.view.is_perspective;
         let (zero, one) = (simd.splat(0.0), simd.splat(1.0));
-        let mut areas = SphereAreas {
-            columns: [[0; LANES]; 2],
-            rows: [[0; LANES]; 2],
-            nearest: [0.0; LANES],
-            seen: block.spheres(),
-        };
+        let mut areas = PixelAreas::new();
         let depth = Range::of(simd, frame, block, 2);
         // Where there is no number, nothing is left out.
         let is_behind = zero.above(depth.high);
@@ -84,12 +72,9 @@ impl SphereAreas {
             let known = if is_perspective { known & in_front } else { known };
             let (first, last) = (known.select(first, zero), known.select(last, last_pixel));
             hidden = hidden | first.above(last);
-            let ends = if axis == 0 { &mut areas.columns } else { &mut areas.rows };
-            first.store_whole(&mut ends[0]);
-            last.store_whole(&mut ends[1]);
+            areas.put(axis, first, last);
         }
-        areas.seen &= !hidden.bits();
-        areas
+        Seen { areas, lanes: block.spheres() & !hidden.bits() }
     }
 }
 
@@ -103,13 +88,12 @@ impl<S: Lanes> Range<S> {
     #[inline(always)]
     fn of(simd: S, frame: &Frame, block: &Block, k: usize) -> Range<S> {
         let eye = frame.eye();
-        let row = &frame.tile_from_world[k];
-        let mut centre = simd.splat_wide(if k < 2 { frame.offset[k] } else { 0.0 });
+        let mut from_eye = [simd.splat_wide(0.0); 3];
         for axis in 0..3 {
-            let from_eye = simd.load_wide(&block.corner[axis]) - simd.splat_wide(eye[axis]);
-            centre = centre + from_eye * simd.splat_wide(row[axis]);
+            from_eye[axis] = simd.load_wide(&block.corner[axis]) - simd.splat_wide(eye[axis]);
         }
-        let centre = centre.narrow();
+        let offset = simd.splat_wide(if k < 2 { frame.offset[k] } else { 0.0 });
+        let centre = (row_times::<S, false>(simd, &frame.tile_from_world[k], &from_eye) + offset).narrow();
         let row = &frame.tile_from_world_f32[k];
         let mut square = simd.splat(0.0);
         let mut terms = simd.splat(f32::MIN_POSITIVE);

@@ -83,7 +83,7 @@ impl Kernel for Check<'_> {
         kept.fill_planes(simd, &frame);
         let prepared = Prepared { scene: self.0, shapes, planes, kept };
         for lane in (0..LANES).filter(|lane| usable >> lane & 1 != 0) {
-            let area = prepared.planes.area(lane);
+            let area = prepared.planes.areas.of(lane);
             for row in area.rows[0]..=area.rows[1] {
                 for column in area.columns[0]..=area.columns[1] {
                     prepared.check(&frame, lane, [column as u32, row as u32]);

@@ -24,7 +24,7 @@
 //! |n . x|, relatively by sum_r |n_r| s_r / |g|: no matter how narrow the triangle is. The rounding of n itself, 2^-50 of the
 //! absolute terms |e1| x |e2|, changes t by that times |w| or |x| |w|_z, over |g|.
 
-use super::corners::{Corners, Cover, multiply_add};
+use super::corners::{Corners, Cover, cross, dot, multiply_add};
 use super::frame::{Frame, TILE};
 use super::planes::{Function, Planes, Prepared, Reach};
 use super::view::View;
@@ -41,7 +41,7 @@ impl Planes {
         cover: &Cover<S>,
     ) -> Prepared {
         let is_perspective = frame.view.is_perspective;
-        cover.nearness.store(&mut self.nearest);
+        cover.nearness.store(&mut self.areas.nearest);
         let first = [cover.columns[0], cover.rows[0]];
         let reach = self.put_area(simd, first, [cover.columns[1], cover.rows[1]]);
         let first = [first[0].widen(), first[1].widen()];
@@ -122,17 +122,6 @@ struct Normals<S: Lanes> {
     volume: S::D,
 }
 
-#[inline(always)]
-fn cross<S: Lanes, const EXACT: bool>(a: &[S::D; 3], b: &[S::D; 3], zero: S::D) -> [S::D; 3] {
-    let mut product = *a;
-    for k in 0..3 {
-        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-        // The second product negated, so that the first may be fused.
-        product[k] = multiply_add::<S, EXACT>(a[i], b[j], zero - a[j] * b[i]);
-    }
-    product
-}
-
 impl<S: Lanes> Homogeneous<S> {
     #[inline(always)]
     fn of(simd: S, corners: &Corners<S>, is_perspective: bool) -> Homogeneous<S> {
@@ -156,9 +145,7 @@ impl<S: Lanes> Homogeneous<S> {
         for k in 0..3 {
             first[k] = sum[k] - second[k] - third[k];
         }
-        let volume = self.corner[0] * sum[0];
-        let volume = multiply_add::<S, EXACT>(self.corner[1], sum[1], volume);
-        let volume = multiply_add::<S, EXACT>(self.corner[2], sum[2], volume);
+        let volume = dot::<S, EXACT>(&self.corner, &sum);
         Normals { edges: [first, second, third], sum, volume }
     }
 }
