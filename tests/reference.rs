@@ -128,6 +128,28 @@ fn the_scenes_to_try_are_right() {
     }
 }
 
+/// A triangle so close to the eye that in `f32` it is at the eye, in a scene that is not.
+#[test]
+fn what_is_too_small_for_f32_beside_the_scene() {
+    for small in [-872, -160, -140, -120, -60] {
+        for large in [0, 20] {
+            let scaled =
+                |corner: Corner, exponent| Point::from(corner.map(|x| times_power_of_two(f64::from(x), exponent)));
+            let near = [[3, -1, 1], [0, 0, 0], [0, -1, 0]].map(|corner| scaled(corner, small));
+            let far = [[-3, -3, -1], [0, 0, 0], [-3, -3, -1]].map(|corner| scaled(corner, large));
+            let mut shapes = Shapes::default();
+            add_triangles(&mut shapes, &[near, far], &Matrix::IDENTITY, 1);
+            let mut world_from_camera = Matrix::scale([times_power_of_two(1.0, 28); 3]);
+            for (axis, eye) in scaled([1, -1, 0], small).to_array().into_iter().enumerate() {
+                world_from_camera.rows[axis][3] = eye;
+            }
+            let camera = grid_camera(world_from_camera, Projection::Perspective { tangent: 1.0 }, 5);
+            assert_eq!(judged(&camera, &shapes).iter().filter(|pixel| pixel[0] != 0).count(), 12);
+            agrees_with_the_reference(&camera, &shapes).unwrap_or_else(|wrong| panic!("2^{small}, 2^{large}: {wrong}"));
+        }
+    }
+}
+
 proptest! {
     #![proptest_config(cases(1500))]
 

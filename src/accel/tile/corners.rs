@@ -4,9 +4,11 @@
 //!
 //! With row r of the tile's matrix K: a corner relative to the eye is off by one rounding; the other two corners
 //! besides by the rounding of their edges, 2^-53 |e|; products and sums by at most five more roundings of their
-//! absolute terms. [`Corners::error`] is sum_k |K_rk| (2^-52 e_k + 2^-48 (|p_k| + e_k)), e_k the longer edge.
+//! absolute terms. [`Corners::error`] is sum_k |K_rk| (2^-52 e_k + 2^-48 (|p_k| + e_k)), e_k the longer edge, and
+//! [`UNDERFLOW`].
 
 use super::frame::Frame;
+use super::view::UNDERFLOW;
 use crate::shape::Triangle;
 use crate::simd::{F32s, F64s, LANES, Lanes, Mask};
 
@@ -128,7 +130,7 @@ impl<S: Lanes> Corners<S> {
                 corners.error[k] = corners.error[k] + entry * corners.edge_error[axis];
                 corners.rounding[k] = corners.rounding[k] + entry * terms[axis];
             }
-            corners.rounding[k] = corners.rounding[k] * unit;
+            corners.rounding[k] = corners.rounding[k] * unit + simd.splat(UNDERFLOW);
             corners.error[k] = corners.error[k] + corners.rounding[k];
         }
         corners

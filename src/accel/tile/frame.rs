@@ -1,6 +1,6 @@
 //! One tile of a view.
 
-use super::view::View;
+use super::view::{UNDERFLOW, View};
 use crate::geometry::Point;
 use crate::simd::{F32s, LANES};
 
@@ -49,7 +49,7 @@ impl<'a> Frame<'a> {
         let rounding = [0, 1, 2].map(|k| {
             let offset = if k < 2 { view.offset[k].abs() + offset[k].abs() } else { 0.0 };
             let terms: f64 = tile_from_world[k].iter().map(|entry| entry.abs()).sum();
-            ((terms * view.reach + offset) * ROUNDING) as f32 + f32::MIN_POSITIVE
+            ((terms * view.reach + offset) * ROUNDING) as f32 + UNDERFLOW
         });
         let [start, per_column, per_row] = view.world_from_film;
         let across = |axis: usize| f64::from(first[0]) * per_column[axis] + f64::from(first[1]) * per_row[axis];

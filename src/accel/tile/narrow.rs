@@ -8,7 +8,8 @@
 //! # Bounds
 //!
 //! Let u = 2^-24, x stand for either axis, T_r = sum_k |K_rk| max(|edge1_k|, |edge2_k|), and Z' the least of the depths of the
-//! three corners, of which Z + 8 T_z <= 4 Z' is checked, so that depths are off by less than 8 u of themselves. In an
+//! three corners, of which Z + 8 T_z <= 4 Z' is checked, and that it is far above the roundings in `f64`, so that depths are off by
+//! less than 8 u of themselves. In an
 //! orthographic view all corners must be in front of the eye.
 //!
 //! *Corners.* p is off by P_x = 8 u |p_x| and what `f64` and the ray are off by. A edge is off by u for its own rounding, u for
@@ -30,6 +31,7 @@ use super::block::Block;
 use super::corners;
 use super::frame::{Frame, TILE};
 use super::planes::{Function, Planes, Prepared, Reach, multiply_add};
+use super::view::UNDERFLOW;
 use crate::simd::{F32s, F64s, Lanes, Mask};
 
 const U: f32 = 1.0 / (1 << 24) as f32;
@@ -39,6 +41,8 @@ const MARGIN: f32 = 1.0 / (1 << 12) as f32;
 /// is to see.
 const MAX_ERROR: f32 = 1.0 / (1 << 13) as f32;
 const LEAST_DEPTH: f32 = 1.0 / (1u64 << 40) as f32;
+/// Depths that are so many times what `f64` may be off by are off by less than a unit in the last place of `f32`.
+const SURE_DEPTH: f32 = (1 << 25) as f32;
 /// More than any error of nearness in `f32`, relative.
 const NEARER: f32 = 1.0 + 1.0 / (1 << 18) as f32;
 
@@ -94,9 +98,10 @@ impl Planes {
         let columns = Film::of(simd, frame, 0, first[0], [edges[0][0], edges[1][0]], terms[0], &depths);
         let rows = Film::of(simd, frame, 1, first[1], [edges[0][1], edges[1][1]], terms[1], &depths);
 
-        let tolerance = (first[2].abs() + depths.terms) * simd.splat(16.0 * U);
+        let tolerance = (first[2].abs() + depths.terms) * simd.splat(16.0 * U) + simd.splat(frame.rounding[2]);
         let is_behind = zero.above(depths.farthest + tolerance);
-        let is_steady = if is_perspective { depths.is_steady(simd) } else { (depths.nearest - tolerance).above(zero) };
+        let is_steady =
+            if is_perspective { depths.is_steady(simd, frame) } else { (depths.nearest - tolerance).above(zero) };
         let precise = simd.splat(MAX_ERROR).above(columns.error.max(rows.error));
         let nearest =
             if is_perspective { depths.most_inverse * simd.splat(NEARER) } else { tolerance - depths.nearest };
@@ -194,9 +199,10 @@ impl<S: Lanes> Depths<S> {
 
     /// Whether all corners are so far in front of the eye that, in a perspective, depths are off by little.
     #[inline(always)]
-    fn is_steady(&self, simd: S) -> S::M {
+    fn is_steady(&self, simd: S, frame: &Frame) -> S::M {
         let allowed = self.nearest * simd.splat(4.0);
-        allowed.above(self.first + self.terms * simd.splat(8.0)) & self.nearest.above(simd.splat(LEAST_DEPTH))
+        let least = simd.splat(LEAST_DEPTH.max(frame.rounding[2] * SURE_DEPTH));
+        allowed.above(self.first + self.terms * simd.splat(8.0)) & self.nearest.above(least)
     }
 }
 
@@ -211,7 +217,7 @@ impl<S: Lanes> Film<S> {
         terms: S::F,
         depths: &Depths<S>,
     ) -> Film<S> {
-        let tiny = simd.splat(1.0 / (1u128 << 70) as f32);
+        let tiny = simd.splat(UNDERFLOW);
         let rounding = simd.splat(frame.rounding[axis]);
         let of_ray = simd.splat(20.0 * frame.view.ray_error);
         let (first, ways, length, of_wide) = if frame.view.is_perspective {

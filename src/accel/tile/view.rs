@@ -49,6 +49,10 @@ const LARGEST: f64 = (1u64 << 40) as f64;
 const LEAST_DEPTH: f64 = 1.0 / (1u64 << 30) as f64;
 /// Scenes that are larger keep clear of what is too small for `f32`.
 const LEAST_REACH: f64 = 1.0 / (1u64 << 30) as f64;
+/// What is too small for `f32` in the space of the film is off by less. [`View::new`] has rows of K times the scene's size below
+/// 2^40, and that size between 2^-30 and 2^40: so entries are below 2^70, and what they multiply is off by 2^-149 at most, or it
+/// is below 2^40, and they are.
+pub(super) const UNDERFLOW: f32 = 1.0 / (1u128 << 70) as f32;
 /// Pixels that a ray may be off.
 const MAX_RAY_ERROR: f64 = 1.0 / (1u64 << 24) as f64;
 
@@ -146,7 +150,9 @@ impl View {
         let from_eye = point - self.eye;
         let k = &self.film_from_world;
         let row = |row: &[f64; 3]| row[0] * from_eye.x + row[1] * from_eye.y + row[2] * from_eye.z;
-        let terms = |row: &[f64; 3]| from_eye.largest() * (row[0].abs() + row[1].abs() + row[2].abs()) * ROUNDING;
+        let terms = |row: &[f64; 3]| {
+            from_eye.largest() * (row[0].abs() + row[1].abs() + row[2].abs()) * ROUNDING + f64::from(UNDERFLOW)
+        };
         let (depth, depth_error) = (row(&k[2]), terms(&k[2]));
         if depth + depth_error < 0.0 {
             return OnFilm::Behind;

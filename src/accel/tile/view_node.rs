@@ -1,6 +1,6 @@
 //! Nodes as a view sees them: rectangles of pixels.
 
-use super::view::View;
+use super::view::{UNDERFLOW, View};
 use super::wide_tree::{Child, WideNode};
 use crate::simd::{F32s, Kernel, LANES, Lanes, Mask};
 
@@ -86,7 +86,8 @@ fn project<S: Lanes>(simd: S, view: &View, node: &WideNode) -> ViewNode {
     let k = &view.film_from_world;
     let depth_terms = terms(simd, &k[2], &corners);
     let error = simd.splat(ERROR);
-    let depth_error = magnitude::<S>(&depth_terms) * error;
+    let underflow = simd.splat(UNDERFLOW);
+    let depth_error = magnitude::<S>(&depth_terms) * error + underflow;
     let one = simd.splat(1.0);
     let mut nearest = simd.splat(f32::INFINITY);
     let mut farthest = simd.splat(f32::NEG_INFINITY);
@@ -134,7 +135,7 @@ fn project<S: Lanes>(simd: S, view: &View, node: &WideNode) -> ViewNode {
             low = low.min(pixel);
             high = high.max(pixel);
         }
-        let film_error = magnitude::<S>(&film_terms) * error;
+        let film_error = magnitude::<S>(&film_terms) * error + underflow;
         let relative = simd.splat(RELATIVE_MARGIN);
         // Off by the errors of film and depth; the latter moves a pixel in proportion to its distance from the first.
         let reach = low.abs().max(high.abs());
