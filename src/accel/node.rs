@@ -1,6 +1,6 @@
 //! The node that every split method fills.
 
-use super::box32::{Box32, Corners};
+use super::space::{Box32, Corners};
 
 /// A node as it is built and walked over.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,7 +1,7 @@
 //! Whether a tree is what a traversal takes it for.
 
 use super::Aggregate;
-use super::aggregate::MAX_DEPTH;
+use super::build::MAX_DEPTH;
 use super::statistics::walk;
 use crate::shape::Shapes;
 

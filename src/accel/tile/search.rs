@@ -3,9 +3,9 @@
 use super::draw::Contested;
 use super::pixels::{Pixel, Pixels};
 use super::view::View;
-use crate::accel::exact_search::ExactSearch;
-use crate::accel::fast_search::FastSearch;
-use crate::accel::traversal::Search;
+use crate::accel::ray::ExactSearch;
+use crate::accel::ray::FastSearch;
+use crate::accel::ray::Search;
 use crate::accel::{Aggregate, Depth, Fallbacks, Hit, Precision};
 use crate::camera::Camera;
 use crate::geometry::Ray;

@@ -5,7 +5,7 @@ use super::frame::Frame;
 use super::kept::Kept;
 use super::planes::Planes;
 use super::view::View;
-use crate::accel::anchor_space::AnchorSpace;
+use crate::accel::space::AnchorSpace;
 use crate::camera::{Camera, Projection, ScreenWindow};
 use crate::geometry::{Matrix, Point, Transform, Vector};
 use crate::shape::{Primitive, Shapes, Triangle};

@@ -7,7 +7,7 @@
 //!
 //! Of an orthographic camera the ray of pixel (i, j) passes (i, j, t) at t, after the offset.
 
-use crate::accel::anchor_space::AnchorSpace;
+use crate::accel::space::AnchorSpace;
 use crate::camera::{Camera, Projection};
 use crate::exact::UNIT_ROUNDOFF as U;
 use crate::geometry::Point;

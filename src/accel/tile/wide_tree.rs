@@ -1,8 +1,8 @@
 //! The tree as tiles walk through it: sixteen children a node, whatever the split method.
 
 use super::block::{BLOCK, Block, blocks_of};
-use crate::accel::box32::Box32;
 use crate::accel::node::{Children, Node};
+use crate::accel::space::Box32;
 use crate::shape::{Primitive, Shapes};
 use crate::simd::LANES;
 

@@ -1,10 +1,10 @@
 //! One split of a list of primitives, by each method.
 
-use super::SplitMethod;
 use super::binning::best_plane;
 use super::build_primitive::{BuildPrimitive, centre_bounds};
 use super::full_leaves::LeafSize;
 use super::partition::partition;
+use crate::accel::SplitMethod;
 
 /// Lists of up to so many leaves are split where the leaves come out full.
 const FULL_LEAVES: usize = 16;

@@ -1,8 +1,8 @@
 //! The nearest hit of a ray, decided exactly.
 
-use super::hit::{Fallbacks, Hit};
-use super::slab_ray::SlabRay;
 use super::traversal::Search;
+use crate::accel::hit::{Fallbacks, Hit};
+use crate::accel::space::SlabRay;
 use crate::exact::{Bracket, Root};
 use crate::geometry::Ray;
 use crate::shape::{FilterRay, Primitive, Shapes, Verdict};
@@ -12,7 +12,7 @@ use std::cmp::Ordering;
 ///
 /// The answer is that of exact arithmetic on all of them, in whatever order they come: the filter's verdicts are right, its
 /// brackets hold the true `t`, and where two brackets overlap the true numbers are compared.
-pub(super) struct ExactSearch<'a> {
+pub(in crate::accel) struct ExactSearch<'a> {
     shapes: &'a Shapes,
     ray: FilterRay,
     slab: &'a SlabRay,
@@ -30,7 +30,7 @@ struct Candidate {
 }
 
 impl<'a> ExactSearch<'a> {
-    pub(super) fn new(
+    pub(in crate::accel) fn new(
         shapes: &'a Shapes,
         ray: &Ray,
         slab: &'a SlabRay,
@@ -115,8 +115,8 @@ impl Search for ExactSearch<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::anchor_space::AnchorSpace;
     use super::*;
+    use crate::accel::space::AnchorSpace;
     use crate::geometry::{Matrix, Point};
     use proptest::prelude::*;
 

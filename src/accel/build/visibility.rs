@@ -3,8 +3,8 @@
 //! A ray passes one point of a pixel, so that a triangle whose rectangle on the film lies between the centres of pixels is seen
 //! by none, wherever it is; of a mesh finer than the film most are like that.
 
-use super::anchor_space::AnchorSpace;
-use super::tile::{MAX_PIXEL_ERROR, OnFilm, View};
+use crate::accel::space::AnchorSpace;
+use crate::accel::tile::{MAX_PIXEL_ERROR, OnFilm, View};
 use crate::camera::Camera;
 use crate::film::PixelBounds;
 use crate::geometry::Bounds;
@@ -12,7 +12,7 @@ use crate::shape::Shapes;
 use rayon::prelude::*;
 
 /// Where the vertices of a scene are on the film, and the part of it that is rendered.
-pub(super) struct Visibility {
+pub(in crate::accel) struct Visibility {
     view: View,
     /// Columns and rows, from the first to the last.
     window: [[f32; 2]; 2],
@@ -37,7 +37,7 @@ const RELATIVE_MARGIN: f32 = 1.0 / (1 << 20) as f32;
 
 impl Visibility {
     /// `None` where the view's numbers are too large or small to tell.
-    pub(super) fn new(
+    pub(in crate::accel) fn new(
         camera: &Camera,
         window: &PixelBounds,
         shapes: &Shapes,

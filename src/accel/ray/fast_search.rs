@@ -1,9 +1,9 @@
 //! The nearest hit of a ray, as `f32` has it.
 
-use super::anchor_space::{AnchorSpace, SingleRay};
-use super::hit::Hit;
-use super::slab_ray::SlabRay;
 use super::traversal::Search;
+use crate::accel::hit::Hit;
+use crate::accel::space::SlabRay;
+use crate::accel::space::{AnchorSpace, SingleRay};
 use crate::exact::Bracket;
 use crate::geometry::{Point, Ray};
 use crate::shape::{Primitive, Shapes, SingleSphere, intersect_single};
@@ -13,7 +13,7 @@ use crate::shape::{Primitive, Shapes, SingleSphere, intersect_single};
 /// Rounding may place a hit a little outside the primitive's box, where a tree would never have looked. So a hit counts
 /// only if the ray enters that box, and not before it does; then every node around it is entered no later, and the answer
 /// is the same for every tree, and for none.
-pub(super) struct FastSearch<'a> {
+pub(in crate::accel) struct FastSearch<'a> {
     shapes: &'a Shapes,
     space: &'a AnchorSpace,
     ray: SingleRay,
@@ -22,7 +22,12 @@ pub(super) struct FastSearch<'a> {
 }
 
 impl<'a> FastSearch<'a> {
-    pub(super) fn new(shapes: &'a Shapes, space: &'a AnchorSpace, ray: &Ray, slab: &'a SlabRay) -> FastSearch<'a> {
+    pub(in crate::accel) fn new(
+        shapes: &'a Shapes,
+        space: &'a AnchorSpace,
+        ray: &Ray,
+        slab: &'a SlabRay,
+    ) -> FastSearch<'a> {
         FastSearch { shapes, space, ray: space.single_ray(ray), slab, best: None }
     }
 

@@ -85,7 +85,7 @@ fn pieces_of_equal_length<'a, T>(a: Vec<&'a mut [T]>, b: Vec<&'a mut [T]>) -> Ve
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::accel::box32::Box32;
+    use crate::accel::space::Box32;
     use crate::shape::Primitive;
 
     /// Boxes at places that follow no order.

@@ -3,8 +3,8 @@
 //! Each operation is a loop over four lanes, which the compiler turns into one vector instruction of any target's
 //! baseline. The last lane is free for whoever holds the box; boxes ignore it.
 
-use super::box32::Box32;
-use super::rounding::{larger, smaller};
+use crate::accel::space::Box32;
+use crate::accel::space::{larger, smaller};
 
 /// A number per axis, and one to spare.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,14 +4,14 @@
 //! half of the levels costs no more than a sort. The surface area heuristic builds the tree above the treelets. Within them,
 //! unlike there, the codes do not count any more: lists so short are split in the middle as fast, and better.
 
-use super::SplitMethod;
 use super::branch::Branch;
 use super::build_primitive::BuildPrimitive;
 use super::full_leaves::LeafSize;
 use super::morton::{CurvePlace, along_curve};
-use super::node::{Node, Subtree};
 use super::splitter::Splitter;
 use super::top_down::TopDown;
+use crate::accel::SplitMethod;
+use crate::accel::node::{Node, Subtree};
 use crate::progress::Progress;
 use crate::shape::Primitive;
 use rayon::prelude::*;

@@ -1,14 +1,14 @@
 //! One ray through the tree.
 
-use super::Aggregate;
-use super::aggregate::MAX_DEPTH;
-use super::hit::{Hit, Work};
-use super::node::{Children, PackedNode};
-use super::slab_ray::SlabRay;
+use crate::accel::Aggregate;
+use crate::accel::build::MAX_DEPTH;
+use crate::accel::hit::{Hit, Work};
+use crate::accel::node::{Children, PackedNode};
+use crate::accel::space::SlabRay;
 use crate::shape::Primitive;
 
 /// What is done with the primitives that a ray may hit, and how far it still has to go.
-pub(super) trait Search {
+pub(in crate::accel) trait Search {
     /// Tests a primitive.
     fn test(&mut self, primitive: Primitive);
 
@@ -31,14 +31,14 @@ struct Waiting {
 }
 
 /// Children that wait, farthest first. Each level of the tree leaves one at most.
-pub(super) struct Stack {
+pub(in crate::accel) struct Stack {
     waiting: [Waiting; MAX_DEPTH + 1],
     len: usize,
 }
 
 /// Walks down the tree, the nearer child first, and has `search` test what the ray may hit. The tree is not empty.
 #[inline]
-pub(super) fn traverse<const COUNTED: bool, S: Search>(
+pub(in crate::accel) fn traverse<const COUNTED: bool, S: Search>(
     aggregate: &Aggregate,
     slab: &SlabRay,
     mut search: S,
@@ -92,7 +92,7 @@ fn nearer_child(children: &Children, slab: &SlabRay, limit: f32, stack: &mut Sta
 }
 
 impl Stack {
-    pub(super) fn new() -> Stack {
+    pub(in crate::accel) fn new() -> Stack {
         let nobody = Waiting { near: 0.0, first: 0, count: 0 };
         Stack { waiting: [nobody; MAX_DEPTH + 1], len: 0 }
     }

@@ -3,10 +3,10 @@
 use super::any_hit::AnyHit;
 use super::exact_search::ExactSearch;
 use super::fast_search::FastSearch;
-use super::hit::{Fallbacks, Hit, Work};
-use super::slab_ray::SlabRay;
 use super::traversal::{Search, Stack, traverse};
-use super::{Aggregate, Depth, Precision};
+use crate::accel::hit::{Fallbacks, Hit, Work};
+use crate::accel::space::SlabRay;
+use crate::accel::{Aggregate, Depth, Precision};
 use crate::geometry::Ray;
 use crate::shape::Shapes;
 

@@ -1,16 +1,16 @@
 //! Whether a ray hits anything.
 
-use super::hit::Hit;
 use super::traversal::Search;
+use crate::accel::hit::Hit;
 use crate::shape::Primitive;
 
 /// A search that ends with its first hit: which one that is, depends on the tree.
-pub(super) struct AnyHit<S> {
+pub(in crate::accel) struct AnyHit<S> {
     search: S,
 }
 
 impl<S: Search> AnyHit<S> {
-    pub(super) fn new(search: S) -> AnyHit<S> {
+    pub(in crate::accel) fn new(search: S) -> AnyHit<S> {
         AnyHit { search }
     }
 }

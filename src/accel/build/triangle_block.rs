@@ -1,8 +1,8 @@
 //! The boxes of several triangles at a time.
 
-use super::anchor_space::AnchorSpace;
-use super::box32::Box32;
 use super::build_primitive::BuildPrimitive;
+use crate::accel::space::AnchorSpace;
+use crate::accel::space::Box32;
 use crate::geometry::Point;
 use crate::shape::{Primitive, Shapes, Triangle};
 

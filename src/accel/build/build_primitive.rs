@@ -1,10 +1,10 @@
 //! What a build knows of a primitive.
 
-use super::anchor_space::AnchorSpace;
-use super::box32::Box32;
 use super::lanes::{LaneBox, Lanes};
 use super::triangle_block::{BLOCK, place_triangles};
 use super::visibility::Visibility;
+use crate::accel::space::AnchorSpace;
+use crate::accel::space::Box32;
 use crate::geometry::{Bounds, Point};
 use crate::shape::{Primitive, Shapes};
 use rayon::prelude::*;
@@ -12,7 +12,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The box of a primitive, moved about while a tree is built: 32 bytes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct BuildPrimitive {
+pub(in crate::accel) struct BuildPrimitive {
     /// In each spare lane, half of the primitive's bits.
     corners: LaneBox,
 }
@@ -69,15 +69,15 @@ impl BuildPrimitive {
 }
 
 /// What a tree is built over.
-pub(super) struct Collected {
+pub(in crate::accel) struct Collected {
     /// The primitives that can be hit, and are wanted. Their order does not depend on the number of threads.
-    pub(super) primitives: Vec<BuildPrimitive>,
+    pub(in crate::accel) primitives: Vec<BuildPrimitive>,
     /// How many can never be hit.
-    pub(super) never_hit: usize,
+    pub(in crate::accel) never_hit: usize,
 }
 
 /// Collects the primitives that `visibility` sees, where that is given.
-pub(super) fn collect(shapes: &Shapes, space: &AnchorSpace, visibility: Option<&Visibility>) -> Collected {
+pub(in crate::accel) fn collect(shapes: &Shapes, space: &AnchorSpace, visibility: Option<&Visibility>) -> Collected {
     let never_hit = AtomicUsize::new(0);
     let mut primitives = match visibility {
         None => place_all_triangles(shapes, space, &never_hit),
@@ -153,7 +153,7 @@ fn place_visible_triangles(
 }
 
 /// The space of the boxes around the primitives of `shapes`.
-pub(super) fn space_around(shapes: &Shapes, anchor: Point) -> AnchorSpace {
+pub(in crate::accel) fn space_around(shapes: &Shapes, anchor: Point) -> AnchorSpace {
     AnchorSpace::new(anchor, reach(shapes, anchor))
 }
 
