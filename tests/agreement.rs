@@ -183,7 +183,7 @@ fn a_triangle_seen_edge_on_is_not_hit() {
         resolution: [9, 9],
     };
     for precision in Precision::ALL {
-        assert_eq!(agreed_picture(&camera, &shapes, precision).hits, 0, "{precision}");
+        assert_eq!(agreed_picture(&camera, &shapes, precision).traced.hits, 0, "{precision}");
     }
 }
 

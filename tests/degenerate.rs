@@ -46,7 +46,7 @@ const IN_TRIANGLE: u64 = 5;
 
 /// Hits of the 49 pixels, on which all builders agree.
 fn hits(shapes: &Shapes) -> u64 {
-    Precision::ALL.map(|precision| agreed_picture(&camera(), shapes, precision).hits)[0]
+    Precision::ALL.map(|precision| agreed_picture(&camera(), shapes, precision).traced.hits)[0]
 }
 
 #[test]

@@ -16,7 +16,7 @@ fn sums(name: &str, method: SplitMethod) -> (u64, f64, f64) {
         let values = rendering.image.measures(channel).unwrap().iter();
         values.filter(|value| value.is_finite()).map(|value| f64::from(*value)).sum()
     };
-    (rendering.hits, sum(ChannelName::Z), sum(ChannelName::T))
+    (rendering.traced.hits, sum(ChannelName::Z), sum(ChannelName::T))
 }
 
 fn assert_close(found: f64, expected: f64, tolerance: f64) {

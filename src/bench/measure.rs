@@ -84,8 +84,8 @@ impl Subject {
         Ok(Subject {
             configuration,
             statistics: aggregate.statistics(),
-            work: rendering.work.unwrap_or_default(),
-            fallback_rays: rendering.fallbacks.rays,
+            work: rendering.traced.work.unwrap_or_default(),
+            fallback_rays: rendering.traced.fallbacks.rays,
             build_ms: Vec::new(),
             trace_ms: Vec::new(),
         })

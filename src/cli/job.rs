@@ -155,13 +155,13 @@ fn record(path: &Path, scene: &Scene, finished: &Finished) -> Record {
         width: window.width(),
         height: window.height(),
         rays: window.area(),
-        hits: finished.rendering.hits,
+        hits: finished.rendering.traced.hits,
         shapes: scene.shape_count,
         triangles: scene.shapes.triangle_count(),
         spheres: scene.shapes.sphere_count(),
         ms: finished.ms,
         bvh: finished.statistics.into(),
-        exact: (finished.precision == Precision::Exact).then(|| finished.rendering.fallbacks.into()),
+        exact: (finished.precision == Precision::Exact).then(|| finished.rendering.traced.fallbacks.into()),
         peak_bytes: peak_bytes(),
     }
 }

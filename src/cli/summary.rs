@@ -32,7 +32,7 @@ pub(super) fn note_dead(dead: usize, of: usize, reporter: &Reporter) {
 
 /// One line on the image.
 pub(super) fn report_image(finished: &Finished, reporter: &Reporter) {
-    if finished.rendering.hits == 0 {
+    if finished.rendering.traced.hits == 0 {
         reporter.note("no ray hits anything");
     }
     let window = &finished.rendering.image.data_window;
@@ -43,7 +43,7 @@ pub(super) fn report_image(finished: &Finished, reporter: &Reporter) {
         finished.destination,
         window.width(),
         window.height(),
-        finished.rendering.hits,
+        finished.rendering.traced.hits,
     ));
 }
 
@@ -51,7 +51,7 @@ pub(super) fn report_image(finished: &Finished, reporter: &Reporter) {
 pub(super) fn report_statistics(scene: &Scene, finished: &Finished, reporter: &Reporter) {
     let (tree, ms, shapes) = (&finished.statistics, &finished.ms, &scene.shapes);
     let rays = finished.rendering.image.data_window.area() as f64;
-    let work = finished.rendering.work.unwrap_or_default();
+    let work = finished.rendering.traced.work.unwrap_or_default();
     let (nodes, primitives) = (work.nodes as f64 / rays, work.primitives as f64 / rays);
     let lines = [
         format!("shapes      {} under {} transforms", scene.shape_count, scene.transform_count),
@@ -67,7 +67,7 @@ pub(super) fn report_statistics(scene: &Scene, finished: &Finished, reporter: &R
     ];
     lines.iter().for_each(|line| reporter.line(line));
     if finished.precision == Precision::Exact {
-        let Fallbacks { unsure_tests, comparisons, roundings, rays: hard } = finished.rendering.fallbacks;
+        let Fallbacks { unsure_tests, comparisons, roundings, rays: hard } = finished.rendering.traced.fallbacks;
         reporter.line(format_args!(
             "integers    for {hard} rays: {unsure_tests} tests, {comparisons} comparisons, {roundings} roundings"
         ));

@@ -12,12 +12,6 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// The eight corners.
-    pub fn corners(&self) -> [Point; 8] {
-        let end = |corner: usize, axis: usize| if corner >> axis & 1 == 0 { self.low[axis] } else { self.high[axis] };
-        std::array::from_fn(|corner| Point::new(end(corner, 0), end(corner, 1), end(corner, 2)))
-    }
-
     /// The box of no point.
     pub const EMPTY: Bounds = Bounds {
         low: Point::new(f64::INFINITY, f64::INFINITY, f64::INFINITY),
@@ -39,6 +33,12 @@ impl Bounds {
         let lower = |a: Point, b: Point| Point::new(a.x.min(b.x), a.y.min(b.y), a.z.min(b.z));
         let upper = |a: Point, b: Point| Point::new(a.x.max(b.x), a.y.max(b.y), a.z.max(b.z));
         Bounds { low: lower(self.low, other.low), high: upper(self.high, other.high) }
+    }
+
+    /// The eight corners.
+    pub fn corners(&self) -> [Point; 8] {
+        let end = |corner: usize, axis: usize| if corner >> axis & 1 == 0 { self.low[axis] } else { self.high[axis] };
+        std::array::from_fn(|corner| Point::new(end(corner, 0), end(corner, 1), end(corner, 2)))
     }
 
     /// Whether no point is inside.

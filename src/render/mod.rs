@@ -54,12 +54,8 @@ impl RenderOptions {
 pub struct Rendering {
     /// The channels asked for.
     pub image: Image,
-    /// Pixels that hit something.
-    pub hits: u64,
-    /// What all rays together cost, if that was asked for.
-    pub work: Option<Work>,
-    /// How often integers were needed for the exact answer.
-    pub fallbacks: Fallbacks,
+    /// What came of its rays.
+    pub traced: Traced,
 }
 
 /// Casts one ray through the centre of every pixel wanted, on the threads of the current rayon pool.
@@ -76,8 +72,8 @@ pub fn render(
     progress: Progress,
 ) -> Result<Rendering> {
     let mut image = blank_image(camera, options)?;
-    let Traced { hits, work, fallbacks } = render_into(&mut image, camera, shapes, aggregate, options, progress);
-    Ok(Rendering { image, hits, work, fallbacks })
+    let traced = render_into(&mut image, camera, shapes, aggregate, options, progress);
+    Ok(Rendering { image, traced })
 }
 
 /// An image for [`render_into`].

@@ -92,7 +92,7 @@ pub(crate) fn agreed_picture(camera: &Camera, shapes: &Shapes, precision: Precis
             let way = Way { build: BuildOptions { method, max_leaf }, threads, level, for_view };
             let other = picture_by(camera, shapes, way, precision, window);
             assert_same(&reference.image, &other.image, &format!("{way:?}"));
-            assert_eq!(reference.hits, other.hits);
+            assert_eq!(reference.traced.hits, other.traced.hits);
         }
     }
     reference

@@ -3,8 +3,7 @@
 use super::lanes::{LaneBox, Lanes};
 use super::triangle_block::{BLOCK, place_triangles};
 use super::visibility::Visibility;
-use crate::accel::space::AnchorSpace;
-use crate::accel::space::Box32;
+use crate::accel::space::{AnchorSpace, Box32};
 use crate::geometry::{Bounds, Point};
 use crate::shape::{Primitive, Shapes};
 use rayon::prelude::*;

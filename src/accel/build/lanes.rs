@@ -3,8 +3,7 @@
 //! Each operation is a loop over four lanes, which the compiler turns into one vector instruction of any target's
 //! baseline. The last lane is free for whoever holds the box; boxes ignore it.
 
-use crate::accel::space::Box32;
-use crate::accel::space::{larger, smaller};
+use crate::accel::space::{Box32, larger, smaller};
 
 /// A number per axis, and one to spare.
 #[derive(Debug, Clone, Copy, PartialEq)]

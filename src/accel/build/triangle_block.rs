@@ -1,8 +1,7 @@
 //! The boxes of several triangles at a time.
 
 use super::build_primitive::BuildPrimitive;
-use crate::accel::space::AnchorSpace;
-use crate::accel::space::Box32;
+use crate::accel::space::{AnchorSpace, Box32};
 use crate::geometry::Point;
 use crate::shape::{Primitive, Shapes, Triangle};
 

@@ -16,18 +16,7 @@ pub(in crate::accel) struct Visibility {
     view: View,
     /// Columns and rows, from the first to the last.
     window: [[f32; 2]; 2],
-    vertices: Vec<Place>,
-}
-
-/// Where a point is on the film, in `f32`: column and row.
-type Place = OnFilm<[f32; 2]>;
-
-fn narrow(place: OnFilm) -> Place {
-    match place {
-        OnFilm::At(point) => OnFilm::At(point.pixel.map(|coordinate| coordinate as f32)),
-        OnFilm::Behind => OnFilm::Behind,
-        OnFilm::Anywhere => OnFilm::Anywhere,
-    }
+    vertices: Vec<OnFilm>,
 }
 
 /// Pixels: twice what a place on the film is off by at most.
@@ -44,8 +33,7 @@ impl Visibility {
         space: &AnchorSpace,
     ) -> Option<Visibility> {
         let view = View::new(camera, space)?;
-        let vertices =
-            shapes.vertices().par_iter().with_min_len(1 << 12).map(|vertex| narrow(view.on_film(*vertex))).collect();
+        let vertices = shapes.vertices().par_iter().with_min_len(1 << 12).map(|vertex| view.on_film(*vertex)).collect();
         let window = [[window.x0, window.x1 - 1], [window.y0, window.y1 - 1]].map(|ends| ends.map(|end| end as f32));
         Some(Visibility { view, window, vertices })
     }
@@ -58,12 +46,12 @@ impl Visibility {
 
     /// Whether a ray may meet something in `bounds`.
     pub(super) fn may_see_box(&self, bounds: &Bounds) -> bool {
-        self.may_see(bounds.corners().map(|corner| narrow(self.view.on_film(corner))))
+        self.may_see(bounds.corners().map(|corner| self.view.on_film(corner)))
     }
 
     /// Whether a ray may meet something between these points.
     #[inline]
-    fn may_see<const N: usize>(&self, points: [Place; N]) -> bool {
+    fn may_see<const N: usize>(&self, points: [OnFilm; N]) -> bool {
         let (mut low, mut high) = ([f32::INFINITY; 2], [f32::NEG_INFINITY; 2]);
         for point in points {
             match point {

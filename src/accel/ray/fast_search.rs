@@ -2,8 +2,7 @@
 
 use super::traversal::Search;
 use crate::accel::hit::Hit;
-use crate::accel::space::SlabRay;
-use crate::accel::space::{AnchorSpace, SingleRay};
+use crate::accel::space::{AnchorSpace, SingleRay, SlabRay};
 use crate::exact::Bracket;
 use crate::geometry::{Point, Ray};
 use crate::shape::{Primitive, Shapes, SingleSphere, intersect_single};

@@ -7,8 +7,8 @@
 //! absolute terms. [`Corners::error`] is sum_k |K_rk| (2^-52 e_k + 2^-48 (|p_k| + e_k)), e_k the longer edge, and
 //! [`UNDERFLOW`].
 
-use super::frame::Frame;
-use super::view::UNDERFLOW;
+use super::frame::{Frame, MARGIN, TILE};
+use super::view::{ROUNDING, UNDERFLOW};
 use crate::shape::Triangle;
 use crate::simd::{F32s, F64s, LANES, Lanes, Mask};
 
@@ -123,7 +123,7 @@ impl<S: Lanes> Corners<S> {
             corners.edge_error[axis] = edge * simd.splat(EDGE_ROUNDING) + simd.splat(f32::MIN_POSITIVE);
             terms[axis] = from_eye[axis].narrow().abs() + edge;
         }
-        let unit = simd.splat(1.0 / (1u64 << 48) as f32);
+        let unit = simd.splat(ROUNDING as f32);
         for k in 0..3 {
             for axis in 0..3 {
                 let entry = simd.splat((frame.tile_from_world[k][axis].abs() * 1.0001) as f32);
@@ -186,7 +186,7 @@ impl<S: Lanes> Cover<S> {
             depth_error - nearest
         };
         let mut ends = [[zero; 2]; 2];
-        let whole = simd.splat(super::frame::TILE as f32 - 1.0);
+        let whole = simd.splat(TILE as f32 - 1.0);
         for k in 0..2 {
             let film = corners.component(k);
             let pixels = [film[0] * inverse[0], film[1] * inverse[1], film[2] * inverse[2]];
@@ -195,7 +195,7 @@ impl<S: Lanes> Cover<S> {
             let film_size = most([film[0].abs(), film[1].abs(), film[2].abs()]);
             let error = (corners.error[k] + reach * corners.error[2]) * simd.splat(2.0) + film_size * relative;
             let per_pixel = most([inverse[0].abs(), inverse[1].abs(), inverse[2].abs()]);
-            let margin = simd.splat(1.0 / (1 << 12) as f32) + error * per_pixel + reach * relative;
+            let margin = simd.splat(MARGIN) + error * per_pixel + reach * relative;
             let first = (low - margin).ceil().max(zero);
             let last = (high + margin).floor().min(whole);
             ends[k] = if is_perspective {

@@ -1,14 +1,18 @@
 //! One tile of a view.
 
-use super::view::{UNDERFLOW, View};
+use super::view::{ROUNDING, UNDERFLOW, View};
 use crate::geometry::Point;
 use crate::simd::{F32s, LANES};
 
 /// Pixels along a side of a tile. Tiles cover the film from its first pixel on, whatever part is rendered.
 pub(crate) const TILE: u32 = 16;
 
-/// Of absolute terms: five roundings of products and sums, those of their own sum, and of [`Frame::rounding`] itself.
-const ROUNDING: f64 = 1.0 / (1u64 << 48) as f64;
+/// The unit roundoff of `f32`.
+pub(super) const U: f32 = 1.0 / (1 << 24) as f32;
+/// Pixels by which areas of primitives are wider than they seem, besides what corners may be off. Those of nodes are still wider.
+pub(super) const MARGIN: f32 = 1.0 / (1 << 12) as f32;
+/// What is less deep, in a perspective, is too close to the eye's plane for `f32`.
+pub(super) const LEAST_DEPTH: f32 = 1.0 / (1u64 << 40) as f32;
 
 /// A view with the origin moved to the first pixel of a tile: pixel coordinates are 0 to 15.
 #[derive(Debug, Clone)]

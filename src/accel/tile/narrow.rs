@@ -25,22 +25,18 @@
 //! G = T_z / (Z Z'). Within the triangle shares are at most 1, so errors of the two functions that are used, a quarter of E each,
 //! their roundings, and that of the area do less than G E / area; those of the differences 64 u G, of the first 16 u / Z.
 //!
-//! What is too small for `f32` is covered by the least numbers that are added to T and D.
+//! What is too small for `f32` is covered by the least numbers that are added to T, to D, and to what `f64` is off by.
 
 use super::block::Block;
 use super::corners;
-use super::frame::{Frame, TILE};
+use super::frame::{Frame, LEAST_DEPTH, MARGIN, TILE, U};
 use super::planes::{Function, Planes, Prepared, Reach, multiply_add};
 use super::view::UNDERFLOW;
 use crate::simd::{F32s, F64s, Lanes, Mask};
 
-const U: f32 = 1.0 / (1 << 24) as f32;
-/// Pixels by which the rectangle of a triangle is wider than it seems, besides what its corners may be off.
-const MARGIN: f32 = 1.0 / (1 << 12) as f32;
 /// Pixels that corners may be off: with the margin less than rectangles of nodes are too wide, so that all agree on what there
 /// is to see.
 const MAX_ERROR: f32 = 1.0 / (1 << 13) as f32;
-const LEAST_DEPTH: f32 = 1.0 / (1u64 << 40) as f32;
 /// Depths that are so many times what `f64` may be off by are off by less than a unit in the last place of `f32`.
 const SURE_DEPTH: f32 = (1 << 25) as f32;
 /// More than any error of nearness in `f32`, relative.

@@ -3,9 +3,7 @@
 use super::draw::Contested;
 use super::pixels::{Pixel, Pixels};
 use super::view::View;
-use crate::accel::ray::ExactSearch;
-use crate::accel::ray::FastSearch;
-use crate::accel::ray::Search;
+use crate::accel::ray::{ExactSearch, FastSearch, Search};
 use crate::accel::{Aggregate, Depth, Fallbacks, Hit, Precision};
 use crate::camera::Camera;
 use crate::geometry::Ray;

@@ -6,14 +6,10 @@
 
 use super::block::Block;
 use super::corners::row_times;
-use super::frame::{Frame, PixelAreas, TILE};
+use super::frame::{Frame, LEAST_DEPTH, MARGIN, PixelAreas, TILE, U};
 use crate::shape::Sphere;
 use crate::simd::{F32s, F64s, Lanes, Mask};
 
-const U: f32 = 1.0 / (1 << 24) as f32;
-/// Pixels by which areas are wider than they seem.
-const MARGIN: f32 = 1.0 / (1 << 12) as f32;
-const LEAST_DEPTH: f32 = 1.0 / (1u64 << 40) as f32;
 const NEARER: f32 = 1.0 + 1.0 / (1 << 16) as f32;
 /// Entries of S beyond that would leave the range of `f32` on the way, or lose too much there.
 const LARGEST: f64 = 1e20;

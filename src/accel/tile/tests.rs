@@ -74,8 +74,7 @@ impl Kernel for Check<'_> {
         let view = View::new(camera, &AnchorSpace::new(camera.anchor(), 256.0)).unwrap();
         let frame = Frame::new(&view, *first);
         let mut planes = Planes::new();
-        let least = if view.is_perspective { 0.0 } else { f32::NEG_INFINITY };
-        let usable = planes.fill_narrow::<S, true>(simd, &frame, block, least).usable;
+        let usable = planes.fill_narrow::<S, true>(simd, &frame, block, view.least_nearness()).usable;
         let mut kept = Kept::new();
         for (lane, primitive) in order.iter().enumerate() {
             kept.push_narrow(*primitive, &block.corner, &block.edges, lane);

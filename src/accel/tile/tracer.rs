@@ -126,8 +126,7 @@ impl TileTracer<'_> {
         let frame = Frame::new(view, first);
         let wanted = Wanted { z: options.with_z, t: options.with_t, miss: options.miss };
         let TileTracer { scratch, traced, fallbacks, .. } = self;
-        let least = if view.is_perspective { 0.0 } else { f32::NEG_INFINITY };
-        scratch.pixels.clear(least);
+        scratch.pixels.clear(view.least_nearness());
         let [columns, rows] = part_of(first, window);
         scratch.pixels.keep_only(columns, rows);
         let tree = ViewTree { nodes, blocks: &aggregate.wide.blocks };

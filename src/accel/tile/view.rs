@@ -140,6 +140,11 @@ impl View {
         if self.is_perspective { [1.0 + 4.0 * self.tolerance, 0.0] } else { [1.0, 4.0 * self.tolerance] }
     }
 
+    /// Every hit has more nearness.
+    pub(super) fn least_nearness(&self) -> f32 {
+        if self.is_perspective { 0.0 } else { f32::NEG_INFINITY }
+    }
+
     /// The nearness of a hit at parameter `t`: it grows towards the eye.
     pub(super) fn nearness(&self, t: f64) -> f32 {
         if self.is_perspective { (1.0 / t) as f32 } else { -t as f32 }
@@ -168,35 +173,26 @@ impl View {
             (terms(&k[axis]) + pixel[axis].abs() * depth_error) * inverse + self.offset[axis].abs() * ROUNDING
         };
         if error(0).max(error(1)) < MAX_PIXEL_ERROR {
-            OnFilm::At(FilmPoint { pixel, depth: depth - depth_error })
+            OnFilm::At(pixel.map(|coordinate| coordinate as f32))
         } else {
             OnFilm::Anywhere
         }
     }
 }
 
-/// What products and sums of three terms are off by, relative to the sum of their absolute terms: ample.
-const ROUNDING: f64 = 1.0 / (1u64 << 48) as f64;
+/// What products and sums of three terms in `f64` are off by, relative to the sum of their absolute terms: ample.
+pub(super) const ROUNDING: f64 = 1.0 / (1u64 << 48) as f64;
 
 /// Pixels that a place on the film may be off.
 pub(in crate::accel) const MAX_PIXEL_ERROR: f64 = 1.0 / 512.0;
 
 /// A point on the film.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::accel) enum OnFilm<P = FilmPoint> {
-    /// There.
-    At(P),
+pub(in crate::accel) enum OnFilm {
+    /// At that column and row, off by less than [`MAX_PIXEL_ERROR`] and a rounding to `f32`.
+    At([f32; 2]),
     /// Behind the eye: no ray gets there.
     Behind,
     /// So close to the eye's plane that it may be anywhere.
     Anywhere,
-}
-
-/// Where a ray passes a point in front of the eye.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::accel) struct FilmPoint {
-    /// Column and row, off by less than [`MAX_PIXEL_ERROR`].
-    pub(in crate::accel) pixel: [f64; 2],
-    /// Its depth is at least this.
-    pub(in crate::accel) depth: f64,
 }
