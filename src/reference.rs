@@ -5,14 +5,14 @@
 
 use crate::exact::{Bracket, Dyadic, ExactVector, Root, nearest_f32};
 use crate::geometry::Ray;
-use crate::shape::{Primitive, Shapes, Sphere, Triangle};
+use crate::shape::{Placed, Shapes, Sphere, Surface, Triangle};
 use std::cmp::Ordering::{Equal, Greater, Less};
 
 /// What a ray meets first.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ReferenceHit {
     /// The primitive that is hit.
-    pub primitive: Primitive,
+    pub primitive: Placed,
     /// The ray's parameter: the planar depth in units of camera space.
     pub z: f32,
     /// The distance from the ray's origin in units of world space.
@@ -24,8 +24,8 @@ pub fn closest_hit(shapes: &Shapes, ray: &Ray) -> Option<ReferenceHit> {
     if !ray.can_hit() {
         return None;
     }
-    let hits = shapes.primitives().filter_map(|primitive| Some((intersect(shapes, primitive, ray)?, primitive)));
-    let number = |primitive: &Primitive| shapes.number(*primitive);
+    let hits = shapes.all().filter_map(|placed| Some((intersect(&shapes.surface(placed), ray)?, placed)));
+    let number = |placed: &Placed| shapes.number(*placed);
     let (root, primitive) = hits.min_by(|(a, p), (b, q)| a.cmp(b).then(number(p).cmp(&number(q))))?;
     let direction = ExactVector::from(ray.direction);
     let square = direction.dot(&direction);
@@ -34,12 +34,10 @@ pub fn closest_hit(shapes: &Shapes, ray: &Ray) -> Option<ReferenceHit> {
     Some(ReferenceHit { primitive, z, t })
 }
 
-fn intersect(shapes: &Shapes, primitive: Primitive, ray: &Ray) -> Option<Root> {
-    let index = primitive.index();
-    if primitive.is_sphere() {
-        meet_sphere(&shapes.sphere(index), ray)
-    } else {
-        meet_triangle(&shapes.triangle(index), ray)
+fn intersect(surface: &Surface, ray: &Ray) -> Option<Root> {
+    match surface {
+        Surface::Triangle(triangle) => meet_triangle(triangle, ray),
+        Surface::Sphere(sphere) => meet_sphere(sphere, ray),
     }
 }
 

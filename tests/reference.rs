@@ -4,14 +4,12 @@
 
 mod common;
 
-use common::{add_triangles, bits_of, picture, whole};
+use common::{add_triangles, judged, picture, rendered, whole};
 use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::camera::{Camera, Projection, ScreenWindow};
 use feimos::exact::times_power_of_two;
-use feimos::film::{ChannelName, Image};
 use feimos::geometry::{Matrix, Point, Transform, Vector};
 use feimos::progress::Progress;
-use feimos::reference;
 use feimos::scene::{LoadOptions, load};
 use feimos::shape::{Cut, Shapes};
 use proptest::prelude::*;
@@ -21,23 +19,6 @@ use std::path::Path;
 fn cases(in_ci: u32) -> ProptestConfig {
     let cases = std::env::var("FEIMOS_CASES").ok().map(|cases| cases.parse().expect("a number of cases"));
     ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(cases.unwrap_or(in_ci)) }
-}
-
-/// What the reference says of every pixel: primitive and bits of Z and t, 0 for a miss.
-fn judged(camera: &Camera, shapes: &Shapes) -> Vec<[u32; 3]> {
-    let [width, height] = camera.resolution;
-    let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
-    let judge = |(x, y)| {
-        let hit = reference::closest_hit(shapes, &camera.ray(x, y));
-        hit.map_or([0; 3], |hit| [shapes.number(hit.primitive) + 1, hit.z.to_bits(), hit.t.to_bits()])
-    };
-    pixels.map(judge).collect()
-}
-
-fn rendered(image: &Image) -> Vec<[u32; 3]> {
-    let [prim, z, t] = [ChannelName::Prim, ChannelName::Z, ChannelName::T].map(|name| bits_of(image, name));
-    let pixel = |k: usize| if prim[k] == 0 { [0; 3] } else { [prim[k], z[k], t[k]] };
-    (0..prim.len()).map(pixel).collect()
 }
 
 fn agrees_with_the_reference(camera: &Camera, shapes: &Shapes) -> Result<(), TestCaseError> {

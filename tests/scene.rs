@@ -2,10 +2,10 @@
 
 use feimos::error::ErrorKind;
 use feimos::film::PixelBounds;
-use feimos::geometry::Point;
+use feimos::geometry::{Matrix, Point};
 use feimos::progress::Progress;
 use feimos::scene::{LoadOptions, Scene, load, read_options};
-use feimos::shape::Primitive;
+use feimos::shape::{Instance, Placed, Primitive};
 use std::path::Path;
 use tempfile::TempDir;
 
@@ -167,12 +167,67 @@ fn shapes_count_whether_they_are_supported_or_not() {
     ));
     assert_eq!(scene.shape_count, 6);
     let shapes = &scene.shapes;
-    assert_eq!(shapes.shape_number(Primitive::triangle(1)), 6);
-    assert_eq!((shapes.shape_number(Primitive::sphere(0)), shapes.number(Primitive::sphere(0))), (4, 1));
+    assert_eq!(shapes.shape_number(Placed::alone(Primitive::triangle(1))), 6);
+    let sphere = Placed::alone(Primitive::sphere(0));
+    assert_eq!((shapes.shape_number(sphere), shapes.number(sphere)), (4, 1));
     let expected = ["the shape `disk` is not supported: left out", "the shape `spehre` is not supported: left out"];
     assert_eq!(warnings(&scene), [(expected[0].to_owned(), 2), (expected[1].to_owned(), 1)]);
     let second = scene.warnings.iter().nth(1).unwrap();
     assert_eq!(second.first.notes, ["did you mean `sphere`?"]);
+}
+
+#[test]
+fn objects_are_stored_once_and_placed_by_the_transform_at_the_instance() {
+    let scene = scene(&format!(
+        "WorldBegin
+        Translate 1 2 3
+        ObjectBegin \"o\" Scale 2 2 2 {TRIANGLE} Translate 0 0 1 Shape \"sphere\" ObjectEnd
+        ObjectBegin \"never shown\" {TRIANGLE} ObjectEnd
+        {TRIANGLE}
+        AttributeBegin Scale 1 -1 1 ObjectInstance \"o\" AttributeEnd
+        ObjectInstance \"o\"
+        {TRIANGLE}"
+    ));
+    let shapes = &scene.shapes;
+    assert_eq!((shapes.objects().len(), shapes.instances().len(), shapes.own_count()), (1, 2, 2));
+    assert_eq!((scene.shape_count, shapes.primitive_count(), warnings(&scene).len()), (5, 6, 0));
+    let world_from_object = Matrix::translate([1.0, 2.0, 3.0]);
+    let world_from_instance = world_from_object.times(&Matrix::scale([1.0, -1.0, 1.0]));
+    let world_from_mesh = world_from_instance.times(&world_from_object.times(&Matrix::scale([2.0, 2.0, 2.0])));
+    let triangle = shapes.placed_triangle(Placed::in_instance(0, Primitive::triangle(0)));
+    let moved_again = shapes.placed_triangle(Placed::in_instance(1, Primitive::triangle(0)));
+    assert_eq!((triangle.0[0], moved_again.0[0].y), (world_from_mesh.apply(Point::new(0.0, 0.0, 0.0)), 4.0));
+    let ids = shapes.all().map(|placed| (shapes.number(placed), shapes.shape_number(placed)));
+    assert_eq!(ids.collect::<Vec<_>>(), [(0, 4), (5, 5), (1, 1), (2, 2), (3, 1), (4, 2)]);
+}
+
+#[test]
+fn objects_in_the_wrong_place_are_errors() {
+    let cases = [
+        ("ObjectBegin \"o\" ObjectEnd WorldBegin", "ObjectBegin outside the world"),
+        ("ObjectInstance \"o\" WorldBegin", "ObjectInstance outside the world"),
+        ("WorldBegin ObjectBegin \"o\" ObjectBegin \"p\"", "an object within an object"),
+        ("WorldBegin ObjectBegin \"o\" ObjectInstance \"o\"", "an instance within an object"),
+        ("WorldBegin ObjectBegin \"o\" ObjectEnd ObjectInstance \"p\"", "there is no object called `p`"),
+        ("WorldBegin ObjectBegin \"o\"", "ObjectBegin without ObjectEnd"),
+        ("WorldBegin AttributeBegin ObjectEnd", "ObjectEnd closes a block that AttributeBegin began"),
+    ];
+    for (text, message) in cases {
+        assert!(error(text).contains(message), "{text}: {}", error(text));
+    }
+    let misspelt = error("WorldBegin ObjectBegin \"tree\" ObjectEnd ObjectInstance \"tere\"");
+    assert!(misspelt.contains("did you mean `tree`?"), "{misspelt}");
+}
+
+#[test]
+fn the_object_defined_last_is_shown() {
+    let scene = scene(&format!(
+        "WorldBegin ObjectBegin \"o\" {TRIANGLE} ObjectEnd ObjectInstance \"o\"
+        ObjectBegin \"o\" Shape \"sphere\" ObjectEnd ObjectInstance \"o\""
+    ));
+    let message = "a second object called `o`: instances that follow show this one";
+    assert_eq!(warnings(&scene), [(message.to_owned(), 1)]);
+    assert_eq!(scene.shapes.instances().iter().map(Instance::object).collect::<Vec<_>>(), [0, 1]);
 }
 
 #[test]
@@ -196,10 +251,9 @@ fn what_is_rendered_otherwise_is_warned_of() {
         "a sphere under a singular or infinite transform is never hit",
         "the up vector is parallel to the view, or the eye too far away: this LookAt does nothing",
         "no coordinate system is called `nowhere`: ignored",
-        "object instances are not supported yet: left out",
         "the numbers of this transform are beyond the range of f64, or no numbers",
     ];
-    let counts = [1, 1, 1, 1, 1, 1, 2, 1];
+    let counts = [1, 1, 1, 2, 1, 1, 1];
     let found: Vec<(String, u64)> = expected.iter().map(|m| (*m).to_owned()).zip(counts).collect();
     assert_eq!(warnings(&scene), found);
     let shapes = &scene.shapes;

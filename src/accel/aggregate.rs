@@ -1,27 +1,28 @@
 //! The finished aggregate.
 
 use super::Statistics;
-use super::build::{BuildOptions, Collected, Visibility, build_tree, collect, space_around};
-use super::node::{Children, Node, Subtree};
+use super::build::{BuildOptions, Collected, Visibility, collect, space_around};
+use super::instance::{InstanceTrees, Outlines};
 use super::space::AnchorSpace;
-use super::tile::WideTree;
+use super::tile::{Block, WideTree, blocks_of};
+use super::tree::Tree;
 use crate::camera::Camera;
 use crate::film::PixelBounds;
 use crate::geometry::Point;
 use crate::progress::Progress;
 use crate::shape::{Primitive, Shapes};
 
-/// A tree over the primitives of a scene. It refers to them by number; the geometry stays where it is.
+/// Trees over the primitives and the instances of a scene. They refer to them by number; the geometry stays where it is.
 #[derive(Debug, PartialEq)]
 pub struct Aggregate {
+    /// Of the boxes in the world.
     pub(super) space: AnchorSpace,
-    /// `None` where no primitive can be hit.
-    pub(super) root: Option<Node>,
-    pub(super) below: Vec<Children>,
-    /// The primitives in the order of the leaves.
-    pub(super) order: Vec<Primitive>,
+    /// Over the primitives that are in no instance and can be hit.
+    pub(super) tree: Tree<Primitive>,
     /// The same tree for tiles.
-    pub(super) wide: WideTree,
+    pub(super) wide: WideTree<Block>,
+    /// Over all others; of most scenes empty.
+    pub(super) instances: InstanceTrees,
     never_hit: usize,
 }
 
@@ -29,16 +30,19 @@ impl Aggregate {
     /// Builds over all primitives of `shapes` that can be hit. `anchor` is the point near which boxes are the most
     /// precise: the eye. The tree depends on nothing else, on the number of threads least of all.
     ///
-    /// `progress` counts primitives.
+    /// `progress` counts [`Aggregate::work`].
     pub fn build(shapes: &Shapes, anchor: Point, options: BuildOptions, progress: Progress) -> Aggregate {
-        let space = space_around(shapes, anchor);
-        Aggregate::over(collect(shapes, &space, None), space, shapes, options, progress)
+        let outlines = Outlines::of(shapes);
+        let space = space_around(shapes, &outlines.bounds_of_all(shapes), anchor);
+        let collected = collect(shapes, &space, None);
+        let instances = InstanceTrees::build(shapes, outlines, &space, None, options, progress);
+        Aggregate::over(collected, instances, space, shapes, options, progress)
     }
 
     /// Builds for one picture: over the primitives that a ray of `camera` through a pixel of `window` may meet. Other rays
     /// must not be cast.
     ///
-    /// `progress` counts primitives, those left out at once.
+    /// `progress` counts [`Aggregate::work`], what is left out at once.
     pub fn build_for_view(
         shapes: &Shapes,
         camera: &Camera,
@@ -46,43 +50,49 @@ impl Aggregate {
         options: BuildOptions,
         progress: Progress,
     ) -> Aggregate {
-        let space = space_around(shapes, camera.anchor());
+        let outlines = Outlines::of(shapes);
+        let space = space_around(shapes, &outlines.bounds_of_all(shapes), camera.anchor());
         let visibility = Visibility::new(camera, window, shapes, &space);
         let collected = collect(shapes, &space, visibility.as_ref());
+        let instances = InstanceTrees::build(shapes, outlines, &space, visibility.as_ref(), options, progress);
         drop(visibility);
-        progress.advance(shapes.primitive_count() - collected.primitives.len());
-        Aggregate::over(collected, space, shapes, options, progress)
+        progress.advance(shapes.own_count() - collected.primitives.len());
+        Aggregate::over(collected, instances, space, shapes, options, progress)
     }
 
     fn over(
         collected: Collected,
+        instances: InstanceTrees,
         space: AnchorSpace,
         shapes: &Shapes,
         options: BuildOptions,
         progress: Progress,
     ) -> Aggregate {
         let Collected { primitives, never_hit } = collected;
-        if primitives.is_empty() {
-            let wide = WideTree::of(None, &[], &[], shapes);
-            return Aggregate { space, root: None, below: Vec::new(), order: Vec::new(), wide, never_hit };
-        }
-        let (Subtree { root, below }, order) = build_tree(primitives, options, progress);
-        let wide = WideTree::of(Some(&root), &below, &order, shapes);
-        Aggregate { space, root: Some(root), below, order, wide, never_hit }
+        let tree = Tree::build(primitives, options, progress, Primitive::from_bits);
+        let wide = WideTree::of(&tree, |runs| blocks_of(&runs, &tree.order, shapes));
+        Aggregate { space, tree, wide, instances, never_hit }
     }
 
-    /// Primitives that no ray can hit: without area, or not finite.
+    /// What a build has to look at: primitives, those of an object once, and instances.
+    pub fn work(shapes: &Shapes) -> usize {
+        let of_objects: usize = shapes.objects().iter().map(|object| object.shapes().own_count()).sum();
+        shapes.own_count() + shapes.instances().len() + of_objects
+    }
+
+    /// Primitives in no instance that no ray can hit: without area, or not finite.
     pub fn never_hit(&self) -> usize {
         self.never_hit
     }
 
-    /// Primitives in the tree.
-    pub fn primitive_count(&self) -> usize {
-        self.order.len()
+    /// Primitives in the trees, those of instances as often as they are instanced.
+    pub fn primitive_count(&self, shapes: &Shapes) -> u64 {
+        let in_instance = |instance: &u32| self.instances.object(shapes, *instance as usize).tree.order.len() as u64;
+        self.tree.order.len() as u64 + self.instances.tree.order.iter().map(in_instance).sum::<u64>()
     }
 
-    /// Counts and costs of the tree.
-    pub fn statistics(&self) -> Statistics {
-        Statistics::of(self)
+    /// Counts and costs of the trees.
+    pub fn statistics(&self, shapes: &Shapes) -> Statistics {
+        Statistics::of(self, shapes)
     }
 }

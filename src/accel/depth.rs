@@ -41,7 +41,7 @@ impl Depth {
         known: (Option<f32>, Option<f32>),
         distance: &Bracket,
     ) -> Depth {
-        let root = shapes.exact_t(hit.primitive, ray);
+        let root = shapes.surface(hit.primitive).exact_t(ray);
         let direction = ExactVector::from(ray.direction);
         let square_of_speed = direction.dot(&direction);
         let z = || nearest_f32(&hit.t, |x: &Dyadic| root.compare_with(x));

@@ -1,14 +1,14 @@
 //! What a ray meets first, and what it took to know.
 
 use crate::exact::Bracket;
-use crate::shape::Primitive;
+use crate::shape::Placed;
 use std::ops::AddAssign;
 
 /// What a ray meets first.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hit {
     /// What was hit.
-    pub primitive: Primitive,
+    pub primitive: Placed,
     /// Where the ray's parameter lies at the hit; with [`super::Precision::Fast`] both ends are the computed one.
     pub t: Bracket,
     /// Whether integers were needed to find it.
@@ -20,7 +20,7 @@ pub struct Hit {
 pub struct Work {
     /// Boxes of nodes that were tested.
     pub nodes: u64,
-    /// Primitives that were tested.
+    /// Primitives that were tested, those of instances too.
     pub primitives: u64,
 }
 

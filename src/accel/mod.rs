@@ -6,6 +6,7 @@ mod aggregate;
 mod build;
 mod depth;
 mod hit;
+mod instance;
 mod node;
 mod precision;
 mod ray;
@@ -13,6 +14,7 @@ mod space;
 mod split_method;
 mod statistics;
 mod tile;
+mod tree;
 mod validate;
 
 pub use aggregate::Aggregate;

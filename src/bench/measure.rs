@@ -83,7 +83,7 @@ impl Subject {
         let rendering = trace(scene, &aggregate, configuration, true)?;
         Ok(Subject {
             configuration,
-            statistics: aggregate.statistics(),
+            statistics: aggregate.statistics(&scene.shapes),
             work: rendering.traced.work.unwrap_or_default(),
             fallback_rays: rendering.traced.fallbacks.rays,
             build_ms: Vec::new(),
@@ -136,7 +136,7 @@ fn build(scene: &Scene, configuration: Configuration) -> Aggregate {
 fn trace(scene: &Scene, aggregate: &Aggregate, configuration: Configuration, counted: bool) -> Result<Rendering> {
     let options = RenderOptions {
         data_window: scene.film.crop,
-        channels: ChannelName::ALL.to_vec(),
+        channels: ChannelName::USUAL.to_vec(),
         precision: configuration.precision,
         miss: f32::INFINITY,
         counted,

@@ -97,7 +97,7 @@ impl<'a> Bench<'a> {
 
     fn configurations(&self, path: &Path, scene: &Scene) -> Vec<Configuration> {
         let mut methods = self.methods.clone();
-        let (rays, primitives) = (scene.film.crop.area(), scene.shapes.primitive_count() as u64);
+        let (rays, primitives) = (scene.film.crop.area(), scene.shapes.primitive_count());
         let tests = rays.saturating_mul(primitives);
         if tests > MAX_TESTS && !self.none_is_wanted {
             methods.retain(|method| *method != SplitMethod::None);
@@ -121,15 +121,15 @@ impl<'a> Bench<'a> {
             film.width(),
             film.height(),
             counted(scene.shapes.primitive_count(), "primitive"),
-            counted(rayon::current_num_threads(), "thread"),
-            counted(self.rounds.runs, "run"),
+            counted(rayon::current_num_threads() as u64, "thread"),
+            counted(self.rounds.runs as u64, "run"),
         )
     }
 }
 
 /// `count` of a thing, in words.
-fn counted(count: usize, thing: &str) -> String {
-    format!("{} {thing}{}", HumanCount(count as u64), if count == 1 { "" } else { "s" })
+fn counted(count: u64, thing: &str) -> String {
+    format!("{} {thing}{}", HumanCount(count), if count == 1 { "" } else { "s" })
 }
 
 fn refuse_repeated<T: Copy + PartialEq + std::fmt::Display>(flag: &str, items: Option<&[T]>) -> Result<()> {

@@ -91,6 +91,7 @@ impl Renderer<'_> {
             true => error,
             false => error.note("this name comes from the scene; -o gives another one"),
         })?;
+        let picture = picture.for_scene(&scene.shapes, self.reporter);
         let window = self.plan.data_window(&scene.film)?;
         let whole = [window.width(), window.height()] == scene.film.resolution;
         if !whole && matches!(picture, Picture::Depth { range: None, .. }) {
@@ -113,12 +114,13 @@ impl Renderer<'_> {
             true => Aggregate::build(shapes, camera.anchor(), build, progress),
             false => Aggregate::build_for_view(shapes, camera, &window, build, progress),
         };
-        let (aggregate, build_ms) = timed(|| self.bars.during(Phase::Building(primitives), build_aggregate));
-        let statistics = aggregate.statistics();
+        let (aggregate, build_ms) =
+            timed(|| self.bars.during(Phase::Building(Aggregate::work(shapes)), build_aggregate));
+        let statistics = aggregate.statistics(shapes);
         let (nodes, method) = (statistics.nodes, build.method);
-        let built = aggregate.primitive_count();
+        let built = aggregate.primitive_count(shapes);
         self.reporter.detail(format_args!("built {nodes} nodes by {method} over {built} of {primitives} primitives"));
-        summary::note_dead(aggregate.never_hit(), primitives, self.reporter);
+        summary::note_dead(aggregate.never_hit(), shapes.own_count(), self.reporter);
 
         let options = RenderOptions {
             data_window: window,
@@ -157,8 +159,10 @@ fn record(path: &Path, scene: &Scene, finished: &Finished) -> Record {
         rays: window.area(),
         hits: finished.rendering.traced.hits,
         shapes: scene.shape_count,
-        triangles: scene.shapes.triangle_count(),
-        spheres: scene.shapes.sphere_count(),
+        triangles: scene.shapes.stored_triangles(),
+        spheres: scene.shapes.stored_spheres(),
+        instances: scene.shapes.instances().len(),
+        primitives: scene.shapes.primitive_count(),
         ms: finished.ms,
         bvh: finished.statistics.into(),
         exact: (finished.precision == Precision::Exact).then(|| finished.rendering.traced.fallbacks.into()),

@@ -1,9 +1,11 @@
 //! What goes into one file, and how it gets there.
 
 use super::output_name::Destination;
+use super::reporter::Reporter;
 use feimos::error::{Error, Result};
 use feimos::film::atomic_file::{self, Overwrite};
 use feimos::film::{ChannelName, ColorMap, DepthRange, Image, View, exr_file, png_file};
+use feimos::shape::Shapes;
 use std::io::{self, Cursor, Seek, Write};
 use std::path::Path;
 
@@ -11,7 +13,8 @@ use std::path::Path;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Picture {
     /// Data; `miss` is what `Z` and `t` hold where nothing is hit.
-    Exr { channels: Vec<ChannelName>, miss: f32 },
+    /// `within_instances` tells how `prim` counts.
+    Exr { channels: Vec<ChannelName>, miss: f32, within_instances: bool },
     /// Hit and miss.
     Hit,
     /// Colours; the range is that of the hits where none is given.
@@ -26,6 +29,21 @@ impl Picture {
             Picture::Hit => View::Hit.channels().to_vec(),
             Picture::Depth { .. } => View::Depth.channels().to_vec(),
         }
+    }
+
+    /// The same with an `instance` channel, where `prim` alone would not tell what was hit.
+    pub(crate) fn for_scene(mut self, shapes: &Shapes, reporter: &Reporter) -> Picture {
+        let Picture::Exr { channels, within_instances, .. } = &mut self else { return self };
+        *within_instances = shapes.counts_within_instances();
+        if *within_instances && channels.contains(&ChannelName::Prim) && !channels.contains(&ChannelName::Instance) {
+            channels.push(ChannelName::Instance);
+            reporter.note(format_args!(
+                "{} primitives are more than `prim` can count: it counts within the instance, and the channel `instance` \
+                 tells which",
+                shapes.primitive_count()
+            ));
+        }
+        self
     }
 
     /// What `Z` and `t` hold where nothing is hit; pictures for people do not look at it.
@@ -67,7 +85,9 @@ impl Picture {
 
     fn encode(&self, image: &Image, range: Option<DepthRange>, out: &mut (impl Write + Seek)) -> io::Result<()> {
         match self {
-            Picture::Exr { miss, .. } => exr_file::write(image, &exr_header(*miss), out),
+            Picture::Exr { miss, within_instances, .. } => {
+                exr_file::write(image, &exr_header(image, *miss, *within_instances), out)
+            }
             Picture::Hit => png_file::write_hit(image, out),
             Picture::Depth { colors, .. } => {
                 // Without a hit there is no range, and no pixel that would ask for it.
@@ -88,16 +108,23 @@ pub(crate) fn write_to_stdout(bytes: io::Result<Vec<u8>>) -> Result<()> {
 }
 
 /// The one attribute of an EXR that is ours: what the numbers mean.
-fn exr_header(miss: f32) -> String {
+fn exr_header(image: &Image, miss: f32, within_instances: bool) -> String {
     let miss = if miss.is_finite() { serde_json::json!(miss) } else { serde_json::json!(miss.to_string()) };
-    let header = serde_json::json!({
+    let prim = match within_instances {
+        false => "number of the primitive, from 1; 0 miss",
+        true => "number of the primitive within its instance, or among those in none, from 1; 0 miss",
+    };
+    let mut header = serde_json::json!({
         "version": env!("CARGO_PKG_VERSION"),
         "Z": "planar depth along the view axis, in camera units",
         "t": "distance from the ray's origin, in world units",
         "A": "1 hit, 0 miss",
         "id": "number of the Shape statement, from 1; 0 miss",
-        "prim": "number of the primitive, from 1; 0 miss",
+        "prim": prim,
         "miss": miss,
     });
+    if image.numbers(ChannelName::Instance).is_some() {
+        header["instance"] = "number of the ObjectInstance, from 1; 0 miss, or in no instance".into();
+    }
     header.to_string()
 }

@@ -91,8 +91,8 @@ impl Plan {
         let of_png =
             [("--view", self.view.is_some()), ("--colormap", self.colors.is_some()), ("--range", self.range.is_some())];
         refuse(&of_png, destination, "an EXR, which holds the values themselves")?;
-        let channels = self.aov.clone().unwrap_or_else(|| ChannelName::ALL.to_vec());
-        Ok(Picture::Exr { channels, miss: self.miss.unwrap_or(f32::INFINITY) })
+        let channels = self.aov.clone().unwrap_or_else(|| ChannelName::USUAL.to_vec());
+        Ok(Picture::Exr { channels, miss: self.miss.unwrap_or(f32::INFINITY), within_instances: false })
     }
 
     fn png(&self, destination: &Destination) -> Result<Picture> {

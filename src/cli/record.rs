@@ -16,8 +16,12 @@ pub(crate) struct Record {
     pub(crate) rays: u64,
     pub(crate) hits: u64,
     pub(crate) shapes: u32,
+    /// Stored: those of an object once.
     pub(crate) triangles: usize,
     pub(crate) spheres: usize,
+    pub(crate) instances: usize,
+    /// Those of an object as often as it is instanced.
+    pub(crate) primitives: u64,
     pub(crate) ms: Milliseconds,
     pub(crate) bvh: Bvh,
     /// How often integers were needed; nothing where precision is not `exact`.

@@ -5,6 +5,7 @@ use super::record::Milliseconds;
 use super::reporter::Reporter;
 use feimos::accel::{Fallbacks, Precision};
 use feimos::scene::Scene;
+use feimos::shape::Shapes;
 
 /// Warnings, what was skipped, and what there is.
 pub(super) fn report_scene(scene: &Scene, reporter: &Reporter) {
@@ -14,13 +15,24 @@ pub(super) fn report_scene(scene: &Scene, reporter: &Reporter) {
     }
     let shapes = &scene.shapes;
     reporter.detail(format_args!(
-        "loaded {} shapes: {} triangles, {} spheres, {} transforms, {} bytes",
+        "loaded {} shapes: {}, {} transforms, {} bytes",
         scene.shape_count,
-        shapes.triangle_count(),
-        shapes.sphere_count(),
+        geometry(shapes),
         scene.transform_count,
         shapes.bytes(),
     ));
+}
+
+/// What is stored, and how often objects are instanced, if there are any.
+fn geometry(shapes: &Shapes) -> String {
+    let stored = format!("{} triangles, {} spheres", shapes.stored_triangles(), shapes.stored_spheres());
+    match shapes.instances().len() {
+        0 => stored,
+        instances => {
+            let (objects, primitives) = (shapes.objects().len(), shapes.primitive_count());
+            format!("{stored}, {instances} instances of {objects} objects: {primitives} primitives in all")
+        }
+    }
 }
 
 /// A note on primitives that no ray can hit.
@@ -55,7 +67,7 @@ pub(super) fn report_statistics(scene: &Scene, finished: &Finished, reporter: &R
     let (nodes, primitives) = (work.nodes as f64 / rays, work.primitives as f64 / rays);
     let lines = [
         format!("shapes      {} under {} transforms", scene.shape_count, scene.transform_count),
-        format!("primitives  {} triangles, {} spheres", shapes.triangle_count(), shapes.sphere_count()),
+        format!("primitives  {}", geometry(shapes)),
         format!("geometry    {} bytes", shapes.bytes()),
         format!("precision   {}", finished.precision),
         format!("accelerator {}, built in {:.1} ms", finished.method, ms.build),

@@ -17,11 +17,19 @@ pub enum ChannelName {
     Id,
     /// Number of the primitive that was hit, from 1; 0 for a miss, `u32`.
     Prim,
+    /// Number of the object instance that was hit, from 1; 0 for a miss and for what is in no instance, `u32`.
+    Instance,
 }
 
 impl ChannelName {
     /// Every channel there is.
-    pub const ALL: [ChannelName; 5] =
+    pub const ALL: [ChannelName; 6] = {
+        let [z, t, a, id, prim] = ChannelName::USUAL;
+        [z, t, a, id, prim, ChannelName::Instance]
+    };
+
+    /// Those of an image of which nothing else was said.
+    pub const USUAL: [ChannelName; 5] =
         [ChannelName::Z, ChannelName::T, ChannelName::A, ChannelName::Id, ChannelName::Prim];
 
     /// The name on the command line and in files; capitals count.
@@ -32,12 +40,13 @@ impl ChannelName {
             ChannelName::A => "A",
             ChannelName::Id => "id",
             ChannelName::Prim => "prim",
+            ChannelName::Instance => "instance",
         }
     }
 
     /// Whether the samples are whole numbers (`u32`) and not `f32`.
     pub fn is_integer(self) -> bool {
-        matches!(self, ChannelName::Id | ChannelName::Prim)
+        matches!(self, ChannelName::Id | ChannelName::Prim | ChannelName::Instance)
     }
 }
 
@@ -99,6 +108,6 @@ mod tests {
     #[test]
     fn an_unknown_name_is_answered_with_the_known_ones() {
         let error = "z".parse::<ChannelName>().unwrap_err().to_string();
-        assert_eq!(error, "unknown channel `z`\n   = known channels: Z, t, A, id, prim");
+        assert_eq!(error, "unknown channel `z`\n   = known channels: Z, t, A, id, prim, instance");
     }
 }

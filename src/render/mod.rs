@@ -42,7 +42,7 @@ impl RenderOptions {
             precision: self.precision,
             with_z: self.wants(ChannelName::Z),
             with_t: self.wants(ChannelName::T),
-            with_primitives: self.wants(ChannelName::Id) || self.wants(ChannelName::Prim),
+            with_primitives: self.channels.iter().any(|channel| channel.is_integer()),
             miss: self.miss,
             level: self.level,
         }

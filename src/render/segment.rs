@@ -2,7 +2,7 @@
 
 use crate::accel::{TILE, TracedTile};
 use crate::film::{Channel, ChannelName, PixelBounds, Samples};
-use crate::shape::{Numbers, Primitive, Shapes};
+use crate::shape::{Numbers, Placed, Shapes};
 
 /// Columns of a segment: enough for a thread to be busy for a while, few enough for threads to end together.
 const WIDTH: u32 = 8 * TILE;
@@ -76,14 +76,17 @@ impl Segment<'_> {
     /// Takes over the columns of a tile, the first pixel of which is `first`, both in film pixels.
     pub(super) fn put(&mut self, tile: &TracedTile, first: [u32; 2], columns: [u32; 2], shapes: &Shapes) {
         let part = Part { tile, first, columns, bounds: self.bounds };
-        let mut numbers = Numbers::of(shapes);
+        let mut numbers = Numbers::new(shapes);
         for (name, rows) in &mut self.channels {
             match (rows, name) {
                 (Rows::F32(rows), ChannelName::Z) => part.put_depths(rows, TracedTile::z_of_row),
                 (Rows::F32(rows), ChannelName::T) => part.put_depths(rows, TracedTile::t_of_row),
                 (Rows::F32(rows), _) => part.put_hits(rows, |_| 1.0),
                 (Rows::U32(rows), ChannelName::Id) => part.put_hits(rows, |hit| shapes.shape_number(hit)),
-                (Rows::U32(rows), _) => part.put_hits(rows, |hit| numbers.of_primitive(hit) + 1),
+                (Rows::U32(rows), ChannelName::Instance) => {
+                    part.put_hits(rows, |hit| hit.instance().map_or(0, |instance| instance as u32 + 1));
+                }
+                (Rows::U32(rows), _) => part.put_hits(rows, |hit| numbers.of(hit)),
             }
         }
     }
@@ -115,7 +118,7 @@ impl Part<'_> {
     }
 
     /// Puts a value for each hit, and 0 for misses.
-    fn put_hits<T: Copy + Default>(&self, rows: &mut [&mut [T]], mut of_hit: impl FnMut(Primitive) -> T) {
+    fn put_hits<T: Copy + Default>(&self, rows: &mut [&mut [T]], mut of_hit: impl FnMut(Placed) -> T) {
         let [first, end] = self.columns.map(|x| x - self.first[0]);
         let within = (1 << end) - (1 << first);
         for (y, to) in self.rows(rows) {

@@ -4,6 +4,7 @@ use super::accelerator::AcceleratorParameters;
 use super::camera_parameters::CameraParameters;
 use super::film::FilmParameters;
 use super::graphics_state::{Block, GraphicsState};
+use super::objects::{Definition, Objects};
 use super::parameters::Parameters;
 use super::parser::{ActiveTransform, Directive, Directives, Entity, Span, Statement, Text};
 use super::shape_statement::ShapeTarget;
@@ -45,7 +46,8 @@ pub(super) struct Builder<'a> {
     film: FilmParameters,
     film_place: Option<Place>,
     accelerator: AcceleratorParameters,
-    shapes: Shapes,
+    pub(super) shapes: Shapes,
+    pub(super) objects: Objects,
     shape_count: u32,
     transforms: TransformCache,
     pub(super) warnings: Warnings,
@@ -72,6 +74,7 @@ impl<'a> Builder<'a> {
             film_place: None,
             accelerator: AcceleratorParameters::default(),
             shapes: Shapes::default(),
+            objects: Objects::default(),
             shape_count: 0,
             transforms: TransformCache::default(),
             warnings: Warnings::default(),
@@ -148,12 +151,9 @@ impl<'a> Builder<'a> {
             Statement::AttributeEnd => self.end(Block::Attribute, keyword, source)?,
             Statement::TransformBegin => self.state.begin(Block::Transform, Place::new(source, keyword)),
             Statement::TransformEnd => self.end(Block::Transform, keyword, source)?,
-            Statement::ObjectBegin(_) => {
-                self.warn_of_instances(keyword, source);
-                self.state.begin(Block::Object, Place::new(source, keyword));
-            }
-            Statement::ObjectEnd => self.end(Block::Object, keyword, source)?,
-            Statement::ObjectInstance(_) => self.warn_of_instances(keyword, source),
+            Statement::ObjectBegin(name) => self.begin_object(name, keyword, source)?,
+            Statement::ObjectEnd => self.end_object(keyword, source)?,
+            Statement::ObjectInstance(name) => self.instance(name, keyword, source)?,
             Statement::WorldBegin => self.begin_world(keyword, source)?,
             Statement::WorldEnd => self.end_world(keyword, source)?,
             Statement::Include(name) => self.include(name, source)?,
@@ -186,7 +186,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    fn end(&mut self, block: Block, keyword: &Span, source: &Rc<Source>) -> Result<()> {
+    pub(super) fn end(&mut self, block: Block, keyword: &Span, source: &Rc<Source>) -> Result<()> {
         self.state.end(block).map_err(|open| match open {
             None => source.error(keyword, format!("{} without {}", block.end(), block.begin())),
             Some(open) => {
@@ -194,11 +194,6 @@ impl<'a> Builder<'a> {
                 source.error(keyword, message).note(format!("expected {}", open.end()))
             }
         })
-    }
-
-    fn warn_of_instances(&mut self, keyword: &Span, source: &Rc<Source>) {
-        let message = "object instances are not supported yet: left out";
-        self.warnings.add("instances", || Diagnostic::new(message).at(source.at(keyword)));
     }
 
     fn begin_world(&mut self, keyword: &Span, source: &Rc<Source>) -> Result<()> {
@@ -249,6 +244,15 @@ impl<'a> Builder<'a> {
         Err(error.note("expected before WorldBegin"))
     }
 
+    /// Geometry belongs after `WorldBegin`.
+    pub(super) fn check_in_world(&self, name: &str, keyword: &Span, source: &Rc<Source>) -> Result<()> {
+        if self.in_world {
+            return Ok(());
+        }
+        let error = source.error(keyword, format!("{name} outside the world")).note("expected after WorldBegin");
+        Err(error.note("or is this file a part that another one includes?"))
+    }
+
     fn camera(&mut self, entity: &Entity, keyword: &Span, source: &Rc<Source>) -> Result<()> {
         self.check_before_world("Camera", keyword, source)?;
         let mut parameters = Parameters::new("Camera", entity, source);
@@ -272,24 +276,24 @@ impl<'a> Builder<'a> {
     }
 
     fn shape(&mut self, entity: &Entity, keyword: &Span, source: &Rc<Source>) -> Result<()> {
-        if !self.in_world {
-            let error = source.error(keyword, "Shape outside the world").note("expected after WorldBegin");
-            return Err(error.note("or is this file a part that another one includes?"));
-        }
+        self.check_in_world("Shape", keyword, source)?;
         let Some(number) = self.shape_count.checked_add(1) else {
             return Err(source.error(keyword, format!("the scene has more than {} shapes", u32::MAX)));
         };
         self.shape_count = number;
-        if self.state.in_object() {
-            return Ok(());
-        }
+        let is_in_object = self.objects.open.is_some();
+        let (shapes, transforms) = match &mut self.objects.open {
+            Some(Definition { shapes, transforms, .. }) => (shapes, transforms),
+            None => (&mut self.shapes, &mut self.transforms),
+        };
         let mut target = ShapeTarget {
-            shapes: &mut self.shapes,
-            transforms: &mut self.transforms,
+            shapes,
+            transforms,
             warnings: &mut self.warnings,
             directory: &self.directory,
             number,
             world_from_object: self.state.current.matrix,
+            is_in_object,
         };
         target.add(Parameters::new("Shape", entity, source))
     }
@@ -314,7 +318,7 @@ impl<'a> Builder<'a> {
             accelerator: self.accelerator,
             shapes: self.shapes,
             shape_count: self.shape_count,
-            transform_count: self.transforms.len(),
+            transform_count: self.transforms.len() + self.objects.transform_count,
             warnings: self.warnings,
             summary: summary(&self.skipped),
         })

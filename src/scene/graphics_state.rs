@@ -85,11 +85,6 @@ impl GraphicsState {
         self.open.last()
     }
 
-    /// Whether shapes now belong to an object that is only defined here.
-    pub(super) fn in_object(&self) -> bool {
-        self.open.iter().any(|open| open.block == Block::Object)
-    }
-
     /// Gives a name to `transform`.
     pub(super) fn name(&mut self, name: &str, transform: Transform) {
         self.named.insert(name.to_owned(), transform);

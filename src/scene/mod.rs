@@ -7,6 +7,7 @@ mod camera_parameters;
 mod film;
 mod graphics_state;
 mod load;
+mod objects;
 mod parameters;
 pub mod parser;
 mod shape_statement;

@@ -6,7 +6,7 @@ use super::warnings::Warnings;
 use crate::error::{Diagnostic, Error, Result};
 use crate::geometry::{Matrix, Point};
 use crate::mesh::{self, Loaded};
-use crate::shape::{CapacityError, Cut, Shapes, Sphere};
+use crate::shape::{Broken, CapacityError, Cut, Shapes, Sphere};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 
@@ -19,7 +19,9 @@ pub(super) struct ShapeTarget<'a> {
     pub(super) directory: &'a Path,
     /// The number of the statement, from 1.
     pub(super) number: u32,
+    /// Within an object definition this leads to the space of its instances only, and meshes stay as they are in their files.
     pub(super) world_from_object: Matrix,
+    pub(super) is_in_object: bool,
 }
 
 /// Shapes of pbrt that feimos does not have.
@@ -142,8 +144,13 @@ impl ShapeTarget<'_> {
     }
 
     fn add_mesh(&mut self, parameters: &Parameters, vertices: Vec<Point>, triangles: Vec<[u32; 3]>) -> Result<()> {
-        self.transforms.intern(&self.world_from_object, self.shapes);
-        let added = self.shapes.add_mesh(vertices, triangles, &self.world_from_object, self.number);
+        let transform = self.transforms.intern(&self.world_from_object, self.shapes);
+        let added = if self.is_in_object {
+            let broken = Broken::of(&vertices, &self.world_from_object);
+            self.shapes.add_object_mesh(vertices, triangles, transform, self.number).map(|()| broken)
+        } else {
+            self.shapes.add_mesh(vertices, triangles, &self.world_from_object, self.number)
+        };
         let broken = added.map_err(|error| too_many(parameters, error))?;
         let lost = broken.in_world_space;
         if lost > 0 && broken.in_object_space > 0 && parameters.entity_name() != "trianglemesh" {

@@ -5,18 +5,24 @@
 
 mod filter_ray;
 mod numbers;
+mod object;
+mod placed;
 mod primitive;
 mod shapes;
 mod sphere;
+mod surface;
 mod triangle;
 mod vector32;
 mod verdict;
 
 pub use filter_ray::FilterRay;
 pub use numbers::Numbers;
+pub use object::{Instance, Object, Pose};
+pub use placed::Placed;
 pub use primitive::Primitive;
 pub use shapes::{Broken, CapacityError, Shapes};
 pub use sphere::{Cut, Sector, Sphere};
+pub use surface::Surface;
 pub use triangle::Triangle;
 pub use verdict::Verdict;
 

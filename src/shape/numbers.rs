@@ -1,6 +1,6 @@
-//! Numbers of many primitives, one after the other.
+//! Numbers of many primitives in an image, one after the other.
 
-use super::{Primitive, Shapes};
+use super::{Placed, Shapes};
 use std::ops::Range;
 
 /// Tells the numbers of primitives, quickly where the next is of the same mesh as the last.
@@ -13,26 +13,30 @@ pub struct Numbers<'a> {
 
 impl<'a> Numbers<'a> {
     /// Those of `shapes`.
-    pub fn of(shapes: &'a Shapes) -> Numbers<'a> {
+    pub fn new(shapes: &'a Shapes) -> Numbers<'a> {
         Numbers { shapes, mesh: 0..0, first_number: 0 }
     }
 
-    /// As [`Shapes::number`].
+    /// As [`Shapes::image_number`].
     #[inline]
-    pub fn of_primitive(&mut self, primitive: Primitive) -> u32 {
+    pub fn of(&mut self, placed: Placed) -> u32 {
         // No index of a triangle is as large as the bits of a sphere, but for the end of the last mesh.
+        let primitive = placed.primitive();
         let index = primitive.to_bits();
-        if !self.mesh.contains(&index) || primitive.is_sphere() {
-            return self.of_another(primitive);
+        if !self.mesh.contains(&index) || primitive.is_sphere() || placed.instance().is_some() {
+            return self.of_another(placed);
         }
         self.first_number + (index - self.mesh.start)
     }
 
-    fn of_another(&mut self, primitive: Primitive) -> u32 {
-        if !primitive.is_sphere() {
-            (self.mesh, self.first_number) = self.shapes.mesh_around(primitive.to_bits());
+    fn of_another(&mut self, placed: Placed) -> u32 {
+        let number = self.shapes.image_number(placed);
+        let primitive = placed.primitive();
+        if placed.instance().is_none() && !primitive.is_sphere() {
+            self.mesh = self.shapes.mesh_around(primitive.to_bits());
+            self.first_number = number - (primitive.to_bits() - self.mesh.start);
         }
-        self.shapes.number(primitive)
+        number
     }
 }
 
@@ -44,18 +48,23 @@ mod tests {
     #[test]
     fn numbers_do_not_depend_on_what_was_asked_before() {
         let mut shapes = Shapes::default();
-        let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)].map(|(x, y)| Point::new(x, y, 0.0)).to_vec();
+        let corners = || [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)].map(|(x, y)| Point::new(x, y, 0.0)).to_vec();
         let transform = shapes.add_transform(Matrix::IDENTITY);
-        shapes.add_mesh(corners.clone(), vec![[0, 1, 2]; 3], &Matrix::IDENTITY, 1).unwrap();
+        shapes.add_mesh(corners(), vec![[0, 1, 2]; 3], &Matrix::IDENTITY, 1).unwrap();
         shapes.add_sphere(1.0, None, transform, 2).unwrap();
         shapes.add_mesh(Vec::new(), Vec::new(), &Matrix::IDENTITY, 3).unwrap();
-        shapes.add_mesh(corners, vec![[0, 1, 2]; 2], &Matrix::IDENTITY, 4).unwrap();
-        let all: Vec<Primitive> = (0..5).map(Primitive::triangle).chain([Primitive::sphere(0)]).collect();
+        shapes.add_mesh(corners(), vec![[0, 1, 2]; 2], &Matrix::IDENTITY, 4).unwrap();
+        let mut object = Shapes::default();
+        object.add_object_mesh(corners(), vec![[0, 1, 2]; 2], 0, 5).unwrap();
+        let object = shapes.add_object(object);
+        shapes.add_instance(object, Matrix::IDENTITY).unwrap();
+        shapes.add_mesh(corners(), vec![[0, 1, 2]; 2], &Matrix::IDENTITY, 6).unwrap();
+        let all: Vec<Placed> = shapes.all().collect();
         for a in &all {
             for b in &all {
-                let mut numbers = Numbers::of(&shapes);
-                assert_eq!(numbers.of_primitive(*a), shapes.number(*a));
-                assert_eq!(numbers.of_primitive(*b), shapes.number(*b));
+                let mut numbers = Numbers::new(&shapes);
+                assert_eq!(u64::from(numbers.of(*a)), shapes.number(*a) + 1);
+                assert_eq!(u64::from(numbers.of(*b)), shapes.number(*b) + 1);
             }
         }
     }

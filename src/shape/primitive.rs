@@ -13,6 +13,9 @@ impl Primitive {
     /// Triangles or spheres at most.
     pub const MAX_COUNT: usize = SPHERE as usize;
 
+    /// The first triangle of the store, for places that have to hold something.
+    pub(crate) const FIRST: Primitive = Primitive(0);
+
     /// Triangle `index` of the store.
     pub fn triangle(index: usize) -> Primitive {
         debug_assert!(index < Self::MAX_COUNT);

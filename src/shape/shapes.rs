@@ -1,17 +1,21 @@
 //! All geometry of a scene, in the order of the file.
 
+use super::object::{Instance, Object, Pose};
 use super::sphere::Cut;
-use super::{FilterRay, Primitive, Sphere, Triangle, Verdict};
-use crate::exact::{Bracket, Root};
-use crate::geometry::{Bounds, Matrix, Point, Ray};
+use super::{Placed, Primitive, Sphere, Surface, Triangle};
+use crate::geometry::{Matrix, Point};
 use rayon::prelude::*;
 use std::fmt;
 use std::ops::Range;
 
-/// The geometry of a scene. Meshes are in world space; spheres keep the number of their transform.
+/// The geometry of a scene. Meshes are in world space; spheres keep the number of their transform; objects are stored once,
+/// with their instances.
 ///
-/// Primitive numbers count from 0 in the order of the file, through all shapes (rule E3), and never change: an
+/// Primitive numbers count from 0 in the order of the file, through all shapes and instances (rule E3), and never change: an
 /// accelerator orders its own references. Shape numbers count `Shape` statements from 1.
+///
+/// The geometry of an [`Object`] is of the same kind, but for its meshes: they stay as they are in their files, and keep the
+/// number of their transform.
 #[derive(Debug, Default)]
 pub struct Shapes {
     vertices: Vec<Point>,
@@ -22,21 +26,42 @@ pub struct Shapes {
     /// Of the spheres that are not whole, in their order.
     cuts: Vec<(u32, Cut)>,
     transforms: Vec<Matrix>,
+    objects: Vec<Object>,
+    instances: Vec<Instance>,
+    /// Primitives of all instances.
+    instanced: u64,
 }
 
 /// The triangles of one shape: they and their primitive numbers follow each other.
 #[derive(Debug)]
 struct MeshRun {
     first_triangle: u32,
-    first_number: u32,
+    first_number: FirstNumber,
     shape: u32,
+    /// Of a mesh of an object: takes its vertices out of the file's space.
+    transform: Option<u32>,
 }
 
 /// Spheres whose primitive numbers follow each other.
 #[derive(Debug)]
 struct SphereRun {
     first_sphere: u32,
-    first_number: u32,
+    first_number: FirstNumber,
+}
+
+/// The number of the first primitive of a run.
+#[derive(Debug, Clone, Copy)]
+struct FirstNumber {
+    /// Among the primitives that are in no instance.
+    alone: u32,
+    /// Primitives of instances that come before it.
+    instanced: u64,
+}
+
+impl FirstNumber {
+    fn in_all(self) -> u64 {
+        self.instanced + u64::from(self.alone)
+    }
 }
 
 #[derive(Debug)]
@@ -68,18 +93,33 @@ pub struct Broken {
     pub in_world_space: usize,
 }
 
+impl Broken {
+    /// What [`Shapes::add_mesh`] would tell.
+    pub fn of(vertices: &[Point], world_from_object: &Matrix) -> Broken {
+        let count = |vertex: &Point| Broken::between(vertex, &world_from_object.apply(*vertex));
+        vertices.par_iter().map(count).reduce(Broken::default, Broken::plus)
+    }
+
+    fn between(in_object_space: &Point, in_world_space: &Point) -> Broken {
+        let count = |vertex: &Point| usize::from(!vertex.is_finite());
+        Broken { in_object_space: count(in_object_space), in_world_space: count(in_world_space) }
+    }
+
+    fn plus(self, other: Broken) -> Broken {
+        Broken {
+            in_object_space: self.in_object_space + other.in_object_space,
+            in_world_space: self.in_world_space + other.in_world_space,
+        }
+    }
+}
+
 /// Moves `vertices` to world space, in the one pass over them that has to be.
 fn move_to_world(vertices: &mut [Point], world_from_object: &Matrix) -> Broken {
-    let count = |vertex: &Point| usize::from(!vertex.is_finite());
     let moved = vertices.par_iter_mut().map(|vertex| {
-        let in_object_space = count(vertex);
-        *vertex = world_from_object.apply(*vertex);
-        Broken { in_object_space, in_world_space: count(vertex) }
+        let in_object_space = std::mem::replace(vertex, world_from_object.apply(*vertex));
+        Broken::between(&in_object_space, vertex)
     });
-    moved.reduce(Broken::default, |a, b| Broken {
-        in_object_space: a.in_object_space + b.in_object_space,
-        in_world_space: a.in_world_space + b.in_world_space,
-    })
+    moved.reduce(Broken::default, Broken::plus)
 }
 
 impl Shapes {
@@ -88,19 +128,48 @@ impl Shapes {
     pub fn add_mesh(
         &mut self,
         mut vertices: Vec<Point>,
-        mut triangles: Vec<[u32; 3]>,
+        triangles: Vec<[u32; 3]>,
         world_from_object: &Matrix,
         shape: u32,
     ) -> Result<Broken, CapacityError> {
-        self.check_room(self.triangles.len() + triangles.len(), "triangles")?;
-        let total_vertices = self.vertices.len() + vertices.len();
-        if total_vertices > u32::MAX as usize {
-            return Err(CapacityError { what: "vertices", limit: u32::MAX.into() });
-        }
-        let first_number = self.next_number(triangles.len())?;
+        self.check_room_for_mesh(&vertices, &triangles)?;
         let broken = move_to_world(&mut vertices, world_from_object);
+        self.push_mesh(vertices, triangles, shape, None)?;
+        Ok(broken)
+    }
+
+    /// Appends a mesh of an object: its vertices stay as they are, under transform number `transform`, as
+    /// [`Shapes::add_transform`] gave it. Indices must be in range.
+    pub fn add_object_mesh(
+        &mut self,
+        vertices: Vec<Point>,
+        triangles: Vec<[u32; 3]>,
+        transform: u32,
+        shape: u32,
+    ) -> Result<(), CapacityError> {
+        self.check_room_for_mesh(&vertices, &triangles)?;
+        self.push_mesh(vertices, triangles, shape, Some(transform))
+    }
+
+    fn check_room_for_mesh(&self, vertices: &[Point], triangles: &[[u32; 3]]) -> Result<(), CapacityError> {
+        self.check_room(self.triangles.len() + triangles.len(), "triangles")?;
+        match self.vertices.len() + vertices.len() {
+            total if total > u32::MAX as usize => Err(CapacityError { what: "vertices", limit: u32::MAX.into() }),
+            _ => Ok(()),
+        }
+    }
+
+    fn push_mesh(
+        &mut self,
+        mut vertices: Vec<Point>,
+        mut triangles: Vec<[u32; 3]>,
+        shape: u32,
+        transform: Option<u32>,
+    ) -> Result<(), CapacityError> {
+        let first_number = self.next_number(triangles.len())?;
         if !triangles.is_empty() {
-            self.meshes.push(MeshRun { first_triangle: self.triangles.len() as u32, first_number, shape });
+            let first_triangle = self.triangles.len() as u32;
+            self.meshes.push(MeshRun { first_triangle, first_number, shape, transform });
         }
         if self.vertices.is_empty() && self.triangles.is_empty() {
             // The first mesh is often the only one: take it over as it is.
@@ -111,7 +180,7 @@ impl Shapes {
             self.vertices.append(&mut vertices);
             self.triangles.append(&mut triangles);
         }
-        Ok(broken)
+        Ok(())
     }
 
     /// Appends a sphere, whole or cut, under transform number `transform`, as [`Shapes::add_transform`] gave it.
@@ -125,10 +194,9 @@ impl Shapes {
         self.check_room(self.spheres.len() + 1, "spheres")?;
         let first_number = self.next_number(1)?;
         let first_sphere = self.spheres.len() as u32;
-        let follows = self
-            .sphere_runs
-            .last()
-            .is_some_and(|run| run.first_number + (first_sphere - run.first_sphere) == first_number);
+        let follows = self.sphere_runs.last().is_some_and(|run| {
+            run.first_number.in_all() + u64::from(first_sphere - run.first_sphere) == first_number.in_all()
+        });
         if !follows {
             self.sphere_runs.push(SphereRun { first_sphere, first_number });
         }
@@ -148,26 +216,89 @@ impl Shapes {
         if count as u64 > limit { Err(CapacityError { what, limit }) } else { Ok(()) }
     }
 
-    /// The number of the next primitive, where `more` are to come. `prim` channels count from 1, in 32 bits.
-    fn next_number(&self, more: usize) -> Result<u32, CapacityError> {
-        let next = self.primitive_count();
-        let limit = u64::from(u32::MAX - 1);
-        if (next + more) as u64 > limit { Err(CapacityError { what: "primitives", limit }) } else { Ok(next as u32) }
+    /// Adds an object, of which there is no instance yet; returns its number. Its geometry has no instances itself.
+    pub fn add_object(&mut self, shapes: Shapes) -> usize {
+        self.objects.push(Object::new(shapes));
+        self.objects.len() - 1
     }
 
-    /// Triangles and spheres.
-    pub fn primitive_count(&self) -> usize {
+    /// Adds an instance of an object that was added; its primitives are numbered next.
+    pub fn add_instance(&mut self, object: usize, world_from_instance: Matrix) -> Result<(), CapacityError> {
+        if self.instances.len() == Placed::MAX_INSTANCES {
+            return Err(CapacityError { what: "instances", limit: Placed::MAX_INSTANCES as u64 });
+        }
+        let first_number = self.instanced + self.own_count() as u64;
+        self.instanced += self.objects[object].shapes().own_count() as u64;
+        self.instances.push(Instance { world_from_instance, first_number, object: object as u32 });
+        Ok(())
+    }
+
+    /// The objects that instances are of.
+    pub fn objects(&self) -> &[Object] {
+        &self.objects
+    }
+
+    /// The instances of objects, in the order of the file.
+    pub fn instances(&self) -> &[Instance] {
+        &self.instances
+    }
+
+    /// The object of an instance.
+    #[inline]
+    pub fn object_of(&self, instance: usize) -> &Object {
+        &self.objects[self.instances[instance].object()]
+    }
+
+    /// The object of an instance where the instance places it.
+    #[inline]
+    pub fn pose(&self, instance: usize) -> Pose<'_> {
+        Pose::new(self.object_of(instance).shapes(), self.instances[instance].world_from_instance)
+    }
+
+    /// The number of the next primitive that is in no instance, where `more` are to come. `prim` channels count from 1, in 32
+    /// bits.
+    fn next_number(&self, more: usize) -> Result<FirstNumber, CapacityError> {
+        let next = self.own_count();
+        let limit = u64::from(u32::MAX - 1);
+        if (next + more) as u64 > limit {
+            return Err(CapacityError { what: "primitives", limit });
+        }
+        Ok(FirstNumber { alone: next as u32, instanced: self.instanced })
+    }
+
+    /// Triangles and spheres that are in no instance.
+    pub fn own_count(&self) -> usize {
         self.triangles.len() + self.spheres.len()
     }
 
-    /// Triangles, those that can never be hit among them.
+    /// Triangles and spheres, each as often as there are instances of it.
+    pub fn primitive_count(&self) -> u64 {
+        self.own_count() as u64 + self.instanced
+    }
+
+    /// Whether there are too many primitives for `prim` channels to count them all: then they count within the instance.
+    pub fn counts_within_instances(&self) -> bool {
+        self.primitive_count() > u64::from(u32::MAX)
+    }
+
+    /// Triangles that are in no instance, those that can never be hit among them.
     pub fn triangle_count(&self) -> usize {
         self.triangles.len()
     }
 
-    /// Spheres, those that can never be hit among them.
+    /// Spheres that are in no instance, those that can never be hit among them.
     pub fn sphere_count(&self) -> usize {
         self.spheres.len()
+    }
+
+    /// Triangles, those of an object once.
+    pub fn stored_triangles(&self) -> usize {
+        self.triangles.len() + self.objects.iter().map(|object| object.shapes().triangles.len()).sum::<usize>()
+    }
+
+    /// Spheres, those of an object once.
+    pub fn stored_spheres(&self) -> usize {
+        self.spheres.len() + self.objects.iter().map(|object| object.shapes().spheres.len()).sum::<usize>()
     }
 
     /// Bytes that the geometry takes.
@@ -179,9 +310,11 @@ impl Shapes {
             + size_of_val(&self.sphere_runs[..])
             + size_of_val(&self.cuts[..])
             + size_of_val(&self.transforms[..])
+            + size_of_val(&self.instances[..])
+            + self.objects.iter().map(|object| size_of::<Object>() + object.shapes().bytes()).sum::<usize>()
     }
 
-    /// All vertices in world space, used or not.
+    /// All vertices that are in no instance, in world space, used or not; of an object's shapes, in the space of their files.
     pub fn vertices(&self) -> &[Point] {
         &self.vertices
     }
@@ -216,102 +349,129 @@ impl Shapes {
         }
     }
 
-    /// Whether and where `ray` meets a primitive first, as far as floating point can tell.
+    /// A transform that was added.
     #[inline]
-    pub fn filter(&self, primitive: Primitive, ray: &FilterRay) -> Verdict {
-        let index = primitive.index();
-        if primitive.is_sphere() { self.sphere(index).filter(ray) } else { self.triangle(index).filter(ray) }
+    pub fn transform(&self, number: u32) -> &Matrix {
+        &self.transforms[number as usize]
     }
 
-    /// The `t` at which `ray` meets a primitive first, if it does. The primitive [can be hit](Shapes::can_be_hit), and so
-    /// [can the ray hit](Ray::can_hit).
-    pub fn exact(&self, primitive: Primitive, ray: &Ray) -> Option<Root> {
-        let index = primitive.index();
-        if primitive.is_sphere() { self.sphere(index).exact(ray) } else { self.triangle(index).exact(ray) }
-    }
-
-    /// Where the `t` lies at which `ray` meets a primitive first, which it is known to do, as far as floating point can tell.
-    pub fn t_of_hit(&self, primitive: Primitive, ray: &FilterRay) -> Option<Bracket> {
-        if !primitive.is_sphere() {
-            return self.triangle(primitive.index()).t_of_hit(ray);
-        }
-        match self.sphere(primitive.index()).filter(ray) {
-            Verdict::Hit(t) => Some(t),
-            _ => None,
-        }
-    }
-
-    /// The `t` at which `ray` meets a primitive first, which it is known to do.
-    pub fn exact_t(&self, primitive: Primitive, ray: &Ray) -> Root {
+    /// A primitive that is in no instance.
+    #[inline]
+    pub fn own_surface(&self, primitive: Primitive) -> Surface {
         let index = primitive.index();
         if primitive.is_sphere() {
-            self.sphere(index).exact(ray).expect("the ray is known to meet the sphere")
+            Surface::Sphere(self.sphere(index))
         } else {
-            self.triangle(index).exact_t(ray)
+            Surface::Triangle(self.triangle(index))
         }
     }
 
-    /// Whether any ray can hit a primitive (rules E1 and E2).
-    pub fn can_be_hit(&self, primitive: Primitive) -> bool {
-        let index = primitive.index();
-        if primitive.is_sphere() { self.sphere(index).can_be_hit() } else { self.triangle(index).can_be_hit() }
-    }
-
-    /// Whether two primitives are surely one and the same set of points.
-    pub fn coincide(&self, a: Primitive, b: Primitive) -> bool {
-        let (i, j) = (a.index(), b.index());
-        match (a.is_sphere(), b.is_sphere()) {
-            (true, true) => self.sphere(i) == self.sphere(j),
-            (false, false) => self.triangle(i).coincides_with(&self.triangle(j)),
-            _ => false,
+    /// A primitive, in world space (rule R4).
+    #[inline]
+    pub fn surface(&self, placed: Placed) -> Surface {
+        match placed.instance() {
+            None => self.own_surface(placed.primitive()),
+            Some(instance) => self.pose(instance).surface(placed.primitive()),
         }
     }
 
-    /// All primitives, kind by kind.
+    /// A triangle, in world space (rule R4).
+    #[inline]
+    pub fn placed_triangle(&self, placed: Placed) -> Triangle {
+        let index = placed.primitive().index();
+        match placed.instance() {
+            None => self.triangle(index),
+            Some(instance) => self.pose(instance).triangle(index),
+        }
+    }
+
+    /// All primitives that are in no instance, kind by kind.
     pub fn primitives(&self) -> impl Iterator<Item = Primitive> + use<> {
         let triangles = (0..self.triangles.len()).map(Primitive::triangle);
         triangles.chain((0..self.spheres.len()).map(Primitive::sphere))
     }
 
-    /// The box around a primitive.
-    pub fn bounds(&self, primitive: Primitive) -> Bounds {
-        let index = primitive.index();
-        if primitive.is_sphere() { self.sphere(index).bounds() } else { self.triangle(index).bounds() }
+    /// All primitives, those of instances as often as there are instances.
+    pub fn all(&self) -> impl Iterator<Item = Placed> {
+        let instances = 0..self.instances.len();
+        let instanced = instances.flat_map(|instance| {
+            let primitives = self.object_of(instance).shapes().primitives();
+            primitives.map(move |primitive| Placed::in_instance(instance, primitive))
+        });
+        self.primitives().map(Placed::alone).chain(instanced)
     }
 
     /// The primitive number, from 0 in the order of the file (rule E3).
     #[inline]
-    pub fn number(&self, primitive: Primitive) -> u32 {
-        let index = primitive.index() as u32;
-        if primitive.is_sphere() {
-            let run = &self.sphere_runs[self.sphere_runs.partition_point(|run| run.first_sphere <= index) - 1];
-            run.first_number + (index - run.first_sphere)
-        } else {
-            let run = self.mesh_of(index);
-            run.first_number + (index - run.first_triangle)
+    pub fn number(&self, placed: Placed) -> u64 {
+        match placed.instance() {
+            None => self.own_number(placed.primitive()).in_all(),
+            Some(instance) => {
+                let within = self.object_of(instance).shapes().own_number(placed.primitive()).alone;
+                self.instances[instance].first_number() + u64::from(within)
+            }
         }
     }
 
-    /// The triangles of the mesh that a triangle belongs to, and the number of the first.
-    pub(super) fn mesh_around(&self, triangle: u32) -> (Range<u32>, u32) {
+    /// What `prim` channels call a primitive: its number plus 1, counted within the instance, or among the primitives that are in
+    /// none, if there are [too many](Shapes::counts_within_instances).
+    #[inline]
+    pub fn image_number(&self, placed: Placed) -> u32 {
+        if !self.counts_within_instances() {
+            return self.number(placed) as u32 + 1;
+        }
+        let shapes = placed.instance().map_or(self, |instance| self.object_of(instance).shapes());
+        shapes.own_number(placed.primitive()).alone + 1
+    }
+
+    /// The number of a primitive that is in no instance.
+    #[inline]
+    fn own_number(&self, primitive: Primitive) -> FirstNumber {
+        let index = primitive.index() as u32;
+        let (first, place) = if primitive.is_sphere() {
+            let run = &self.sphere_runs[self.sphere_runs.partition_point(|run| run.first_sphere <= index) - 1];
+            (run.first_number, index - run.first_sphere)
+        } else {
+            let run = self.mesh_of(index);
+            (run.first_number, index - run.first_triangle)
+        };
+        FirstNumber { alone: first.alone + place, ..first }
+    }
+
+    /// The triangles of the mesh that a triangle belongs to.
+    pub(super) fn mesh_around(&self, triangle: u32) -> Range<u32> {
         let mesh = self.meshes.partition_point(|run| run.first_triangle <= triangle) - 1;
         let end = self.meshes.get(mesh + 1).map_or(u32::MAX, |next| next.first_triangle);
-        (self.meshes[mesh].first_triangle..end, self.meshes[mesh].first_number)
+        self.meshes[mesh].first_triangle..end
+    }
+
+    /// The transform of the mesh of an object that a triangle belongs to.
+    #[inline]
+    pub(crate) fn transform_of_mesh(&self, triangle: u32) -> &Matrix {
+        let number = self.mesh_of(triangle).transform.expect("meshes of objects keep their transforms");
+        &self.transforms[number as usize]
     }
 
     /// The number of the `Shape` statement, from 1.
     #[inline]
-    pub fn shape_number(&self, primitive: Primitive) -> u32 {
+    pub fn shape_number(&self, placed: Placed) -> u32 {
+        let shapes = placed.instance().map_or(self, |instance| self.object_of(instance).shapes());
+        let primitive = placed.primitive();
         if primitive.is_sphere() {
-            self.spheres[primitive.index()].shape
+            shapes.spheres[primitive.index()].shape
         } else {
-            self.mesh_of(primitive.index() as u32).shape
+            shapes.mesh_of(primitive.index() as u32).shape
         }
     }
 
     /// Whether `a` comes before `b` in the file: it wins a tie (rule E3).
-    pub fn precedes(&self, a: Primitive, b: Primitive) -> bool {
-        if a.is_sphere() == b.is_sphere() { a < b } else { self.number(a) < self.number(b) }
+    pub fn precedes(&self, a: Placed, b: Placed) -> bool {
+        let (p, q) = (a.primitive(), b.primitive());
+        if a.instance() == b.instance() && p.is_sphere() == q.is_sphere() {
+            p < q
+        } else {
+            self.number(a) < self.number(b)
+        }
     }
 
     #[inline]
@@ -351,12 +511,14 @@ mod tests {
         shapes.add_mesh(Vec::new(), Vec::new(), &Matrix::IDENTITY, 6).unwrap();
         shapes.add_mesh(vertices, triangles, &Matrix::translate([0.0, 0.0, 9.0]), 7).unwrap();
 
-        let spheres = (0..3).map(Primitive::sphere).map(|p| (shapes.number(p), shapes.shape_number(p)));
+        let (sphere, triangle) =
+            (|index| Placed::alone(Primitive::sphere(index)), |index| Placed::alone(Primitive::triangle(index)));
+        let spheres = (0..3).map(sphere).map(|p| (shapes.number(p), shapes.shape_number(p)));
         assert_eq!(spheres.collect::<Vec<_>>(), [(0, 1), (3, 4), (4, 5)]);
-        let triangles = (0..4).map(Primitive::triangle).map(|p| (shapes.number(p), shapes.shape_number(p)));
+        let triangles = (0..4).map(triangle).map(|p| (shapes.number(p), shapes.shape_number(p)));
         assert_eq!(triangles.collect::<Vec<_>>(), [(1, 2), (2, 2), (5, 7), (6, 7)]);
-        assert!(shapes.precedes(Primitive::sphere(0), Primitive::triangle(0)));
-        assert!(!shapes.precedes(Primitive::sphere(1), Primitive::triangle(1)));
+        assert!(shapes.precedes(sphere(0), triangle(0)));
+        assert!(!shapes.precedes(sphere(1), triangle(1)));
         assert_eq!(shapes.triangle(3).0[2], Point::new(0.0, 1.0, 9.0));
         assert_eq!(shapes.sphere_runs.len(), 2, "neighbours share a run");
     }

@@ -7,6 +7,7 @@ use feimos::camera::Camera;
 use feimos::film::{Channel, ChannelName, Image, PixelBounds, Samples};
 use feimos::geometry::{Matrix, Point};
 use feimos::progress::Progress;
+use feimos::reference;
 use feimos::render::{RenderOptions, Rendering, render};
 use feimos::scene::{LoadOptions, Scene, load};
 use feimos::shape::Shapes;
@@ -107,6 +108,24 @@ pub(crate) fn assert_same(expected: &Image, found: &Image, what: &str) {
         let different = a_bits.iter().zip(&b_bits).filter(|(a, b)| a != b).count();
         assert_eq!(different, 0, "{what}: {different} samples of {} differ", a.name.as_str());
     }
+}
+
+/// What the reference says of every pixel: primitive and bits of Z and t, 0 for a miss.
+pub(crate) fn judged(camera: &Camera, shapes: &Shapes) -> Vec<[u32; 3]> {
+    let [width, height] = camera.resolution;
+    let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+    let judge = |(x, y)| {
+        let hit = reference::closest_hit(shapes, &camera.ray(x, y));
+        hit.map_or([0; 3], |hit| [shapes.image_number(hit.primitive), hit.z.to_bits(), hit.t.to_bits()])
+    };
+    pixels.map(judge).collect()
+}
+
+/// What an image says of every pixel, in the same form.
+pub(crate) fn rendered(image: &Image) -> Vec<[u32; 3]> {
+    let [prim, z, t] = [ChannelName::Prim, ChannelName::Z, ChannelName::T].map(|name| bits_of(image, name));
+    let pixel = |k: usize| if prim[k] == 0 { [0; 3] } else { [prim[k], z[k], t[k]] };
+    (0..prim.len()).map(pixel).collect()
 }
 
 /// Adds a mesh of triangles that share no corner.

@@ -9,10 +9,10 @@ use crate::shape::{Primitive, Shapes};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// The box of a primitive, moved about while a tree is built: 32 bytes.
+/// The box of a primitive or of an instance, moved about while a tree is built: 32 bytes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::accel) struct BuildPrimitive {
-    /// In each spare lane, half of the primitive's bits.
+    /// In each spare lane, half of the bits that tell what it is.
     corners: LaneBox,
 }
 
@@ -32,8 +32,9 @@ impl BuildPrimitive {
     /// Stands for what can never be hit, until it is removed.
     pub(super) const DEAD: BuildPrimitive = BuildPrimitive { corners: LaneBox::EMPTY };
 
-    pub(super) fn new(bounds: &Box32, primitive: Primitive) -> BuildPrimitive {
-        let ([x0, y0, z0], [x1, y1, z1], bits) = (bounds.low, bounds.high, primitive.to_bits());
+    /// The box of what its maker calls `bits`.
+    pub(in crate::accel) fn new(bounds: &Box32, bits: u32) -> BuildPrimitive {
+        let ([x0, y0, z0], [x1, y1, z1]) = (bounds.low, bounds.high);
         let (low, high) = ([x0, y0, z0, with_bits(bits >> 16)], [x1, y1, z1, with_bits(bits)]);
         BuildPrimitive { corners: LaneBox { low: Lanes(low), high: Lanes(high) } }
     }
@@ -45,8 +46,8 @@ impl BuildPrimitive {
     }
 
     #[inline(always)]
-    pub(super) fn primitive(&self) -> Primitive {
-        Primitive::from_bits(bits_in(self.corners.low.0[3]) << 16 | bits_in(self.corners.high.0[3]))
+    pub(super) fn bits(&self) -> u32 {
+        bits_in(self.corners.low.0[3]) << 16 | bits_in(self.corners.high.0[3])
     }
 
     /// Twice the centre of the box, and an ordinary number in the spare lane.
@@ -92,7 +93,7 @@ pub(in crate::accel) fn collect(shapes: &Shapes, space: &AnchorSpace, visibility
         if visibility.is_some_and(|visibility| !visibility.may_see_box(&bounds)) {
             return BuildPrimitive::DEAD;
         }
-        BuildPrimitive::new(&space.enclose(&bounds), Primitive::sphere(index))
+        BuildPrimitive::new(&space.enclose(&bounds), Primitive::sphere(index).to_bits())
     };
     primitives.par_extend((0..shapes.sphere_count()).into_par_iter().map(place_sphere));
     let never_hit = never_hit.into_inner();
@@ -151,13 +152,14 @@ fn place_visible_triangles(
     seen.concat()
 }
 
-/// The space of the boxes around the primitives of `shapes`.
-pub(in crate::accel) fn space_around(shapes: &Shapes, anchor: Point) -> AnchorSpace {
-    AnchorSpace::new(anchor, reach(shapes, anchor))
+/// The space of the boxes around the primitives of `shapes`, of which those of instances lie within `instances`.
+pub(in crate::accel) fn space_around(shapes: &Shapes, instances: &Bounds, anchor: Point) -> AnchorSpace {
+    AnchorSpace::new(anchor, reach(shapes, instances, anchor))
 }
 
-/// How far any coordinate is from the anchor's, those left out that are not finite themselves.
-fn reach(shapes: &Shapes, anchor: Point) -> f64 {
+/// How far any coordinate is from the anchor's, those left out that are not finite themselves. Infinite where instances may be
+/// anywhere.
+fn reach(shapes: &Shapes, instances: &Bounds, anchor: Point) -> f64 {
     let include = |bounds: Bounds, point: &Point| {
         // A NaN is neither, an infinity only one of them, and never at the end.
         let low =
@@ -173,7 +175,7 @@ fn reach(shapes: &Shapes, anchor: Point) -> f64 {
         around(&[bounds.low, bounds.high])
     };
     let spheres = (0..shapes.sphere_count()).into_par_iter().map(sphere).reduce(|| Bounds::EMPTY, Bounds::union);
-    let bounds = vertices.union(spheres);
+    let bounds = vertices.union(spheres).union(*instances);
     // Rounding is monotone, so no other coordinate is farther than one of the ends.
     let along = |k: usize| f64::max((bounds.low[k] - anchor[k]).abs(), (bounds.high[k] - anchor[k]).abs());
     (0..3).filter(|k| bounds.low[*k] <= bounds.high[*k]).map(along).fold(0.0, f64::max)
@@ -218,11 +220,11 @@ mod tests {
         for dead in [0..0, 0..1, 0..9, 4..7, 8..9] {
             let place = |index: usize| match dead.contains(&index) {
                 true => BuildPrimitive::DEAD,
-                false => BuildPrimitive::new(&bounds, Primitive::triangle(index)),
+                false => BuildPrimitive::new(&bounds, index as u32),
             };
             let mut primitives: Vec<BuildPrimitive> = (0..9).map(place).collect();
             remove_dead(&mut primitives);
-            let mut left: Vec<usize> = primitives.iter().map(|primitive| primitive.primitive().index()).collect();
+            let mut left: Vec<usize> = primitives.iter().map(|primitive| primitive.bits() as usize).collect();
             left.sort_unstable();
             assert!(left.into_iter().eq((0..9).filter(|index| !dead.contains(index))), "{dead:?}");
         }
@@ -231,12 +233,9 @@ mod tests {
     #[test]
     fn every_bit_of_a_primitive_comes_back_and_none_disturbs_sums() {
         let bounds = Box32 { low: [-1.0, 2.0, 3.0], high: [4.0, 5.0, 6.0] };
-        for primitive in [0, 1, 0xffff, 0x1_0000, 0x1234_5678, Primitive::MAX_COUNT - 1]
-            .into_iter()
-            .flat_map(|index| [Primitive::triangle(index), Primitive::sphere(index)])
-        {
-            let placed = BuildPrimitive::new(&bounds, primitive);
-            assert_eq!((placed.primitive(), placed.bounds().to_box()), (primitive, bounds));
+        for bits in [0, 1, 0xffff, 0x1_0000, 0x1234_5678, 0x7fff_ffff, 0x8000_0000, 0xffff_ffff] {
+            let placed = BuildPrimitive::new(&bounds, bits);
+            assert_eq!((placed.bits(), placed.bounds().to_box()), (bits, bounds));
             assert!((2.0..4.0).contains(&placed.doubled_centre().0[3]));
             assert!(!placed.is_dead());
         }

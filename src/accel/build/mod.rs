@@ -15,7 +15,7 @@ mod top_down;
 mod triangle_block;
 mod visibility;
 
-use self::build_primitive::{BuildPrimitive, bounds_of};
+use self::build_primitive::bounds_of;
 use self::full_leaves::LeafSize;
 use self::splitter::Splitter;
 use self::top_down::TopDown;
@@ -25,19 +25,19 @@ use crate::progress::Progress;
 use crate::shape::Primitive;
 use rayon::prelude::*;
 
-pub(super) use self::build_primitive::{Collected, collect, space_around};
+pub(super) use self::build_primitive::{BuildPrimitive, Collected, collect, space_around};
 pub use self::options::BuildOptions;
 pub(super) use self::visibility::Visibility;
 
 /// No tree is deeper, so no traversal needs a longer stack: 64 levels of free choice, then halving.
 pub(super) const MAX_DEPTH: usize = 96;
 
-/// The tree and the primitives in the order of its leaves.
+/// The tree over `primitives`, which are not empty, and their bits in the order of its leaves.
 pub(super) fn build_tree(
     mut primitives: Vec<BuildPrimitive>,
     options: BuildOptions,
     progress: Progress,
-) -> (Subtree, Vec<Primitive>) {
+) -> (Subtree, Vec<u32>) {
     let leaf_size = LeafSize(options.max_leaf.clamp(1, Primitive::MAX_COUNT));
     let subtree = match options.method {
         SplitMethod::None => {
@@ -50,5 +50,5 @@ pub(super) fn build_tree(
             TopDown { splitter, max_depth: MAX_DEPTH as u32, progress }.build(&mut primitives, 0)
         }
     };
-    (subtree, primitives.par_iter().map(BuildPrimitive::primitive).collect())
+    (subtree, primitives.par_iter().map(BuildPrimitive::bits).collect())
 }

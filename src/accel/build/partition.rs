@@ -86,14 +86,11 @@ fn pieces_of_equal_length<'a, T>(a: Vec<&'a mut [T]>, b: Vec<&'a mut [T]>) -> Ve
 mod tests {
     use super::*;
     use crate::accel::space::Box32;
-    use crate::shape::Primitive;
 
     /// Boxes at places that follow no order.
     fn scattered(len: usize) -> Vec<BuildPrimitive> {
         let at = |index: usize| (index as u32).wrapping_mul(0x9e37_79b9) as f32;
-        let place = |index| {
-            BuildPrimitive::new(&Box32 { low: [at(index); 3], high: [at(index); 3] }, Primitive::triangle(index))
-        };
+        let place = |index| BuildPrimitive::new(&Box32 { low: [at(index); 3], high: [at(index); 3] }, index as u32);
         (0..len).map(place).collect()
     }
 
@@ -110,7 +107,7 @@ mod tests {
                 });
                 let (count, list) = &parted[0];
                 assert!(list[..*count].iter().all(is_left) && !list[*count..].iter().any(is_left), "{len}, {share}");
-                let mut indices: Vec<usize> = list.iter().map(|primitive| primitive.primitive().index()).collect();
+                let mut indices: Vec<usize> = list.iter().map(|primitive| primitive.bits() as usize).collect();
                 indices.sort_unstable();
                 assert!(indices.into_iter().eq(0..len), "{len}, {share}");
                 assert!(parted[0] == parted[1], "{len}, {share}");

@@ -85,9 +85,8 @@ fn move_boundary(primitives: &mut [BuildPrimitive], axis: usize, count: usize, w
 /// Brings the first `count` along `axis` to the front. Ties are broken by the primitive: which ones come to the front
 /// does not depend on how the list came about.
 fn select(primitives: &mut [BuildPrimitive], axis: usize, count: usize) {
-    let key = |primitive: &BuildPrimitive| {
-        u64::from(rank(primitive.centre_along(axis))) << 32 | u64::from(primitive.primitive().to_bits())
-    };
+    let key =
+        |primitive: &BuildPrimitive| u64::from(rank(primitive.centre_along(axis))) << 32 | u64::from(primitive.bits());
     // Numbers are selected from in less time than boxes.
     let mut keys: Vec<u64> = primitives.iter().map(key).collect();
     let limit = *keys.select_nth_unstable(count).1;

@@ -19,7 +19,7 @@ struct TriangleBlock {
 }
 
 /// Triangles in a row, placed.
-pub(super) struct Placed {
+pub(super) struct PlacedTriangles {
     /// Dead ones for those that can never be hit, or were not wanted, and behind the last.
     pub(super) primitives: [BuildPrimitive; BLOCK],
     /// How many can never be hit.
@@ -33,14 +33,14 @@ pub(super) fn place_triangles(
     space: &AnchorSpace,
     first: usize,
     wanted: impl Fn(usize) -> bool,
-) -> Placed {
+) -> PlacedTriangles {
     let count = BLOCK.min(shapes.triangle_count() - first);
     let block = TriangleBlock::fetch(shapes, first, count);
     let can_be_hit = block.can_be_hit();
     let never_hit = can_be_hit[..count].iter().filter(|can_be_hit| !**can_be_hit).count();
     let alive: [bool; BLOCK] = std::array::from_fn(|k| k < count && can_be_hit[k] && wanted(first + k));
     if !alive.contains(&true) {
-        return Placed { primitives: [BuildPrimitive::DEAD; BLOCK], never_hit };
+        return PlacedTriangles { primitives: [BuildPrimitive::DEAD; BLOCK], never_hit };
     }
     let faces = [0, 1, 2].map(|axis| block.faces(space, axis));
     let primitives = std::array::from_fn(|k| {
@@ -49,9 +49,9 @@ pub(super) fn place_triangles(
         }
         let [x, y, z] = &faces;
         let bounds = Box32 { low: [x.low[k], y.low[k], z.low[k]], high: [x.high[k], y.high[k], z.high[k]] };
-        BuildPrimitive::new(&bounds, Primitive::triangle(first + k))
+        BuildPrimitive::new(&bounds, Primitive::triangle(first + k).to_bits())
     });
-    Placed { primitives, never_hit }
+    PlacedTriangles { primitives, never_hit }
 }
 
 /// The sides of boxes across an axis.
@@ -128,9 +128,10 @@ mod tests {
                 (0..85).step_by(BLOCK).flat_map(|first| place_triangles(&shapes, &space, first, |_| true).primitives);
             let expected = (0..85).map(|index| {
                 let primitive = Primitive::triangle(index);
-                let bounds = space.enclose(&shapes.bounds(primitive));
-                if shapes.can_be_hit(primitive) {
-                    BuildPrimitive::new(&bounds, primitive)
+                let surface = shapes.own_surface(primitive);
+                let bounds = space.enclose(&surface.bounds());
+                if surface.can_be_hit() {
+                    BuildPrimitive::new(&bounds, primitive.to_bits())
                 } else {
                     BuildPrimitive::DEAD
                 }

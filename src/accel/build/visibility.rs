@@ -45,7 +45,7 @@ impl Visibility {
     }
 
     /// Whether a ray may meet something in `bounds`.
-    pub(super) fn may_see_box(&self, bounds: &Bounds) -> bool {
+    pub(in crate::accel) fn may_see_box(&self, bounds: &Bounds) -> bool {
         self.may_see(bounds.corners().map(|corner| self.view.on_film(corner)))
     }
 

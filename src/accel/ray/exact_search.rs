@@ -5,7 +5,7 @@ use crate::accel::hit::{Fallbacks, Hit};
 use crate::accel::space::SlabRay;
 use crate::exact::{Bracket, Root};
 use crate::geometry::Ray;
-use crate::shape::{FilterRay, Primitive, Shapes, Verdict};
+use crate::shape::{FilterRay, Placed, Shapes, Surface, Verdict};
 use std::cmp::Ordering;
 
 /// The best hit so far of a ray among the primitives that were tested.
@@ -23,7 +23,7 @@ pub(in crate::accel) struct ExactSearch<'a> {
 }
 
 struct Candidate {
-    primitive: Primitive,
+    primitive: Placed,
     t: Bracket,
     /// The exact `t`, once it has been asked for.
     root: Option<Root>,
@@ -56,9 +56,9 @@ impl<'a> ExactSearch<'a> {
     }
 
     #[cold]
-    fn test_exactly(&mut self, primitive: Primitive) {
+    fn test_exactly(&mut self, primitive: Placed, surface: &Surface) {
         self.fallbacks.unsure_tests += 1;
-        if let Some(root) = self.shapes.exact(primitive, &self.ray.ray) {
+        if let Some(root) = surface.exact(&self.ray.ray) {
             self.offer(Candidate { primitive, t: root.bracket(), root: Some(root) });
         }
     }
@@ -69,7 +69,7 @@ impl<'a> ExactSearch<'a> {
         let shapes = self.shapes;
         let best = self.best.as_mut().expect("there is a best hit to compare with");
         let comes_first = shapes.precedes(candidate.primitive, best.primitive);
-        if shapes.coincide(candidate.primitive, best.primitive) {
+        if shapes.surface(candidate.primitive).coincides_with(&shapes.surface(best.primitive)) {
             return comes_first;
         }
         self.fallbacks.comparisons += 1;
@@ -83,17 +83,22 @@ impl<'a> ExactSearch<'a> {
 
 impl Candidate {
     fn root(&mut self, shapes: &Shapes, ray: &Ray) -> &Root {
-        self.root.get_or_insert_with(|| shapes.exact_t(self.primitive, ray))
+        self.root.get_or_insert_with(|| shapes.surface(self.primitive).exact_t(ray))
     }
 }
 
 impl Search for ExactSearch<'_> {
     #[inline]
-    fn test(&mut self, primitive: Primitive) {
-        match self.shapes.filter(primitive, &self.ray) {
+    fn test(&mut self, primitive: Placed) {
+        let surface = self.shapes.surface(primitive);
+        // Trees of objects hold what can be hit in some instance, not in each.
+        if primitive.instance().is_some() && !surface.can_be_hit() {
+            return;
+        }
+        match surface.filter(&self.ray) {
             Verdict::Miss => {}
             Verdict::Hit(t) => self.offer(Candidate { primitive, t, root: None }),
-            Verdict::Unsure => self.test_exactly(primitive),
+            Verdict::Unsure => self.test_exactly(primitive, &surface),
         }
     }
 
@@ -118,6 +123,7 @@ mod tests {
     use super::*;
     use crate::accel::space::AnchorSpace;
     use crate::geometry::{Matrix, Point};
+    use crate::shape::Primitive;
     use proptest::prelude::*;
 
     proptest! {
@@ -142,8 +148,8 @@ mod tests {
             let origin = Point::from(origin);
             let direction = Point::new(target(0), target(1), target(2)) - origin;
             let ray = Ray { origin, direction };
-            let primitive = Primitive::triangle(0);
-            let Some(root) = shapes.exact(primitive, &ray) else { return Ok(()) };
+            let primitive = Placed::alone(Primitive::triangle(0));
+            let Some(root) = shapes.surface(primitive).exact(&ray) else { return Ok(()) };
             let slab = AnchorSpace::new(origin, 4.0).ray(&ray);
             let mut fallbacks = Fallbacks::default();
             let mut search = ExactSearch::new(&shapes, &ray, &slab, &mut fallbacks);

@@ -5,7 +5,7 @@ use crate::accel::hit::Hit;
 use crate::accel::space::{AnchorSpace, SingleRay, SlabRay};
 use crate::exact::Bracket;
 use crate::geometry::{Point, Ray};
-use crate::shape::{Primitive, Shapes, SingleSphere, intersect_single};
+use crate::shape::{Placed, Shapes, SingleSphere, Surface, intersect_single};
 
 /// The best hit so far of a ray among the primitives that were tested. Everything is relative to the anchor and in `f32`.
 ///
@@ -17,7 +17,7 @@ pub(in crate::accel) struct FastSearch<'a> {
     space: &'a AnchorSpace,
     ray: SingleRay,
     slab: &'a SlabRay,
-    best: Option<(f32, Primitive)>,
+    best: Option<(f32, Placed)>,
 }
 
 impl<'a> FastSearch<'a> {
@@ -31,26 +31,28 @@ impl<'a> FastSearch<'a> {
     }
 
     #[inline]
-    fn intersect(&self, primitive: Primitive) -> Option<f32> {
+    fn intersect(&self, surface: &Surface) -> Option<f32> {
         let SingleRay { origin, direction, largest_axis, .. } = self.ray;
-        if primitive.is_sphere() {
-            let sphere = self.shapes.sphere(primitive.index());
-            let centre = self.space.place(&Point::from(sphere.world_from_object.column(3)));
-            let from_centre = std::array::from_fn(|k| origin[k] - centre[k]);
-            return SingleSphere::new(&sphere, self.space.units()).intersect(from_centre, direction);
+        let from_origin = |point: &Point| -> [f32; 3] {
+            let point = self.space.place(point);
+            std::array::from_fn(|k| point[k] - origin[k])
+        };
+        match surface {
+            Surface::Sphere(sphere) => {
+                let from_centre = from_origin(&sphere.world_from_object.column(3).into()).map(|x| -x);
+                SingleSphere::new(sphere, self.space.units()).intersect(from_centre, direction)
+            }
+            Surface::Triangle(triangle) => {
+                intersect_single(triangle.0.each_ref().map(from_origin), direction, largest_axis)
+            }
         }
-        let corners = self.shapes.triangle(primitive.index()).0.map(|corner| {
-            let corner = self.space.place(&corner);
-            std::array::from_fn(|k| corner[k] - origin[k])
-        });
-        intersect_single(corners, direction, largest_axis)
     }
 
-    fn offer(&mut self, t: f32, primitive: Primitive) {
+    fn offer(&mut self, t: f32, primitive: Placed, surface: &Surface) {
         if self.best.is_some_and(|(best, _)| t > best) {
             return;
         }
-        let corners = self.space.enclose(&self.shapes.bounds(primitive)).corners();
+        let corners = self.space.enclose(&surface.bounds()).corners();
         let Some(entry) = self.slab.enter(&corners) else { return };
         let t = t.max(entry);
         let is_better =
@@ -63,9 +65,14 @@ impl<'a> FastSearch<'a> {
 
 impl Search for FastSearch<'_> {
     #[inline]
-    fn test(&mut self, primitive: Primitive) {
-        if let Some(t) = self.intersect(primitive) {
-            self.offer(t, primitive);
+    fn test(&mut self, primitive: Placed) {
+        let surface = self.shapes.surface(primitive);
+        // Trees of objects hold what can be hit in some instance, not in each.
+        if primitive.instance().is_some() && !surface.can_be_hit() {
+            return;
+        }
+        if let Some(t) = self.intersect(&surface) {
+            self.offer(t, primitive, &surface);
         }
     }
 

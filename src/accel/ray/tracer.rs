@@ -3,7 +3,7 @@
 use super::any_hit::AnyHit;
 use super::exact_search::ExactSearch;
 use super::fast_search::FastSearch;
-use super::traversal::{Search, Stack, traverse};
+use super::traversal::{Search, Stacks, traverse};
 use crate::accel::hit::{Fallbacks, Hit, Work};
 use crate::accel::space::SlabRay;
 use crate::accel::{Aggregate, Depth, Precision};
@@ -15,14 +15,14 @@ pub struct Tracer<'a> {
     aggregate: &'a Aggregate,
     shapes: &'a Shapes,
     precision: Precision,
-    stack: Stack,
+    stacks: Stacks,
     fallbacks: Fallbacks,
 }
 
 impl<'a> Tracer<'a> {
     /// For rays through `aggregate`, which was built over `shapes`.
     pub fn new(aggregate: &'a Aggregate, shapes: &'a Shapes, precision: Precision) -> Tracer<'a> {
-        Tracer { aggregate, shapes, precision, stack: Stack::new(), fallbacks: Fallbacks::default() }
+        Tracer { aggregate, shapes, precision, stacks: Stacks::new(), fallbacks: Fallbacks::default() }
     }
 
     /// The nearest hit of `ray`; of several at one `t`, the primitive that comes first in the file (rule E3).
@@ -89,9 +89,9 @@ impl Tracer<'_> {
         work: &mut Work,
     ) -> Option<Hit> {
         if ANY {
-            traverse::<COUNTED, _>(self.aggregate, slab, AnyHit::new(search), &mut self.stack, work)
+            traverse::<COUNTED, _>(self.aggregate, self.shapes, slab, AnyHit::new(search), &mut self.stacks, work)
         } else {
-            traverse::<COUNTED, _>(self.aggregate, slab, search, &mut self.stack, work)
+            traverse::<COUNTED, _>(self.aggregate, self.shapes, slab, search, &mut self.stacks, work)
         }
     }
 }

@@ -1,16 +1,18 @@
-//! One ray through the tree.
+//! One ray through the trees.
 
 use crate::accel::Aggregate;
 use crate::accel::build::MAX_DEPTH;
 use crate::accel::hit::{Hit, Work};
+use crate::accel::instance::{ObjectTree, Placement};
 use crate::accel::node::{Children, PackedNode};
-use crate::accel::space::SlabRay;
-use crate::shape::Primitive;
+use crate::accel::space::{AnchorSpace, Corners, SlabRay};
+use crate::accel::tree::Tree;
+use crate::shape::{Placed, Shapes};
 
 /// What is done with the primitives that a ray may hit, and how far it still has to go.
 pub(in crate::accel) trait Search {
     /// Tests a primitive.
-    fn test(&mut self, primitive: Primitive);
+    fn test(&mut self, primitive: Placed);
 
     /// In the units of the slab test: what is entered later cannot hold a better hit.
     fn limit(&self) -> f32;
@@ -36,46 +38,128 @@ pub(in crate::accel) struct Stack {
     len: usize,
 }
 
-/// Walks down the tree, the nearer child first, and has `search` test what the ray may hit. The tree is not empty.
+/// The stacks of the world's trees, and of an object's.
+pub(in crate::accel) struct Stacks {
+    world: Stack,
+    object: Stack,
+}
+
+impl Stacks {
+    pub(in crate::accel) fn new() -> Stacks {
+        Stacks { world: Stack::new(), object: Stack::new() }
+    }
+}
+
+/// Walks down the trees of an aggregate over `shapes`, and has `search` test what the ray may hit.
 #[inline]
 pub(in crate::accel) fn traverse<const COUNTED: bool, S: Search>(
     aggregate: &Aggregate,
+    shapes: &Shapes,
     slab: &SlabRay,
     mut search: S,
-    stack: &mut Stack,
+    stacks: &mut Stacks,
     work: &mut Work,
 ) -> Option<Hit> {
-    let root = aggregate.root.as_ref()?;
-    if COUNTED {
-        work.nodes += 1;
-    }
-    slab.enter(&root.bounds.corners())?;
-    let mut next = Some((root.first, root.count));
-    stack.len = 0;
-    while let Some((first, count)) = next {
-        next = if count > 0 {
-            if COUNTED {
-                work.primitives += u64::from(count);
-            }
-            let first = first as usize;
-            aggregate.order[first..first + count as usize].iter().for_each(|primitive| search.test(*primitive));
-            None
-        } else {
-            if COUNTED {
-                work.nodes += 2;
-            }
-            nearer_child(&aggregate.below[first as usize], slab, search.limit(), stack)
-        };
-        next = next.or_else(|| stack.pop(search.limit()));
-    }
+    let Stacks { world, object } = stacks;
+    let mut walk = Walk::<COUNTED, S> { slab, search: &mut search, work };
+    let enter = |corners: &Corners| slab.enter(corners);
+    walk.down(&aggregate.tree, enter, world, |walk, primitives| {
+        walk.count_primitives(primitives.len());
+        primitives.iter().for_each(|primitive| walk.search.test(Placed::alone(*primitive)));
+    });
+    let instances = &aggregate.instances;
+    walk.down(&instances.tree, enter, world, |walk, leaf| {
+        for instance in leaf {
+            let instance = *instance as usize;
+            walk.down_object(instances.object(shapes, instance), &aggregate.space, shapes, instance, object);
+        }
+    });
     search.into_hit()
+}
+
+/// A ray on its way.
+struct Walk<'a, const COUNTED: bool, S> {
+    slab: &'a SlabRay,
+    search: &'a mut S,
+    work: &'a mut Work,
+}
+
+impl<const COUNTED: bool, S: Search> Walk<'_, COUNTED, S> {
+    /// Walks down a tree, the nearer child first, and hands what is in leaves to `visit`. `enter` tells where the ray enters a
+    /// box, if it does.
+    #[inline]
+    fn down<T>(
+        &mut self,
+        tree: &Tree<T>,
+        enter: impl Fn(&Corners) -> Option<f32>,
+        stack: &mut Stack,
+        mut visit: impl FnMut(&mut Self, &[T]),
+    ) {
+        let Some(root) = tree.root.as_ref() else { return };
+        self.count_nodes(1);
+        if enter(&root.bounds.corners()).is_none_or(|near| near > self.search.limit()) {
+            return;
+        }
+        let mut next = Some((root.first, root.count));
+        stack.len = 0;
+        while let Some((first, count)) = next {
+            next = if count > 0 {
+                visit(self, &tree.order[first as usize..][..count as usize]);
+                None
+            } else {
+                self.count_nodes(2);
+                nearer_child(&tree.below[first as usize], &enter, self.search.limit(), stack)
+            };
+            next = next.or_else(|| stack.pop(self.search.limit()));
+        }
+    }
+
+    /// The tree of an object where an instance places it: each box is taken to the world.
+    fn down_object(
+        &mut self,
+        object: &ObjectTree,
+        space: &AnchorSpace,
+        shapes: &Shapes,
+        instance: usize,
+        stack: &mut Stack,
+    ) {
+        let placement: Placement = object.placement(&shapes.instances()[instance]);
+        let slab = self.slab;
+        let enter = |corners: &Corners| {
+            let in_world = placement.enclose(&object.space.reveal(corners));
+            slab.enter(&space.enclose(&in_world).corners())
+        };
+        self.down(&object.tree, enter, stack, |walk, primitives| {
+            walk.count_primitives(primitives.len());
+            primitives.iter().for_each(|primitive| walk.search.test(Placed::in_instance(instance, *primitive)));
+        });
+    }
+
+    #[inline]
+    fn count_nodes(&mut self, count: u64) {
+        if COUNTED {
+            self.work.nodes += count;
+        }
+    }
+
+    #[inline]
+    fn count_primitives(&mut self, count: usize) {
+        if COUNTED {
+            self.work.primitives += count as u64;
+        }
+    }
 }
 
 /// The child that is entered first, if any is before `limit`; the other one waits.
 #[inline]
-fn nearer_child(children: &Children, slab: &SlabRay, limit: f32, stack: &mut Stack) -> Option<(u32, u32)> {
+fn nearer_child(
+    children: &Children,
+    enter: impl Fn(&Corners) -> Option<f32>,
+    limit: f32,
+    stack: &mut Stack,
+) -> Option<(u32, u32)> {
     let [left, right] = &children.0;
-    let enter = |node: &PackedNode| slab.enter(&node.corners).filter(|near| *near <= limit);
+    let enter = |node: &PackedNode| enter(&node.corners).filter(|near| *near <= limit);
     let child = |node: &PackedNode| Some((node.first(), node.count()));
     match (enter(left), enter(right)) {
         (Some(to_left), Some(to_right)) => {
@@ -92,7 +176,7 @@ fn nearer_child(children: &Children, slab: &SlabRay, limit: f32, stack: &mut Sta
 }
 
 impl Stack {
-    pub(in crate::accel) fn new() -> Stack {
+    fn new() -> Stack {
         let nobody = Waiting { near: 0.0, first: 0, count: 0 };
         Stack { waiting: [nobody; MAX_DEPTH + 1], len: 0 }
     }

@@ -39,7 +39,7 @@
 //! *Trees.* A node's box is the union of those below it. Every step is monotone: a larger box gives an earlier entry and
 //! a later exit, in floating point too. So whatever enters a primitive's box enters every node around it, no later.
 
-use super::box32::Box32;
+use super::box32::{Box32, Corners};
 use super::rounding::{above, below};
 use super::slab_ray::SlabRay;
 use crate::exact::{exponent_of, power_of_two};
@@ -90,6 +90,14 @@ impl AnchorSpace {
         let low = |k| self.low_face(bounds.low[k], k);
         let high = |k| self.high_face(bounds.high[k], k);
         Box32 { low: [low(0), low(1), low(2)], high: [high(0), high(1), high(2)] }
+    }
+
+    /// The box in world space, up to one rounding of each coordinate.
+    pub(in crate::accel) fn reveal(&self, corners: &Corners) -> Bounds {
+        let coordinate =
+            |x: f32, axis: usize| (f64::from(x) / self.scale + self.anchor[axis] * self.before) / self.before;
+        let point = |corner: &[f32; 4]| [0, 1, 2].map(|axis| coordinate(corner[axis], axis)).into();
+        Bounds { low: point(&corners[0]), high: point(&corners[1]) }
     }
 
     /// The low face on `axis` of a box that begins at `x` in world space.

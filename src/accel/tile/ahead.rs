@@ -43,7 +43,7 @@ impl Ahead {
             let Some(child) = stack.pop(simd, pixels) else { break };
             if child.blocks == 0 {
                 let node = &tree.nodes[child.first as usize];
-                stack.push(simd, frame, tree, node, pixels, farthest);
+                stack.push(simd, frame, tree.nodes, node, pixels, farthest);
             } else {
                 self.next_block = child.first;
                 self.end_block = child.first + child.blocks;

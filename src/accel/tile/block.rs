@@ -1,7 +1,8 @@
 //! Sixteen triangles side by side.
 
 use super::spheres::spread;
-use crate::shape::{Primitive, Shapes, Sphere};
+use super::wide_tree::Run;
+use crate::shape::{Primitive, Shapes, Sphere, Surface, Triangle};
 use crate::simd::LANES;
 use rayon::prelude::*;
 
@@ -11,7 +12,7 @@ use rayon::prelude::*;
 /// whatever the size of the scene: on the film, by a small part of the triangle itself.
 #[derive(Debug, Clone, PartialEq)]
 #[repr(align(64))]
-pub(super) struct Block {
+pub(crate) struct Block {
     /// Coordinates of the first corners.
     pub(super) corner: [[f64; LANES]; 3],
     /// Components of the vectors from the first to the second corners, and to the third.
@@ -43,27 +44,34 @@ impl Block {
         }
     }
 
-    fn of(primitives: &[Primitive], shapes: &Shapes) -> Block {
-        let mut block = Block { count: primitives.len() as u32, ..Block::empty() };
-        for (lane, primitive) in primitives.iter().enumerate() {
-            block.primitives[lane] = *primitive;
-            if primitive.is_sphere() {
-                block.put_sphere(lane, &shapes.sphere(primitive.index()));
-                continue;
-            }
-            block.triangles |= 1 << lane;
-            let [a, b, c] = shapes.triangle(primitive.index()).0;
-            for axis in 0..3 {
-                block.corner[axis][lane] = a[axis];
-                block.edges[0][axis][lane] = (b[axis] - a[axis]) as f32;
-                block.edges[1][axis][lane] = (c[axis] - a[axis]) as f32;
-            }
-        }
-        block
+    /// Holds nothing any more.
+    pub(super) fn clear(&mut self) {
+        (self.count, self.triangles) = (0, 0);
     }
-}
 
-impl Block {
+    /// Adds a primitive, which is at `surface`, to the up to 15 that there are.
+    #[inline]
+    pub(super) fn push(&mut self, primitive: Primitive, surface: &Surface) {
+        let lane = self.count as usize;
+        self.primitives[lane] = primitive;
+        self.count += 1;
+        match surface {
+            Surface::Triangle(triangle) => self.put_triangle(lane, triangle),
+            Surface::Sphere(sphere) => self.put_sphere(lane, sphere),
+        }
+    }
+
+    #[inline]
+    fn put_triangle(&mut self, lane: usize, triangle: &Triangle) {
+        self.triangles |= 1 << lane;
+        let [a, b, c] = &triangle.0;
+        for axis in 0..3 {
+            self.corner[axis][lane] = a[axis];
+            self.edges[0][axis][lane] = (b[axis] - a[axis]) as f32;
+            self.edges[1][axis][lane] = (c[axis] - a[axis]) as f32;
+        }
+    }
+
     /// Spheres have their centres for corners, and for edges what [`spread`] tells of them.
     fn put_sphere(&mut self, lane: usize, sphere: &Sphere) {
         let spread = spread(sphere);
@@ -75,8 +83,12 @@ impl Block {
     }
 }
 
-/// The blocks of runs of primitives, given as the place of the first in `order` and their number, at most [`BLOCK`].
-pub(super) fn blocks_of(runs: &[(u32, u32)], order: &[Primitive], shapes: &Shapes) -> Vec<Block> {
-    let block = |(first, count): &(u32, u32)| Block::of(&order[*first as usize..][..*count as usize], shapes);
+/// The blocks of runs of up to [`BLOCK`] primitives that are in no instance.
+pub(in crate::accel) fn blocks_of(runs: &[Run], order: &[Primitive], shapes: &Shapes) -> Vec<Block> {
+    let block = |run: &Run| {
+        let mut block = Block::empty();
+        run.of(order).iter().for_each(|primitive| block.push(*primitive, &shapes.own_surface(*primitive)));
+        block
+    };
     runs.par_iter().with_min_len(64).map(block).collect()
 }

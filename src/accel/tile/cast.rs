@@ -3,7 +3,7 @@
 use super::ahead::Ahead;
 use super::block::Block;
 use super::corners::{Corners, Cover, WideTriangles};
-use super::draw::{Canvas, Contested, Rule, Source};
+use super::draw::{Batch, Canvas, Contested, Rule, Source};
 use super::frame::{Frame, PixelArea};
 use super::pixels::{Pixel, Pixels};
 use super::planes::{Planes, Prepared};
@@ -11,31 +11,39 @@ use super::resolve::{Wanted, resolve};
 use super::search::Searcher;
 use super::spheres::Seen;
 use super::traced::TracedTile;
+use super::view_node::ViewNode;
 use super::walk::{Occlusion, Stack, ViewTree};
 use crate::accel::Fallbacks;
-use crate::shape::Primitive;
+use crate::shape::{Placed, Primitive};
 use crate::simd::{Kernel, LANES, Lanes};
 
 /// What a thread keeps from tile to tile, so that nothing is allocated for each.
 #[derive(Debug)]
 pub(super) struct Scratch {
     pub(super) pixels: Pixels,
-    stack: Stack,
+    pub(super) stack: Stack,
+    /// For the trees of objects.
+    pub(super) object_stack: Stack,
     planes: Planes,
     contested: Vec<Contested>,
 }
 
 impl Scratch {
     pub(super) fn new() -> Scratch {
-        let (stack, contested) = (Stack::default(), Vec::new());
-        Scratch { pixels: Pixels::new(), stack, planes: Planes::new(), contested }
+        let (stack, object_stack, contested) = (Stack::default(), Stack::default(), Vec::new());
+        Scratch { pixels: Pixels::new(), stack, object_stack, planes: Planes::new(), contested }
     }
 }
+
+/// Has for siblings all that is in no instance.
+const ALONE: Placed = Placed::alone(Primitive::FIRST);
 
 /// One tile.
 pub(super) struct Tile<'a> {
     pub(super) frame: Frame<'a>,
     pub(super) tree: ViewTree<'a>,
+    /// The nodes of the tree over the instances.
+    pub(super) instances: &'a [ViewNode],
     pub(super) searcher: Searcher<'a>,
     pub(super) wanted: Wanted,
     pub(super) scratch: &'a mut Scratch,
@@ -74,6 +82,9 @@ impl Tile<'_> {
     fn run<S: Lanes, const EXACT: bool>(mut self, simd: S) {
         std::hint::black_box(&mut Aligned(0));
         self.walk::<S, EXACT>(simd);
+        if !self.instances.is_empty() {
+            self.walk_instances::<S, EXACT>(simd);
+        }
         let Tile { frame, searcher, wanted, scratch, traced, fallbacks, .. } = self;
         resolve(simd, &frame, &searcher, wanted, &mut scratch.pixels, traced, fallbacks);
     }
@@ -92,63 +103,64 @@ impl Tile<'_> {
         while farthest < f32::INFINITY {
             let Scratch { stack, pixels, .. } = &mut *self.scratch;
             let Some(place) = ahead.next(simd, &self.frame, &tree, stack, pixels, farthest) else { return };
-            let block = &tree.blocks[place];
-            if block.triangles != 0 {
-                self.draw_block::<S, EXACT>(simd, farthest, block);
-            }
-            if block.spheres() != 0 {
-                self.contest_spheres(simd, farthest, block, occlusion);
-            }
-            self.settle();
+            self.show_block::<S, EXACT>(simd, farthest, &tree.blocks[place], ALONE);
             farthest = occlusion.refresh(simd, &mut self.scratch.pixels);
         }
     }
 
-    /// Draws the triangles of a block, those that may be nearer than `farthest`.
+    /// Decides at which pixels the primitives of a block, siblings of one, are seen, if they are nearer than `farthest`.
     #[inline(always)]
-    fn draw_block<S: Lanes, const EXACT: bool>(&mut self, simd: S, farthest: f32, block: &Block) {
-        let Prepared { usable, open } = self.scratch.planes.fill_narrow::<S, EXACT>(simd, &self.frame, block, farthest);
-        if usable != 0 {
-            self.draw::<S, EXACT>(simd, usable, &block.primitives, Source::Block(block));
+    pub(super) fn show_block<S: Lanes, const EXACT: bool>(
+        &mut self,
+        simd: S,
+        farthest: f32,
+        block: &Block,
+        sibling: Placed,
+    ) {
+        let batch = Batch { primitives: &block.primitives, sibling };
+        if block.triangles != 0 {
+            let Prepared { usable, open } =
+                self.scratch.planes.fill_narrow::<S, EXACT>(simd, &self.frame, block, farthest);
+            if usable != 0 {
+                self.draw::<S, EXACT>(simd, usable, batch, Source::Block(block));
+            }
+            if open != 0 {
+                self.refine::<S, EXACT>(simd, open, batch);
+            }
         }
-        if open != 0 {
-            self.refine::<S, EXACT>(simd, open, &block.primitives);
+        if block.spheres() != 0 {
+            self.contest_spheres(simd, farthest, block, batch, Occlusion::of(self.frame.view, EXACT));
         }
+        self.settle();
     }
 
     /// Draws prepared triangles.
     #[inline(always)]
-    fn draw<S: Lanes, const EXACT: bool>(
-        &mut self,
-        simd: S,
-        lanes: u32,
-        primitives: &[Primitive; LANES],
-        source: Source,
-    ) {
+    fn draw<S: Lanes, const EXACT: bool>(&mut self, simd: S, lanes: u32, batch: Batch, source: Source) {
         let surely_nearer = self.frame.view.surely_nearer();
         let is_perspective = self.frame.view.is_perspective;
         let rule = Rule { is_perspective, surely_nearer, hits_only: self.searcher.hits_only };
         let Scratch { pixels, planes, contested, .. } = &mut *self.scratch;
-        let mut canvas = Canvas { primitives, source, shapes: self.searcher.shapes, rule, pixels, contested };
+        let mut canvas = Canvas { batch, source, shapes: self.searcher.shapes, rule, pixels, contested };
         canvas.draw::<S, EXACT>(simd, planes, lanes);
     }
 
     /// Tests triangles again, from their corners in `f64`; what is still not sure enough is contested at every pixel.
     #[inline(always)]
-    fn refine<S: Lanes, const EXACT: bool>(&mut self, simd: S, lanes: u32, primitives: &[Primitive; LANES]) {
+    fn refine<S: Lanes, const EXACT: bool>(&mut self, simd: S, lanes: u32, batch: Batch) {
         let mut triangles = WideTriangles::new();
         for lane in (0..LANES).filter(|lane| lanes >> lane & 1 != 0) {
-            triangles.put(lane, &self.searcher.shapes.triangle(primitives[lane].index()));
+            triangles.put(lane, &self.searcher.shapes.placed_triangle(batch.of(lane)));
         }
         let corners = Corners::of::<EXACT>(simd, &self.frame, &triangles);
         let cover = Cover::of(simd, &self.frame, &corners);
         let planes = &mut self.scratch.planes;
         let Prepared { usable, open } = planes.fill_wide::<S, EXACT>(simd, &self.frame, &corners, &cover);
-        self.draw::<S, EXACT>(simd, lanes & usable, primitives, Source::Shapes);
+        self.draw::<S, EXACT>(simd, lanes & usable, batch, Source::Shapes);
         let open = lanes & open;
         for lane in (0..LANES).filter(|lane| open >> lane & 1 != 0) {
             let area = self.scratch.planes.areas.of(lane);
-            self.scratch.contest(Occlusion::of(self.frame.view, true), area, primitives[lane]);
+            self.scratch.contest(Occlusion::of(self.frame.view, true), area, batch.of(lane));
         }
     }
 
@@ -162,19 +174,19 @@ impl Tile<'_> {
 
     /// Has the spheres of a block tested alone, where they may be seen.
     #[inline(always)]
-    fn contest_spheres<S: Lanes>(&mut self, simd: S, farthest: f32, block: &Block, occlusion: Occlusion) {
+    fn contest_spheres<S: Lanes>(&mut self, simd: S, farthest: f32, block: &Block, batch: Batch, occlusion: Occlusion) {
         let Seen { areas, mut lanes } = Seen::of(simd, &self.frame, block, farthest);
         while lanes != 0 {
             let lane = lanes.trailing_zeros() as usize;
             lanes &= lanes - 1;
-            self.scratch.contest(occlusion, areas.of(lane), block.primitives[lane]);
+            self.scratch.contest(occlusion, areas.of(lane), batch.of(lane));
         }
     }
 }
 
 impl Scratch {
     /// Has a primitive tested alone at the pixels it may cover and be seen at.
-    fn contest(&mut self, occlusion: Occlusion, area: PixelArea, primitive: Primitive) {
+    fn contest(&mut self, occlusion: Occlusion, area: PixelArea, primitive: Placed) {
         for row in area.rows[0]..=area.rows[1] {
             for column in area.columns[0]..=area.columns[1] {
                 let pixel = Pixel::at(column as u32, row as u32);

@@ -4,7 +4,7 @@ use super::block::Block;
 use super::pixels::{LANE_COLUMNS, LANE_ROWS, Pixel, Pixels, Slot};
 use super::planes::{Function, Planes};
 use super::walk::blocks_between;
-use crate::shape::{Primitive, Shapes};
+use crate::shape::{Placed, Primitive, Shapes};
 use crate::simd::{F32s, LANES, Lanes, Mask};
 
 /// What to do with what triangles cover.
@@ -31,7 +31,22 @@ impl Rule {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Contested {
     pub(super) pixel: Pixel,
-    pub(super) primitive: Primitive,
+    pub(super) primitive: Placed,
+}
+
+/// Sixteen primitives of one instance, or in none.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Batch<'a> {
+    pub(super) primitives: &'a [Primitive; LANES],
+    /// One of the instance.
+    pub(super) sibling: Placed,
+}
+
+impl Batch<'_> {
+    #[inline(always)]
+    pub(super) fn of(&self, lane: usize) -> Placed {
+        self.sibling.sibling(self.primitives[lane])
+    }
 }
 
 /// The triangles of a batch as they are stored.
@@ -45,7 +60,7 @@ pub(super) enum Source<'a> {
 
 /// Where a batch of triangles is drawn.
 pub(super) struct Canvas<'a> {
-    pub(super) primitives: &'a [Primitive; LANES],
+    pub(super) batch: Batch<'a>,
     pub(super) source: Source<'a>,
     pub(super) shapes: &'a Shapes,
     pub(super) rule: Rule,
@@ -83,7 +98,7 @@ impl Canvas<'_> {
         let (factor, addend) = (simd.splat(factor), simd.splat(addend));
         let triangle = Broadcast::of(simd, planes, lane);
         let origin = planes.first(lane);
-        let primitive = self.primitives[lane];
+        let primitive = self.batch.of(lane);
         let slot = self.next_slot();
         let slots = simd.splat(f32::from_bits(slot));
         let mut is_kept = false;
@@ -185,7 +200,7 @@ impl Canvas<'_> {
         kept: &mut Kept,
     ) {
         let [factor, addend] = self.rule.surely_nearer;
-        let primitive = self.primitives[lane];
+        let primitive = self.batch.of(lane);
         let best = self.pixels.nearness[pixel.block()][pixel.lane()];
         let wins = if EXACT {
             is_inside && nearness > best * factor + addend
@@ -227,7 +242,7 @@ impl Canvas<'_> {
     /// Keeps a triangle, for its depths.
     #[inline(always)]
     fn keep<const EXACT: bool>(&mut self, planes: &Planes, lane: usize) {
-        let primitive = self.primitives[lane];
+        let primitive = self.batch.of(lane);
         let kept = &mut self.pixels.kept;
         if self.rule.hits_only && kept.len() > 0 {
             return;
@@ -236,7 +251,7 @@ impl Canvas<'_> {
             Source::Block(block) if !EXACT || planes.pixel_count(lane) <= MANY_PIXELS => {
                 kept.push_narrow(primitive, &block.corner, &block.edges, lane);
             }
-            _ => kept.push(primitive, &self.shapes.triangle(primitive.index())),
+            _ => kept.push(primitive, &self.shapes.placed_triangle(primitive)),
         }
     }
 }
@@ -250,7 +265,7 @@ struct Kept([Slot; LANES]);
 const NOT_KEPT: Slot = Slot::MAX;
 
 /// Of two hits at the same nearness the first in the file counts (rule E3).
-fn take_tie(pixel: Pixel, primitive: Primitive, slot: Slot, shapes: &Shapes, pixels: &mut Pixels) -> bool {
+fn take_tie(pixel: Pixel, primitive: Placed, slot: Slot, shapes: &Shapes, pixels: &mut Pixels) -> bool {
     let wins = pixels.primitive(pixel).is_some_and(|best| shapes.precedes(primitive, best));
     if wins {
         pixels.slots[pixel.block()][pixel.lane()] = f32::from_bits(slot);

@@ -13,6 +13,7 @@ mod cast;
 mod corners;
 mod draw;
 mod frame;
+mod instances;
 mod kept;
 mod narrow;
 mod pixels;
@@ -28,11 +29,13 @@ mod walk;
 mod wide;
 mod wide_tree;
 
+pub(super) use block::{Block, blocks_of};
 pub(crate) use frame::TILE;
 pub use traced::TracedTile;
 pub use tracer::{TileOptions, TileTracer, Tiles};
 pub(super) use view::{MAX_PIXEL_ERROR, OnFilm, View};
-pub(crate) use wide_tree::WideTree;
+pub(super) use wide_tree::runs_of;
+pub(crate) use wide_tree::{Run, WideTree};
 
 #[cfg(test)]
 mod tests;

@@ -157,13 +157,12 @@ impl Open {
     }
 }
 
-/// The triangle that a pixel holds.
+/// The triangle that a pixel holds, if it is in no instance.
 #[inline(always)]
 fn triangle_at(pixels: &Pixels, pixel: Pixel) -> Option<usize> {
-    match pixels.held(pixel) {
-        Held::Triangle(place) => Some(pixels.kept.primitive(place).index()),
-        Held::Hit(_) | Held::Nothing => None,
-    }
+    let Held::Triangle(place) = pixels.held(pixel) else { return None };
+    let placed = pixels.kept.primitive(place);
+    placed.instance().is_none().then(|| placed.primitive().index())
 }
 
 /// Depths of a block's pixels.

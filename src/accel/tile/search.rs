@@ -7,7 +7,7 @@ use crate::accel::ray::{ExactSearch, FastSearch, Search};
 use crate::accel::{Aggregate, Depth, Fallbacks, Hit, Precision};
 use crate::camera::Camera;
 use crate::geometry::Ray;
-use crate::shape::{FilterRay, Primitive, Shapes};
+use crate::shape::{FilterRay, Placed, Shapes};
 
 /// Casts single rays at single primitives.
 pub(super) struct Searcher<'a> {
@@ -58,8 +58,8 @@ impl Searcher<'_> {
     fn search_exactly(
         &self,
         ray: &Ray,
-        best: Option<Primitive>,
-        primitive: Primitive,
+        best: Option<Placed>,
+        primitive: Placed,
         fallbacks: &mut Fallbacks,
     ) -> Option<(Hit, f32)> {
         let slab = self.aggregate.space.ray(ray);
@@ -75,13 +75,13 @@ impl Searcher<'_> {
         let width = hit.t.high - hit.t.low;
         let allowed = if self.view.is_perspective { hit.t.low * NARROW } else { f64::from(self.view.tolerance) / 8.0 };
         if width > allowed || width.is_nan() {
-            hit.t = self.shapes.exact_t(primitive, ray).bracket();
+            hit.t = self.shapes.surface(primitive).exact_t(ray).bracket();
         }
         Some((hit, self.view.nearness(hit.t.low)))
     }
 
     /// The hit with `primitive`, if it is nearer than what the pixel hit.
-    fn search_fast(&self, ray: &Ray, primitive: Primitive, pixels: &Pixels, pixel: Pixel) -> Option<(Hit, f32)> {
+    fn search_fast(&self, ray: &Ray, primitive: Placed, pixels: &Pixels, pixel: Pixel) -> Option<(Hit, f32)> {
         let slab = self.aggregate.space.ray(ray);
         let mut search = FastSearch::new(self.shapes, &self.aggregate.space, ray, &slab);
         search.test(primitive);
@@ -93,16 +93,11 @@ impl Searcher<'_> {
     }
 
     /// The depth of the hit with a primitive that a pixel is known to hit.
-    pub(super) fn depth(
-        &self,
-        first: [u32; 2],
-        pixel: Pixel,
-        primitive: Primitive,
-        fallbacks: &mut Fallbacks,
-    ) -> Depth {
+    pub(super) fn depth(&self, first: [u32; 2], pixel: Pixel, primitive: Placed, fallbacks: &mut Fallbacks) -> Depth {
         let ray = self.ray(first, pixel);
-        let t = self.shapes.t_of_hit(primitive, &FilterRay::new(&ray));
-        let t = t.unwrap_or_else(|| self.shapes.exact_t(primitive, &ray).bracket());
+        let surface = self.shapes.surface(primitive);
+        let t = surface.t_of_hit(&FilterRay::new(&ray));
+        let t = t.unwrap_or_else(|| surface.exact_t(&ray).bracket());
         self.depth_of_hit(&ray, &Hit { primitive, t, is_hard: false }, fallbacks)
     }
 

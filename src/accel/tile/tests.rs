@@ -5,10 +5,11 @@ use super::frame::Frame;
 use super::kept::Kept;
 use super::planes::Planes;
 use super::view::View;
+use super::wide_tree::Run;
 use crate::accel::space::AnchorSpace;
 use crate::camera::{Camera, Projection, ScreenWindow};
 use crate::geometry::{Matrix, Point, Transform, Vector};
-use crate::shape::{Primitive, Shapes, Triangle};
+use crate::shape::{Placed, Primitive, Shapes, Triangle};
 use crate::simd::{Kernel, LANES, Lanes, Level};
 use proptest::prelude::*;
 
@@ -70,14 +71,14 @@ impl Kernel for Check<'_> {
         let indices = (0..triangles.len() as u32).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
         shapes.add_mesh(triangles.iter().flatten().copied().collect(), indices, &Matrix::IDENTITY, 1).unwrap();
         let order: Vec<Primitive> = (0..triangles.len()).map(Primitive::triangle).collect();
-        let block = &blocks_of(&[(0, LANES as u32)], &order, &shapes)[0];
+        let block = &blocks_of(&[Run { first: 0, count: LANES as u32 }], &order, &shapes)[0];
         let view = View::new(camera, &AnchorSpace::new(camera.anchor(), 256.0)).unwrap();
         let frame = Frame::new(&view, *first);
         let mut planes = Planes::new();
         let usable = planes.fill_narrow::<S, true>(simd, &frame, block, view.least_nearness()).usable;
         let mut kept = Kept::new();
         for (lane, primitive) in order.iter().enumerate() {
-            kept.push_narrow(*primitive, &block.corner, &block.edges, lane);
+            kept.push_narrow(Placed::alone(*primitive), &block.corner, &block.edges, lane);
         }
         kept.fill_planes(simd, &frame);
         let prepared = Prepared { scene: self.0, shapes, planes, kept };

@@ -6,8 +6,9 @@ use super::resolve::Wanted;
 use super::search::Searcher;
 use super::traced::TracedTile;
 use super::view::View;
-use super::view_node::{Project, ViewNode};
+use super::view_node::{FilmFromTree, Project, ViewNode};
 use super::walk::ViewTree;
+use super::wide_tree::WideNode;
 use crate::accel::{Aggregate, Fallbacks, Precision, Tracer};
 use crate::camera::Camera;
 use crate::film::PixelBounds;
@@ -39,17 +40,29 @@ pub struct Tiles<'a> {
     aggregate: &'a Aggregate,
     options: TileOptions,
     /// `None` where rays have to travel alone.
-    together: Option<(View, Vec<ViewNode>)>,
+    together: Option<Together>,
+}
+
+fn project_all(nodes: &[WideNode], view: &View, level: Level) -> Vec<ViewNode> {
+    let film = FilmFromTree::of_world(view);
+    nodes.par_chunks(256).flat_map_iter(|nodes| level.run(Project { film, nodes })).collect()
+}
+
+/// What a view sees of the world's trees.
+struct Together {
+    view: View,
+    nodes: Vec<ViewNode>,
+    /// Of the tree over the instances.
+    instances: Vec<ViewNode>,
 }
 
 impl<'a> Tiles<'a> {
     /// For the rays of `camera` through `aggregate`, which was built over `shapes`.
     pub fn new(camera: &'a Camera, shapes: &'a Shapes, aggregate: &'a Aggregate, options: TileOptions) -> Tiles<'a> {
         let together = View::new(camera, &aggregate.space).map(|view| {
-            let chunks = aggregate.wide.nodes.par_chunks(256);
-            let project = |nodes| options.level.run(Project { view: &view, nodes });
-            let nodes = chunks.flat_map_iter(project).collect();
-            (view, nodes)
+            let nodes = project_all(&aggregate.wide.nodes, &view, options.level);
+            let instances = project_all(&aggregate.instances.wide.nodes, &view, options.level);
+            Together { view, nodes, instances }
         });
         Tiles { camera, shapes, aggregate, options, together }
     }
@@ -85,7 +98,7 @@ impl TileTracer<'_> {
     pub fn trace(&mut self, first: [u32; 2], window: &PixelBounds) -> &TracedTile {
         self.traced.clear();
         match &self.tiles.together {
-            Some((view, nodes)) => self.trace_together(view, nodes, first, window),
+            Some(together) => self.trace_together(together, first, window),
             None => self.trace_alone(first, window),
         }
         &self.traced
@@ -119,7 +132,8 @@ impl TileTracer<'_> {
         }
     }
 
-    fn trace_together(&mut self, view: &View, nodes: &[ViewNode], first: [u32; 2], window: &PixelBounds) {
+    fn trace_together(&mut self, together: &Together, first: [u32; 2], window: &PixelBounds) {
+        let Together { view, nodes, instances } = together;
         let Tiles { camera, shapes, aggregate, options, .. } = *self.tiles;
         let hits_only = self.tiles.hits_only();
         let searcher = Searcher { camera, shapes, aggregate, view, precision: options.precision, hits_only };
@@ -130,7 +144,7 @@ impl TileTracer<'_> {
         let [columns, rows] = part_of(first, window);
         scratch.pixels.keep_only(columns, rows);
         let tree = ViewTree { nodes, blocks: &aggregate.wide.blocks };
-        let kernel = Tile { frame, tree, searcher, wanted, scratch, traced, fallbacks };
+        let kernel = Tile { frame, tree, instances, searcher, wanted, scratch, traced, fallbacks };
         match options.precision {
             Precision::Exact => options.level.run(Exactly(kernel)),
             Precision::Fast => options.level.run(Fast(kernel)),

@@ -2,6 +2,8 @@
 
 use super::view::{UNDERFLOW, View};
 use super::wide_tree::{Child, WideNode};
+use crate::accel::instance::Placement;
+use crate::accel::space::AnchorSpace;
 use crate::simd::{F32s, Kernel, LANES, Lanes, Mask};
 
 /// Up to sixteen children on the film.
@@ -23,14 +25,62 @@ pub(super) struct ViewNode {
 /// Those of triangles have less, so that theirs lie within those of the nodes above.
 const MARGIN: f32 = 1.0 / 256.0;
 const RELATIVE_MARGIN: f32 = 1.0 / (1 << 17) as f32;
-/// Of the terms of what a row of K makes of a corner: more than its roundings.
+/// Of the terms of what a row makes of a corner: more than its roundings.
 const ERROR: f32 = 1.0 / (1 << 20) as f32;
 /// By which the nearness is larger.
 const NEARER: f32 = 1.0 + 1.0 / (1 << 15) as f32;
 
+/// From the boxes of a tree to the film: K times what takes them to the world, relative to the eye.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct FilmFromTree {
+    is_perspective: bool,
+    rows: [[f32; 3]; 3],
+    /// Of the tree's anchor.
+    anchor: [f32; 3],
+    /// What components of what is in a box may be off by, besides roundings to `f32`.
+    slack: [f32; 3],
+    /// As [`View::offset`].
+    offset: [f32; 2],
+}
+
+impl FilmFromTree {
+    /// For the tree whose anchor is the eye.
+    pub(super) fn of_world(view: &View) -> FilmFromTree {
+        let rows = view.film_from_world.map(|row| row.map(|entry| (entry / view.units) as f32));
+        FilmFromTree { rows, anchor: [0.0; 3], slack: [UNDERFLOW; 3], ..FilmFromTree::EMPTY.with(view) }
+    }
+
+    /// For the tree of an object, with boxes in `space`, where an instance places it.
+    pub(super) fn of_object(view: &View, space: &AnchorSpace, placement: &Placement) -> FilmFromTree {
+        let world_from_instance = &placement.world_from_instance;
+        let anchor = world_from_instance.apply(space.anchor()) - view.eye;
+        let mut film = FilmFromTree::EMPTY.with(view);
+        for (k, row) in view.film_from_world.iter().enumerate() {
+            let along = |vector: [f64; 3]| row[0] * vector[0] + row[1] * vector[1] + row[2] * vector[2];
+            film.rows[k] = [0, 1, 2].map(|j| (along(world_from_instance.column(j)) / space.units()) as f32);
+            film.anchor[k] = along(anchor.to_array()) as f32;
+            let slack: f64 = (0..3).map(|axis| row[axis].abs() * placement.slack[axis]).sum();
+            film.slack[k] = (2.0 * slack) as f32 + UNDERFLOW;
+        }
+        film
+    }
+
+    const EMPTY: FilmFromTree = FilmFromTree {
+        is_perspective: false,
+        rows: [[0.0; 3]; 3],
+        anchor: [0.0; 3],
+        slack: [0.0; 3],
+        offset: [0.0; 2],
+    };
+
+    fn with(self, view: &View) -> FilmFromTree {
+        FilmFromTree { is_perspective: view.is_perspective, offset: view.offset.map(|offset| offset as f32), ..self }
+    }
+}
+
 /// Projects nodes.
 pub(super) struct Project<'a> {
-    pub(super) view: &'a View,
+    pub(super) film: FilmFromTree,
     pub(super) nodes: &'a [WideNode],
 }
 
@@ -41,59 +91,58 @@ impl Kernel for Project<'_> {
     fn run<S: Lanes>(self, simd: S) -> Vec<ViewNode> {
         let mut projected = Vec::with_capacity(self.nodes.len());
         for node in self.nodes {
-            projected.push(project(simd, self.view, node));
+            projected.push(project(simd, &self.film, node));
         }
         projected
     }
 }
 
-/// In each component, what a row of K makes of the corners of boxes: `terms[axis][side]`.
-#[inline(always)]
-fn terms<S: Lanes>(simd: S, row: &[f64; 3], corners: &[[S::F; 2]; 3]) -> [[S::F; 2]; 3] {
-    let mut terms = *corners;
-    for axis in 0..3 {
-        let entry = simd.splat(row[axis] as f32);
-        for side in 0..2 {
-            terms[axis][side] = entry * corners[axis][side];
+/// A component of the corners of boxes on the film, as terms: `of_sides[axis][side]`, and that of the anchor.
+struct Terms<S: Lanes> {
+    of_sides: [[S::F; 2]; 3],
+    anchor: S::F,
+    /// What a sum of them may be off by.
+    error: S::F,
+}
+
+impl<S: Lanes> Terms<S> {
+    #[inline(always)]
+    fn of(simd: S, film: &FilmFromTree, k: usize, corners: &[[S::F; 2]; 3]) -> Terms<S> {
+        let mut of_sides = *corners;
+        let anchor = simd.splat(film.anchor[k]);
+        let mut magnitude = anchor.abs();
+        for axis in 0..3 {
+            let entry = simd.splat(film.rows[k][axis]);
+            for side in 0..2 {
+                of_sides[axis][side] = entry * corners[axis][side];
+            }
+            magnitude = magnitude + of_sides[axis][0].abs().max(of_sides[axis][1].abs());
         }
+        Terms { of_sides, anchor, error: magnitude * simd.splat(ERROR) + simd.splat(film.slack[k]) }
     }
-    terms
-}
 
-#[inline(always)]
-fn sum<S: Lanes>(terms: &[[S::F; 2]; 3], corner: usize) -> S::F {
-    terms[0][corner & 1] + terms[1][corner >> 1 & 1] + terms[2][corner >> 2]
-}
-
-/// The sum of the larger absolute term of each axis.
-#[inline(always)]
-fn magnitude<S: Lanes>(terms: &[[S::F; 2]; 3]) -> S::F {
-    let mut sum = terms[0][0].abs().max(terms[0][1].abs());
-    for axis in 1..3 {
-        sum = sum + terms[axis][0].abs().max(terms[axis][1].abs());
+    #[inline(always)]
+    fn sum(&self, corner: usize) -> S::F {
+        let [x, y, z] = &self.of_sides;
+        x[corner & 1] + y[corner >> 1 & 1] + z[corner >> 2] + self.anchor
     }
-    sum
 }
 
+/// The children of a node on the film.
 #[inline(always)]
-fn project<S: Lanes>(simd: S, view: &View, node: &WideNode) -> ViewNode {
-    // Boxes are relative to the anchor, which is the eye, and scaled by a power of two.
-    let scale = simd.splat((1.0 / view.units) as f32);
+pub(super) fn project<S: Lanes>(simd: S, view: &FilmFromTree, node: &WideNode) -> ViewNode {
     let mut corners = [[simd.splat(0.0); 2]; 3];
     for axis in 0..3 {
-        corners[axis] = [simd.load(&node.low[axis]) * scale, simd.load(&node.high[axis]) * scale];
+        corners[axis] = [simd.load(&node.low[axis]), simd.load(&node.high[axis])];
     }
-    let k = &view.film_from_world;
-    let depth_terms = terms(simd, &k[2], &corners);
-    let error = simd.splat(ERROR);
-    let underflow = simd.splat(UNDERFLOW);
-    let depth_error = magnitude::<S>(&depth_terms) * error + underflow;
+    let depth_terms = Terms::of(simd, view, 2, &corners);
+    let depth_error = depth_terms.error;
     let one = simd.splat(1.0);
     let mut nearest = simd.splat(f32::INFINITY);
     let mut farthest = simd.splat(f32::NEG_INFINITY);
     let mut inverses = [one; 8];
     for corner in 0..8 {
-        let depth = sum::<S>(&depth_terms, corner);
+        let depth = depth_terms.sum(corner);
         nearest = nearest.min(depth);
         farthest = farthest.max(depth);
         if view.is_perspective {
@@ -124,18 +173,18 @@ fn project<S: Lanes>(simd: S, view: &View, node: &WideNode) -> ViewNode {
     };
     nearness.store(&mut projected.nearness);
     for axis in 0..2 {
-        let film_terms = terms(simd, &k[axis], &corners);
+        let film_terms = Terms::of(simd, view, axis, &corners);
         let (mut low, mut high) = (infinity, simd.splat(f32::NEG_INFINITY));
         let (mut low_film, mut high_film) = (infinity, simd.splat(f32::NEG_INFINITY));
         for corner in 0..8 {
-            let film = sum::<S>(&film_terms, corner);
+            let film = film_terms.sum(corner);
             low_film = low_film.min(film);
             high_film = high_film.max(film);
             let pixel = film * inverses[corner];
             low = low.min(pixel);
             high = high.max(pixel);
         }
-        let film_error = magnitude::<S>(&film_terms) * error + underflow;
+        let film_error = film_terms.error;
         let relative = simd.splat(RELATIVE_MARGIN);
         // Off by the errors of film and depth; the latter moves a pixel in proportion to its distance from the first.
         let reach = low.abs().max(high.abs());
@@ -153,7 +202,7 @@ fn project<S: Lanes>(simd: S, view: &View, node: &WideNode) -> ViewNode {
             let margin = simd.splat(MARGIN);
             (in_front.select(low, least - margin), in_front.select(high, most + margin))
         } else {
-            let offset = simd.splat(view.offset[axis] as f32);
+            let offset = simd.splat(view.offset[axis]);
             let margin = offset.abs() * relative;
             (low + offset - margin, high + offset + margin)
         };

@@ -117,13 +117,13 @@ impl Stack {
         None
     }
 
-    /// Adds the children of `node` that the tile may see, the nearest last.
+    /// Adds the children of `node` that the tile may see, the nearest last. `nodes` are those that they may be, to be fetched.
     #[inline(always)]
-    pub(super) fn push<S: Lanes>(
+    pub(super) fn push<S: Lanes, N>(
         &mut self,
         simd: S,
         frame: &Frame,
-        tree: &ViewTree,
+        nodes: &[N],
         node: &ViewNode,
         pixels: &Pixels,
         farthest: f32,
@@ -154,7 +154,7 @@ impl Stack {
             }
             let child = node.children[lane];
             if child.blocks == 0 {
-                simd.prefetch(&tree.nodes[child.first as usize]);
+                simd.prefetch(&nodes[child.first as usize]);
             }
             self.insert(bottom, Waiting { nearness, blocks, child });
         }

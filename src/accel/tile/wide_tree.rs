@@ -1,9 +1,9 @@
 //! The tree as tiles walk through it: sixteen children a node, whatever the split method.
 
-use super::block::{BLOCK, Block, blocks_of};
+use super::block::BLOCK;
 use crate::accel::node::{Children, Node};
 use crate::accel::space::Box32;
-use crate::shape::{Primitive, Shapes};
+use crate::accel::tree::Tree;
 use crate::simd::LANES;
 
 /// Up to sixteen children, side by side.
@@ -29,23 +29,21 @@ pub(super) struct Child {
 
 /// A tree with sixteen children a node over blocks of primitives. It is a binary tree with levels left out: no box is moved.
 #[derive(Debug, PartialEq)]
-pub(crate) struct WideTree {
+pub(crate) struct WideTree<B> {
     pub(super) nodes: Vec<WideNode>,
-    pub(super) blocks: Vec<Block>,
+    pub(super) blocks: Vec<B>,
 }
 
-impl WideTree {
-    /// Of the binary tree with that root, the pairs of children `below` it, and the primitives in the order of its leaves.
-    pub(in crate::accel) fn of(
-        root: Option<&Node>,
-        below: &[Children],
-        order: &[Primitive],
-        shapes: &Shapes,
-    ) -> WideTree {
-        let Some(root) = root else { return WideTree { nodes: Vec::new(), blocks: Vec::new() } };
+impl<B> WideTree<B> {
+    /// Of a binary tree; `blocks_of` makes the blocks of runs of what is in its leaves.
+    pub(in crate::accel) fn of<T>(tree: &Tree<T>, blocks_of: impl FnOnce(Vec<Run>) -> Vec<B>) -> WideTree<B> {
+        let Some(root) = tree.root else { return WideTree { nodes: Vec::new(), blocks: Vec::new() } };
+        let below = &tree.below;
         let mut collapse = Collapse { below, measured: measure(below), nodes: Vec::new(), blocks: Vec::new() };
-        collapse.node(vec![*root]);
-        WideTree { blocks: blocks_of(&collapse.blocks, order, shapes), nodes: collapse.nodes }
+        collapse.node(vec![root]);
+        let Collapse { nodes, blocks, measured, .. } = collapse;
+        drop(measured);
+        WideTree { blocks: blocks_of(blocks), nodes }
     }
 
     /// Bytes that the tree takes.
@@ -54,11 +52,25 @@ impl WideTree {
     }
 }
 
-/// A run of primitives in the order of the leaves.
-#[derive(Debug, Clone, Copy)]
-struct Run {
-    first: u32,
-    count: u32,
+/// A part of what is in the leaves, in their order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Run {
+    pub(super) first: u32,
+    pub(super) count: u32,
+}
+
+impl Run {
+    /// What it is, in the order of the leaves.
+    #[inline]
+    pub(super) fn of<T>(self, order: &[T]) -> &[T] {
+        &order[self.first as usize..][..self.count as usize]
+    }
+}
+
+/// Runs for blocks: what is in them is looked up when a tile comes by.
+pub(in crate::accel) fn runs_of(mut runs: Vec<Run>) -> Vec<Run> {
+    runs.shrink_to_fit();
+    runs
 }
 
 /// What is below a node of the binary tree.
@@ -99,8 +111,8 @@ struct Collapse<'a> {
     below: &'a [Children],
     measured: Vec<Below>,
     nodes: Vec<WideNode>,
-    /// The first primitive and the number of primitives of each block.
-    blocks: Vec<(u32, u32)>,
+    /// What is in each block.
+    blocks: Vec<Run>,
 }
 
 impl Collapse<'_> {
@@ -147,7 +159,8 @@ impl Collapse<'_> {
     fn blocks_of(&mut self, run: Run) -> Child {
         let first = self.blocks.len() as u32;
         let starts = (0..run.count).step_by(BLOCK);
-        self.blocks.extend(starts.map(|start| (run.first + start, (run.count - start).min(BLOCK as u32))));
+        let block = |start: u32| Run { first: run.first + start, count: (run.count - start).min(BLOCK as u32) };
+        self.blocks.extend(starts.map(block));
         Child { first, blocks: self.blocks.len() as u32 - first }
     }
 }

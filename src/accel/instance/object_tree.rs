@@ -1,0 +1,64 @@
+//! The tree of an object, in the space of its instances.
+
+use super::Placement;
+use super::outline::{Outline, Terms};
+use crate::accel::build::{BuildOptions, BuildPrimitive};
+use crate::accel::space::{AnchorSpace, Box32};
+use crate::accel::tile::{Run, WideTree, runs_of};
+use crate::accel::tree::Tree;
+use crate::geometry::{Bounds, Matrix, Point};
+use crate::progress::Progress;
+use crate::shape::{Instance, Pose, Primitive, Shapes};
+use rayon::prelude::*;
+
+/// A tree over what may be hit of an object in some instance.
+#[derive(Debug, PartialEq)]
+pub(in crate::accel) struct ObjectTree {
+    /// Around the middle of the object.
+    pub(in crate::accel) space: AnchorSpace,
+    pub(in crate::accel) tree: Tree<Primitive>,
+    /// The same tree for tiles.
+    pub(in crate::accel) wide: WideTree<Run>,
+    terms: Terms,
+}
+
+/// What has no place that is known has this one.
+const UNIT_BOX: Box32 = Box32 { low: [-1.0; 3], high: [1.0; 3] };
+
+impl ObjectTree {
+    /// `progress` counts primitives.
+    pub(super) fn build(object: &Shapes, outline: Outline, options: BuildOptions, progress: Progress) -> ObjectTree {
+        let space = space_of(&outline);
+        let place = |pose: &mut Pose, primitive: &Primitive| {
+            let bounds = Outline::of_one(object, pose, *primitive)?.bounds;
+            let bounds = if outline.is_anywhere() { UNIT_BOX } else { space.enclose(&bounds) };
+            Some(BuildPrimitive::new(&bounds, primitive.to_bits()))
+        };
+        let all: Vec<Primitive> = object.primitives().collect();
+        let pose = || Pose::new(object, Matrix::IDENTITY);
+        let placed: Vec<Option<BuildPrimitive>> = all.par_iter().with_min_len(1 << 10).map_init(pose, place).collect();
+        let primitives: Vec<BuildPrimitive> = placed.into_iter().flatten().collect();
+        progress.advance(all.len() - primitives.len());
+        let tree = Tree::build(primitives, options, progress, Primitive::from_bits);
+        ObjectTree { space, wide: WideTree::of(&tree, runs_of), tree, terms: outline.terms }
+    }
+
+    /// Where an instance of the object puts its boxes.
+    pub(in crate::accel) fn placement(&self, instance: &Instance) -> Placement {
+        Placement::new(instance.world_from_instance(), &self.terms)
+    }
+
+    /// Bytes that the trees take.
+    pub(super) fn bytes(&self) -> usize {
+        self.tree.bytes() + self.wide.bytes()
+    }
+}
+
+fn space_of(outline: &Outline) -> AnchorSpace {
+    if outline.is_anywhere() || outline.is_empty() {
+        return AnchorSpace::new(Point::default(), 1.0);
+    }
+    let Bounds { low, high } = outline.bounds;
+    let middle = outline.bounds.centre();
+    AnchorSpace::new(middle, (high - middle).largest().max((middle - low).largest()))
+}

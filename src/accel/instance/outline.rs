@@ -1,0 +1,92 @@
+//! What has to be known of an object to place its boxes.
+
+use crate::geometry::{Bounds, Matrix, Point};
+use crate::shape::{Pose, Primitive, Shapes, Surface};
+use rayon::prelude::*;
+
+/// Where an object is in the space of its instances, and how large the numbers are that lead there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Outline {
+    /// Around all that may be hit in some instance.
+    pub(super) bounds: Bounds,
+    pub(super) terms: Terms,
+}
+
+/// Of all points of an object, as its shapes' transforms take them from the spaces of their files to that of its instances.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::accel) struct Terms {
+    /// No sum of the absolute terms of a coordinate is larger. Infinite where sums may overflow.
+    pub(super) in_instance: [f64; 3],
+    /// Nor is a coordinate in a file.
+    pub(super) in_file: f64,
+}
+
+/// Larger sums of terms might overflow in one order and not in another.
+const LARGEST: f64 = 1e250;
+
+impl Outline {
+    /// Nothing that may be hit in some instance is left out: neither what has no area in the space of the instances, since
+    /// roundings may give it some, nor what is under a singular transform.
+    pub(super) fn of(object: &Shapes) -> Outline {
+        let primitives: Vec<Primitive> = object.primitives().collect();
+        let of_chunk = |chunk: &[Primitive]| {
+            let mut pose = Pose::new(object, Matrix::IDENTITY);
+            chunk.iter().fold(Outline::NOTHING, |outline, primitive| {
+                match Outline::of_one(object, &mut pose, *primitive) {
+                    Some(one) => outline.union(one),
+                    None => outline,
+                }
+            })
+        };
+        let outline = primitives.par_chunks(1 << 14).map(of_chunk).reduce(|| Outline::NOTHING, Outline::union);
+        let fits = outline.terms.in_instance.iter().all(|terms| *terms < LARGEST);
+        if fits { outline } else { Outline::ANYWHERE }
+    }
+
+    /// Whether there is anything that may be hit.
+    pub(super) fn is_empty(&self) -> bool {
+        self.bounds.is_empty()
+    }
+
+    /// Whether nothing is known of where it is.
+    pub(super) fn is_anywhere(&self) -> bool {
+        *self == Outline::ANYWHERE
+    }
+
+    const ANYWHERE: Outline = Outline {
+        bounds: Bounds {
+            low: Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY),
+            high: Point::new(f64::INFINITY, f64::INFINITY, f64::INFINITY),
+        },
+        terms: Terms { in_instance: [f64::INFINITY; 3], in_file: f64::INFINITY },
+    };
+
+    const NOTHING: Outline = Outline { bounds: Bounds::EMPTY, terms: Terms { in_instance: [0.0; 3], in_file: 0.0 } };
+
+    fn union(self, other: Outline) -> Outline {
+        let in_instance = [0, 1, 2].map(|k| self.terms.in_instance[k].max(other.terms.in_instance[k]));
+        let in_file = self.terms.in_file.max(other.terms.in_file);
+        Outline { bounds: self.bounds.union(other.bounds), terms: Terms { in_instance, in_file } }
+    }
+
+    /// That of one primitive; `None` where it cannot be hit in any instance.
+    pub(super) fn of_one(object: &Shapes, pose: &mut Pose, primitive: Primitive) -> Option<Outline> {
+        let (extent, instance_from_file) = match object.own_surface(primitive) {
+            Surface::Triangle(triangle) => {
+                let corners = triangle.0;
+                corners.iter().all(|corner| corner.is_finite()).then_some(())?;
+                let extent = [0, 1, 2].map(|axis| corners.iter().fold(0.0f64, |most, p| most.max(p[axis].abs())));
+                (extent, *object.transform_of_mesh(primitive.index() as u32))
+            }
+            Surface::Sphere(sphere) => {
+                (sphere.radius > 0.0 && sphere.radius.is_finite()).then_some(())?;
+                ([sphere.radius; 3], sphere.world_from_object)
+            }
+        };
+        instance_from_file.is_finite().then_some(())?;
+        let sum = |row: &[f64; 4]| (0..3).map(|j| row[j].abs() * extent[j]).sum::<f64>() + row[3].abs();
+        let in_instance = instance_from_file.rows.each_ref().map(sum);
+        let in_file = extent.into_iter().fold(0.0, f64::max);
+        Some(Outline { bounds: pose.surface(primitive).bounds(), terms: Terms { in_instance, in_file } })
+    }
+}

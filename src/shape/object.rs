@@ -1,0 +1,173 @@
+//! Objects, their instances, and where an instance puts its object.
+
+use super::{Primitive, Shapes, Sphere, Surface, Triangle};
+use crate::geometry::Matrix;
+use std::ops::Range;
+
+/// What stands between `ObjectBegin` and `ObjectEnd`, stored once.
+///
+/// Vertices stay as they are in their files, since a world vertex is rounded only after the transforms of instance and shape
+/// have been multiplied (rule R4).
+#[derive(Debug)]
+pub struct Object {
+    shapes: Shapes,
+}
+
+impl Object {
+    pub(super) fn new(shapes: Shapes) -> Object {
+        Object { shapes }
+    }
+
+    /// The geometry.
+    pub fn shapes(&self) -> &Shapes {
+        &self.shapes
+    }
+}
+
+/// One `ObjectInstance`.
+#[derive(Debug)]
+pub struct Instance {
+    pub(super) world_from_instance: Matrix,
+    /// The number of its first primitive.
+    pub(super) first_number: u64,
+    pub(super) object: u32,
+}
+
+const _: () = assert!(size_of::<Instance>() == 112, "there may be millions");
+
+impl Instance {
+    /// The current transform at the directive.
+    pub fn world_from_instance(&self) -> &Matrix {
+        &self.world_from_instance
+    }
+
+    /// The number of the object.
+    pub fn object(&self) -> usize {
+        self.object as usize
+    }
+
+    /// The number of its first primitive, from 0 in the order of the file.
+    pub fn first_number(&self) -> u64 {
+        self.first_number
+    }
+}
+
+/// An object as a transform places it. Knows the whole transform of the mesh that was asked for last.
+#[derive(Debug, Clone)]
+pub struct Pose<'a> {
+    object: &'a Shapes,
+    world_from_instance: Matrix,
+    /// The triangles of the last mesh, and its transform.
+    mesh: Range<u32>,
+    world_from_mesh: Matrix,
+}
+
+impl<'a> Pose<'a> {
+    #[inline]
+    pub(crate) fn new(object: &'a Shapes, world_from_instance: Matrix) -> Pose<'a> {
+        Pose { object, world_from_instance, mesh: 0..0, world_from_mesh: world_from_instance }
+    }
+
+    /// A primitive of the object: its vertices, or its sphere, under the product of the transforms of instance and shape.
+    #[inline]
+    pub fn surface(&mut self, primitive: Primitive) -> Surface {
+        let index = primitive.index();
+        if primitive.is_sphere() {
+            let sphere = self.object.sphere(index);
+            let world_from_object = self.world_from_instance.times(&sphere.world_from_object);
+            return Surface::Sphere(Sphere { world_from_object, ..sphere });
+        }
+        Surface::Triangle(self.triangle(index))
+    }
+
+    /// Triangle `index` of the object.
+    #[inline]
+    pub(super) fn triangle(&mut self, index: usize) -> Triangle {
+        let triangle = index as u32;
+        if !self.mesh.contains(&triangle) {
+            self.mesh = self.object.mesh_around(triangle);
+            self.world_from_mesh = self.world_from_instance.times(self.object.transform_of_mesh(triangle));
+        }
+        Triangle(self.object.triangle(index).0.map(|vertex| self.world_from_mesh.apply(vertex)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Point;
+    use crate::shape::Placed;
+
+    fn corners() -> Vec<Point> {
+        [(0.1, 0.2), (1.3, 0.4), (1.5, 1.6)].map(|(x, y)| Point::new(x, y, 0.7)).to_vec()
+    }
+
+    /// Two meshes under different transforms, and a sphere.
+    fn object() -> Shapes {
+        let mut object = Shapes::default();
+        let first = object.add_transform(Matrix::scale([0.1, 0.3, 0.7]));
+        let second = object.add_transform(Matrix::translate([0.1, 0.2, 0.3]));
+        object.add_object_mesh(corners(), vec![[0, 1, 2], [2, 1, 0]], first, 3).unwrap();
+        object.add_sphere(2.0, None, second, 4).unwrap();
+        object.add_object_mesh(corners(), vec![[0, 1, 2]], second, 5).unwrap();
+        object
+    }
+
+    #[test]
+    fn transforms_are_multiplied_before_a_vertex_is_rounded() {
+        let mut shapes = Shapes::default();
+        let number = shapes.add_object(object());
+        let world_from_instance = Matrix::translate([0.7, 1e9, -0.3]).times(&Matrix::scale([1.1, 1.3, -1.7]));
+        shapes.add_instance(number, world_from_instance).unwrap();
+        let product = world_from_instance.times(&Matrix::scale([0.1, 0.3, 0.7]));
+        let mut pose = shapes.pose(0);
+        let expected = corners().into_iter().map(|corner| product.apply(corner)).collect::<Vec<_>>();
+        // Forth and back between meshes.
+        for index in [0, 2, 1, 0] {
+            let Surface::Triangle(triangle) = pose.surface(Primitive::triangle(index)) else { panic!("a triangle") };
+            assert_eq!(triangle.0.contains(&expected[0]), index != 2);
+        }
+        let Surface::Sphere(sphere) = pose.surface(Primitive::sphere(0)) else { panic!("a sphere") };
+        assert_eq!(sphere.world_from_object, world_from_instance.times(&Matrix::translate([0.1, 0.2, 0.3])));
+    }
+
+    #[test]
+    fn instances_are_numbered_where_they_stand() {
+        let mut shapes = Shapes::default();
+        let number = shapes.add_object(object());
+        shapes.add_mesh(corners(), vec![[0, 1, 2]], &Matrix::IDENTITY, 1).unwrap();
+        shapes.add_instance(number, Matrix::IDENTITY).unwrap();
+        shapes.add_mesh(corners(), vec![[0, 1, 2]], &Matrix::IDENTITY, 6).unwrap();
+        shapes.add_instance(number, Matrix::IDENTITY).unwrap();
+        let mut numbers: Vec<(u64, u32)> =
+            shapes.all().map(|placed| (shapes.number(placed), shapes.shape_number(placed))).collect();
+        numbers.sort_unstable();
+        let ids = [1, 3, 3, 4, 5, 6, 3, 3, 4, 5];
+        assert_eq!(numbers, (0..).zip(ids).collect::<Vec<_>>());
+        assert_eq!((shapes.own_count(), shapes.primitive_count()), (2, 10));
+        let last_of_first = Placed::in_instance(0, Primitive::triangle(2));
+        assert!(shapes.precedes(last_of_first, Placed::alone(Primitive::triangle(1))));
+        assert!(!shapes.precedes(last_of_first, Placed::alone(Primitive::triangle(0))));
+        assert!(shapes.precedes(last_of_first, Placed::in_instance(1, Primitive::triangle(0))));
+    }
+
+    #[test]
+    fn too_many_primitives_are_counted_within_instances() {
+        let mut shapes = Shapes::default();
+        let mut large = Shapes::default();
+        let transform = large.add_transform(Matrix::IDENTITY);
+        large.add_object_mesh(corners(), vec![[0, 1, 2]; 1 << 16], transform, 1).unwrap();
+        let number = shapes.add_object(large);
+        let add = |shapes: &mut Shapes, count: usize| {
+            (0..count).for_each(|_| shapes.add_instance(number, Matrix::IDENTITY).unwrap());
+        };
+        let last = Primitive::triangle((1 << 16) - 1);
+        add(&mut shapes, (1 << 16) - 1);
+        let in_last = Placed::in_instance((1 << 16) - 2, last);
+        assert_eq!((shapes.counts_within_instances(), shapes.image_number(in_last)), (false, u32::MAX - 0xffff));
+        add(&mut shapes, 1);
+        assert!(shapes.counts_within_instances());
+        assert_eq!(shapes.image_number(in_last), 1 << 16);
+        assert_eq!(shapes.number(Placed::in_instance((1 << 16) - 1, last)), u64::from(u32::MAX));
+    }
+}

@@ -1,0 +1,78 @@
+//! A primitive by itself, in world space.
+
+use super::{FilterRay, Sphere, Triangle, Verdict};
+use crate::exact::{Bracket, Root};
+use crate::geometry::{Bounds, Ray};
+
+/// What a ray can hit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Surface {
+    /// A triangle.
+    Triangle(Triangle),
+    /// A sphere, or a part of one.
+    Sphere(Sphere),
+}
+
+impl Surface {
+    /// Whether and where `ray` meets it first, as far as floating point can tell.
+    #[inline]
+    pub fn filter(&self, ray: &FilterRay) -> Verdict {
+        match self {
+            Surface::Triangle(triangle) => triangle.filter(ray),
+            Surface::Sphere(sphere) => sphere.filter(ray),
+        }
+    }
+
+    /// The `t` at which `ray` meets it first, if it does. It [can be hit](Surface::can_be_hit), and so [can the ray
+    /// hit](Ray::can_hit).
+    pub fn exact(&self, ray: &Ray) -> Option<Root> {
+        match self {
+            Surface::Triangle(triangle) => triangle.exact(ray),
+            Surface::Sphere(sphere) => sphere.exact(ray),
+        }
+    }
+
+    /// Where the `t` lies at which `ray` meets it first, which it is known to do, as far as floating point can tell.
+    pub fn t_of_hit(&self, ray: &FilterRay) -> Option<Bracket> {
+        match self {
+            Surface::Triangle(triangle) => triangle.t_of_hit(ray),
+            Surface::Sphere(sphere) => match sphere.filter(ray) {
+                Verdict::Hit(t) => Some(t),
+                _ => None,
+            },
+        }
+    }
+
+    /// The `t` at which `ray` meets it first, which it is known to do.
+    pub fn exact_t(&self, ray: &Ray) -> Root {
+        match self {
+            Surface::Triangle(triangle) => triangle.exact_t(ray),
+            Surface::Sphere(sphere) => sphere.exact(ray).expect("the ray is known to meet the sphere"),
+        }
+    }
+
+    /// Whether any ray can hit it (rules E1 and E2).
+    pub fn can_be_hit(&self) -> bool {
+        match self {
+            Surface::Triangle(triangle) => triangle.can_be_hit(),
+            Surface::Sphere(sphere) => sphere.can_be_hit(),
+        }
+    }
+
+    /// Whether both are surely one and the same set of points.
+    pub fn coincides_with(&self, other: &Surface) -> bool {
+        match (self, other) {
+            (Surface::Sphere(a), Surface::Sphere(b)) => a == b,
+            (Surface::Triangle(a), Surface::Triangle(b)) => a.coincides_with(b),
+            _ => false,
+        }
+    }
+
+    /// The box around it.
+    pub fn bounds(&self) -> Bounds {
+        match self {
+            Surface::Triangle(triangle) => triangle.bounds(),
+            Surface::Sphere(sphere) => sphere.bounds(),
+        }
+    }
+}

@@ -1,0 +1,258 @@
+//! Object instances: the same picture as the same shapes written out, whatever the transforms, and that of the reference.
+
+mod common;
+
+use common::{agreed_picture, assert_same, judged, picture, rendered, whole};
+use feimos::accel::{BuildOptions, Precision, SplitMethod};
+use feimos::camera::{Camera, Projection, ScreenWindow};
+use feimos::exact::times_power_of_two;
+use feimos::film::{ChannelName, Image};
+use feimos::geometry::{Matrix, Point, Transform, Vector};
+use feimos::shape::{Cut, Shapes};
+use proptest::prelude::*;
+
+/// A shape of an object: triangles, or a sphere of that radius.
+#[derive(Debug, Clone)]
+enum Part {
+    Mesh(Vec<[Point; 3]>),
+    Ball(f64, Option<Cut>),
+}
+
+/// What a scene file says after `WorldBegin`.
+#[derive(Debug, Clone)]
+enum Item {
+    Shape(Part, Matrix),
+    Instance(usize, Matrix),
+}
+
+#[derive(Debug, Clone)]
+struct World {
+    objects: Vec<Vec<(Part, Matrix)>>,
+    items: Vec<Item>,
+}
+
+fn vertices(triangles: &[[Point; 3]]) -> (Vec<Point>, Vec<[u32; 3]>) {
+    let indices = (0..triangles.len() as u32).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
+    (triangles.iter().flatten().copied().collect(), indices)
+}
+
+fn add(shapes: &mut Shapes, part: &Part, world_from_object: &Matrix, number: u32) {
+    match part {
+        Part::Mesh(triangles) => {
+            let (vertices, triangles) = vertices(triangles);
+            shapes.add_mesh(vertices, triangles, world_from_object, number).unwrap();
+        }
+        Part::Ball(radius, cut) => {
+            let transform = shapes.add_transform(*world_from_object);
+            shapes.add_sphere(*radius, *cut, transform, number).unwrap();
+        }
+    }
+}
+
+impl World {
+    /// The number of the first shape of an object, and the object itself as it is stored.
+    fn object(&self, object: usize) -> (u32, Shapes) {
+        let first = 1 + self.objects[..object].iter().map(Vec::len).sum::<usize>() as u32;
+        let mut shapes = Shapes::default();
+        for ((part, instance_from_object), number) in self.objects[object].iter().zip(first..) {
+            let transform = shapes.add_transform(*instance_from_object);
+            match part {
+                Part::Mesh(triangles) => {
+                    let (vertices, triangles) = vertices(triangles);
+                    shapes.add_object_mesh(vertices, triangles, transform, number).unwrap();
+                }
+                Part::Ball(radius, cut) => shapes.add_sphere(*radius, *cut, transform, number).unwrap(),
+            }
+        }
+        (first, shapes)
+    }
+
+    fn instanced(&self) -> Shapes {
+        let mut shapes = Shapes::default();
+        for object in 0..self.objects.len() {
+            shapes.add_object(self.object(object).1);
+        }
+        for (item, number) in self.items.iter().zip(100..) {
+            match item {
+                Item::Shape(part, world_from_object) => add(&mut shapes, part, world_from_object, number),
+                Item::Instance(object, world_from_instance) => {
+                    shapes.add_instance(*object, *world_from_instance).unwrap();
+                }
+            }
+        }
+        shapes
+    }
+
+    /// Every instance as shapes of its own, under the product of the transforms.
+    fn written_out(&self) -> Shapes {
+        let mut shapes = Shapes::default();
+        for (item, number) in self.items.iter().zip(100..) {
+            match item {
+                Item::Shape(part, world_from_object) => add(&mut shapes, part, world_from_object, number),
+                Item::Instance(object, world_from_instance) => {
+                    let first = self.object(*object).0;
+                    for ((part, instance_from_object), number) in self.objects[*object].iter().zip(first..) {
+                        add(&mut shapes, part, &world_from_instance.times(instance_from_object), number);
+                    }
+                }
+            }
+        }
+        shapes
+    }
+}
+
+fn camera(eye: Matrix, orthographic: bool, size: u32) -> Camera {
+    let half = if orthographic { 6.0 } else { 1.0 };
+    Camera {
+        world_from_camera: eye,
+        projection: if orthographic { Projection::Orthographic } else { Projection::Perspective { tangent: 1.0 } },
+        screen_window: ScreenWindow { x0: -half, x1: half, y0: -half, y1: half },
+        resolution: [size, size],
+    }
+}
+
+/// All but the channel that only instances have.
+fn without_instance(mut image: Image) -> Image {
+    image.channels.retain(|channel| channel.name != ChannelName::Instance);
+    image
+}
+
+fn grid_point() -> impl Strategy<Value = Point> {
+    prop::array::uniform3(-3i32..=3).prop_map(|corner| Point::from(corner.map(f64::from)))
+}
+
+fn part() -> impl Strategy<Value = Part> {
+    let triangles = |most| prop::collection::vec(prop::array::uniform3(grid_point()), 0..most);
+    let cut = prop::sample::select(vec![None, Cut::new(1.0, -0.5, 1.0, 200.0)]);
+    prop_oneof![
+        3 => triangles(8).prop_map(Part::Mesh),
+        1 => triangles(60).prop_map(Part::Mesh),
+        1 => cut.prop_map(|cut| Part::Ball(1.0, cut)),
+    ]
+}
+
+/// Moves by whole numbers, which make ties, mirrors, flattens, turns, shears and scales.
+fn matrix() -> impl Strategy<Value = Matrix> + Clone {
+    let offset = prop::array::uniform3(-3i32..=3).prop_map(|offset| Matrix::translate(offset.map(f64::from)));
+    let stretch = prop::array::uniform3(prop::sample::select(vec![1.0, 1.0, -1.0, 2.0, 0.0, 0.3]));
+    let turn = (-180.0f64..180.0, prop::array::uniform3(-1.0f64..1.0))
+        .prop_map(|(angle, axis)| Transform::rotate(angle, Vector::from(axis)).matrix);
+    let shear = prop::array::uniform12(-2.0f64..2.0)
+        .prop_map(|m| Matrix { rows: [0, 1, 2].map(|k| [m[4 * k], m[4 * k + 1], m[4 * k + 2], m[4 * k + 3]]) });
+    let one = || {
+        prop_oneof![
+            Just(Matrix::IDENTITY),
+            offset.clone(),
+            stretch.clone().prop_map(Matrix::scale),
+            turn.clone(),
+            shear.clone()
+        ]
+    };
+    (one(), one()).prop_map(|(a, b)| a.times(&b))
+}
+
+fn world() -> impl Strategy<Value = World> {
+    let object = prop::collection::vec((part(), matrix()), 0..4);
+    let item = prop_oneof![
+        1 => (part(), matrix()).prop_map(|(part, matrix)| Item::Shape(part, matrix)),
+        3 => (0usize..3, matrix()).prop_map(|(object, matrix)| Item::Instance(object, matrix)),
+    ];
+    (prop::collection::vec(object, 3), prop::collection::vec(item, 0..9))
+        .prop_map(|(objects, items)| World { objects, items })
+}
+
+/// An eye on the grid, turned or not.
+fn eye() -> impl Strategy<Value = Matrix> {
+    let turned = Transform::rotate(37.0, Vector::new(1.0, 2.0, 3.0)).matrix;
+    (grid_point(), prop::sample::select(vec![Matrix::IDENTITY, turned]))
+        .prop_map(|(eye, turn)| Matrix::translate((eye - Point::new(0.0, 0.0, 4.0)).to_array()).times(&turn))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(150) })]
+
+    /// Every accelerator, level and number of threads, and the shapes written out.
+    #[test]
+    fn instances_are_what_they_stand_for(world in world(), eye in eye(), orthographic in any::<bool>()) {
+        let camera = camera(eye, orthographic, 17);
+        let image = agreed_picture(&camera, &world.instanced(), Precision::Exact).image;
+        let options = BuildOptions::new(SplitMethod::Sah);
+        let expected = picture(&camera, &world.written_out(), options, Precision::Exact, 1, whole(&camera)).image;
+        assert_same(&without_instance(expected), &without_instance(image), "written out");
+    }
+
+    #[test]
+    fn fast_answers_do_not_depend_on_the_tree(world in world(), eye in eye(), orthographic in any::<bool>()) {
+        agreed_picture(&camera(eye, orthographic, 9), &world.instanced(), Precision::Fast);
+    }
+
+    #[test]
+    fn the_reference_agrees(world in world(), eye in eye(), orthographic in any::<bool>()) {
+        let (camera, shapes) = (camera(eye, orthographic, 7), world.instanced());
+        for method in [SplitMethod::None, SplitMethod::Sah] {
+            let options = BuildOptions { method, max_leaf: 1 };
+            let image = picture(&camera, &shapes, options, Precision::Exact, 1, whole(&camera)).image;
+            prop_assert_eq!(rendered(&image), judged(&camera, &shapes));
+        }
+    }
+
+    /// Numbers that leave the range of f64 on the way to the instance, or nearly, though the product of both does not.
+    #[test]
+    fn sizes_that_cancel_are_what_they_stand_for(
+        world in world(),
+        exponents in prop::array::uniform3(-1060i32..1000),
+        eye in eye(),
+        orthographic in any::<bool>(),
+    ) {
+        let scale = |exponent: i32| Matrix::scale([times_power_of_two(1.0, exponent); 3]);
+        let mut world = world;
+        for (object, exponent) in world.objects.iter_mut().zip(exponents) {
+            object.iter_mut().for_each(|(_, matrix)| *matrix = scale(exponent).times(matrix));
+        }
+        for item in &mut world.items {
+            if let Item::Instance(object, matrix) = item {
+                *matrix = matrix.times(&scale(-exponents[*object]));
+            }
+        }
+        let camera = camera(eye, orthographic, 9);
+        let image = agreed_picture(&camera, &world.instanced(), Precision::Exact).image;
+        let options = BuildOptions::new(SplitMethod::Sah);
+        let expected = picture(&camera, &world.written_out(), options, Precision::Exact, 1, whole(&camera)).image;
+        assert_same(&without_instance(expected), &without_instance(image), "written out");
+    }
+}
+
+/// 65,792 instances of 65,538 triangles: more than `prim` can count.
+#[test]
+fn too_many_primitives_are_told_by_instance() {
+    let mut object = Shapes::default();
+    let transform = object.add_transform(Matrix::IDENTITY);
+    // One behind the other.
+    let layer = |z: u32| [(-0.4, -0.4), (0.4, -0.4), (0.0, 0.4)].map(|(x, y)| Point::new(x, y, f64::from(z)));
+    let layers: Vec<[Point; 3]> = (0..65_538).map(layer).collect();
+    let (vertices, triangles) = vertices(&layers);
+    object.add_object_mesh(vertices, triangles, transform, 1).unwrap();
+    let mut shapes = Shapes::default();
+    let object = shapes.add_object(object);
+    for instance in 0..65_792 {
+        let place = Matrix::translate([f64::from(instance % 257) - 128.0, f64::from(instance / 257) - 128.0, 200.0]);
+        shapes.add_instance(object, place).unwrap();
+    }
+    assert!(shapes.counts_within_instances());
+    let camera = camera(Matrix::translate([0.0, 0.0, 0.0]), false, 257);
+    let options = BuildOptions::new(SplitMethod::Middle);
+    let image = picture_of(&camera, &shapes, options);
+    let (prim, instance) = (image.numbers(ChannelName::Prim).unwrap(), image.numbers(ChannelName::Instance).unwrap());
+    let hits: Vec<usize> = (0..prim.len()).filter(|pixel| prim[*pixel] != 0).collect();
+    assert!(hits.len() > 5_000, "{}", hits.len());
+    assert!(hits.iter().all(|pixel| (1..=65_538).contains(&prim[*pixel])));
+    assert!(hits.iter().filter(|pixel| prim[**pixel] == 1).count() > 1_000, "many see a first layer");
+    let different: std::collections::HashSet<u32> = hits.iter().map(|pixel| instance[*pixel]).collect();
+    assert!(different.len() > 4_000, "{}", different.len());
+}
+
+/// Without the check of the tree, which would look at every primitive of every instance.
+fn picture_of(camera: &Camera, shapes: &Shapes, build: BuildOptions) -> Image {
+    let way = common::Way { build, threads: 2, level: feimos::simd::Level::detect(), for_view: true };
+    common::picture_by(camera, shapes, way, Precision::Exact, whole(camera)).image
+}
