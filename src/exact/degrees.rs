@@ -10,6 +10,7 @@
 use super::Dyadic;
 use super::powers::mantissa_and_exponent;
 use num_bigint::{BigInt, BigUint};
+use std::sync::LazyLock;
 
 /// The sine of `angle` degrees; NaN where it is not finite.
 pub fn sine(angle: f64) -> f64 {
@@ -117,7 +118,7 @@ impl Angle {
 
 /// Doubles the precision, in bits behind the binary point, until both ends of the bracket agree.
 fn refine(angle: &Angle, bracket: impl Fn(u64) -> (f64, f64)) -> f64 {
-    let mut bits = 128;
+    let mut bits = 80;
     loop {
         let (low, high) = bracket(bits + angle.leading_zeros());
         if low == high {
@@ -157,8 +158,16 @@ fn sine_and_cosine(angle: &Angle, p: u64) -> (Bracket, Bracket) {
     (sine, cosine)
 }
 
-/// pi in units of `2^-p`, at most one unit too small or too large: Machin's 16 atan(1/5) - 4 atan(1/239).
+/// pi in units of `2^-p`, at most one unit too small or too large.
 fn pi(p: u64) -> BigInt {
+    // Scenes have rotations by the million, hardly one of which needs more bits.
+    const KEPT: u64 = 256;
+    static PI: LazyLock<BigInt> = LazyLock::new(|| machin(KEPT));
+    if p <= KEPT { &*PI >> (KEPT - p) } else { machin(p) }
+}
+
+/// pi as [`pi`] tells it: 16 atan(1/5) - 4 atan(1/239).
+fn machin(p: u64) -> BigInt {
     const GUARD: u64 = 32;
     let unit = BigInt::from(1) << (p + GUARD);
     let pi: BigInt = arctangent_of_inverse(5, &unit) * 16 - arctangent_of_inverse(239, &unit) * 4;
