@@ -1,4 +1,4 @@
-//! Mesh files to triangles: PLY and OBJ, either of them compressed with gzip.
+//! Meshes as triangles: files in PLY and OBJ, either of them compressed with gzip; subdivision surfaces.
 //!
 //! A mesh keeps the order of its file: faces in file order, and the triangles of a face in the order that
 //! [`polygon`] fixes, because a triangle's place is the primitive id that pictures store.
@@ -7,6 +7,7 @@
 
 mod faces;
 mod gzip;
+pub mod loop_subdivision;
 mod obj;
 mod ply;
 pub mod polygon;

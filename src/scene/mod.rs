@@ -10,6 +10,7 @@ mod load;
 mod parameters;
 pub mod parser;
 mod shape_statement;
+mod shapes;
 mod source;
 pub mod spelling;
 mod transform_cache;

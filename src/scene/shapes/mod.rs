@@ -1,0 +1,7 @@
+//! Shapes, one file a kind: what their parameters mean.
+
+mod arrays;
+mod mesh_file;
+mod sphere;
+mod subdivision_surface;
+mod triangle_mesh;
