@@ -317,6 +317,30 @@ fn what_cannot_be_subdivided_is_shown() {
 }
 
 #[test]
+fn bilinear_patches_are_two_triangles_each() {
+    let corners = "\"point3 P\" [ 0 0 0  1 0 0  0 1 0  1 1 0  2 0 0  2 1 1 ]";
+    let flat = scene(&format!(
+        "WorldBegin Shape \"bilinearmesh\" {corners} \"integer indices\" [ 0 1 2 3 ] \"point2 uv\" [ 0 0 ]"
+    ));
+    assert_eq!(warnings(&flat), []);
+    let triangles = [0, 1].map(|index| flat.shapes.triangle(index).0.map(|corner| (corner.x, corner.y)));
+    assert_eq!(triangles, [[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)], [(0.0, 0.0), (1.0, 1.0), (0.0, 1.0)]]);
+    let curved = "\"integer indices\" [ 0 1 2 3  1 4 3 5 ]";
+    let both = scene(&format!(
+        "WorldBegin Shape \"bilinearmesh\" {corners} {curved} Shape \"bilinearmesh\" {corners} {curved}"
+    ));
+    assert_eq!((both.shapes.triangle_count(), both.shapes.number(Primitive::triangle(7))), (8, 7));
+    let message = "bilinear patches that are not flat and convex are rendered as two triangles each";
+    assert_eq!(warnings(&both), [(message.to_owned(), 2)]);
+    let alone = scene("WorldBegin Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0  1 1 0 ]");
+    assert_eq!(alone.shapes.triangle_count(), 2);
+    let found = error(&format!("WorldBegin Shape \"bilinearmesh\" {corners}"));
+    assert!(found.starts_with("a.pbrt:1:18: a bilinear mesh of 6 vertices without `indices`"), "{found}");
+    let found = error(&format!("WorldBegin Shape \"bilinearmesh\" {corners} \"integer indices\" [ 0 1 2 ]"));
+    assert!(found.contains("`indices` has 3 numbers, expected four a patch"), "{found}");
+}
+
+#[test]
 fn a_bare_mesh_is_framed() {
     let obj = "v -1 -1 0\nv 3 -1 0\nv 1 2 4\nf 1 2 3\n";
     let scene = load_files(&[("m.obj", obj)]).unwrap();

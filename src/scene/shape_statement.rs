@@ -22,21 +22,11 @@ pub(super) struct ShapeTarget<'a> {
 }
 
 /// Shapes of pbrt that feimos has, and its own.
-const SUPPORTED: [&str; 5] = ["sphere", "trianglemesh", "loopsubdiv", "plymesh", "objmesh"];
+const SUPPORTED: [&str; 6] = ["sphere", "trianglemesh", "loopsubdiv", "bilinearmesh", "plymesh", "objmesh"];
 
 /// Shapes of pbrt that feimos does not have.
-const UNSUPPORTED: [&str; 10] = [
-    "bilinearmesh",
-    "cone",
-    "curve",
-    "cylinder",
-    "disk",
-    "heightfield",
-    "hyperboloid",
-    "nurbs",
-    "paraboloid",
-    "heightfield2",
-];
+const UNSUPPORTED: [&str; 9] =
+    ["cone", "curve", "cylinder", "disk", "heightfield", "hyperboloid", "nurbs", "paraboloid", "heightfield2"];
 
 /// What meshes may say about their surface without moving it.
 pub(super) const SURFACE: [&str; 8] =
@@ -49,6 +39,7 @@ impl ShapeTarget<'_> {
             "sphere" => self.add_sphere(&mut parameters)?,
             "trianglemesh" => self.add_triangle_mesh(&mut parameters)?,
             "loopsubdiv" => self.add_subdivision_surface(&mut parameters)?,
+            "bilinearmesh" => self.add_bilinear_mesh(&mut parameters)?,
             "plymesh" => self.add_mesh_file(&mut parameters, mesh::read_ply)?,
             "objmesh" => self.add_mesh_file(&mut parameters, mesh::read_obj)?,
             other => {
