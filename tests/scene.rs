@@ -5,7 +5,7 @@ use feimos::film::PixelBounds;
 use feimos::geometry::Point;
 use feimos::progress::Progress;
 use feimos::scene::{LoadOptions, Scene, load, read_options};
-use feimos::shape::Primitive;
+use feimos::shape::{Form, Primitive};
 use std::path::Path;
 use tempfile::TempDir;
 
@@ -204,7 +204,7 @@ fn what_is_rendered_otherwise_is_warned_of() {
     assert_eq!(warnings(&scene), found);
     let shapes = &scene.shapes;
     assert_eq!(shapes.sphere_count(), 4, "those that are never hit keep their numbers");
-    let is_cut = |index: usize| shapes.sphere(index).cut.is_some();
+    let is_cut = |index: usize| shapes.sphere(index).form != Form::Sphere(None);
     assert_eq!([0, 1, 2, 3].map(is_cut), [false, true, false, false]);
 }
 

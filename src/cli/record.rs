@@ -17,6 +17,7 @@ pub(crate) struct Record {
     pub(crate) hits: u64,
     pub(crate) shapes: u32,
     pub(crate) triangles: usize,
+    /// Cylinders and disks among them.
     pub(crate) spheres: usize,
     pub(crate) ms: Milliseconds,
     pub(crate) bvh: Bvh,

@@ -14,7 +14,7 @@ pub(super) fn report_scene(scene: &Scene, reporter: &Reporter) {
     }
     let shapes = &scene.shapes;
     reporter.detail(format_args!(
-        "loaded {} shapes: {} triangles, {} spheres, {} transforms, {} bytes",
+        "loaded {} shapes: {} triangles, {} spheres, cylinders and disks, {} transforms, {} bytes",
         scene.shape_count,
         shapes.triangle_count(),
         shapes.sphere_count(),
@@ -55,7 +55,11 @@ pub(super) fn report_statistics(scene: &Scene, finished: &Finished, reporter: &R
     let (nodes, primitives) = (work.nodes as f64 / rays, work.primitives as f64 / rays);
     let lines = [
         format!("shapes      {} under {} transforms", scene.shape_count, scene.transform_count),
-        format!("primitives  {} triangles, {} spheres", shapes.triangle_count(), shapes.sphere_count()),
+        format!(
+            "primitives  {} triangles, {} spheres, cylinders and disks",
+            shapes.triangle_count(),
+            shapes.sphere_count()
+        ),
         format!("geometry    {} bytes", shapes.bytes()),
         format!("precision   {}", finished.precision),
         format!("accelerator {}, built in {:.1} ms", finished.method, ms.build),

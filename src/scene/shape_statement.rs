@@ -22,11 +22,11 @@ pub(super) struct ShapeTarget<'a> {
 }
 
 /// Shapes of pbrt that feimos has, and its own.
-const SUPPORTED: [&str; 6] = ["sphere", "trianglemesh", "loopsubdiv", "bilinearmesh", "plymesh", "objmesh"];
+const SUPPORTED: [&str; 8] =
+    ["sphere", "cylinder", "disk", "trianglemesh", "loopsubdiv", "bilinearmesh", "plymesh", "objmesh"];
 
 /// Shapes of pbrt that feimos does not have.
-const UNSUPPORTED: [&str; 9] =
-    ["cone", "curve", "cylinder", "disk", "heightfield", "hyperboloid", "nurbs", "paraboloid", "heightfield2"];
+const UNSUPPORTED: [&str; 7] = ["cone", "curve", "heightfield", "hyperboloid", "nurbs", "paraboloid", "heightfield2"];
 
 /// What meshes may say about their surface without moving it.
 pub(super) const SURFACE: [&str; 8] =
@@ -37,6 +37,8 @@ impl ShapeTarget<'_> {
     pub(super) fn add(&mut self, mut parameters: Parameters) -> Result<()> {
         match parameters.entity_name() {
             "sphere" => self.add_sphere(&mut parameters)?,
+            "cylinder" => self.add_cylinder(&mut parameters)?,
+            "disk" => self.add_disk(&mut parameters)?,
             "trianglemesh" => self.add_triangle_mesh(&mut parameters)?,
             "loopsubdiv" => self.add_subdivision_surface(&mut parameters)?,
             "bilinearmesh" => self.add_bilinear_mesh(&mut parameters)?,

@@ -6,8 +6,8 @@
 mod filter_ray;
 mod numbers;
 mod primitive;
+mod quadric;
 mod shapes;
-mod sphere;
 mod triangle;
 mod vector32;
 mod verdict;
@@ -15,10 +15,10 @@ mod verdict;
 pub use filter_ray::FilterRay;
 pub use numbers::Numbers;
 pub use primitive::Primitive;
+pub use quadric::{Cut, Disk, Form, Quadric, Sector};
 pub use shapes::{Broken, CapacityError, Shapes};
-pub use sphere::{Cut, Sector, Sphere};
 pub use triangle::Triangle;
 pub use verdict::Verdict;
 
-pub(crate) use sphere::SingleSphere;
+pub(crate) use quadric::{Ellipsoid, SingleQuadric};
 pub(crate) use triangle::intersect_single;

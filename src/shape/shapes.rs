@@ -1,14 +1,14 @@
 //! All geometry of a scene, in the order of the file.
 
-use super::sphere::Cut;
-use super::{FilterRay, Primitive, Sphere, Triangle, Verdict};
+use super::{Cut, FilterRay, Form, Primitive, Quadric, Triangle, Verdict};
 use crate::exact::{Bracket, Root};
 use crate::geometry::{Bounds, Matrix, Point, Ray};
 use rayon::prelude::*;
 use std::fmt;
 use std::ops::Range;
 
-/// The geometry of a scene. Meshes are in world space; spheres keep the number of their transform.
+/// The geometry of a scene. Meshes are in world space; spheres keep the number of their transform, and
+/// so do cylinders and disks, which are stored among them.
 ///
 /// Primitive numbers count from 0 in the order of the file, through all shapes (rule E3), and never change: an
 /// accelerator orders its own references. Shape numbers count `Shape` statements from 1.
@@ -19,8 +19,8 @@ pub struct Shapes {
     meshes: Vec<MeshRun>,
     spheres: Vec<StoredSphere>,
     sphere_runs: Vec<SphereRun>,
-    /// Of the spheres that are not whole, in their order.
-    cuts: Vec<(u32, Cut)>,
+    /// Of those that are not whole spheres, in their order.
+    forms: Vec<(u32, Form)>,
     transforms: Vec<Matrix>,
 }
 
@@ -122,6 +122,11 @@ impl Shapes {
         transform: u32,
         shape: u32,
     ) -> Result<(), CapacityError> {
+        self.add_quadric(radius, Form::Sphere(cut), transform, shape)
+    }
+
+    /// Appends a sphere, a cylinder or a disk, as [`Shapes::add_sphere`] does.
+    pub fn add_quadric(&mut self, radius: f64, form: Form, transform: u32, shape: u32) -> Result<(), CapacityError> {
         self.check_room(self.spheres.len() + 1, "spheres")?;
         let first_number = self.next_number(1)?;
         let first_sphere = self.spheres.len() as u32;
@@ -132,7 +137,9 @@ impl Shapes {
         if !follows {
             self.sphere_runs.push(SphereRun { first_sphere, first_number });
         }
-        self.cuts.extend(cut.map(|cut| (first_sphere, cut)));
+        if form != Form::Sphere(None) {
+            self.forms.push((first_sphere, form));
+        }
         self.spheres.push(StoredSphere { radius, transform, shape });
         Ok(())
     }
@@ -165,7 +172,7 @@ impl Shapes {
         self.triangles.len()
     }
 
-    /// Spheres, those that can never be hit among them.
+    /// Spheres, cylinders and disks, those that can never be hit among them.
     pub fn sphere_count(&self) -> usize {
         self.spheres.len()
     }
@@ -177,7 +184,7 @@ impl Shapes {
             + size_of_val(&self.meshes[..])
             + size_of_val(&self.spheres[..])
             + size_of_val(&self.sphere_runs[..])
-            + size_of_val(&self.cuts[..])
+            + size_of_val(&self.forms[..])
             + size_of_val(&self.transforms[..])
     }
 
@@ -205,14 +212,14 @@ impl Shapes {
         &self.vertices[place as usize]
     }
 
-    /// Sphere `index` of the store.
-    pub fn sphere(&self, index: usize) -> Sphere {
+    /// Sphere, cylinder or disk `index` of the store.
+    pub fn sphere(&self, index: usize) -> Quadric {
         let stored = &self.spheres[index];
-        let cut = self.cuts.binary_search_by_key(&index, |(sphere, _)| *sphere as usize);
-        Sphere {
+        let place = self.forms.binary_search_by_key(&index, |(sphere, _)| *sphere as usize);
+        Quadric {
             world_from_object: self.transforms[stored.transform as usize],
             radius: stored.radius,
-            cut: cut.ok().map(|place| self.cuts[place].1),
+            form: place.map_or(Form::Sphere(None), |place| self.forms[place].1),
         }
     }
 
@@ -251,7 +258,7 @@ impl Shapes {
         }
     }
 
-    /// Whether any ray can hit a primitive (rules E1 and E2).
+    /// Whether any ray can hit a primitive (rules E1, E2, E5 and E6).
     pub fn can_be_hit(&self, primitive: Primitive) -> bool {
         let index = primitive.index();
         if primitive.is_sphere() { self.sphere(index).can_be_hit() } else { self.triangle(index).can_be_hit() }

@@ -143,7 +143,7 @@ fn warnings_are_said_once_a_kind_with_their_count() {
    |
  2 | Shape \"cone\"
    |       ^^^^^^
-   = supported are sphere, trianglemesh, loopsubdiv, bilinearmesh, plymesh, objmesh
+   = supported are sphere, cylinder, disk, trianglemesh, loopsubdiv, bilinearmesh, plymesh, objmesh
    = the first of 2
 note: no ray hits anything
 pbrt.exr: 2 x 2 pixels";

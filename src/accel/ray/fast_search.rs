@@ -5,7 +5,7 @@ use crate::accel::hit::Hit;
 use crate::accel::space::{AnchorSpace, SingleRay, SlabRay};
 use crate::exact::Bracket;
 use crate::geometry::{Point, Ray};
-use crate::shape::{Primitive, Shapes, SingleSphere, intersect_single};
+use crate::shape::{Primitive, Shapes, SingleQuadric, intersect_single};
 
 /// The best hit so far of a ray among the primitives that were tested. Everything is relative to the anchor and in `f32`.
 ///
@@ -34,10 +34,10 @@ impl<'a> FastSearch<'a> {
     fn intersect(&self, primitive: Primitive) -> Option<f32> {
         let SingleRay { origin, direction, largest_axis, .. } = self.ray;
         if primitive.is_sphere() {
-            let sphere = self.shapes.sphere(primitive.index());
-            let centre = self.space.place(&Point::from(sphere.world_from_object.column(3)));
+            let quadric = self.shapes.sphere(primitive.index());
+            let centre = self.space.place(&Point::from(quadric.world_from_object.column(3)));
             let from_centre = std::array::from_fn(|k| origin[k] - centre[k]);
-            return SingleSphere::new(&sphere, self.space.units()).intersect(from_centre, direction);
+            return SingleQuadric::new(&quadric, self.space.units()).intersect(from_centre, direction);
         }
         let corners = self.shapes.triangle(primitive.index()).0.map(|corner| {
             let corner = self.space.place(&corner);

@@ -1,7 +1,7 @@
 //! Sixteen triangles side by side.
 
-use super::spheres::spread;
-use crate::shape::{Primitive, Shapes, Sphere};
+use super::spheres::Spread;
+use crate::shape::{Primitive, Quadric, Shapes};
 use crate::simd::LANES;
 use rayon::prelude::*;
 
@@ -28,7 +28,7 @@ pub(super) struct Block {
 pub(super) const BLOCK: usize = LANES;
 
 impl Block {
-    /// Lanes that hold a sphere.
+    /// Lanes that hold a sphere, a cylinder or a disk.
     pub(super) fn spheres(&self) -> u32 {
         ((1 << self.count) - 1) & !self.triangles
     }
@@ -64,13 +64,13 @@ impl Block {
 }
 
 impl Block {
-    /// Spheres have their centres for corners, and for edges what [`spread`] tells of them.
-    fn put_sphere(&mut self, lane: usize, sphere: &Sphere) {
-        let spread = spread(sphere);
+    /// Spheres have their centres for corners, and for edges what [`Spread`] tells of them.
+    fn put_sphere(&mut self, lane: usize, quadric: &Quadric) {
+        let Spread { centre, entries } = Spread::of(quadric);
         for axis in 0..3 {
-            self.corner[axis][lane] = sphere.world_from_object.rows[axis][3];
-            self.edges[0][axis][lane] = spread[axis];
-            self.edges[1][axis][lane] = spread[3 + axis];
+            self.corner[axis][lane] = centre[axis];
+            self.edges[0][axis][lane] = entries[axis];
+            self.edges[1][axis][lane] = entries[3 + axis];
         }
     }
 }

@@ -3,6 +3,6 @@
 mod arrays;
 mod bilinear_mesh;
 mod mesh_file;
-mod sphere;
+mod quadrics;
 mod subdivision_surface;
 mod triangle_mesh;
