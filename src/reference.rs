@@ -4,9 +4,9 @@
 //! program where there are others, and looks at every primitive. Comparing and rounding of roots it shares.
 
 use crate::exact::{Bracket, Dyadic, ExactVector, Root, nearest_f32};
-use crate::geometry::Ray;
-use crate::shape::{Placed, Shapes, Sphere, Surface, Triangle};
-use std::cmp::Ordering::{Equal, Greater, Less};
+use crate::geometry::{Matrix, Ray};
+use crate::shape::{Cut, Disk, Form, Placed, Quadric, Sector, Shapes, Surface, Triangle};
+use std::cmp::Ordering::{self, Equal, Greater, Less};
 
 /// What a ray meets first.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,7 +37,7 @@ pub fn closest_hit(shapes: &Shapes, ray: &Ray) -> Option<ReferenceHit> {
 fn intersect(surface: &Surface, ray: &Ray) -> Option<Root> {
     match surface {
         Surface::Triangle(triangle) => meet_triangle(triangle, ray),
-        Surface::Sphere(sphere) => meet_sphere(sphere, ray),
+        Surface::Quadric(quadric) => meet_quadric(quadric, ray),
     }
 }
 
@@ -68,47 +68,129 @@ fn meet_triangle(triangle: &Triangle, ray: &Ray) -> Option<Root> {
     (0..3).all(is_inside).then(|| Root::ratio(height, slope))
 }
 
+/// Rules E2, E5 and E6.
+fn meet_quadric(quadric: &Quadric, ray: &Ray) -> Option<Root> {
+    let Quadric { world_from_object: m, radius, form } = quadric;
+    if !(m.is_finite() && radius.is_finite() && *radius > 0.0) || determinant(&columns(m)).is_zero() {
+        return None;
+    }
+    match form {
+        Form::Sphere(cut) => meet_sphere(m, *radius, cut.as_ref(), ray),
+        Form::Cylinder(cut) => meet_cylinder(m, *radius, cut, ray),
+        Form::Disk(disk) => meet_disk(m, *radius, disk, ray),
+    }
+}
+
+fn columns(m: &Matrix) -> [ExactVector; 3] {
+    [0, 1, 2].map(|j| ExactVector::from(m.column(j)))
+}
+
+fn determinant([x, y, z]: &[ExactVector; 3]) -> Dyadic {
+    x.dot(&y.cross(z))
+}
+
 /// Rule E2 in object space, by the exact inverse: a fraction with the determinant below.
-fn meet_sphere(sphere: &Sphere, ray: &Ray) -> Option<Root> {
-    let Sphere { world_from_object: m, radius, .. } = sphere;
-    if !(m.is_finite() && radius.is_finite() && *radius > 0.0) {
-        return None;
-    }
+fn meet_sphere(m: &Matrix, radius: f64, cut: Option<&Cut>, ray: &Ray) -> Option<Root> {
     let (inverse, determinant) = m.exact_adjugate();
-    if determinant.is_zero() {
-        return None;
-    }
     let apply = |v: &ExactVector| ExactVector::new([0, 1, 2].map(|k| inverse[k].dot(v)));
     let origin = apply(&ExactVector::from(ray.origin).minus(&ExactVector::from(m.column(3))));
     let direction = apply(&ExactVector::from(ray.direction));
-    let radius = &Dyadic::from(*radius) * &determinant;
+    let radius = &Dyadic::from(radius) * &determinant;
     let a = direction.dot(&direction);
     let b = origin.dot(&direction);
     let c = &origin.dot(&origin) - &radius.square();
     let roots = Root::of_quadratic(&a, &b, &c)?;
-    roots.into_iter().find(|t| t.sign() == Greater && is_left(sphere, &origin, &direction, &determinant, t))
+    let is_there = |t: &Root| {
+        // The sign of `weights . q - offset`.
+        cut.is_none_or(|cut| {
+            is_left(cut, |weights, offset| {
+                let weights = ExactVector::from(weights).times(&determinant);
+                let offset = &Dyadic::from(offset) * &determinant.square();
+                t.sign_of_linear(&(&weights.dot(&origin) - &offset), &weights.dot(&direction))
+            })
+        })
+    };
+    roots.into_iter().find(|t| t.sign() == Greater && is_there(t))
 }
 
-/// Whether the sphere's cut leaves the point at `t`, given the ray in object space times `determinant`.
-fn is_left(sphere: &Sphere, origin: &ExactVector, direction: &ExactVector, determinant: &Dyadic, t: &Root) -> bool {
-    let Some(cut) = &sphere.cut else { return true };
-    // The sign of `weights . q - offset`.
-    let sign = |weights: [f64; 3], offset: f64| {
-        let weights = ExactVector::from(weights).times(determinant);
-        let offset = &Dyadic::from(offset) * &determinant.square();
-        t.sign_of_linear(&(&weights.dot(origin) - &offset), &weights.dot(direction))
+/// Rule E5 by Cramer's rule: a coordinate is the determinant with that column replaced, over the determinant.
+fn meet_cylinder(m: &Matrix, radius: f64, cut: &Cut, ray: &Ray) -> Option<Root> {
+    let columns = columns(m);
+    let below = determinant(&columns);
+    let coordinates = |v: ExactVector| {
+        [0, 1, 2].map(|k| {
+            let mut replaced = columns.clone();
+            replaced[k] = v.clone();
+            determinant(&replaced)
+        })
     };
+    let start = coordinates(ExactVector::from(ray.origin).minus(&ExactVector::from(m.column(3))));
+    let step = coordinates(ExactVector::from(ray.direction));
+    let across = |a: &[Dyadic; 3], b: &[Dyadic; 3]| &(&a[0] * &b[0]) + &(&a[1] * &b[1]);
+    let a = across(&step, &step);
+    if a.is_zero() {
+        return None;
+    }
+    let c = &across(&start, &start) - &(&Dyadic::from(radius) * &below).square();
+    let roots = Root::of_quadratic(&a, &across(&start, &step), &c)?;
+    let is_there = |t: &Root| {
+        is_left(cut, |weights, offset| {
+            let sum = |of: &[Dyadic; 3]| ExactVector::from(weights).dot(&ExactVector::new(of.clone()));
+            let offset = &Dyadic::from(offset) * &below;
+            let sign = t.sign_of_linear(&(&sum(&start) - &offset), &sum(&step));
+            if below.sign() == Less { sign.reverse() } else { sign }
+        })
+    };
+    roots.into_iter().find(|t| t.sign() == Greater && is_there(t))
+}
+
+/// Rule E6 in the world: where the ray crosses the plane, a point is x and y times the first two columns, which the normal tells.
+fn meet_disk(m: &Matrix, radius: f64, disk: &Disk, ray: &Ray) -> Option<Root> {
+    let [x, y, z] = columns(m);
+    let (origin, direction) = (ExactVector::from(ray.origin), ExactVector::from(ray.direction));
+    let middle = ExactVector::from(m.column(3)).plus(&z.times(&Dyadic::from(disk.height)));
+    let normal = x.cross(&y);
+    let slope = normal.dot(&direction);
+    if slope.is_zero() {
+        return None;
+    }
+    let height = normal.dot(&middle.minus(&origin));
+    if (&height * &slope).sign() != Greater {
+        return None;
+    }
+    // From the middle to the point, times the slope; x and y times the slope and the square of the normal.
+    let point = origin.minus(&middle).times(&slope).plus(&direction.times(&height));
+    let coordinates = [point.cross(&y).dot(&normal), x.cross(&point).dot(&normal)];
+    let distance = &coordinates[0].square() + &coordinates[1].square();
+    let unit = (&slope * &normal.dot(&normal)).square();
+    let compare = |limit: f64| distance.cmp(&(&Dyadic::from(limit).square() * &unit));
+    if compare(radius) == Greater || compare(disk.inner_radius) == Less {
+        return None;
+    }
+    let sign = |weights: [f64; 3]| {
+        let sum = &(&Dyadic::from(weights[0]) * &coordinates[0]) + &(&Dyadic::from(weights[1]) * &coordinates[1]);
+        (&sum * &slope).sign()
+    };
+    disk.sector.is_none_or(|sector| is_in_sector(&sector, sign)).then(|| Root::ratio(height, slope))
+}
+
+/// Whether a cut leaves the point of which `sign` tells the sign of `weights . q - offset`.
+fn is_left(cut: &Cut, sign: impl Fn([f64; 3], f64) -> Ordering) -> bool {
     if sign([0.0, 0.0, 1.0], cut.z_min) == Less || sign([0.0, 0.0, 1.0], cut.z_max) == Greater {
         return false;
     }
-    let Some(sector) = &cut.sector else { return true };
+    cut.sector.is_none_or(|sector| is_in_sector(&sector, |weights| sign(weights, 0.0)))
+}
+
+/// Whether a sector holds the point of which `sign` tells the sign of `weights . q`.
+fn is_in_sector(sector: &Sector, sign: impl Fn([f64; 3]) -> Ordering) -> bool {
     // In which half of the turn an angle lies, [0, 180) or [180, 360) degrees; within a half the sine of the difference
     // tells which of two comes first.
     let half = |x, y| y == Less || (y == Equal && x == Less);
-    let of_point = half(sign([1.0, 0.0, 0.0], 0.0), sign([0.0, 1.0, 0.0], 0.0));
+    let of_point = half(sign([1.0, 0.0, 0.0]), sign([0.0, 1.0, 0.0]));
     let of_end = half(Dyadic::from(sector.cosine).sign(), Dyadic::from(sector.sine).sign());
     if of_point != of_end {
         return of_end;
     }
-    sign([sector.sine, -sector.cosine, 0.0], 0.0) != Less
+    sign([sector.sine, -sector.cosine, 0.0]) != Less
 }

@@ -10,7 +10,7 @@ use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::camera::{Camera, Projection, ScreenWindow};
 use feimos::film::{ChannelName, PixelBounds};
 use feimos::geometry::{Matrix, Point, Transform, Vector};
-use feimos::shape::Shapes;
+use feimos::shape::{Cut, Disk, Form, Shapes};
 use proptest::prelude::*;
 use std::path::PathBuf;
 
@@ -21,6 +21,22 @@ struct Ball {
     centre: Corner,
     stretch: [i32; 3],
     radius: i32,
+    kind: u32,
+    ends: [i32; 2],
+    phi_max: i32,
+}
+
+impl Ball {
+    /// A sphere, a cylinder or a disk.
+    fn form(&self) -> Form {
+        let ([low, high], phi_max) = (self.ends.map(f64::from), f64::from(self.phi_max));
+        match self.kind {
+            0 => Form::Cylinder(Cut::of_cylinder(low, high, phi_max)),
+            1 => Form::Disk(Disk::new(low, high, phi_max)),
+            2 => Form::Sphere(Cut::new(f64::from(self.radius), low, high, phi_max)),
+            _ => Form::Sphere(None),
+        }
+    }
 }
 
 #[derive(Debug, Clone)]
@@ -39,11 +55,10 @@ fn corner(size: i32) -> impl Strategy<Value = Corner> {
 }
 
 fn ball() -> impl Strategy<Value = Ball> {
-    (corner(4), prop::array::uniform3(-1i32..4), 0i32..3).prop_map(|(centre, stretch, radius)| Ball {
-        centre,
-        stretch,
-        radius,
-    })
+    let form = (0u32..6, prop::array::uniform2(-2i32..3), prop::sample::select(vec![0, 90, 200, 360, 360]));
+    (corner(4), prop::array::uniform3(-1i32..4), 0i32..4, form).prop_map(
+        |(centre, stretch, radius, (kind, ends, phi_max))| Ball { centre, stretch, radius, kind, ends, phi_max },
+    )
 }
 
 fn setting() -> impl Strategy<Value = Setting> {
@@ -75,7 +90,7 @@ impl Setting {
         for (ball, shape) in self.balls.iter().zip(2..) {
             let place = Matrix::translate(ball.centre.map(f64::from)).times(&turn);
             let transform = shapes.add_transform(place.times(&Matrix::scale(ball.stretch.map(f64::from))));
-            shapes.add_sphere(f64::from(ball.radius), None, transform, shape).unwrap();
+            shapes.add_quadric(f64::from(ball.radius), ball.form(), transform, shape).unwrap();
         }
         add_mesh(&mut shapes, second, &turn, 100);
         shapes

@@ -6,7 +6,7 @@ use common::{add_triangles, agreed_picture};
 use feimos::accel::Precision;
 use feimos::camera::{Camera, Projection, ScreenWindow};
 use feimos::geometry::{Matrix, Point, Transform, Vector};
-use feimos::shape::Shapes;
+use feimos::shape::{Cut, Disk, Form, Shapes};
 
 fn camera() -> Camera {
     let eye = Point::new(0.0, 0.0, -4.0);
@@ -99,6 +99,19 @@ fn non_finite() {
         (Matrix::scale([1.0, f64::INFINITY, 1.0]), 1.0),
     ];
     assert_eq!(hits(&spheres(wrong)), 0);
+    let mut others = Shapes::default();
+    for (matrix, radius) in wrong {
+        let transform = others.add_transform(matrix);
+        others.add_quadric(radius, Form::Cylinder(Cut::of_cylinder(-1.0, 1.0, 360.0)), transform, 1).unwrap();
+        others.add_quadric(radius, Form::Disk(Disk::new(0.0, 0.0, 360.0)), transform, 1).unwrap();
+    }
+    let transform = others.add_transform(Matrix::IDENTITY);
+    for number in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        others.add_quadric(1.0, Form::Cylinder(Cut::of_cylinder(number, 1.0, 360.0)), transform, 1).unwrap();
+        others.add_quadric(1.0, Form::Disk(Disk::new(number, 0.0, 360.0)), transform, 1).unwrap();
+        others.add_quadric(1.0, Form::Disk(Disk::new(0.0, number, 360.0)), transform, 1).unwrap();
+    }
+    assert_eq!(hits(&others), 0);
 }
 
 #[test]

@@ -8,14 +8,14 @@ use feimos::camera::{Camera, Projection, ScreenWindow};
 use feimos::exact::times_power_of_two;
 use feimos::film::{ChannelName, Image};
 use feimos::geometry::{Matrix, Point, Transform, Vector};
-use feimos::shape::{Cut, Shapes};
+use feimos::shape::{Cut, Disk, Form, Shapes};
 use proptest::prelude::*;
 
-/// A shape of an object: triangles, or a sphere of that radius.
+/// A shape of an object: triangles, or a sphere, a cylinder or a disk of that radius.
 #[derive(Debug, Clone)]
 enum Part {
     Mesh(Vec<[Point; 3]>),
-    Ball(f64, Option<Cut>),
+    Round(f64, Form),
 }
 
 /// What a scene file says after `WorldBegin`.
@@ -42,9 +42,9 @@ fn add(shapes: &mut Shapes, part: &Part, world_from_object: &Matrix, number: u32
             let (vertices, triangles) = vertices(triangles);
             shapes.add_mesh(vertices, triangles, world_from_object, number).unwrap();
         }
-        Part::Ball(radius, cut) => {
+        Part::Round(radius, form) => {
             let transform = shapes.add_transform(*world_from_object);
-            shapes.add_sphere(*radius, *cut, transform, number).unwrap();
+            shapes.add_quadric(*radius, *form, transform, number).unwrap();
         }
     }
 }
@@ -61,7 +61,7 @@ impl World {
                     let (vertices, triangles) = vertices(triangles);
                     shapes.add_object_mesh(vertices, triangles, transform, number).unwrap();
                 }
-                Part::Ball(radius, cut) => shapes.add_sphere(*radius, *cut, transform, number).unwrap(),
+                Part::Round(radius, form) => shapes.add_quadric(*radius, *form, transform, number).unwrap(),
             }
         }
         (first, shapes)
@@ -123,11 +123,14 @@ fn grid_point() -> impl Strategy<Value = Point> {
 
 fn part() -> impl Strategy<Value = Part> {
     let triangles = |most| prop::collection::vec(prop::array::uniform3(grid_point()), 0..most);
-    let cut = prop::sample::select(vec![None, Cut::new(1.0, -0.5, 1.0, 200.0)]);
+    let cylinder = Form::Cylinder(Cut { z_min: -1.0, z_max: 2.0, sector: None });
+    let disk = Form::Disk(Disk::new(0.5, 0.25, 270.0));
+    let form =
+        prop::sample::select(vec![Form::Sphere(None), Form::Sphere(Cut::new(1.0, -0.5, 1.0, 200.0)), cylinder, disk]);
     prop_oneof![
         3 => triangles(8).prop_map(Part::Mesh),
         1 => triangles(60).prop_map(Part::Mesh),
-        1 => cut.prop_map(|cut| Part::Ball(1.0, cut)),
+        2 => form.prop_map(|form| Part::Round(1.0, form)),
     ]
 }
 

@@ -11,7 +11,7 @@ use feimos::exact::times_power_of_two;
 use feimos::geometry::{Matrix, Point, Transform, Vector};
 use feimos::progress::Progress;
 use feimos::scene::{LoadOptions, load};
-use feimos::shape::{Cut, Shapes};
+use feimos::shape::{Cut, Disk, Form, Shapes};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseError;
 use std::path::Path;
@@ -52,34 +52,51 @@ fn point(corner: Corner) -> Point {
     Point::from(corner.map(f64::from))
 }
 
-/// The whole sphere, most of the time, or what `zmin`, `zmax` and `phimax` leave of it.
-fn cut(radius: f64) -> impl Strategy<Value = Option<Cut>> {
+/// A whole sphere, most of the time, what `zmin`, `zmax` and `phimax` leave of one, a cylinder or a disk.
+fn form(radius: f64) -> impl Strategy<Value = Form> {
     let z = || prop::sample::select(vec![-1.0, -0.8, -0.6, 0.0, 0.1, 0.6, 1.0]);
-    let phi = prop::sample::select(vec![0.0, 30.0, 90.0, 180.0, 217.5, 270.0, 360.0]);
-    let partial = (z(), z(), phi).prop_map(move |(low, high, phi)| Cut::new(radius, low * radius, high * radius, phi));
-    prop_oneof![2 => Just(None), 1 => partial]
+    let phi = || prop::sample::select(vec![0.0, 30.0, 90.0, 180.0, 217.5, 270.0, 360.0, 360.0]);
+    let cut_sphere = (z(), z(), phi())
+        .prop_map(move |(low, high, phi)| Form::Sphere(Cut::new(radius, low * radius, high * radius, phi)));
+    // Whole numbers, so that the ends are on the grid.
+    let end = || prop_oneof![-3i32..4, -1i32..2].prop_map(f64::from);
+    let cylinder = (end(), end(), phi()).prop_map(|(low, high, phi)| Form::Cylinder(Cut::of_cylinder(low, high, phi)));
+    let hole = prop::sample::select(vec![0.0, 0.0, 1.0, 2.0, 0.7]);
+    let disk = (end(), hole, phi()).prop_map(|(height, inner, phi)| Form::Disk(Disk::new(height, inner, phi)));
+    prop_oneof![2 => Just(Form::Sphere(None)), 1 => cut_sphere, 2 => cylinder, 2 => disk]
 }
 
 #[derive(Debug, Clone)]
 struct Ball {
     world_from_object: Matrix,
     radius: f64,
-    cut: Option<Cut>,
+    form: Form,
 }
 
 impl Ball {
     fn add_to(&self, shapes: &mut Shapes, shape: u32) {
         let transform = shapes.add_transform(self.world_from_object);
-        shapes.add_sphere(self.radius, self.cut, transform, shape).unwrap();
+        shapes.add_quadric(self.radius, self.form, transform, shape).unwrap();
     }
 }
 
+/// Turns by whole quarters, so that axes lie along, across and against the view.
+fn quarter_turns() -> impl Strategy<Value = Matrix> {
+    let turns = [
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+        [[0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [-1.0, 0.0, 0.0]],
+        [[1.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 1.0]],
+    ];
+    prop::sample::select(turns.map(|turn| Matrix { rows: turn.map(|[x, y, z]| [x, y, z, 0.0]) }).to_vec())
+}
+
 fn grid_ball() -> impl Strategy<Value = Ball> {
-    let stretch = prop::array::uniform3(prop::sample::select(vec![1.0, 1.0, -1.0, 2.0, 0.0]));
-    (corner(4), stretch, 0i32..4).prop_flat_map(|(centre, stretch, radius)| {
-        let place = Matrix::translate(centre.map(f64::from)).times(&Matrix::scale(stretch));
+    let stretch = prop::array::uniform3(prop::sample::select(vec![1.0, 1.0, 1.0, -1.0, 2.0, 0.0]));
+    (corner(4), quarter_turns(), stretch, 0i32..4).prop_flat_map(|(centre, turn, stretch, radius)| {
+        let place = Matrix::translate(centre.map(f64::from)).times(&turn).times(&Matrix::scale(stretch));
         let radius = f64::from(radius);
-        cut(radius).prop_map(move |cut| Ball { world_from_object: place, radius, cut })
+        form(radius).prop_map(move |form| Ball { world_from_object: place, radius, form })
     })
 }
 
@@ -101,7 +118,7 @@ fn matrix() -> impl Strategy<Value = Matrix> {
 #[test]
 fn the_scenes_to_try_are_right() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
-    for name in ["sphere", "triangles", "transforms", "partial-spheres"] {
+    for name in ["sphere", "triangles", "transforms", "partial-spheres", "quadrics"] {
         let options = LoadOptions { resolution: Some([48, 27]) };
         let scene = load(&folder.join(name).with_extension("pbrt"), &options, Progress::SILENT).unwrap();
         assert!(scene.warnings.is_empty() && scene.shapes.primitive_count() > 0, "{name}");

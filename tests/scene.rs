@@ -5,7 +5,7 @@ use feimos::film::PixelBounds;
 use feimos::geometry::{Matrix, Point};
 use feimos::progress::Progress;
 use feimos::scene::{LoadOptions, Scene, load, read_options};
-use feimos::shape::{Instance, Placed, Primitive};
+use feimos::shape::{Form, Instance, Placed, Primitive};
 use std::path::Path;
 use tempfile::TempDir;
 
@@ -163,14 +163,14 @@ fn spellings_of_both_versions() {
 #[test]
 fn shapes_count_whether_they_are_supported_or_not() {
     let scene = scene(&format!(
-        "WorldBegin {TRIANGLE} Shape \"disk\" Shape \"disk\" Shape \"sphere\" Shape \"spehre\" {TRIANGLE}"
+        "WorldBegin {TRIANGLE} Shape \"cone\" Shape \"cone\" Shape \"sphere\" Shape \"spehre\" {TRIANGLE}"
     ));
     assert_eq!(scene.shape_count, 6);
     let shapes = &scene.shapes;
     assert_eq!(shapes.shape_number(Placed::alone(Primitive::triangle(1))), 6);
     let sphere = Placed::alone(Primitive::sphere(0));
     assert_eq!((shapes.shape_number(sphere), shapes.number(sphere)), (4, 1));
-    let expected = ["the shape `disk` is not supported: left out", "the shape `spehre` is not supported: left out"];
+    let expected = ["the shape `cone` is not supported: left out", "the shape `spehre` is not supported: left out"];
     assert_eq!(warnings(&scene), [(expected[0].to_owned(), 2), (expected[1].to_owned(), 1)]);
     let second = scene.warnings.iter().nth(1).unwrap();
     assert_eq!(second.first.notes, ["did you mean `sphere`?"]);
@@ -258,7 +258,7 @@ fn what_is_rendered_otherwise_is_warned_of() {
     assert_eq!(warnings(&scene), found);
     let shapes = &scene.shapes;
     assert_eq!(shapes.sphere_count(), 4, "those that are never hit keep their numbers");
-    let is_cut = |index: usize| shapes.sphere(index).cut.is_some();
+    let is_cut = |index: usize| shapes.sphere(index).form != Form::Sphere(None);
     assert_eq!([0, 1, 2, 3].map(is_cut), [false, true, false, false]);
 }
 
@@ -326,6 +326,72 @@ fn meshes_are_found_beside_the_scene() {
     let missing = load_files(&[("a.pbrt", text)]).unwrap_err();
     let expected = "meshes/m.obj: cannot read: No such file or directory (os error 2)\n   = named in a.pbrt:1:46";
     assert_eq!(missing, expected);
+}
+
+const TETRAHEDRON: &str =
+    "\"point3 P\" [ 1 1 1  1 -1 -1  -1 1 -1  -1 -1 1 ] \"integer indices\" [ 0 1 2  0 3 1  0 2 3  1 3 2 ]";
+
+#[test]
+fn subdivision_surfaces_take_the_levels_of_v3_and_of_v4() {
+    for (levels, faces) in [("", 256), ("\"integer nlevels\" 0", 4), ("\"integer levels\" 1 \"integer nlevels\" 2", 16)]
+    {
+        let text =
+            format!("WorldBegin Shape \"loopsubdiv\" {TETRAHEDRON} {levels} \"string scheme\" \"loop\" {TRIANGLE}");
+        let scene = scene(&text);
+        assert_eq!((scene.shapes.triangle_count(), warnings(&scene)), (faces + 1, vec![]), "{levels}");
+        assert_eq!(scene.shapes.shape_number(Placed::alone(Primitive::triangle(faces - 1))), 1);
+    }
+    // The first vertex halfway: (1 - 3 w) v - w v with w = 1/5.
+    let scene = scene(&format!("WorldBegin Translate 10 0 0 Shape \"loopsubdiv\" {TETRAHEDRON} \"integer levels\" 0"));
+    assert!((scene.shapes.vertices()[0] - Point::new(10.2, 0.2, 0.2)).largest() < 1e-14);
+}
+
+#[test]
+fn what_cannot_be_subdivided_is_shown() {
+    let cases = [
+        ("\"integer indices\" [ 0 1 2 ]", "1:18: a subdivision surface without vertices"),
+        ("\"point3 P\" [ 0 0 0 ]", "1:18: a subdivision surface without faces"),
+        ("\"point3 P\" [ 0 0 0 ] \"integer indices\" [ 0 0 ]", "1:70: `indices` has 2 numbers, expected three a face"),
+        (
+            "\"point3 P\" [ 0 0 0 ] \"integer indices\" [ 0 0 1 ]",
+            "1:76: index 1, number 3 of `indices`, names no vertex",
+        ),
+        ("\"point3 P\" [ 0 0 0 ] \"integer indices\" [ 0 0 0 ]", "1:72: a face with vertex 0 twice"),
+        ("\"integer levels\" -1", "1:48: `levels` is -1, expected an integer from 0 to 30"),
+        ("\"integer nlevels\" 31", "1:49: `nlevels` is 31, expected an integer from 0 to 30"),
+    ];
+    for (parameters, expected) in cases {
+        let found = error(&format!("WorldBegin Shape \"loopsubdiv\" {parameters}"));
+        assert!(found.starts_with(&format!("a.pbrt:{expected}")), "{found}");
+    }
+    let found = error(&format!("WorldBegin\nShape \"loopsubdiv\" {TETRAHEDRON}\n  \"integer nlevels\" 13"));
+    let expected = "a.pbrt:3:21: 4 faces would be 268435456 after 13 levels of subdivision\n   |\n 3 |   \"integer nlevels\" 13\n   \
+        |                     ^^\n   = at most 67108864 are supported: take fewer levels";
+    assert_eq!(found, expected);
+}
+
+#[test]
+fn bilinear_patches_are_two_triangles_each() {
+    let corners = "\"point3 P\" [ 0 0 0  1 0 0  0 1 0  1 1 0  2 0 0  2 1 1 ]";
+    let flat = scene(&format!(
+        "WorldBegin Shape \"bilinearmesh\" {corners} \"integer indices\" [ 0 1 2 3 ] \"point2 uv\" [ 0 0 ]"
+    ));
+    assert_eq!(warnings(&flat), []);
+    let triangles = [0, 1].map(|index| flat.shapes.triangle(index).0.map(|corner| (corner.x, corner.y)));
+    assert_eq!(triangles, [[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)], [(0.0, 0.0), (1.0, 1.0), (0.0, 1.0)]]);
+    let curved = "\"integer indices\" [ 0 1 2 3  1 4 3 5 ]";
+    let both = scene(&format!(
+        "WorldBegin Shape \"bilinearmesh\" {corners} {curved} Shape \"bilinearmesh\" {corners} {curved}"
+    ));
+    assert_eq!((both.shapes.triangle_count(), both.shapes.number(Placed::alone(Primitive::triangle(7)))), (8, 7));
+    let message = "bilinear patches that are not flat and convex are rendered as two triangles each";
+    assert_eq!(warnings(&both), [(message.to_owned(), 2)]);
+    let alone = scene("WorldBegin Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0  1 1 0 ]");
+    assert_eq!(alone.shapes.triangle_count(), 2);
+    let found = error(&format!("WorldBegin Shape \"bilinearmesh\" {corners}"));
+    assert!(found.starts_with("a.pbrt:1:18: a bilinear mesh of 6 vertices without `indices`"), "{found}");
+    let found = error(&format!("WorldBegin Shape \"bilinearmesh\" {corners} \"integer indices\" [ 0 1 2 ]"));
+    assert!(found.contains("`indices` has 3 numbers, expected four a patch"), "{found}");
 }
 
 #[test]

@@ -18,6 +18,7 @@ pub(crate) struct Record {
     pub(crate) shapes: u32,
     /// Stored: those of an object once.
     pub(crate) triangles: usize,
+    /// Cylinders and disks among them.
     pub(crate) spheres: usize,
     pub(crate) instances: usize,
     /// Those of an object as often as it is instanced.

@@ -25,7 +25,8 @@ pub(super) fn report_scene(scene: &Scene, reporter: &Reporter) {
 
 /// What is stored, and how often objects are instanced, if there are any.
 fn geometry(shapes: &Shapes) -> String {
-    let stored = format!("{} triangles, {} spheres", shapes.stored_triangles(), shapes.stored_spheres());
+    let stored =
+        format!("{} triangles, {} spheres, cylinders and disks", shapes.stored_triangles(), shapes.stored_spheres());
     match shapes.instances().len() {
         0 => stored,
         instances => {

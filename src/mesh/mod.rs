@@ -1,12 +1,14 @@
-//! Mesh files to triangles: PLY and OBJ, either of them compressed with gzip.
+//! Meshes as triangles: files in PLY and OBJ, either of them compressed with gzip; subdivision surfaces and bilinear patches.
 //!
 //! A mesh keeps the order of its file: faces in file order, and the triangles of a face in the order that
 //! [`polygon`] fixes, because a triangle's place is the primitive id that pictures store.
 //!
 //! Numbers follow rule R1 of `docs/accuracy.md`.
 
+pub mod bilinear_patch;
 mod faces;
 mod gzip;
+pub mod loop_subdivision;
 mod obj;
 mod ply;
 pub mod polygon;

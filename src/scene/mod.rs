@@ -11,6 +11,7 @@ mod objects;
 mod parameters;
 pub mod parser;
 mod shape_statement;
+mod shapes;
 mod source;
 pub mod spelling;
 mod transform_cache;

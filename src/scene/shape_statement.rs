@@ -5,10 +5,9 @@ use super::transform_cache::TransformCache;
 use super::warnings::Warnings;
 use crate::error::{Diagnostic, Error, Result};
 use crate::geometry::{Matrix, Point};
-use crate::mesh::{self, Loaded};
-use crate::shape::{Broken, CapacityError, Cut, Shapes, Sphere};
-use rayon::prelude::*;
-use std::path::{Path, PathBuf};
+use crate::mesh;
+use crate::shape::{Broken, CapacityError, Shapes};
+use std::path::Path;
 
 /// Where shapes go.
 pub(super) struct ShapeTarget<'a> {
@@ -24,23 +23,15 @@ pub(super) struct ShapeTarget<'a> {
     pub(super) is_in_object: bool,
 }
 
+/// Shapes of pbrt that feimos has, and its own.
+const SUPPORTED: [&str; 8] =
+    ["sphere", "cylinder", "disk", "trianglemesh", "loopsubdiv", "bilinearmesh", "plymesh", "objmesh"];
+
 /// Shapes of pbrt that feimos does not have.
-const UNSUPPORTED: [&str; 11] = [
-    "bilinearmesh",
-    "cone",
-    "curve",
-    "cylinder",
-    "disk",
-    "heightfield",
-    "hyperboloid",
-    "loopsubdiv",
-    "nurbs",
-    "paraboloid",
-    "heightfield2",
-];
+const UNSUPPORTED: [&str; 7] = ["cone", "curve", "heightfield", "hyperboloid", "nurbs", "paraboloid", "heightfield2"];
 
 /// What meshes may say about their surface without moving it.
-const SURFACE: [&str; 8] =
+pub(super) const SURFACE: [&str; 8] =
     ["N", "S", "uv", "st", "faceIndices", "discarddegenerateUVs", "emissionfilename", "edgelength"];
 
 impl ShapeTarget<'_> {
@@ -48,7 +39,11 @@ impl ShapeTarget<'_> {
     pub(super) fn add(&mut self, mut parameters: Parameters) -> Result<()> {
         match parameters.entity_name() {
             "sphere" => self.add_sphere(&mut parameters)?,
+            "cylinder" => self.add_cylinder(&mut parameters)?,
+            "disk" => self.add_disk(&mut parameters)?,
             "trianglemesh" => self.add_triangle_mesh(&mut parameters)?,
+            "loopsubdiv" => self.add_subdivision_surface(&mut parameters)?,
+            "bilinearmesh" => self.add_bilinear_mesh(&mut parameters)?,
             "plymesh" => self.add_mesh_file(&mut parameters, mesh::read_ply)?,
             "objmesh" => self.add_mesh_file(&mut parameters, mesh::read_obj)?,
             other => {
@@ -75,75 +70,20 @@ impl ShapeTarget<'_> {
 
     fn warn_unsupported(&mut self, parameters: &Parameters, name: &str) {
         let diagnostic = Diagnostic::new(format!("the shape `{name}` is not supported: left out"));
-        let supported = ["sphere", "trianglemesh", "plymesh", "objmesh"];
-        let diagnostic = match super::spelling::closest(name, supported.into_iter()) {
+        let diagnostic = match super::spelling::closest(name, SUPPORTED.into_iter()) {
             Some(known) if !UNSUPPORTED.contains(&name) => diagnostic.note(format!("did you mean `{known}`?")),
-            _ => diagnostic.note(format!("supported are {}", supported.join(", "))),
+            _ => diagnostic.note(format!("supported are {}", SUPPORTED.join(", "))),
         };
         parameters.warn_at_name(name, diagnostic, self.warnings);
     }
 
-    fn add_sphere(&mut self, parameters: &mut Parameters) -> Result<()> {
-        let radius = parameters.number("radius")?.unwrap_or(1.0);
-        let cut = Cut::new(
-            radius,
-            parameters.number("zmin")?.unwrap_or(-radius),
-            parameters.number("zmax")?.unwrap_or(radius),
-            parameters.number("phimax")?.unwrap_or(360.0),
-        );
-        let sphere = Sphere { world_from_object: self.world_from_object, radius, cut };
-        if radius.is_nan() || radius <= 0.0 {
-            let message = format!("a sphere of radius {radius} is never hit");
-            parameters.warn("radius", message, self.warnings);
-        } else if !sphere.can_be_hit() {
-            let message = "a sphere under a singular or infinite transform is never hit";
-            parameters.warn_at_name("singular sphere", Diagnostic::new(message), self.warnings);
-        }
-        let transform = self.transforms.intern(&self.world_from_object, self.shapes);
-        let added = self.shapes.add_sphere(radius, cut, transform, self.number);
-        added.map_err(|error| too_many(parameters, error))
-    }
-
-    fn add_triangle_mesh(&mut self, parameters: &mut Parameters) -> Result<()> {
-        parameters.ignore(&SURFACE);
-        let Some(coordinates) = parameters.numbers("P")? else {
-            return Err(parameters
-                .missing("P", "a triangle mesh without vertices")
-                .note("expected \"point3 P\" [ ... ]"));
-        };
-        if !coordinates.len().is_multiple_of(3) {
-            let message = format!("`P` has {} numbers, expected three a vertex", coordinates.len());
-            return Err(parameters.error_at("P", message));
-        }
-        let vertices: Vec<Point> = coordinates.par_chunks_exact(3).map(|p| Point::new(p[0], p[1], p[2])).collect();
-        let triangles = match parameters.numbers("indices")? {
-            Some(indices) => triangles_of(parameters, indices, vertices.len())?,
-            None if vertices.len() == 3 => vec![[0, 1, 2]],
-            None => {
-                let message = format!("a triangle mesh of {} vertices without `indices`", vertices.len());
-                return Err(parameters.missing("indices", message).note("only a mesh of 3 vertices needs none"));
-            }
-        };
-        self.add_mesh(parameters, vertices, triangles)
-    }
-
-    fn add_mesh_file(&mut self, parameters: &mut Parameters, read: fn(&Path) -> Result<Loaded>) -> Result<()> {
-        parameters.ignore(&SURFACE);
-        let Some(filename) = parameters.string("filename")? else {
-            let note = "expected \"string filename\" \"mesh.ply\"";
-            return Err(parameters.missing("filename", "a mesh without a file name").note(note));
-        };
-        let path: PathBuf = self.directory.join(filename);
-        let loaded =
-            read(&path).map_err(|error| error.note(format!("named in {}", parameters.place_of("filename"))))?;
-        for warning in loaded.warnings {
-            let place = || parameters.place_of("filename");
-            self.warnings.add(warning.to_string(), || warning.clone().note(format!("named in {}", place())));
-        }
-        self.add_mesh(parameters, loaded.mesh.vertices, loaded.mesh.triangles)
-    }
-
-    fn add_mesh(&mut self, parameters: &Parameters, vertices: Vec<Point>, triangles: Vec<[u32; 3]>) -> Result<()> {
+    /// Adds a mesh of triangles in object space, with indices in range.
+    pub(super) fn add_mesh(
+        &mut self,
+        parameters: &Parameters,
+        vertices: Vec<Point>,
+        triangles: Vec<[u32; 3]>,
+    ) -> Result<()> {
         let transform = self.transforms.intern(&self.world_from_object, self.shapes);
         let added = if self.is_in_object {
             let broken = Broken::of(&vertices, &self.world_from_object);
@@ -153,7 +93,7 @@ impl ShapeTarget<'_> {
         };
         let broken = added.map_err(|error| too_many(parameters, error))?;
         let lost = broken.in_world_space;
-        if lost > 0 && broken.in_object_space > 0 && parameters.entity_name() != "trianglemesh" {
+        if lost > 0 && broken.in_object_space > 0 && matches!(parameters.entity_name(), "plymesh" | "objmesh") {
             // The file's reader has counted them already.
             return Ok(());
         }
@@ -168,49 +108,7 @@ impl ShapeTarget<'_> {
     }
 }
 
-fn triangles_of(parameters: &Parameters, indices: &[f64], vertex_count: usize) -> Result<Vec<[u32; 3]>> {
-    if !indices.len().is_multiple_of(3) {
-        let message = format!("`indices` has {} numbers, expected three a triangle", indices.len());
-        return Err(parameters.error_at("indices", message));
-    }
-    let is_wrong = |index: &f64| !is_index(*index, vertex_count);
-    if indices.par_iter().any(is_wrong)
-        && let Some(place) = indices.iter().position(is_wrong)
-    {
-        let (index, position) = (indices[place], place + 1);
-        let message = format!("index {index}, number {position} of `indices`, names no vertex");
-        let expected = match vertex_count {
-            0 => "the mesh has no vertices".to_owned(),
-            count => format!("expected an integer from 0 to {}", count - 1),
-        };
-        return Err(parameters.error_at_number("indices", place, message).note(expected));
-    }
-    Ok(indices.par_chunks_exact(3).map(|corners| [corners[0] as u32, corners[1] as u32, corners[2] as u32]).collect())
-}
-
-/// Whether `index` is a whole number below `vertex_count` that 32 bits can hold: only such a one survives the way there and
-/// back.
-fn is_index(index: f64, vertex_count: usize) -> bool {
-    let whole = index as u32;
-    f64::from(whole) == index && (whole as usize) < vertex_count
-}
-
-fn too_many(parameters: &Parameters, error: CapacityError) -> Error {
+/// The error of a scene that is too large.
+pub(super) fn too_many(parameters: &Parameters, error: CapacityError) -> Error {
     parameters.error_at_name(error.to_string()).note("split the scene")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::is_index;
-
-    #[test]
-    fn indices_are_whole_and_in_range() {
-        for index in [0.0, -0.0, 1.0, 4_294_967_295.0] {
-            assert!(is_index(index, 1 << 32), "{index}");
-        }
-        for index in [-1.0, 0.5, 1e300, 4_294_967_296.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-            assert!(!is_index(index, usize::MAX), "{index}");
-        }
-        assert!(is_index(6.0, 7) && !is_index(7.0, 7) && !is_index(0.0, 0));
-    }
 }

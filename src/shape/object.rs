@@ -1,6 +1,6 @@
 //! Objects, their instances, and where an instance puts its object.
 
-use super::{Primitive, Shapes, Sphere, Surface, Triangle};
+use super::{Primitive, Quadric, Shapes, Surface, Triangle};
 use crate::geometry::Matrix;
 use std::ops::Range;
 
@@ -68,14 +68,14 @@ impl<'a> Pose<'a> {
         Pose { object, world_from_instance, mesh: 0..0, world_from_mesh: world_from_instance }
     }
 
-    /// A primitive of the object: its vertices, or its sphere, under the product of the transforms of instance and shape.
+    /// A primitive of the object: its vertices, or its quadric, under the product of the transforms of instance and shape.
     #[inline]
     pub fn surface(&mut self, primitive: Primitive) -> Surface {
         let index = primitive.index();
         if primitive.is_sphere() {
-            let sphere = self.object.sphere(index);
-            let world_from_object = self.world_from_instance.times(&sphere.world_from_object);
-            return Surface::Sphere(Sphere { world_from_object, ..sphere });
+            let quadric = self.object.sphere(index);
+            let world_from_object = self.world_from_instance.times(&quadric.world_from_object);
+            return Surface::Quadric(Quadric { world_from_object, ..quadric });
         }
         Surface::Triangle(self.triangle(index))
     }
@@ -127,7 +127,7 @@ mod tests {
             let Surface::Triangle(triangle) = pose.surface(Primitive::triangle(index)) else { panic!("a triangle") };
             assert_eq!(triangle.0.contains(&expected[0]), index != 2);
         }
-        let Surface::Sphere(sphere) = pose.surface(Primitive::sphere(0)) else { panic!("a sphere") };
+        let Surface::Quadric(sphere) = pose.surface(Primitive::sphere(0)) else { panic!("a sphere") };
         assert_eq!(sphere.world_from_object, world_from_instance.times(&Matrix::translate([0.1, 0.2, 0.3])));
     }
 

@@ -1,6 +1,7 @@
 //! References to primitives.
 
-/// One triangle or sphere of [`super::Shapes`], by its place in the store of its kind.
+/// One triangle or sphere of [`super::Shapes`], by its place in the store of its kind. Cylinders and disks are in the store of
+/// spheres.
 ///
 /// Packed into 32 bits: the top bit tells a sphere, the lower 31 are the index. Among primitives of one kind the
 /// order of the indices is the order of the primitive numbers.

@@ -1,15 +1,14 @@
 //! All geometry of a scene, in the order of the file.
 
 use super::object::{Instance, Object, Pose};
-use super::sphere::Cut;
-use super::{Placed, Primitive, Sphere, Surface, Triangle};
+use super::{Cut, Form, Placed, Primitive, Quadric, Surface, Triangle};
 use crate::geometry::{Matrix, Point};
 use rayon::prelude::*;
 use std::fmt;
 use std::ops::Range;
 
-/// The geometry of a scene. Meshes are in world space; spheres keep the number of their transform; objects are stored once,
-/// with their instances.
+/// The geometry of a scene. Meshes are in world space; spheres keep the number of their transform, and so do cylinders and disks,
+/// which are stored among them; objects are stored once, with their instances.
 ///
 /// Primitive numbers count from 0 in the order of the file, through all shapes and instances (rule E3), and never change: an
 /// accelerator orders its own references. Shape numbers count `Shape` statements from 1.
@@ -23,8 +22,8 @@ pub struct Shapes {
     meshes: Vec<MeshRun>,
     spheres: Vec<StoredSphere>,
     sphere_runs: Vec<SphereRun>,
-    /// Of the spheres that are not whole, in their order.
-    cuts: Vec<(u32, Cut)>,
+    /// Of those that are not whole spheres, in their order.
+    forms: Vec<(u32, Form)>,
     transforms: Vec<Matrix>,
     objects: Vec<Object>,
     instances: Vec<Instance>,
@@ -191,6 +190,11 @@ impl Shapes {
         transform: u32,
         shape: u32,
     ) -> Result<(), CapacityError> {
+        self.add_quadric(radius, Form::Sphere(cut), transform, shape)
+    }
+
+    /// Appends a sphere, a cylinder or a disk, as [`Shapes::add_sphere`] does.
+    pub fn add_quadric(&mut self, radius: f64, form: Form, transform: u32, shape: u32) -> Result<(), CapacityError> {
         self.check_room(self.spheres.len() + 1, "spheres")?;
         let first_number = self.next_number(1)?;
         let first_sphere = self.spheres.len() as u32;
@@ -200,7 +204,9 @@ impl Shapes {
         if !follows {
             self.sphere_runs.push(SphereRun { first_sphere, first_number });
         }
-        self.cuts.extend(cut.map(|cut| (first_sphere, cut)));
+        if form != Form::Sphere(None) {
+            self.forms.push((first_sphere, form));
+        }
         self.spheres.push(StoredSphere { radius, transform, shape });
         Ok(())
     }
@@ -286,7 +292,7 @@ impl Shapes {
         self.triangles.len()
     }
 
-    /// Spheres that are in no instance, those that can never be hit among them.
+    /// Spheres, cylinders and disks that are in no instance, those that can never be hit among them.
     pub fn sphere_count(&self) -> usize {
         self.spheres.len()
     }
@@ -296,7 +302,7 @@ impl Shapes {
         self.triangles.len() + self.objects.iter().map(|object| object.shapes().triangles.len()).sum::<usize>()
     }
 
-    /// Spheres, those of an object once.
+    /// Spheres, cylinders and disks, those of an object once.
     pub fn stored_spheres(&self) -> usize {
         self.spheres.len() + self.objects.iter().map(|object| object.shapes().spheres.len()).sum::<usize>()
     }
@@ -308,7 +314,7 @@ impl Shapes {
             + size_of_val(&self.meshes[..])
             + size_of_val(&self.spheres[..])
             + size_of_val(&self.sphere_runs[..])
-            + size_of_val(&self.cuts[..])
+            + size_of_val(&self.forms[..])
             + size_of_val(&self.transforms[..])
             + size_of_val(&self.instances[..])
             + self.objects.iter().map(|object| size_of::<Object>() + object.shapes().bytes()).sum::<usize>()
@@ -338,14 +344,14 @@ impl Shapes {
         &self.vertices[place as usize]
     }
 
-    /// Sphere `index` of the store.
-    pub fn sphere(&self, index: usize) -> Sphere {
+    /// Sphere, cylinder or disk `index` of the store.
+    pub fn sphere(&self, index: usize) -> Quadric {
         let stored = &self.spheres[index];
-        let cut = self.cuts.binary_search_by_key(&index, |(sphere, _)| *sphere as usize);
-        Sphere {
+        let place = self.forms.binary_search_by_key(&index, |(sphere, _)| *sphere as usize);
+        Quadric {
             world_from_object: self.transforms[stored.transform as usize],
             radius: stored.radius,
-            cut: cut.ok().map(|place| self.cuts[place].1),
+            form: place.map_or(Form::Sphere(None), |place| self.forms[place].1),
         }
     }
 
@@ -360,7 +366,7 @@ impl Shapes {
     pub fn own_surface(&self, primitive: Primitive) -> Surface {
         let index = primitive.index();
         if primitive.is_sphere() {
-            Surface::Sphere(self.sphere(index))
+            Surface::Quadric(self.sphere(index))
         } else {
             Surface::Triangle(self.triangle(index))
         }

@@ -1,6 +1,6 @@
 //! A primitive by itself, in world space.
 
-use super::{FilterRay, Sphere, Triangle, Verdict};
+use super::{FilterRay, Quadric, Triangle, Verdict};
 use crate::exact::{Bracket, Root};
 use crate::geometry::{Bounds, Ray};
 
@@ -9,8 +9,8 @@ use crate::geometry::{Bounds, Ray};
 pub enum Surface {
     /// A triangle.
     Triangle(Triangle),
-    /// A sphere, or a part of one.
-    Sphere(Sphere),
+    /// A sphere, a cylinder or a disk, or a part of one.
+    Quadric(Quadric),
 }
 
 impl Surface {
@@ -19,7 +19,7 @@ impl Surface {
     pub fn filter(&self, ray: &FilterRay) -> Verdict {
         match self {
             Surface::Triangle(triangle) => triangle.filter(ray),
-            Surface::Sphere(sphere) => sphere.filter(ray),
+            Surface::Quadric(quadric) => quadric.filter(ray),
         }
     }
 
@@ -28,7 +28,7 @@ impl Surface {
     pub fn exact(&self, ray: &Ray) -> Option<Root> {
         match self {
             Surface::Triangle(triangle) => triangle.exact(ray),
-            Surface::Sphere(sphere) => sphere.exact(ray),
+            Surface::Quadric(quadric) => quadric.exact(ray),
         }
     }
 
@@ -36,7 +36,7 @@ impl Surface {
     pub fn t_of_hit(&self, ray: &FilterRay) -> Option<Bracket> {
         match self {
             Surface::Triangle(triangle) => triangle.t_of_hit(ray),
-            Surface::Sphere(sphere) => match sphere.filter(ray) {
+            Surface::Quadric(quadric) => match quadric.filter(ray) {
                 Verdict::Hit(t) => Some(t),
                 _ => None,
             },
@@ -47,22 +47,22 @@ impl Surface {
     pub fn exact_t(&self, ray: &Ray) -> Root {
         match self {
             Surface::Triangle(triangle) => triangle.exact_t(ray),
-            Surface::Sphere(sphere) => sphere.exact(ray).expect("the ray is known to meet the sphere"),
+            Surface::Quadric(quadric) => quadric.exact(ray).expect("the ray is known to meet it"),
         }
     }
 
-    /// Whether any ray can hit it (rules E1 and E2).
+    /// Whether any ray can hit it (rules E1, E2, E5 and E6).
     pub fn can_be_hit(&self) -> bool {
         match self {
             Surface::Triangle(triangle) => triangle.can_be_hit(),
-            Surface::Sphere(sphere) => sphere.can_be_hit(),
+            Surface::Quadric(quadric) => quadric.can_be_hit(),
         }
     }
 
     /// Whether both are surely one and the same set of points.
     pub fn coincides_with(&self, other: &Surface) -> bool {
         match (self, other) {
-            (Surface::Sphere(a), Surface::Sphere(b)) => a == b,
+            (Surface::Quadric(a), Surface::Quadric(b)) => a == b,
             (Surface::Triangle(a), Surface::Triangle(b)) => a.coincides_with(b),
             _ => false,
         }
@@ -72,7 +72,7 @@ impl Surface {
     pub fn bounds(&self) -> Bounds {
         match self {
             Surface::Triangle(triangle) => triangle.bounds(),
-            Surface::Sphere(sphere) => sphere.bounds(),
+            Surface::Quadric(quadric) => quadric.bounds(),
         }
     }
 }

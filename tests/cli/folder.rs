@@ -24,7 +24,7 @@ Shape "trianglemesh" "point3 P" [-2 -1 0  2 -1 0.5  0 2 0] "integer indices" [0 
 pub(crate) const SIZE: (u32, u32) = (13, 7);
 
 /// Whatever is hit, one part of it is left out with a warning.
-pub(crate) const WARNED: &str = "WorldBegin\nShape \"disk\"\nShape \"disk\"\n";
+pub(crate) const WARNED: &str = "WorldBegin\nShape \"cone\"\nShape \"cone\"\n";
 
 /// A folder that vanishes with its test.
 pub(crate) struct Folder(TempDir);

@@ -139,11 +139,11 @@ fn flags_of_pbrt_without_a_meaning_are_taken_with_a_note() {
 #[test]
 fn warnings_are_said_once_a_kind_with_their_count() {
     let run = Folder::new().with("warned.pbrt", WARNED).render("warned.pbrt --resolution 2x2").succeeded();
-    let expected = "warning: warned.pbrt:2:7: the shape `disk` is not supported: left out
+    let expected = "warning: warned.pbrt:2:7: the shape `cone` is not supported: left out
    |
- 2 | Shape \"disk\"
+ 2 | Shape \"cone\"
    |       ^^^^^^
-   = supported are sphere, trianglemesh, plymesh, objmesh
+   = supported are sphere, cylinder, disk, trianglemesh, loopsubdiv, bilinearmesh, plymesh, objmesh
    = the first of 2
 note: no ray hits anything
 pbrt.exr: 2 x 2 pixels";

@@ -78,10 +78,7 @@ impl Outline {
                 let extent = [0, 1, 2].map(|axis| corners.iter().fold(0.0f64, |most, p| most.max(p[axis].abs())));
                 (extent, *object.transform_of_mesh(primitive.index() as u32))
             }
-            Surface::Sphere(sphere) => {
-                (sphere.radius > 0.0 && sphere.radius.is_finite()).then_some(())?;
-                ([sphere.radius; 3], sphere.world_from_object)
-            }
+            Surface::Quadric(quadric) => (quadric.extent()?, quadric.world_from_object),
         };
         instance_from_file.is_finite().then_some(())?;
         let sum = |row: &[f64; 4]| (0..3).map(|j| row[j].abs() * extent[j]).sum::<f64>() + row[3].abs();

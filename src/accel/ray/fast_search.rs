@@ -5,7 +5,7 @@ use crate::accel::hit::Hit;
 use crate::accel::space::{AnchorSpace, SingleRay, SlabRay};
 use crate::exact::Bracket;
 use crate::geometry::{Point, Ray};
-use crate::shape::{Placed, Shapes, SingleSphere, Surface, intersect_single};
+use crate::shape::{Placed, Shapes, SingleQuadric, Surface, intersect_single};
 
 /// The best hit so far of a ray among the primitives that were tested. Everything is relative to the anchor and in `f32`.
 ///
@@ -38,9 +38,9 @@ impl<'a> FastSearch<'a> {
             std::array::from_fn(|k| point[k] - origin[k])
         };
         match surface {
-            Surface::Sphere(sphere) => {
-                let from_centre = from_origin(&sphere.world_from_object.column(3).into()).map(|x| -x);
-                SingleSphere::new(sphere, self.space.units()).intersect(from_centre, direction)
+            Surface::Quadric(quadric) => {
+                let from_centre = from_origin(&quadric.world_from_object.column(3).into()).map(|x| -x);
+                SingleQuadric::new(quadric, self.space.units()).intersect(from_centre, direction)
             }
             Surface::Triangle(triangle) => {
                 intersect_single(triangle.0.each_ref().map(from_origin), direction, largest_axis)

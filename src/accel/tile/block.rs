@@ -1,8 +1,8 @@
 //! Sixteen triangles side by side.
 
-use super::spheres::spread;
+use super::spheres::Spread;
 use super::wide_tree::Run;
-use crate::shape::{Primitive, Shapes, Sphere, Surface, Triangle};
+use crate::shape::{Primitive, Quadric, Shapes, Surface, Triangle};
 use crate::simd::LANES;
 use rayon::prelude::*;
 
@@ -29,7 +29,7 @@ pub(crate) struct Block {
 pub(super) const BLOCK: usize = LANES;
 
 impl Block {
-    /// Lanes that hold a sphere.
+    /// Lanes that hold a sphere, a cylinder or a disk.
     pub(super) fn spheres(&self) -> u32 {
         ((1 << self.count) - 1) & !self.triangles
     }
@@ -57,7 +57,7 @@ impl Block {
         self.count += 1;
         match surface {
             Surface::Triangle(triangle) => self.put_triangle(lane, triangle),
-            Surface::Sphere(sphere) => self.put_sphere(lane, sphere),
+            Surface::Quadric(quadric) => self.put_sphere(lane, quadric),
         }
     }
 
@@ -72,13 +72,13 @@ impl Block {
         }
     }
 
-    /// Spheres have their centres for corners, and for edges what [`spread`] tells of them.
-    fn put_sphere(&mut self, lane: usize, sphere: &Sphere) {
-        let spread = spread(sphere);
+    /// Spheres have their centres for corners, and for edges what [`Spread`] tells of them.
+    fn put_sphere(&mut self, lane: usize, quadric: &Quadric) {
+        let Spread { centre, entries } = Spread::of(quadric);
         for axis in 0..3 {
-            self.corner[axis][lane] = sphere.world_from_object.rows[axis][3];
-            self.edges[0][axis][lane] = spread[axis];
-            self.edges[1][axis][lane] = spread[3 + axis];
+            self.corner[axis][lane] = centre[axis];
+            self.edges[0][axis][lane] = entries[axis];
+            self.edges[1][axis][lane] = entries[3 + axis];
         }
     }
 }

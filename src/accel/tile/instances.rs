@@ -80,7 +80,7 @@ fn fill(block: &mut Block, primitives: &[Primitive], pose: &mut Pose) {
         let is_there = match &surface {
             // Those without area are left to the tests of rays.
             Surface::Triangle(triangle) => triangle.0.iter().all(|corner| corner.is_finite()),
-            Surface::Sphere(sphere) => sphere.can_be_hit(),
+            Surface::Quadric(quadric) => quadric.can_be_hit(),
         };
         if is_there {
             block.push(*primitive, &surface);

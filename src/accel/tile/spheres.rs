@@ -1,13 +1,14 @@
-//! Where the spheres of a block are in a tile.
+//! Where the spheres of a block are in a tile, and the cylinders and disks, for which ellipsoids around them stand.
 //!
 //! A sphere of radius r under the matrix M, around c, is {c + r M q, |q| = 1}, so a linear function k . x has values on it
 //! between k . c and r |k M| = sqrt(k S k) on both sides of that, S = r^2 M M^T. With the rows of the tile's matrix for k, that
 //! bounds pixels times depth, and depth. The products of k S k are off by less than 16 u of their absolute terms, u = 2^-24.
+//! An ellipsoid along the axes has D^2 between M and M^T, D the diagonal matrix of its semi-axes.
 
 use super::block::Block;
 use super::corners::row_times;
 use super::frame::{Frame, LEAST_DEPTH, MARGIN, PixelAreas, TILE, U};
-use crate::shape::Sphere;
+use crate::shape::{Ellipsoid, Form, Quadric};
 use crate::simd::{F32s, F64s, Lanes, Mask};
 
 const NEARER: f32 = 1.0 + 1.0 / (1 << 16) as f32;
@@ -15,16 +16,50 @@ const NEARER: f32 = 1.0 + 1.0 / (1 << 16) as f32;
 const LARGEST: f64 = 1e20;
 const LEAST: f64 = 1e-20;
 
-/// The six different entries of S: on the diagonal, then those of y z, z x and x y; infinite where they would be no good.
-pub(super) fn spread(sphere: &Sphere) -> [f32; 6] {
-    let rows = &sphere.world_from_object.rows;
-    let square = sphere.radius * sphere.radius;
-    let entry = |i: usize, j: usize| square * (0..3).map(|k| rows[i][k] * rows[j][k]).sum::<f64>();
-    let entries = [entry(0, 0), entry(1, 1), entry(2, 2), entry(1, 2), entry(2, 0), entry(0, 1)];
-    if entries[..3].iter().all(|x| (LEAST..LARGEST).contains(x)) {
-        entries.map(|x| x as f32)
-    } else {
-        [f32::INFINITY; 6]
+/// The ellipsoid of a sphere, or around something else.
+pub(super) struct Spread {
+    /// In world space.
+    pub(super) centre: [f64; 3],
+    /// The six different entries of S: on the diagonal, then those of y z, z x and x y; infinite where they would be no good.
+    pub(super) entries: [f32; 6],
+}
+
+impl Spread {
+    pub(super) fn of(quadric: &Quadric) -> Spread {
+        let Ellipsoid { height, semi_axes, farthest } = quadric.ellipsoid();
+        let rows = &quadric.world_from_object.rows;
+        let square = quadric.radius * quadric.radius;
+        let weights = semi_axes.map(|axis| axis * axis);
+        let entry = |[i, j]: [usize; 2]| square * (0..3).map(|k| weights[k] * rows[i][k] * rows[j][k]).sum::<f64>();
+        let mut entries = ENTRIES.map(entry);
+        let centre = match quadric.form {
+            Form::Sphere(_) => quadric.world_from_object.column(3),
+            _ => {
+                widen(&mut entries, [0, 1, 2].map(|k| ROUNDING * (rows[k][3].abs() + farthest * rows[k][2].abs())));
+                [0, 1, 2].map(|k| rows[k][3] + height * rows[k][2])
+            }
+        };
+        let fits = entries[..3].iter().all(|x| (LEAST..LARGEST).contains(x));
+        Spread { centre, entries: if fits { entries.map(|x| x as f32) } else { [f32::INFINITY; 6] } }
+    }
+}
+
+/// More than the five roundings of a centre, relative to what it is the sum of.
+const ROUNDING: f64 = 1.0 / (1u64 << 50) as f64;
+
+/// Widens an ellipsoid by what its centre is off by, and a flat one so that entries of S are not too small.
+///
+/// A shift by up to e adds |k . e| to sqrt(k S k); (a + b)^2 is at most (1 + 1/64) a^2 + (1 + 64) b^2, and (k . e)^2 at most
+/// 3 |k|^2 times the square of the largest component of e.
+fn widen(entries: &mut [f64; 6], off: [f64; 3]) {
+    const FLAT: f64 = 1.0 / (1 << 20) as f64;
+    let off = off[0].max(off[1]).max(off[2]);
+    let all_around = (entries[0] + entries[1] + entries[2]) * FLAT + 3.0 * 65.0 * (off * off);
+    for entry in entries.iter_mut() {
+        *entry *= 1.0 + 1.0 / 64.0;
+    }
+    for entry in &mut entries[..3] {
+        *entry += all_around;
     }
 }
 
@@ -107,5 +142,68 @@ impl<S: Lanes> Range<S> {
     }
 }
 
-/// Row and column of the entries of [`spread`].
+/// Row and column of the entries of a [`Spread`].
 const ENTRIES: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [1, 2], [2, 0], [0, 1]];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Matrix, Point};
+    use crate::shape::{Cut, Disk};
+    use proptest::prelude::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(5000))]
+
+        /// Along any direction, no point of the surface is beyond the ellipsoid.
+        #[test]
+        fn spreads_hold_the_surface(
+            entries in prop::array::uniform12(-2.0f64..2.0),
+            along in prop::array::uniform3(-1.0f64..1.0),
+            radius in prop::sample::select(vec![1e-3, 1.0, 50.0]),
+            ends in prop::array::uniform2(prop::sample::select(vec![-1.0, 0.0, 0.3, 40.0, 1e9, 1e9 + 1.0])),
+            kind in 0..3,
+            turn in 0.0f64..6.3,
+            part in 0.0f64..1.0,
+        ) {
+            let row = |k: usize| [entries[4 * k], entries[4 * k + 1], entries[4 * k + 2], entries[4 * k + 3]];
+            let mut world_from_object = Matrix { rows: [row(0), row(1), row(2)] };
+            for row in &mut world_from_object.rows {
+                // Far ends are brought back.
+                row[3] -= row[2] * ends[0];
+            }
+            let cut = Cut::of_cylinder(ends[0], ends[1], 360.0);
+            let (x, y) = (radius * turn.cos(), radius * turn.sin());
+            let (form, point) = match kind {
+                0 => {
+                    let (z, from_axis) = (2.0 * part - 1.0, (1.0 - (2.0 * part - 1.0).powi(2)).sqrt());
+                    (Form::Sphere(None), Point::new(x * from_axis, y * from_axis, z * radius))
+                }
+                1 => (Form::Cylinder(cut), Point::new(x, y, cut.z_min + part * (cut.z_max - cut.z_min))),
+                _ => (Form::Disk(Disk::new(ends[0], 0.0, 360.0)), Point::new(x * part.sqrt(), y * part.sqrt(), ends[0])),
+            };
+            let Spread { centre, entries } = Spread::of(&Quadric { world_from_object, radius, form });
+            let [x, y, z, yz, zx, xy] = entries.map(f64::from);
+            let [i, j, k] = along;
+            let square = x * i * i + y * j * j + z * k * k + 2.0 * (yz * j * k + zx * k * i + xy * i * j);
+            // Ends of 1e9 are known to 1e-6 here.
+            let slack = 1e-6 * (1.0 + ends[0].abs() * 1e-9 + square.abs().sqrt());
+            let off = world_from_object.apply(point) - Point::from(centre);
+            let distance = off.to_array().iter().zip(along).map(|(x, k)| x * k).sum::<f64>();
+            prop_assert!(distance.abs() <= square.max(0.0).sqrt() + 3.0 * slack, "{distance} {square}");
+        }
+    }
+
+    /// The centre of a cylinder far from the origin of its space is rounded, which makes the ellipsoid larger.
+    #[test]
+    fn what_a_centre_is_off_by_counts() {
+        let far = |z: f64| {
+            let form = Form::Cylinder(Cut::of_cylinder(z, z + 1.0, 360.0));
+            Spread::of(&Quadric { world_from_object: Matrix::translate([0.0, 0.0, -z]), radius: 1.0, form }).entries[2]
+        };
+        assert!(far(1e15) > far(1e3) + 1.0 && far(1e3) < 0.52);
+        let flat =
+            Quadric { world_from_object: Matrix::IDENTITY, radius: 1.0, form: Form::Disk(Disk::new(0.0, 0.0, 360.0)) };
+        assert!(Spread::of(&flat).entries[2] > 1e-6 && Spread::of(&flat).entries[0] < 1.02);
+    }
+}

@@ -1,28 +1,17 @@
-//! Partial spheres: what `zmin`, `zmax` and `phimax` leave.
+//! What `zmin`, `zmax` and `phimax` leave of a sphere or a cylinder.
 
-use crate::exact::degrees;
+use super::sector::{Sector, both};
 use std::cmp::Ordering::{self, Less};
 
-/// The part of a sphere that is there: a Boolean combination of half-spaces in object space, all of them closed.
+/// The part of a surface that is there: a Boolean combination of half-spaces in object space, all of them closed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cut {
-    /// The lowest z, from minus the radius to the radius.
+    /// The lowest z; of a sphere, from minus the radius to the radius.
     pub z_min: f64,
-    /// The highest z, in the same range.
+    /// The highest z, not less; of a sphere, in the same range.
     pub z_max: f64,
     /// `None` for a full turn.
     pub sector: Option<Sector>,
-}
-
-/// Angles about the z axis from 0, the direction of x, to less than 360 degrees, both ends included.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sector {
-    /// Where it ends.
-    pub degrees: f64,
-    /// Of the end, correctly rounded.
-    pub sine: f64,
-    /// Of the end, correctly rounded.
-    pub cosine: f64,
 }
 
 /// The plane of the points q with `normal . q = offset`, in object space.
@@ -38,14 +27,16 @@ impl Cut {
     pub fn new(radius: f64, z_min: f64, z_max: f64, phi_max: f64) -> Option<Cut> {
         let clamp = |z: f64| z.max(-radius).min(radius);
         let (z_min, z_max) = (clamp(z_min.min(z_max)), clamp(z_min.max(z_max)));
-        let degrees = phi_max.clamp(0.0, 360.0);
-        let sector = (degrees < 360.0).then(|| Sector {
-            degrees,
-            sine: degrees::sine(degrees),
-            cosine: degrees::cosine(degrees),
-        });
+        let sector = Sector::new(phi_max);
         let is_whole = z_min <= -radius && z_max >= radius && sector.is_none();
         (!is_whole).then_some(Cut { z_min, z_max, sector })
+    }
+
+    /// What pbrt-v3 makes of the parameters of a cylinder: z from the smaller to the larger of the two. Where they are equal, a circle
+    /// is left.
+    pub fn of_cylinder(z_min: f64, z_max: f64, phi_max: f64) -> Cut {
+        let (z_min, z_max) = if z_min > z_max { (z_max, z_min) } else { (z_min, z_max) };
+        Cut { z_min, z_max, sector: Sector::new(phi_max) }
     }
 
     /// Whether the point is there of which `side` tells how `normal . q` compares with `offset`; `None` where that is not
@@ -62,39 +53,10 @@ impl Cut {
     }
 }
 
-impl Sector {
-    /// With p the angle of the point and m that of the end, `x sin m - y cos m` is `sin(m - p)` times the distance from the
-    /// axis. So in the half of the turn that the end lies in, it is negative just beyond the end. On the axis the angle
-    /// is 0, as in pbrt.
-    fn holds(&self, beyond: impl Fn([f64; 3], f64) -> Option<bool>) -> Option<bool> {
-        let first_half = beyond([0.0, 1.0, 0.0], 0.0);
-        let before_end = beyond([self.sine, -self.cosine, 0.0], 0.0);
-        if self.degrees == 0.0 {
-            // There `x sin m - y cos m` is -y: 0 at an angle of 180 degrees too.
-            return both(both(first_half, before_end), beyond([1.0, 0.0, 0.0], 0.0));
-        }
-        // At 180 degrees both conditions are y >= 0.
-        if self.degrees <= 180.0 { both(first_half, before_end) } else { either(first_half, before_end) }
-    }
-}
-
-/// Whether both hold, as far as it can be told.
-fn both(a: Option<bool>, b: Option<bool>) -> Option<bool> {
-    match (a, b) {
-        (Some(false), _) | (_, Some(false)) => Some(false),
-        (Some(true), Some(true)) => Some(true),
-        _ => None,
-    }
-}
-
-/// Whether one of them holds, as far as it can be told.
-fn either(a: Option<bool>, b: Option<bool>) -> Option<bool> {
-    both(a.map(|a| !a), b.map(|b| !b)).map(|neither| !neither)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exact::degrees;
     use std::cmp::Ordering::Greater;
 
     fn holds(cut: &Cut, q: [f64; 3]) -> bool {
@@ -115,6 +77,8 @@ mod tests {
         let beyond = Cut::new(2.0, 3.0, 4.0, 360.0).unwrap();
         assert_eq!((beyond.z_min, beyond.z_max), (2.0, 2.0));
         assert_eq!(Cut::new(2.0, -2.0, 2.0, -5.0).unwrap().sector.unwrap().degrees, 0.0);
+        let cylinder = Cut::of_cylinder(9.0, -9.0, 400.0);
+        assert_eq!(cylinder, Cut { z_min: -9.0, z_max: 9.0, sector: None });
     }
 
     #[test]

@@ -1,0 +1,117 @@
+//! Faces as given, connected by their edges.
+
+use super::refine::{Edge, Face, Surface};
+use super::{Place, Refusal};
+use crate::geometry::Point;
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+
+/// The surface of `faces`, which name `vertices` that exist. Edges are numbered as they are first met: those from corner 0 to 1,
+/// from 1 to 2 and from 2 to 0 of the first face, then those of the next.
+pub(super) fn connect(vertices: Vec<Point>, faces: &[[u32; 3]]) -> Result<Surface, Refusal> {
+    let mut edges: Vec<Edge> = Vec::new();
+    // The corner opposite to each edge in the first of its faces.
+    let mut opposite: Vec<u32> = Vec::new();
+    let mut number_of = HashMap::new();
+    let mut connected = Vec::with_capacity(faces.len());
+    for (number, corners) in faces.iter().enumerate() {
+        let refuse = |k: usize, message, advice: &str| {
+            Err(Refusal { place: Place::Index(3 * number + k), message, advice: advice.to_owned() })
+        };
+        if let Some(k) = (0..3).find(|k| corners[*k] == corners[(*k + 1) % 3]) {
+            let message = format!("a face with vertex {} twice", corners[k]);
+            return refuse(k, message, "leave it out: it has no area");
+        }
+        let mut edges_of_face = [0; 3];
+        for k in 0..3 {
+            let [a, b, c] = [corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]];
+            match number_of.entry((a.min(b), a.max(b))) {
+                Entry::Vacant(place) => {
+                    place.insert(edges.len() as u32);
+                    edges_of_face[k] = edges.len() as u32;
+                    edges.push(Edge { ends: [a, b], is_boundary: true });
+                    opposite.push(c);
+                }
+                Entry::Occupied(place) => {
+                    let edge = *place.get() as usize;
+                    if !edges[edge].is_boundary {
+                        let message = format!("a third face at the edge of the vertices {a} and {b}");
+                        return refuse(
+                            k,
+                            message,
+                            "an edge has two faces at most: give the others vertices of their own",
+                        );
+                    }
+                    if opposite[edge] == c {
+                        let message = format!("a second face of the vertices {a}, {b} and {c}");
+                        return refuse(k, message, "leave one of the two out");
+                    }
+                    edges[edge].is_boundary = false;
+                    edges_of_face[k] = edge as u32;
+                }
+            }
+        }
+        connected.push(Face { corners: *corners, edges: edges_of_face });
+    }
+    let surface = Surface { vertices, faces: connected, edges };
+    check_vertices(&surface)?;
+    Ok(surface)
+}
+
+/// Around each vertex, the faces must follow each other from edge to edge.
+fn check_vertices(surface: &Surface) -> Result<(), Refusal> {
+    let mut ends = JoinedEnds::of(surface);
+    for face in &surface.faces {
+        for k in 0..3 {
+            ends.join(surface, face.corners[k], [face.edges[k], face.edges[(k + 2) % 3]]);
+        }
+    }
+    let mut corners = surface.faces.iter().flat_map(|face| face.corners);
+    match corners.position(|vertex| ends.parts[vertex as usize] > 1) {
+        None => Ok(()),
+        Some(place) => {
+            let vertex = surface.faces[place / 3].corners[place % 3];
+            let parts = ends.parts[vertex as usize];
+            let message = format!("{parts} parts of the surface meet at vertex {vertex} and share no edge there");
+            let advice = "give each part a vertex of its own".to_owned();
+            Err(Refusal { place: Place::Index(place), message, advice })
+        }
+    }
+}
+
+/// The ends of edges, joined where a face lies between them: a forest, whose roots are their own parents (Tarjan, "Efficiency of a
+/// Good But Not Linear Set Union Algorithm", 1975).
+struct JoinedEnds {
+    parents: Vec<u32>,
+    /// How many ends at each vertex are still apart.
+    parts: Vec<u32>,
+}
+
+impl JoinedEnds {
+    fn of(surface: &Surface) -> JoinedEnds {
+        let mut parts = vec![0; surface.vertices.len()];
+        for vertex in surface.edges.iter().flat_map(|edge| edge.ends) {
+            parts[vertex as usize] += 1;
+        }
+        JoinedEnds { parents: (0..2 * surface.edges.len() as u32).collect(), parts }
+    }
+
+    /// Joins the ends at `vertex` of two edges.
+    fn join(&mut self, surface: &Surface, vertex: u32, edges: [u32; 2]) {
+        let end = |edge: u32| 2 * edge + u32::from(surface.edges[edge as usize].ends[1] == vertex);
+        let [a, b] = edges.map(|edge| self.root(end(edge)));
+        if a != b {
+            self.parents[a as usize] = b;
+            self.parts[vertex as usize] -= 1;
+        }
+    }
+
+    fn root(&mut self, mut end: u32) -> u32 {
+        while self.parents[end as usize] != end {
+            let above = self.parents[self.parents[end as usize] as usize];
+            self.parents[end as usize] = above;
+            end = above;
+        }
+        end
+    }
+}

@@ -1,0 +1,70 @@
+//! The arrays that meshes are given by: `P` and `indices`.
+
+use crate::error::Result;
+use crate::geometry::Point;
+use crate::scene::parameters::Parameters;
+use rayon::prelude::*;
+
+/// The points of `P`, three numbers each; `mesh` is what they make, with its article.
+pub(super) fn vertices_of(parameters: &mut Parameters, mesh: &str) -> Result<Vec<Point>> {
+    let Some(coordinates) = parameters.numbers("P")? else {
+        let message = format!("{mesh} without vertices");
+        return Err(parameters.missing("P", message).note("expected \"point3 P\" [ ... ]"));
+    };
+    if !coordinates.len().is_multiple_of(3) {
+        let message = format!("`P` has {} numbers, expected three a vertex", coordinates.len());
+        return Err(parameters.error_at("P", message));
+    }
+    Ok(coordinates.par_chunks_exact(3).map(|p| Point::new(p[0], p[1], p[2])).collect())
+}
+
+/// The faces of `indices`, N places among the vertices each, or `None` where the parameter is missing; `expected` says how
+/// many of what, as `three a triangle`.
+pub(super) fn faces_of<const N: usize>(
+    parameters: &mut Parameters,
+    vertex_count: usize,
+    expected: &str,
+) -> Result<Option<Vec<[u32; N]>>> {
+    let Some(indices) = parameters.numbers("indices")? else { return Ok(None) };
+    if !indices.len().is_multiple_of(N) {
+        let message = format!("`indices` has {} numbers, expected {expected}", indices.len());
+        return Err(parameters.error_at("indices", message));
+    }
+    let is_wrong = |index: &f64| !is_index(*index, vertex_count);
+    if indices.par_iter().any(is_wrong)
+        && let Some(place) = indices.iter().position(is_wrong)
+    {
+        let (index, position) = (indices[place], place + 1);
+        let message = format!("index {index}, number {position} of `indices`, names no vertex");
+        let expected = match vertex_count {
+            0 => "the mesh has no vertices".to_owned(),
+            count => format!("expected an integer from 0 to {}", count - 1),
+        };
+        return Err(parameters.error_at_number("indices", place, message).note(expected));
+    }
+    let face = |corners: &[f64]| std::array::from_fn(|k| corners[k] as u32);
+    Ok(Some(indices.par_chunks_exact(N).map(face).collect()))
+}
+
+/// Whether `index` is a whole number below `vertex_count` that 32 bits can hold: only such a one survives the way there and
+/// back.
+fn is_index(index: f64, vertex_count: usize) -> bool {
+    let whole = index as u32;
+    f64::from(whole) == index && (whole as usize) < vertex_count
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_index;
+
+    #[test]
+    fn indices_are_whole_and_in_range() {
+        for index in [0.0, -0.0, 1.0, 4_294_967_295.0] {
+            assert!(is_index(index, 1 << 32), "{index}");
+        }
+        for index in [-1.0, 0.5, 1e300, 4_294_967_296.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert!(!is_index(index, usize::MAX), "{index}");
+        }
+        assert!(is_index(6.0, 7) && !is_index(7.0, 7) && !is_index(0.0, 0));
+    }
+}

@@ -1,0 +1,35 @@
+//! `Shape "bilinearmesh"` of pbrt-v4.
+
+use super::arrays::{faces_of, vertices_of};
+use crate::error::{Diagnostic, Result};
+use crate::mesh::bilinear_patch;
+use crate::scene::parameters::Parameters;
+use crate::scene::shape_statement::{SURFACE, ShapeTarget};
+use rayon::prelude::*;
+
+impl ShapeTarget<'_> {
+    /// Adds two triangles for each patch (rule R7): the same points where the patch is flat and convex, else near it.
+    pub(in crate::scene) fn add_bilinear_mesh(&mut self, parameters: &mut Parameters) -> Result<()> {
+        parameters.ignore(&SURFACE);
+        let vertices = vertices_of(parameters, "a bilinear mesh")?;
+        let patches = match faces_of(parameters, vertices.len(), "four a patch")? {
+            Some(patches) => patches,
+            None if vertices.len() == 4 => vec![[0, 1, 2, 3]],
+            None => {
+                let message = format!("a bilinear mesh of {} vertices without `indices`", vertices.len());
+                return Err(parameters
+                    .missing("indices", message)
+                    .note("only a single patch, of 4 vertices, needs none"));
+            }
+        };
+        let is_curved =
+            |patch: &[u32; 4]| !bilinear_patch::is_flat_and_convex(patch.map(|corner| vertices[corner as usize]));
+        if patches.par_iter().any(is_curved) {
+            let message = "bilinear patches that are not flat and convex are rendered as two triangles each";
+            let note = "for a closer surface, give it as a finer `trianglemesh`";
+            parameters.warn_at_name("curved patches", Diagnostic::new(message).note(note), self.warnings);
+        }
+        let triangles: Vec<[[u32; 3]; 2]> = patches.par_iter().map(|patch| bilinear_patch::triangles(*patch)).collect();
+        self.add_mesh(parameters, vertices, triangles.into_flattened())
+    }
+}

@@ -1,0 +1,30 @@
+//! `Shape "plymesh"` and `Shape "objmesh"`: meshes in files of their own.
+
+use crate::error::Result;
+use crate::mesh::Loaded;
+use crate::scene::parameters::Parameters;
+use crate::scene::shape_statement::{SURFACE, ShapeTarget};
+use std::path::{Path, PathBuf};
+
+impl ShapeTarget<'_> {
+    /// Adds the triangles of a file that `read` reads.
+    pub(in crate::scene) fn add_mesh_file(
+        &mut self,
+        parameters: &mut Parameters,
+        read: fn(&Path) -> Result<Loaded>,
+    ) -> Result<()> {
+        parameters.ignore(&SURFACE);
+        let Some(filename) = parameters.string("filename")? else {
+            let note = "expected \"string filename\" \"mesh.ply\"";
+            return Err(parameters.missing("filename", "a mesh without a file name").note(note));
+        };
+        let path: PathBuf = self.directory.join(filename);
+        let loaded =
+            read(&path).map_err(|error| error.note(format!("named in {}", parameters.place_of("filename"))))?;
+        for warning in loaded.warnings {
+            let place = || parameters.place_of("filename");
+            self.warnings.add(warning.to_string(), || warning.clone().note(format!("named in {}", place())));
+        }
+        self.add_mesh(parameters, loaded.mesh.vertices, loaded.mesh.triangles)
+    }
+}

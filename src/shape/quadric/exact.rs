@@ -1,0 +1,96 @@
+//! The test in exact arithmetic.
+
+use super::cut::{Cut, Plane};
+use super::{Disk, Form, Quadric};
+use crate::exact::{Dyadic, ExactVector, Root};
+use crate::geometry::Ray;
+use std::cmp::Ordering;
+
+/// A ray in object space, times the determinant of M: there no division is needed.
+///
+/// With A the adjugate of the linear part of M, it is o' + t d' with o' = A (o - c) and d' = A d; R = r |det M|.
+struct ScaledSpace {
+    origin: ExactVector,
+    direction: ExactVector,
+    determinant: Dyadic,
+}
+
+impl Quadric {
+    /// The smallest positive `t` at which `ray` meets what there is of the surface, or `None`; touching a sphere or a cylinder is
+    /// meeting it (rules E2, E5 and E6). The surface [can be hit](Quadric::can_be_hit), and the ray is finite and not a point.
+    pub fn exact(&self, ray: &Ray) -> Option<Root> {
+        let space = ScaledSpace::new(self, ray);
+        let (o, d) = (&space.origin, &space.direction);
+        let first = |roots: Option<[Root; 2]>, is_there: &dyn Fn(&Root) -> bool| {
+            roots?.into_iter().find(|t| t.sign() == Ordering::Greater && is_there(t))
+        };
+        match &self.form {
+            Form::Sphere(cut) => {
+                let is_there = |t: &Root| cut.as_ref().is_none_or(|cut| space.is_there(t, cut));
+                first(space.distances_from_middle(o, d, self.radius), &is_there)
+            }
+            Form::Cylinder(cut) => {
+                first(space.distances_from_middle(&across(o), &across(d), self.radius), &|t| space.is_there(t, cut))
+            }
+            Form::Disk(disk) => space.crossing(disk, self.radius),
+        }
+    }
+}
+
+/// What of a vector is across the z axis.
+fn across(v: &ExactVector) -> ExactVector {
+    ExactVector::new([v[0].clone(), v[1].clone(), Dyadic::zero()])
+}
+
+impl ScaledSpace {
+    fn new(quadric: &Quadric, ray: &Ray) -> ScaledSpace {
+        let (adjugate, determinant) = quadric.world_from_object.exact_adjugate();
+        let centre = ExactVector::from(quadric.world_from_object.column(3));
+        let origin = ExactVector::from(ray.origin).minus(&centre);
+        let direction = ExactVector::from(ray.direction);
+        let apply = |v: &ExactVector| ExactVector::new([0, 1, 2].map(|k| adjugate[k].dot(v)));
+        ScaledSpace { origin: apply(&origin), direction: apply(&direction), determinant }
+    }
+
+    /// The t with |o + t d| = R, the smaller one first; `None` where there is none, or d is 0.
+    fn distances_from_middle(&self, o: &ExactVector, d: &ExactVector, radius: f64) -> Option<[Root; 2]> {
+        let a = d.dot(d);
+        if a.is_zero() {
+            return None;
+        }
+        let radius = &Dyadic::from(radius) * &self.determinant;
+        Root::of_quadratic(&a, &o.dot(d), &(&o.dot(o) - &radius.square()))
+    }
+
+    /// Whether the cut leaves the point at `t`.
+    fn is_there(&self, t: &Root, cut: &Cut) -> bool {
+        cut.holds(|plane| Some(self.side(t, plane))).expect("every side is known")
+    }
+
+    /// On which side of `plane` the point at `t` is. A determinant below 0 turns every sign round.
+    fn side(&self, t: &Root, plane: &Plane) -> Ordering {
+        let normal = ExactVector::from(plane.normal);
+        let offset = &Dyadic::from(plane.offset) * &self.determinant;
+        let sign = t.sign_of_linear(&(&normal.dot(&self.origin) - &offset), &normal.dot(&self.direction));
+        if self.determinant.sign() == Ordering::Less { sign.reverse() } else { sign }
+    }
+
+    /// Where the ray crosses the plane of `disk`, if that is ahead and there.
+    fn crossing(&self, disk: &Disk, radius: f64) -> Option<Root> {
+        let slope = &self.direction[2];
+        if slope.is_zero() {
+            return None;
+        }
+        let rise = &(&Dyadic::from(disk.height) * &self.determinant) - &self.origin[2];
+        // The point times the slope, and what its distance from the axis is times the slope.
+        let point = across(&self.origin).times(slope).plus(&across(&self.direction).times(&rise));
+        let distance = point.dot(&point);
+        let from_axis = |limit: f64| {
+            let limit = &(&Dyadic::from(limit) * &self.determinant) * slope;
+            Some(distance.cmp(&limit.square()))
+        };
+        let t = Root::ratio(rise, slope.clone());
+        let is_there = disk.holds(radius, from_axis, |plane| Some(self.side(&t, plane)));
+        (t.sign() == Ordering::Greater && is_there.expect("every side is known")).then_some(t)
+    }
+}

@@ -1,0 +1,54 @@
+//! What `phimax` leaves of a turn about the z axis.
+
+use crate::exact::degrees;
+
+/// Angles about the z axis from 0, the direction of x, to less than 360 degrees, both ends included.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sector {
+    /// Where it ends.
+    pub degrees: f64,
+    /// Of the end, correctly rounded.
+    pub sine: f64,
+    /// Of the end, correctly rounded.
+    pub cosine: f64,
+}
+
+impl Sector {
+    /// Angles from 0 to `phi_max` degrees, clamped to a full turn as in pbrt-v3. `None` where that is all of it.
+    pub fn new(phi_max: f64) -> Option<Sector> {
+        let degrees = phi_max.clamp(0.0, 360.0);
+        let (sine, cosine) = (degrees::sine, degrees::cosine);
+        (degrees < 360.0).then(|| Sector { degrees, sine: sine(degrees), cosine: cosine(degrees) })
+    }
+
+    /// Whether the point is there of which `beyond` tells whether `normal . q` is not less than an offset, as far as that is
+    /// known.
+    ///
+    /// With p the angle of the point and m that of the end, `x sin m - y cos m` is `sin(m - p)` times the distance from the
+    /// axis. So in the half of the turn that the end lies in, it is negative just beyond the end. On the axis the angle
+    /// is 0, as in pbrt.
+    pub(super) fn holds(&self, beyond: impl Fn([f64; 3], f64) -> Option<bool>) -> Option<bool> {
+        let first_half = beyond([0.0, 1.0, 0.0], 0.0);
+        let before_end = beyond([self.sine, -self.cosine, 0.0], 0.0);
+        if self.degrees == 0.0 {
+            // There `x sin m - y cos m` is -y: 0 at an angle of 180 degrees too.
+            return both(both(first_half, before_end), beyond([1.0, 0.0, 0.0], 0.0));
+        }
+        // At 180 degrees both conditions are y >= 0.
+        if self.degrees <= 180.0 { both(first_half, before_end) } else { either(first_half, before_end) }
+    }
+}
+
+/// Whether both hold, as far as it can be told.
+pub(super) fn both(a: Option<bool>, b: Option<bool>) -> Option<bool> {
+    match (a, b) {
+        (Some(false), _) | (_, Some(false)) => Some(false),
+        (Some(true), Some(true)) => Some(true),
+        _ => None,
+    }
+}
+
+/// Whether one of them holds, as far as it can be told.
+fn either(a: Option<bool>, b: Option<bool>) -> Option<bool> {
+    both(a.map(|a| !a), b.map(|b| !b)).map(|neither| !neither)
+}

@@ -1,0 +1,123 @@
+//! Cylinders and disks, against answers worked out by hand.
+
+mod common;
+
+use common::{agreed_picture, bits_of, scene};
+use feimos::accel::Precision;
+use feimos::film::ChannelName;
+use feimos::scene::Scene;
+
+/// Pixels of whole numbers, from -5 to 5, seen along z from z = 0.
+const GRID: &str = "Camera \"orthographic\" \"float screenwindow\" [ -5.5 5.5 -5.5 5.5 ]
+    Film \"image\" \"integer xresolution\" 11 \"integer yresolution\" 11\n";
+
+/// The axis of the cylinder goes down, from y = 2 to y = -3, and its angles count from x to z.
+const CYLINDER: &str = "Translate 0 0 10 Rotate 90 1 0 0
+    Shape \"cylinder\" \"float radius\" 5 \"float zmin\" -2 \"float zmax\" 3";
+
+fn load(text: &str) -> Scene {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.pbrt");
+    std::fs::write(&path, text).unwrap();
+    scene(&path)
+}
+
+/// Primitive, Z and t of every pixel, on which all accelerators agree.
+fn answers(text: &str) -> Vec<Option<(u32, f32, f32)>> {
+    let scene = load(text);
+    assert!(scene.warnings.is_empty());
+    let image = agreed_picture(&scene.camera, &scene.shapes, Precision::Exact).image;
+    let [prim, z, t] = [ChannelName::Prim, ChannelName::Z, ChannelName::T].map(|name| bits_of(&image, name));
+    let answer = |k: usize| (prim[k] > 0).then(|| (prim[k], f32::from_bits(z[k]), f32::from_bits(t[k])));
+    (0..prim.len()).map(answer).collect()
+}
+
+/// Asserts what is seen at each (x, y) of the grid: Z, or nothing.
+fn assert_grid(text: &str, expected: impl Fn(i32, i32) -> Option<f64>) {
+    let found = answers(&format!("{GRID} WorldBegin {text}"));
+    for (pixel, k) in found.iter().zip(0..) {
+        let (x, y) = (k % 11 - 5, 5 - k / 11);
+        let z = expected(x, y).map(|z| z as f32);
+        assert_eq!(pixel.map(|(_, z, t)| (z, t)), z.map(|z| (z, z)), "at {x}, {y}");
+    }
+}
+
+/// Three, four and five make whole numbers; at 5 the rays are tangents.
+#[test]
+fn a_cylinder_across_the_view() {
+    let depth = |x: i32| f64::from(25 - x * x).sqrt();
+    let is_there = |y: i32| (-3..=2).contains(&y);
+    assert_grid(CYLINDER, |x, y| is_there(y).then(|| 10.0 - depth(x)));
+    // The far half, to which both tangents belong.
+    let half = format!("{CYLINDER} \"float phimax\" 180");
+    assert_grid(&half, |x, y| is_there(y).then(|| 10.0 + depth(x)));
+    // The far quarter on the side of x, with both of its ends: the tangent at x = 5 and the line at x = 0.
+    let quarter = format!("{CYLINDER} \"float phimax\" 90");
+    assert_grid(&quarter, |x, y| (is_there(y) && x >= 0).then(|| 10.0 + depth(x)));
+    // All but a near quarter, through which the inside shows.
+    let most = format!("{CYLINDER} \"float phimax\" 270");
+    let seen = |x: i32| if (1..5).contains(&x) { 10.0 + depth(x) } else { 10.0 - depth(x) };
+    assert_grid(&most, |x, y| is_there(y).then(|| seen(x)));
+}
+
+#[test]
+fn a_cylinder_seen_along_its_axis_is_not_seen() {
+    assert_grid("Translate 0 0 5 Shape \"cylinder\" \"float radius\" 5", |_, _| None);
+    assert_grid("Translate 0 0 5 Scale 1 1 1e-9 Shape \"cylinder\" \"float radius\" 3", |_, _| None);
+}
+
+/// The surface between two equal ends is a circle, and a disk as wide as its hole is one.
+#[test]
+fn circles_are_seen_where_rays_meet_them() {
+    let circle =
+        "Translate 0 0 10 Rotate 90 1 0 0 Shape \"cylinder\" \"float radius\" 5 \"float zmin\" 1 \"float zmax\" 1";
+    assert_grid(circle, |x, y| (y == -1).then(|| 10.0 - f64::from(25 - x * x).sqrt()));
+    let rim = "Translate 0 0 7 Shape \"disk\" \"float radius\" 5 \"float innerradius\" 5";
+    assert_grid(rim, |x, y| (x * x + y * y == 25).then_some(7.0));
+}
+
+#[test]
+fn disks_facing_the_view() {
+    let disk = "Translate 0 0 7 Shape \"disk\" \"float radius\" 5";
+    assert_grid(disk, |x, y| (x * x + y * y <= 25).then_some(7.0));
+    let ring = format!("{disk} \"float innerradius\" 3 \"float height\" -1.5 \"float phimax\" 270");
+    let is_cut = |x: i32, y: i32| x > 0 && y < 0;
+    assert_grid(&ring, |x, y| ((9..=25).contains(&(x * x + y * y)) && !is_cut(x, y)).then_some(5.5));
+    let edge_on = "Translate 0 0 7 Rotate 90 1 0 0 Shape \"disk\" \"float radius\" 5";
+    assert_grid(edge_on, |_, _| None);
+    let nothing = load(&format!("{GRID} WorldBegin {disk} \"float innerradius\" 5.5 {disk} \"float height\" 1e999"));
+    let message = "a disk without points is never hit";
+    assert_eq!(
+        nothing.warnings.iter().map(|warning| (&*warning.first.message, warning.count)).collect::<Vec<_>>(),
+        [(message, 2)]
+    );
+    assert_eq!(nothing.shapes.sphere_count(), 2);
+}
+
+/// The columns of the matrix are x, y + z and z: the disk lies in the plane z = y + 5, and rays go along (+-1/2, +-1/2, 1).
+#[test]
+fn a_sheared_disk_in_perspective() {
+    let film =
+        "Camera \"perspective\" \"float fov\" 90 Film \"image\" \"integer xresolution\" 2 \"integer yresolution\" 2";
+    let disk = "WorldBegin Transform [ 1 0 0 0  0 1 1 0  0 0 1 0  0 0 5 1 ] Shape \"disk\" \"float radius\" 4";
+    let found = answers(&format!("{film} {disk}"));
+    let far = 10.0 / 3.0;
+    let (z, t) = (far as f32, (far * 1.5f64.sqrt()) as f32);
+    // Above the middle t is 10, so that x and y are 5: farther from the middle than 4.
+    assert_eq!(found, [None, None, Some((1, z, t)), Some((1, z, t))]);
+}
+
+/// In one plane: the first in the file wins, whatever it is.
+#[test]
+fn ties_go_to_the_first_in_the_file() {
+    let disk = "Shape \"disk\" \"float radius\" 4";
+    let plate = "Shape \"trianglemesh\" \"point3 P\" [ -9 -9 0  9 -9 0  0 9 0 ]";
+    let seen = |text: &str| answers(&format!("{GRID} WorldBegin Translate 0 0 7 {text}"))[60];
+    assert_eq!(seen(&format!("{disk} {plate}")), Some((1, 7.0, 7.0)));
+    assert_eq!(seen(&format!("{plate} {disk}")), Some((1, 7.0, 7.0)));
+    assert_eq!(seen(&format!("{plate} {disk} {disk}")), Some((1, 7.0, 7.0)));
+    // A tube that touches the plane along a line, which the middle ray meets.
+    let tube = "AttributeBegin Translate 0 0 2 Rotate 90 1 0 0 Shape \"cylinder\" \"float radius\" 2 AttributeEnd";
+    assert_eq!(seen(&format!("{tube} {disk}")), Some((1, 7.0, 7.0)));
+    assert_eq!(seen(&format!("{disk} {tube}")), Some((1, 7.0, 7.0)));
+}
