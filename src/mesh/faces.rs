@@ -23,6 +23,11 @@ impl<'a> Faces<'a> {
         Faces { vertices, triangles, clipper: Clipper::default(), small: Tally::default() }
     }
 
+    /// Takes memory for `triangles` more.
+    pub(super) fn reserve(&mut self, triangles: usize) {
+        self.triangles.reserve(triangles);
+    }
+
     /// The number of vertices that corners can name.
     #[inline]
     pub(super) fn vertex_count(&self) -> usize {

@@ -97,6 +97,11 @@ impl<'a> Builder<'a> {
         self.read(Rc::new(source))
     }
 
+    /// Obeys the directives in `text`, as if it were the file that the builder is for.
+    pub(super) fn read_text(&mut self, text: Vec<u8>) -> Result<()> {
+        self.read(Rc::new(Source { path: self.path.clone(), text }))
+    }
+
     /// Obeys the directives of one file and of those that it includes.
     fn read(&mut self, source: Rc<Source>) -> Result<()> {
         let path = &source.path;

@@ -23,6 +23,13 @@ pub fn load(path: &Path, options: &LoadOptions, progress: Progress) -> Result<Sc
     }
 }
 
+/// Reads the bytes of a scene file that `path` would name: errors call it so, and what it includes is sought beside it.
+pub fn parse(path: &Path, bytes: Vec<u8>, options: &LoadOptions) -> Result<Scene> {
+    let mut builder = Builder::new(path, Progress::SILENT);
+    builder.read_text(bytes)?;
+    builder.finish(options)
+}
+
 /// What a scene says before its world begins, as far as names of images depend on it.
 #[derive(Debug, Clone, Default)]
 pub struct SceneOptions {

@@ -20,7 +20,7 @@ mod warnings;
 
 pub use accelerator::AcceleratorParameters;
 pub use film::Film;
-pub use load::{SceneOptions, is_bare_mesh, load, read_options};
+pub use load::{SceneOptions, is_bare_mesh, load, parse, read_options};
 pub use warnings::{Warning, Warnings};
 
 use crate::camera::Camera;

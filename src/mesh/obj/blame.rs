@@ -9,17 +9,21 @@ use crate::decimal;
 use crate::error::{Diagnostic, SourceLocation};
 use crate::mesh::quote::quote;
 
-/// The first mistake in `text`; `None` if there is none.
+/// The first mistake in `text`, with a word about the next one; `None` if there is none.
 pub(super) fn find(path: &Path, text: &[u8]) -> Option<Diagnostic> {
     let is_vertex =
         |words: &mut dyn Iterator<Item = Range<usize>>| words.next().is_some_and(|word| &text[word] == b"v");
     let vertices = Statements::new(text).filter(|statement| is_vertex(&mut statement.words())).count();
     let mut scan = Scan { text, vertices, so_far: 0 };
-    let (span, diagnostic) = Statements::new(text).find_map(|statement| {
+    let mut mistakes = Statements::new(text).filter_map(|statement| {
         let words: Vec<_> = statement.words().collect();
         scan.check(&words)
-    })?;
-    Some(diagnostic.at(SourceLocation::text(path, text, span)))
+    });
+    let (span, diagnostic) = mistakes.next()?;
+    let diagnostic = diagnostic.at(SourceLocation::text(path, text, span));
+    let Some((span, next)) = mistakes.next() else { return Some(diagnostic) };
+    let place = SourceLocation::text(path, text, span);
+    Some(diagnostic.note(format!("the next mistake is at {place}: {}", next.message)))
 }
 
 /// Where the face `number` is, counted from 0 among those of three corners or more.

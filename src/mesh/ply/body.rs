@@ -5,21 +5,28 @@ use std::path::Path;
 use super::header::{Element, Header, Scalar};
 use super::step::{Step, least_run, plan};
 use super::values::{Fault, Run, Values};
-use crate::error::{Diagnostic, Error, Result, SourceLocation};
+use crate::error::{Diagnostic, Result, SourceLocation};
+use crate::mesh::faces::Faces;
 use crate::mesh::tally::counted;
 use crate::mesh::{Loaded, TriangleMesh};
 
 /// Reads the `values` of all elements that `header` promises; they follow it in `content`.
 pub(super) fn read<V: Values>(path: &Path, content: &[u8], values: V, header: Header) -> Result<Loaded> {
+    let elements = &header.elements;
     let mut body = Body { path, content, values, warnings: header.warnings };
-    let Some(vertex) = body.only("vertex", &header.elements)? else {
-        let diagnostic = Diagnostic::new("the header has no element `vertex`");
-        return Err(Error::bad_input(diagnostic.at(SourceLocation::file(path))));
-    };
-    let face = body.only("face", &header.elements)?;
-    let mesh = body.mesh(&header.elements, vertex, face)?;
+    let vertex = body.vertex(elements)?.ok_or_else(|| body.no_vertex(elements, header.end))?;
+    let mesh = body.mesh(elements, vertex)?;
     body.note_rest();
     Ok(Loaded::new(path, mesh, body.warnings))
+}
+
+/// Polygons.
+const FACE: &str = "face";
+/// Strips of triangles.
+pub(super) const STRIPS: &str = "tristrips";
+
+fn is_of_faces(element: &Element) -> bool {
+    [FACE, STRIPS].contains(&element.name.as_str())
 }
 
 /// A reader of elements.
@@ -31,40 +38,59 @@ pub(super) struct Body<'a, V> {
 }
 
 impl<V: Values> Body<'_, V> {
-    /// The element `name`, which may be there once.
-    fn only<'e>(&self, name: &str, elements: &'e [Element]) -> Result<Option<&'e Element>> {
-        let mut found = elements.iter().filter(|element| element.name == name);
-        let first = found.next();
+    /// The place of the element `vertex`, which may be there once.
+    fn vertex(&self, elements: &[Element]) -> Result<Option<usize>> {
+        let mut found = elements.iter().enumerate().filter(|(_, element)| element.name == "vertex");
+        let first = found.next().map(|(at, _)| at);
         match found.next() {
             None => Ok(first),
-            Some(second) => Err(self.wrong_header(format!("a second element `{name}`"), second)),
+            Some((_, second)) => Err(self.wrong_header("a second element `vertex`", second)),
         }
     }
 
     /// Reads the elements in their order; faces that come before the vertices are read when those are known.
-    fn mesh(&mut self, elements: &[Element], vertex: &Element, face: Option<&Element>) -> Result<TriangleMesh> {
-        let mut mesh = TriangleMesh::default();
-        let mut early_faces = None;
-        let mut has_vertices = false;
-        for element in elements {
-            self.check_room(element)?;
-            if element == vertex {
-                mesh.vertices = self.vertices(element)?;
-                has_vertices = true;
-            } else if Some(element) == face && has_vertices {
-                mesh.triangles = self.triangles(element, &mesh.vertices)?;
-            } else {
-                early_faces = early_faces.or((Some(element) == face).then(|| self.values.clone()));
-                self.skip(element)?;
-            }
-            self.note_line(element);
+    fn mesh(&mut self, elements: &[Element], vertex: usize) -> Result<TriangleMesh> {
+        let mut early_faces = Vec::new();
+        for element in &elements[..vertex] {
+            early_faces.extend(is_of_faces(element).then(|| (self.values.clone(), element)));
+            self.visit(element, Self::skip)?;
         }
-        if let (Some(values), Some(face)) = (early_faces, face) {
-            let end = std::mem::replace(&mut self.values, values);
-            mesh.triangles = self.triangles(face, &mesh.vertices)?;
-            self.values = end;
+        let vertices = self.visit(&elements[vertex], Self::vertices)?;
+        let mut faces = Faces::new(&vertices, 0);
+        for (values, element) in early_faces {
+            let next = std::mem::replace(&mut self.values, values);
+            self.any_faces(element, &mut faces)?;
+            self.values = next;
         }
-        Ok(mesh)
+        for element in &elements[vertex + 1..] {
+            self.visit(element, |body, element| body.any_faces(element, &mut faces))?;
+        }
+        let triangles = self.finish(faces)?;
+        Ok(TriangleMesh { vertices, triangles })
+    }
+
+    /// Reads an element for which the file must have room.
+    fn visit<T>(&mut self, element: &Element, read: impl FnOnce(&mut Self, &Element) -> Result<T>) -> Result<T> {
+        self.check_room(element)?;
+        let read = read(self, element)?;
+        self.note_line(element);
+        Ok(read)
+    }
+
+    /// Adds the triangles of an element to `faces`, if it has any.
+    fn any_faces(&mut self, element: &Element, faces: &mut Faces) -> Result<()> {
+        match element.name.as_str() {
+            _ if element.count == 0 => Ok(()),
+            FACE => self.faces(element, faces),
+            STRIPS => self.strips(element, faces),
+            _ => self.skip(element),
+        }
+    }
+
+    fn finish(&mut self, faces: Faces) -> Result<Vec<[u32; 3]>> {
+        let (triangles, small) = faces.finish().map_err(|error| error.or_at(|| SourceLocation::file(self.path)))?;
+        self.warnings.extend(self.values.warning(small, "face of fewer than 3 corners, left out"));
+        Ok(triangles)
     }
 
     /// The length of a list that the rest of the file can hold.
@@ -88,11 +114,6 @@ impl<V: Values> Body<'_, V> {
     }
 
     fn skip(&mut self, element: &Element) -> Result<()> {
-        if element.name == "tristrips" && element.count > 0 {
-            let message = format!("{} in `tristrips`, left out", counted(element.count, "strip"));
-            let note = "triangle strips are not supported yet";
-            self.warnings.push(Diagnostic::new(message).at(self.in_header(element.span.clone())).note(note));
-        }
         // An element without properties takes no room, so that there may be any number of them.
         if element.properties.is_empty() {
             return Ok(());

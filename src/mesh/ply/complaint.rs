@@ -2,8 +2,9 @@
 
 use std::ops::Range;
 
-use super::body::Body;
+use super::body::{Body, STRIPS};
 use super::header::Element;
+use super::strip;
 use super::values::{Fault, Values};
 use crate::error::{Diagnostic, Error, SourceLocation};
 use crate::mesh::quote::quote;
@@ -21,13 +22,21 @@ impl<V: Values> Body<'_, V> {
 
     /// `element` lacks something; says what it has.
     pub(super) fn missing(&self, element: &Element, what: &str) -> Error {
-        let names: Vec<_> =
-            element.properties.iter().take(20).map(|property| quote(property.name.as_bytes())).collect();
-        let note = match names.as_slice() {
-            [] => "it has no properties".to_string(),
-            names => format!("its properties are {}", names.join(", ")),
+        let note = match names(element.properties.iter().map(|property| &property.name)) {
+            None => "it has no properties".to_string(),
+            Some(names) => format!("its properties are {names}"),
         };
         self.wrong_header(format!("element `{}` has no {what}", element.name), element).note(note)
+    }
+
+    /// None of `elements` is `vertex`; the header ends with the line `end`.
+    pub(super) fn no_vertex(&self, elements: &[Element], end: Range<usize>) -> Error {
+        let note = match names(elements.iter().map(|element| &element.name)) {
+            None => "it has no elements".to_string(),
+            Some(names) => format!("its elements are {names}"),
+        };
+        let diagnostic = Diagnostic::new("the header has no element `vertex`").at(self.in_header(end));
+        Error::bad_input(diagnostic.note(note))
     }
 
     /// A value of the element `number`, counted from 0, could not be read.
@@ -50,11 +59,12 @@ impl<V: Values> Body<'_, V> {
     /// The value read last names no vertex.
     #[cold]
     pub(super) fn no_such_vertex(&self, index: i64, element: &Element, number: u64, vertices: usize) -> Error {
-        let (face, faces) = (number + 1, element.count);
-        let message = format!("face {face} of {faces} has a corner at vertex {index}, which does not exist");
+        let Element { name, count, .. } = element;
+        let message = format!("{name} {} of {count} has a corner at vertex {index}, which does not exist", number + 1);
+        let end_of_strip = if name == STRIPS { format!(", or {} to end a strip", strip::END) } else { String::new() };
         let note = match vertices {
             0 => "the mesh has no vertices".to_string(),
-            _ => format!("vertices count from 0: expected 0 to {}", vertices - 1),
+            _ => format!("vertices count from 0: expected 0 to {}{end_of_strip}", vertices - 1),
         };
         self.at(message, self.values.last()).note(note)
     }
@@ -63,4 +73,10 @@ impl<V: Values> Body<'_, V> {
     pub(super) fn at(&self, message: String, span: Range<usize>) -> Error {
         Error::bad_input(Diagnostic::new(message).at(self.values.location(span)))
     }
+}
+
+/// The first of `all` names, for a message.
+fn names<'a>(all: impl Iterator<Item = &'a String>) -> Option<String> {
+    let names: Vec<_> = all.take(20).map(|name| quote(name.as_bytes())).collect();
+    (!names.is_empty()).then(|| names.join(", "))
 }

@@ -4,33 +4,29 @@ use super::body::Body;
 use super::header::{Element, Property, Scalar, Shape};
 use super::step::{Layout, Step, least_run, plan};
 use super::values::{Run, Values};
-use crate::error::{Result, SourceLocation};
-use crate::geometry::Point;
+use crate::error::Result;
 use crate::mesh::faces::Faces;
 
 impl<V: Values> Body<'_, V> {
-    /// The triangles of all faces; the values stand at the first one.
-    pub(super) fn triangles(&mut self, element: &Element, vertices: &[Point]) -> Result<Vec<[u32; 3]>> {
-        if element.count == 0 {
-            return Ok(Vec::new());
-        }
+    /// Adds the triangles of all faces of `element` to `faces`; the values stand at the first one.
+    pub(super) fn faces(&mut self, element: &Element, faces: &mut Faces) -> Result<()> {
         let list = self.corner_list(element)?;
         let plan = plan(&element.properties, |at, shape| match shape {
             Shape::List { count, item } if at == list => Some(Step::Corners { count, item }),
             _ => None,
         });
         let layout = Layout::of(&plan);
-        let mut faces = Faces::new(vertices, self.likely_triangles(element));
+        faces.reserve(self.likely_triangles(element));
         let mut corners = Vec::new();
         let mut number = 0;
         loop {
             if let Some(layout) = &layout {
-                number += self.values.triangles(element.count - number, layout, &mut faces);
+                number += self.values.triangles(element.count - number, layout, faces);
             }
             if number == element.count {
-                return self.finish(faces);
+                return Ok(());
             }
-            self.face(element, number, &plan, &mut corners, &mut faces)?;
+            self.face(element, number, &plan, &mut corners, faces)?;
             number += 1;
         }
     }
@@ -41,14 +37,8 @@ impl<V: Values> Body<'_, V> {
         element.count.min(self.values.bytes_left() / bytes_each + 1) as usize
     }
 
-    fn finish(&mut self, faces: Faces) -> Result<Vec<[u32; 3]>> {
-        let (triangles, small) = faces.finish().map_err(|error| error.or_at(|| SourceLocation::file(self.path)))?;
-        self.warnings.extend(self.values.warning(small, "face of fewer than 3 corners, left out"));
-        Ok(triangles)
-    }
-
     /// Which property of `element` holds the corners.
-    fn corner_list(&self, element: &Element) -> Result<usize> {
+    pub(super) fn corner_list(&self, element: &Element) -> Result<usize> {
         let is_corners = |property: &Property| matches!(property.name.as_str(), "vertex_indices" | "vertex_index");
         let mut found = element.properties.iter().enumerate().filter(|(_, property)| is_corners(property));
         let Some((at, property)) = found.next() else {
@@ -97,6 +87,12 @@ impl<V: Values> Body<'_, V> {
     #[inline]
     fn corner(&mut self, element: &Element, number: u64, item: Scalar, faces: &Faces) -> Result<u32> {
         let index = self.values.integer(item).map_err(|fault| self.error(fault, element, number))?;
+        self.existing(index, element, number, faces)
+    }
+
+    /// The vertex `index`, if there is one.
+    #[inline]
+    pub(super) fn existing(&self, index: i64, element: &Element, number: u64, faces: &Faces) -> Result<u32> {
         // A negative index becomes one that is far too large.
         if (index as u64) < faces.vertex_count() as u64 {
             return Ok(index as u32);

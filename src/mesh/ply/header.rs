@@ -87,6 +87,8 @@ pub(super) struct Element {
 pub(super) struct Header {
     pub(super) encoding: Encoding,
     pub(super) elements: Vec<Element>,
+    /// Its last line.
+    pub(super) end: Range<usize>,
     /// Bytes up to the first value.
     pub(super) size: usize,
     pub(super) warnings: Vec<Diagnostic>,
@@ -97,11 +99,13 @@ impl Header {
     pub(super) fn parse(path: &Path, content: &[u8]) -> Result<Header> {
         let mut reader = Reader::begin(path, content)?;
         let mut stray = Tally::default();
-        let mut header = Header { encoding: reader.encoding()?, elements: Vec::new(), size: 0, warnings: Vec::new() };
+        let (encoding, elements, warnings) = (reader.encoding()?, Vec::new(), Vec::new());
+        let mut header = Header { encoding, elements, end: 0..0, size: 0, warnings };
         while let Some(line) = reader.lines.next() {
             let words = Words::new(content, line.clone());
             match words.get(0) {
                 b"end_header" => {
+                    header.end = words.span(0);
                     header.size = reader.lines.position();
                     let warning = stray.in_text(path, content, "header line of unknown meaning, skipped");
                     header.warnings.extend(warning.map(|warning| warning.note("a comment begins with `comment`")));
@@ -114,7 +118,8 @@ impl Header {
                 _ => return Err(reader.unknown_keyword(&words)),
             }
         }
-        let diagnostic = Diagnostic::new("the header has no end").at(SourceLocation::file(path));
+        let end = SourceLocation::text(path, content, content.len()..content.len());
+        let diagnostic = Diagnostic::new("the header has no end").at(end);
         Err(Error::bad_input(diagnostic.note("expected a line `end_header`: the file may be cut off")))
     }
 }

@@ -1,7 +1,8 @@
 //! PLY: a header that describes elements and their properties, and their values as text or bytes.
 //!
 //! Read are the properties x, y and z of the element `vertex`, and the list `vertex_indices` or `vertex_index` of the
-//! element `face`; all else is skipped, whatever it is.
+//! elements `face` and `tristrips`; all else is skipped, whatever it is. A header may list faces and strips several times and in
+//! any order: triangles come in the order of the file.
 
 mod ascii;
 mod binary;
@@ -12,6 +13,7 @@ mod header;
 mod line;
 mod plain;
 mod step;
+mod strip;
 mod values;
 mod vertex;
 

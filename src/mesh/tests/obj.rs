@@ -45,7 +45,7 @@ fn reads_every_kind_of_line_end() {
 #[test]
 fn leaves_out_what_does_not_shape_the_mesh() {
     let others = "usemtl \nmtllib nowhere.mtl\nvt 0.5\nvn 0 0\nvt x\nl 1 2 3\nl 1 2\np 1\ng\ns off\n# \u{e4}\n";
-    assert_eq!(triangles(obj(with(others) + "f 1/9/9 2/7 3//-8 # last\n")), [[0, 1, 2]]);
+    assert_eq!(triangles(obj(with(others) + "f 1// 2/7/7 3//-8 # last\n")), [[0, 1, 2]]);
     let latin1 = [with("g K\u{f6}rper\nf 1 2 3\n").as_bytes(), b"g K\xf6rper\n"].concat();
     assert_eq!(triangles(obj(latin1)), [[0, 1, 2]]);
 }
@@ -72,6 +72,9 @@ fn says_which_statement_is_wrong() {
     assert_eq!(message(obj(with("f 1 2 5\n"))), expected);
     let expected = "a.obj:5:3: face index 0\n   |\n 5 | f 0/1 1 2\n   |   ^^^\n   = indices of OBJ count from 1";
     assert_eq!(message(obj(with("f 0/1 1 2\n"))), expected);
+    assert!(
+        message(obj(with("f 1 2 5\nf 2 0 1\n"))).ends_with("\n   = the next mistake is at a.obj:6:5: face index 0")
+    );
     let expected = "a.obj:2:5: `3.1+e2` is not a number\n   |\n 2 | v 0 3.1+e2 1\n   |     ^^^^^^";
     assert_eq!(message(obj("v 0 0 0\nv 0 3.1+e2 1\n")), expected);
     assert!(message(obj(with("f 1 2 -5\n"))).contains("4 vertices come before this line: expected -1 to -4"));

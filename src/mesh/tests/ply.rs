@@ -128,6 +128,41 @@ fn reads_faces_that_come_before_their_vertices() {
     );
 }
 
+const STRIPS: &str = "element tristrips 2\nproperty uchar s\nproperty list int int vertex_indices\nend_header";
+
+#[test]
+fn reads_strips_of_triangles() {
+    let (vertices, _) = TRIANGLE.split_once("element face").expect("has faces");
+    let content = format!(
+        "{}{STRIPS}\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n9 11 0 1 2 3 4 -1 4 3 2 -1 -1\n9 6 2 2 0 1 -1 1\n",
+        vertices.replace("vertex 3", "vertex 5")
+    );
+    let all = [[0, 1, 2], [2, 1, 3], [2, 3, 4], [4, 3, 2], [2, 2, 0], [0, 2, 1]];
+    let loaded = ply(&content).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(loaded.mesh.triangles, all);
+    let expected = "a.ply:17:16: 1 strip of fewer than 3 corners, left out\n    |\n 17 | 9 6 2 2 0 1 -1 1\n    \
+                    |                ^";
+    assert_eq!(warnings(ply(&content)), [expected]);
+    let expected = "a.ply:16:6: tristrips 1 of 2 has a corner at vertex 5, which does not exist\n    |\n \
+                    16 | 9 11 5 1 2 3 4 -1 4 3 2 -1 -1\n    |      ^\n   \
+                    = vertices count from 0: expected 0 to 4, or -1 to end a strip";
+    assert_eq!(message(ply(content.replace("9 11 0", "9 11 5"))), expected);
+    assert!(message(ply(content.replace("9 6 2", "9 -6 2"))).contains("a list of negative length"));
+    assert!(message(ply(content.replace("9 6 2", "9 60 2"))).contains(LONG));
+    assert!(message(ply(content.replace("_indices", "es"))).contains("element `tristrips` has no list"));
+}
+
+#[test]
+fn reads_faces_and_strips_in_the_order_of_the_file() {
+    let content = "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\nelement tristrips 1\n\
+                   property list uchar int vertex_indices\nelement vertex 4\nproperty float x\nproperty float y\n\
+                   property float z\nelement face 1\nproperty list uchar int vertex_index\nelement face 0\n\
+                   end_header\n3 3 2 1\n4 0 1 2 3\n0 0 0 1 0 0 1 1 0 0 1 0\n4 3 2 1 0\n";
+    assert_eq!(triangles(ply(content)), [[3, 2, 1], [0, 1, 2], [2, 1, 3], [3, 2, 1], [3, 1, 0]]);
+    let twice = content.replace("face 0", "vertex 0");
+    assert!(message(ply(twice)).starts_with("a.ply:13:1: a second element `vertex`"));
+}
+
 #[test]
 fn rounds_text_as_the_property_says() {
     let [[x, y, z]] = vertices(ply(points("float", "0.1 16777217 1e-46")))[..] else { panic!("one vertex") };
@@ -162,10 +197,6 @@ fn warns_and_goes_on() {
     assert_eq!(warnings(ply(broken)), [expected]);
     let cloud = points("float", "1 2 3");
     assert_eq!(warnings(ply(cloud)), ["a.ply: the mesh has no faces, only 1 vertex\n   = nothing of it can be hit"]);
-    let strips = TRIANGLE
-        .replace("end_header", "element tristrips 1\nproperty list int int vertex_indices\nend_header")
-        + "1 0\n";
-    assert!(warnings(ply(strips))[0].contains("1 strip in `tristrips`, left out"));
     let free_text = TRIANGLE.replace("1.0\n", "1.0\nMade by hand\n");
     assert!(warnings(ply(free_text))[0].starts_with("a.ply:3:1: 1 header line of unknown meaning, skipped"));
     let column = TRIANGLE.replace("face 1", "face 0").replace("0 0 0\n", "0 0 0 255\n");
@@ -203,8 +234,12 @@ fn says_what_is_wrong_with_a_header() {
     assert!(
         message(ply(TRIANGLE.replace("element face", "elemnt face"))).starts_with("a.ply:7:1: unknown header line")
     );
-    assert!(message(ply(&TRIANGLE[..100])).starts_with("a.ply: the header has no end"));
-    assert!(message(ply("ply\nformat ascii 1.0\nend_header\n")).ends_with("the header has no element `vertex`"));
+    assert!(message(ply(&TRIANGLE[..100])).starts_with("a.ply:7:12: the header has no end"));
+    let expected = "a.ply:3:1: the header has no element `vertex`\n   |\n 3 | end_header\n   | ^^^^^^^^^^\n   \
+                    = it has no elements";
+    assert_eq!(message(ply("ply\nformat ascii 1.0\nend_header\n")), expected);
+    let points = TRIANGLE.replace("element vertex", "element point");
+    assert!(message(ply(points)).ends_with("= its elements are `point`, `face`"));
 }
 
 #[test]

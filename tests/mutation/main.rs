@@ -1,0 +1,212 @@
+//! Scenes and meshes with some bytes changed: each is read or refused, without a panic, soon, and in memory that its size
+//! justifies.
+//!
+//! Changed are the files of this repository, and with
+//!
+//!     FEIMOS_CORPUS=FOLDER cargo test --test mutation -- --ignored
+//!
+//! those in any other folder. The changes are the same in every run.
+
+mod dense;
+mod mutate;
+
+use feimos::mesh::{parse_obj, parse_ply};
+use feimos::scene::parser::Directives;
+use feimos::scene::{LoadOptions, parse};
+use mutate::{Random, mutate};
+use peak_alloc::PeakAlloc;
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::thread;
+use std::time::Duration;
+
+/// Counts the memory of all threads, so that one test at a time may measure.
+#[global_allocator]
+static MEMORY: PeakAlloc = PeakAlloc;
+static MEASURING: Mutex<()> = Mutex::new(());
+
+/// Memory for each byte of a file. Files that people write take 10 or less, changed ones up to 30, the densest, in [`dense`], up to
+/// 40: a corner of one byte in a polygon of a binary PLY file becomes a triangle of 12 bytes, 16 in the plane in which the polygon
+/// is cut and 4 in the list of its corners, and lists that grow are copied to longer ones on the way.
+const BYTES_EACH: usize = 64;
+/// Memory for a file of any size: messages, and what a reader sets aside.
+const BYTES_MORE: usize = 1 << 16;
+/// The same for a compressed file: two blocks of 2^19 bytes, and zlib's window.
+const BYTES_MORE_GZIP: usize = 5 << 18;
+
+/// The slowest file takes a second or two, where the machine has nothing else to do.
+const PATIENCE: Duration = Duration::from_secs(30);
+
+/// Bytes of changed files to be read for each file: the time it takes.
+const BYTES_A_FILE: usize = 2 << 20;
+const MOST_CASES: u64 = 300;
+const LEAST_CASES: u64 = 4;
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Format {
+    Scene,
+    Ply,
+    Obj,
+}
+
+/// A file that changed copies are made of.
+struct Original {
+    name: String,
+    format: Format,
+    bytes: Vec<u8>,
+}
+
+/// A changed copy.
+struct Case {
+    bytes: Vec<u8>,
+    /// The memory that it may take.
+    allowed: usize,
+}
+
+impl Original {
+    fn case(&self, number: u64) -> Case {
+        let mut random = Random::of(&self.name, number);
+        let mut bytes = self.bytes.clone();
+        // What is changed is the content of compressed meshes, the compressed bytes, or a file as it is.
+        let way = if self.format == Format::Scene { 9 } else { random.below(10) };
+        if way != 0 {
+            mutate(&mut bytes, &mut random);
+        }
+        let allowed = BYTES_EACH * bytes.len() + if way <= 1 { BYTES_MORE_GZIP } else { BYTES_MORE };
+        if way <= 1 {
+            bytes = gzipped(&bytes);
+        }
+        if way == 0 {
+            mutate(&mut bytes, &mut random);
+        }
+        Case { bytes, allowed }
+    }
+
+    fn cases(&self) -> u64 {
+        ((BYTES_A_FILE / self.bytes.len().max(1)) as u64).clamp(LEAST_CASES, MOST_CASES)
+    }
+
+    fn read(&self, bytes: &[u8]) {
+        // Where no file is, so that what a scene includes is not read.
+        let path = Path::new("/no such folder").join(&self.name);
+        match self.format {
+            Format::Scene => {
+                Directives::new(&path, bytes).for_each(drop);
+                drop(parse(&path, bytes.to_vec(), &LoadOptions::default()));
+            }
+            Format::Ply => drop(parse_ply(&path, bytes)),
+            Format::Obj => drop(parse_obj(&path, bytes)),
+        }
+    }
+
+    /// Reads `case`, and measures.
+    fn check(&self, case: &Case) {
+        let before = MEMORY.current_usage();
+        MEMORY.reset_peak_usage();
+        self.read(&case.bytes);
+        let taken = MEMORY.peak_usage() - before;
+        let (size, allowed) = (case.bytes.len(), case.allowed);
+        assert!(taken <= allowed, "{}: {taken} bytes of memory for {size}, expected {allowed} at most", self.name);
+    }
+}
+
+fn gzipped(bytes: &[u8]) -> Vec<u8> {
+    let mut encoder = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
+    encoder.write_all(bytes).unwrap();
+    encoder.finish().unwrap()
+}
+
+/// The scenes and meshes in `folder` and the folders in it, by name.
+fn originals(folder: &Path) -> Vec<Original> {
+    let mut found = Vec::new();
+    let mut folders = vec![folder.to_owned()];
+    while let Some(next) = folders.pop() {
+        for entry in fs::read_dir(next).unwrap() {
+            let path = entry.unwrap().path();
+            let format = match path.extension().and_then(|extension| extension.to_str()) {
+                _ if path.is_dir() => {
+                    folders.push(path);
+                    continue;
+                }
+                Some("pbrt") => Format::Scene,
+                Some("ply") => Format::Ply,
+                Some("obj") => Format::Obj,
+                _ => continue,
+            };
+            let name = path.strip_prefix(folder).unwrap().to_str().unwrap().to_owned();
+            found.push(Original { name, format, bytes: fs::read(path).unwrap() });
+        }
+    }
+    found.sort_by(|a, b| a.name.cmp(&b.name));
+    found
+}
+
+/// Holds up other tests, which would take memory too.
+fn alone() -> MutexGuard<'static, ()> {
+    MEASURING.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Checks changed copies of all files on a thread of its own, so that one that is read for ever is noticed.
+fn check_all(originals: Vec<Original>) {
+    let _alone = alone();
+    let originals = Arc::new(originals);
+    let (sender, receiver) = channel();
+    let worker = thread::spawn({
+        let originals = originals.clone();
+        move || {
+            for (place, original) in originals.iter().enumerate() {
+                // What is set up once is not counted.
+                original.read(&original.bytes);
+                for number in 0..original.cases() {
+                    sender.send((place, number)).unwrap();
+                    original.check(&original.case(number));
+                }
+            }
+        }
+    });
+    let mut last = (0, 0);
+    let is_slow = loop {
+        match receiver.recv_timeout(PATIENCE) {
+            Ok(next) => last = next,
+            Err(reason) => break reason == RecvTimeoutError::Timeout,
+        }
+    };
+    if is_slow || worker.join().is_err() {
+        let (original, number) = (&originals[last.0], last.1);
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("mutation.{:?}", original.format));
+        fs::write(&path, original.case(number).bytes).unwrap();
+        let reason = if is_slow { "takes too long" } else { "is not read well" };
+        panic!("change {number} of {} {reason}: see {}", original.name, path.display());
+    }
+}
+
+#[test]
+fn files_of_the_repository() {
+    let repository = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
+    let originals: Vec<_> = ["tests", "scenes"].iter().flat_map(|folder| originals(&repository.join(folder))).collect();
+    assert!(originals.len() > 40);
+    check_all(originals);
+}
+
+#[test]
+fn dense_files() {
+    let _alone = alone();
+    for (name, format, bytes) in dense::files() {
+        let original = Original { name: name.to_owned(), format, bytes };
+        original.read(&original.bytes);
+        let allowed = BYTES_EACH * original.bytes.len() + BYTES_MORE;
+        original.check(&Case { bytes: original.bytes.clone(), allowed });
+    }
+}
+
+#[test]
+#[ignore = "needs a folder of scenes and meshes: FEIMOS_CORPUS"]
+fn files_of_other_repositories() {
+    let folder = PathBuf::from(std::env::var_os("FEIMOS_CORPUS").expect("FEIMOS_CORPUS, a folder"));
+    let originals = originals(&folder);
+    assert!(!originals.is_empty(), "{}: no scenes and meshes", folder.display());
+    check_all(originals);
+}
