@@ -6,7 +6,6 @@
 //! Numbers follow rule R1 of `docs/accuracy.md`.
 
 mod faces;
-mod gzip;
 mod obj;
 mod ply;
 pub mod polygon;
