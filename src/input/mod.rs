@@ -1,5 +1,6 @@
 //! Reading input files: whole, or in pieces.
 
+pub(crate) mod gzip;
 mod storage;
 
 pub(crate) use storage::Storage;

@@ -7,7 +7,6 @@
 
 pub mod bilinear_patch;
 mod faces;
-mod gzip;
 pub mod loop_subdivision;
 mod obj;
 mod ply;

@@ -4,9 +4,10 @@ use super::accelerator::AcceleratorParameters;
 use super::camera_parameters::CameraParameters;
 use super::film::FilmParameters;
 use super::graphics_state::{Block, GraphicsState};
+use super::includes::Includes;
 use super::objects::{Definition, Objects};
 use super::parameters::Parameters;
-use super::parser::{ActiveTransform, Directive, Directives, Entity, Span, Statement, Text};
+use super::parser::{Directive, Directives, Entity, Span, Statement};
 use super::shape_statement::ShapeTarget;
 use super::source::{Place, Source};
 use super::transform_cache::TransformCache;
@@ -21,40 +22,30 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
-/// Files that include each other, at most.
-const MAX_INCLUDE_DEPTH: usize = 64;
-
-/// Files read, at most: a few that include each other twice would be read for ever.
-const MAX_FILES: usize = 100_000;
-
 /// A scene in the making.
 pub(super) struct Builder<'a> {
     path: PathBuf,
     /// Relative names count from here: the directory of the top-level file, as in pbrt.
-    directory: PathBuf,
+    pub(super) directory: PathBuf,
     progress: Progress<'a>,
     only_options: bool,
     pub(super) state: GraphicsState,
-    /// Which of two transforms the directives change; only that of the start time is kept.
-    pub(super) active: ActiveTransform,
-    in_world: bool,
+    pub(super) in_world: bool,
     /// Nothing further is to be read.
     ended: bool,
     /// Why the current transform first had no finite inverse, and where.
     pub(super) singular: Option<(&'static str, Place)>,
-    camera: Option<CameraParameters>,
-    film: FilmParameters,
-    film_place: Option<Place>,
-    accelerator: AcceleratorParameters,
+    pub(super) camera: Option<CameraParameters>,
+    pub(super) film: FilmParameters,
+    pub(super) film_place: Option<Place>,
+    pub(super) accelerator: AcceleratorParameters,
     pub(super) shapes: Shapes,
     pub(super) objects: Objects,
     shape_count: u32,
     transforms: TransformCache,
     pub(super) warnings: Warnings,
-    skipped: BTreeMap<&'static str, u64>,
-    /// The files being read, each included by the one before.
-    reading: Vec<PathBuf>,
-    files_read: usize,
+    pub(super) skipped: BTreeMap<&'static str, u64>,
+    pub(super) includes: Includes,
 }
 
 impl<'a> Builder<'a> {
@@ -65,7 +56,6 @@ impl<'a> Builder<'a> {
             progress,
             only_options: false,
             state: GraphicsState::new(),
-            active: ActiveTransform::All,
             in_world: false,
             ended: false,
             singular: None,
@@ -79,8 +69,7 @@ impl<'a> Builder<'a> {
             transforms: TransformCache::default(),
             warnings: Warnings::default(),
             skipped: BTreeMap::new(),
-            reading: Vec::new(),
-            files_read: 0,
+            includes: Includes::default(),
         }
     }
 
@@ -103,11 +92,8 @@ impl<'a> Builder<'a> {
     }
 
     /// Obeys the directives of one file and of those that it includes.
-    fn read(&mut self, source: Rc<Source>) -> Result<()> {
-        let path = &source.path;
-        let identity = path.canonicalize().unwrap_or_else(|_| path.to_path_buf());
-        self.reading.push(identity);
-        self.files_read += 1;
+    pub(super) fn read(&mut self, source: Rc<Source>) -> Result<()> {
+        self.includes.enter(&source.path);
         let mut seen = 0;
         for directive in Directives::new(&source.path, &source.text) {
             let directive = match directive {
@@ -126,7 +112,7 @@ impl<'a> Builder<'a> {
                 break;
             }
         }
-        self.reading.pop();
+        self.includes.leave();
         Ok(())
     }
 
@@ -148,8 +134,8 @@ impl<'a> Builder<'a> {
             Statement::Transform(m) => self.replace(affine(m, directive, source)?, directive, source),
             Statement::ConcatTransform(m) => self.concat(affine(m, directive, source)?, directive, source),
             Statement::TransformTimes(_) => *self.skipped.entry("TransformTimes").or_default() += 1,
-            Statement::ActiveTransform(active) => self.activate(*active, directive, source),
-            Statement::CoordinateSystem(name) => self.state.name(&name.text, self.state.current),
+            Statement::ActiveTransform(active) => self.state.active = *active,
+            Statement::CoordinateSystem(name) => self.state.name(&name.text),
             Statement::CoordSysTransform(name) => self.recall(name, source),
             Statement::ReverseOrientation => {}
             Statement::AttributeBegin => self.state.begin(Block::Attribute, Place::new(source, keyword)),
@@ -162,33 +148,23 @@ impl<'a> Builder<'a> {
             Statement::WorldBegin => self.begin_world(keyword, source)?,
             Statement::WorldEnd => self.end_world(keyword, source)?,
             Statement::Include(name) => self.include(name, source)?,
-            Statement::Import(name) => {
-                let current = self.state.current;
-                self.include(name, source)?;
-                self.state.current = current;
-            }
-            Statement::Attribute(entity) => self.attribute(entity, source),
+            Statement::Import(name) => self.import(name, keyword, source)?,
+            Statement::Attribute(entity) => self.attribute(entity, source)?,
             Statement::Camera(entity) => self.camera(entity, keyword, source)?,
             Statement::Film(entity) => self.film(entity, keyword, source)?,
-            Statement::Accelerator(entity) => {
-                let mut parameters = Parameters::new("Accelerator", entity, source);
-                self.accelerator = AcceleratorParameters::read(&mut parameters)?;
-                parameters.finish_with_suggestions(&mut self.warnings);
-            }
+            Statement::Accelerator(entity) => self.accelerator(entity, source)?,
             Statement::Shape(entity) => self.shape(entity, keyword, source)?,
             Statement::Ignored(keyword) => *self.skipped.entry(keyword).or_default() += 1,
+            Statement::Private(name) => self.warn_of_private(name, keyword, source),
         }
         Ok(())
     }
 
-    /// Of the defaults that v4 can set, only those of shapes may matter.
-    fn attribute(&mut self, entity: &Entity, source: &Rc<Source>) {
-        if entity.name.text == "shape" {
-            let message = "parameters of following shapes set by Attribute are ignored";
-            self.warnings.add("Attribute shape", || Diagnostic::new(message).at(source.at(&entity.name.span)));
-        } else {
-            *self.skipped.entry("Attribute").or_default() += 1;
-        }
+    fn warn_of_private(&mut self, name: &str, keyword: &Span, source: &Source) {
+        self.warnings.add(format!("directive {name}"), || {
+            let diagnostic = Diagnostic::new(format!("`{name}` is no directive of pbrt: skipped with its arguments"));
+            diagnostic.at(source.at(keyword)).note("if it places geometry, that is missing from the picture")
+        });
     }
 
     pub(super) fn end(&mut self, block: Block, keyword: &Span, source: &Rc<Source>) -> Result<()> {
@@ -206,8 +182,7 @@ impl<'a> Builder<'a> {
             return Err(source.error(keyword, "a second WorldBegin"));
         }
         self.in_world = true;
-        self.state.current = Transform::IDENTITY;
-        self.state.name("world", Transform::IDENTITY);
+        self.state.begin_world();
         Ok(())
     }
 
@@ -219,36 +194,6 @@ impl<'a> Builder<'a> {
         Ok(())
     }
 
-    fn include(&mut self, name: &Text, source: &Rc<Source>) -> Result<()> {
-        if name.text.is_empty() {
-            return Err(source.error(&name.span, "the name of the file is empty"));
-        }
-        let path = self.directory.join(&*name.text);
-        let identity = path.canonicalize().unwrap_or_else(|_| path.clone());
-        if self.reading.contains(&identity) {
-            let message = format!("{} includes itself", path.display());
-            return Err(source.error(&name.span, message));
-        }
-        if self.reading.len() >= MAX_INCLUDE_DEPTH {
-            let message = format!("more than {MAX_INCLUDE_DEPTH} files include each other");
-            return Err(source.error(&name.span, message));
-        }
-        if self.files_read >= MAX_FILES {
-            return Err(source.error(&name.span, format!("the scene includes more than {MAX_FILES} files")));
-        }
-        let read = Source::read(&path).and_then(|included| self.read(Rc::new(included)));
-        read.map_err(|error| error.note(format!("included from {}", source.at(&name.span))))
-    }
-
-    /// Camera, Film and their like belong before `WorldBegin`.
-    fn check_before_world(&self, name: &str, keyword: &Span, source: &Rc<Source>) -> Result<()> {
-        if !self.in_world {
-            return Ok(());
-        }
-        let error = source.error(keyword, format!("{name} inside the world"));
-        Err(error.note("expected before WorldBegin"))
-    }
-
     /// Geometry belongs after `WorldBegin`.
     pub(super) fn check_in_world(&self, name: &str, keyword: &Span, source: &Rc<Source>) -> Result<()> {
         if self.in_world {
@@ -258,26 +203,12 @@ impl<'a> Builder<'a> {
         Err(error.note("or is this file a part that another one includes?"))
     }
 
-    fn camera(&mut self, entity: &Entity, keyword: &Span, source: &Rc<Source>) -> Result<()> {
-        self.check_before_world("Camera", keyword, source)?;
-        let mut parameters = Parameters::new("Camera", entity, source);
-        if let (Some((reason, place)), false) = (&self.singular, self.state.current.inverse.is_finite()) {
-            return Err(place.error(*reason).note("so the camera, which comes after it, has no place"));
+    /// What moves is rendered where it is at the start time.
+    pub(super) fn warn_if_moving(&mut self, keyword: &Span, source: &Source) {
+        if self.state.is_moving() {
+            let message = "moving shapes are not supported: they stand where they are at the start time";
+            self.warnings.add("moving", || Diagnostic::new(message).at(source.at(keyword)));
         }
-        let camera = CameraParameters::read(&mut parameters, &self.state.current, &mut self.warnings)?;
-        parameters.finish(&mut self.warnings);
-        self.camera = Some(camera);
-        self.state.name("camera", self.state.current.inverted());
-        Ok(())
-    }
-
-    fn film(&mut self, entity: &Entity, keyword: &Span, source: &Rc<Source>) -> Result<()> {
-        self.check_before_world("Film", keyword, source)?;
-        let mut parameters = Parameters::new("Film", entity, source);
-        self.film = FilmParameters::read(&mut parameters)?;
-        parameters.finish_with_suggestions(&mut self.warnings);
-        self.film_place = Some(Place::new(source, keyword));
-        Ok(())
     }
 
     fn shape(&mut self, entity: &Entity, keyword: &Span, source: &Rc<Source>) -> Result<()> {
@@ -286,6 +217,7 @@ impl<'a> Builder<'a> {
             return Err(source.error(keyword, format!("the scene has more than {} shapes", u32::MAX)));
         };
         self.shape_count = number;
+        self.warn_if_moving(keyword, source);
         let is_in_object = self.objects.open.is_some();
         let (shapes, transforms) = match &mut self.objects.open {
             Some(Definition { shapes, transforms, .. }) => (shapes, transforms),
@@ -300,14 +232,22 @@ impl<'a> Builder<'a> {
             world_from_object: self.state.current.matrix,
             is_in_object,
         };
-        target.add(Parameters::new("Shape", entity, source))
+        target.add(Parameters::of_shape(entity, source, &self.state.defaults))
+    }
+
+    /// No block is open, or the innermost is an `outer`.
+    pub(super) fn check_closed_but_for(&self, outer: Option<Block>) -> Result<()> {
+        match self.state.innermost() {
+            Some(open) if Some(open.block) != outer => {
+                Err(open.place.error(format!("{} without {}", open.block.begin(), open.block.end())))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// The scene, when all has been read.
     pub(super) fn finish(self, options: &LoadOptions) -> Result<Scene> {
-        if let Some(open) = self.state.innermost() {
-            return Err(open.place.error(format!("{} without {}", open.block.begin(), open.block.end())));
-        }
+        self.check_closed_but_for(None)?;
         if !self.in_world {
             let diagnostic = Diagnostic::new("the scene has no WorldBegin").at(SourceLocation::file(&self.path));
             return Err(Error::bad_input(diagnostic.note("expected Camera and Film, WorldBegin, and then the shapes")));

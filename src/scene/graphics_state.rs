@@ -1,5 +1,7 @@
-//! What directives change for those that follow: the current transform, and blocks around it.
+//! What directives change for those that follow: the current transform, defaults of shapes, and blocks around them.
 
+use super::parser::ActiveTransform;
+use super::shape_defaults::ShapeDefaults;
 use super::source::Place;
 use crate::geometry::Transform;
 use std::collections::HashMap;
@@ -7,12 +9,14 @@ use std::collections::HashMap;
 /// The kinds of block, each with an end of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Block {
-    /// `AttributeBegin` to `AttributeEnd`. Of the attributes only the transform matters here.
+    /// `AttributeBegin` to `AttributeEnd`.
     Attribute,
     /// `TransformBegin` to `TransformEnd`.
     Transform,
     /// `ObjectBegin` to `ObjectEnd`.
     Object,
+    /// A file that is read with a state of its own.
+    Import,
 }
 
 impl Block {
@@ -22,6 +26,7 @@ impl Block {
             Block::Attribute => "AttributeBegin",
             Block::Transform => "TransformBegin",
             Block::Object => "ObjectBegin",
+            Block::Import => "Import",
         }
     }
 
@@ -31,6 +36,7 @@ impl Block {
             Block::Attribute => "AttributeEnd",
             Block::Transform => "TransformEnd",
             Block::Object => "ObjectEnd",
+            Block::Import => "the end of the imported file",
         }
     }
 }
@@ -40,30 +46,94 @@ pub(super) struct OpenBlock {
     pub(super) block: Block,
     /// Where it began.
     pub(super) place: Place,
-    outer: Transform,
+    outer: Transforms,
+    active: ActiveTransform,
+    /// How many defaults of shapes there were.
+    defaults: usize,
+}
+
+/// The transform at the start time and, where it is another, at the end time.
+#[derive(Clone)]
+struct Transforms {
+    start: Transform,
+    end: Option<Box<Transform>>,
 }
 
 /// The current transform with what surrounds it.
+///
+/// As in pbrt-v4 every kind of block holds all of the state; in v3, which has nothing but transforms here, that is the same.
 pub(super) struct GraphicsState {
-    /// The current transform and its tracked inverse (rule R3).
+    /// The current transform and its tracked inverse (rule R3), at the start time.
     pub(super) current: Transform,
+    /// That of the end time where it differs: kept only to know what moves.
+    end: Option<Box<Transform>>,
+    /// Which of the two the directives change.
+    pub(super) active: ActiveTransform,
+    /// What `Attribute "shape"` has set.
+    pub(super) defaults: ShapeDefaults,
     open: Vec<OpenBlock>,
-    named: HashMap<String, Transform>,
+    named: HashMap<String, Transforms>,
 }
 
 impl GraphicsState {
     pub(super) fn new() -> GraphicsState {
-        GraphicsState { current: Transform::IDENTITY, open: Vec::new(), named: HashMap::new() }
+        GraphicsState {
+            current: Transform::IDENTITY,
+            end: None,
+            active: ActiveTransform::All,
+            defaults: ShapeDefaults::default(),
+            open: Vec::new(),
+            named: HashMap::new(),
+        }
+    }
+
+    /// The world's own transform: nothing of the camera's is left.
+    pub(super) fn begin_world(&mut self) {
+        (self.current, self.end, self.active) = (Transform::IDENTITY, None, ActiveTransform::All);
+        self.name("world");
+    }
+
+    /// Whether directives change the transform of the start time, which is the one that is rendered.
+    pub(super) fn changes_start(&self) -> bool {
+        self.active != ActiveTransform::EndTime
     }
 
     /// The current transform becomes `current * leaf`.
     pub(super) fn concat(&mut self, leaf: &Transform) {
-        self.current = self.current.times(leaf);
+        self.change(|current| current.times(leaf));
+    }
+
+    /// `transform` takes the place of the current transform.
+    pub(super) fn replace(&mut self, transform: &Transform) {
+        self.change(|_| *transform);
+    }
+
+    fn change(&mut self, changed: impl Fn(&Transform) -> Transform) {
+        if self.end.is_none() && self.active != ActiveTransform::All {
+            self.end = Some(Box::new(self.current));
+        }
+        if self.active != ActiveTransform::StartTime
+            && let Some(end) = &mut self.end
+        {
+            **end = changed(end);
+        }
+        if self.changes_start() {
+            self.current = changed(&self.current);
+        }
+        if self.end.as_ref().is_some_and(|end| end.matrix.bits() == self.current.matrix.bits()) {
+            self.end = None;
+        }
+    }
+
+    /// Whether the current transform at the end time is another than at the start time.
+    pub(super) fn is_moving(&self) -> bool {
+        self.end.is_some()
     }
 
     /// Opens a block.
     pub(super) fn begin(&mut self, block: Block, place: Place) {
-        self.open.push(OpenBlock { block, place, outer: self.current });
+        let (outer, active, defaults) = (self.transforms(), self.active, self.defaults.len());
+        self.open.push(OpenBlock { block, place, outer, active, defaults });
     }
 
     /// Closes the innermost block, which must be a `block`.
@@ -71,12 +141,14 @@ impl GraphicsState {
     /// # Errors
     /// What is open instead: nothing, or a block of another kind.
     pub(super) fn end(&mut self, block: Block) -> Result<(), Option<Block>> {
-        match self.open.last() {
-            Some(open) if open.block == block => {
-                self.current = self.open.pop().expect("the block just seen").outer;
+        match self.open.pop_if(|open| open.block == block) {
+            Some(open) => {
+                self.restore(open.outer);
+                self.active = open.active;
+                self.defaults.truncate(open.defaults);
                 Ok(())
             }
-            open => Err(open.map(|open| open.block)),
+            None => Err(self.open.last().map(|open| open.block)),
         }
     }
 
@@ -85,17 +157,30 @@ impl GraphicsState {
         self.open.last()
     }
 
-    /// Gives a name to `transform`.
-    pub(super) fn name(&mut self, name: &str, transform: Transform) {
-        self.named.insert(name.to_owned(), transform);
+    fn transforms(&self) -> Transforms {
+        Transforms { start: self.current, end: self.end.clone() }
+    }
+
+    fn restore(&mut self, transforms: Transforms) {
+        (self.current, self.end) = (transforms.start, transforms.end);
+    }
+
+    /// Gives a name to the current transform.
+    pub(super) fn name(&mut self, name: &str) {
+        self.named.insert(name.to_owned(), self.transforms());
+    }
+
+    /// Gives a name to the inverse of the current transform.
+    pub(super) fn name_inverse(&mut self, name: &str) {
+        let end = self.end.as_ref().map(|end| Box::new(end.inverted()));
+        self.named.insert(name.to_owned(), Transforms { start: self.current.inverted(), end });
     }
 
     /// Makes the transform called `name` the current one; whether there is one.
     pub(super) fn recall(&mut self, name: &str) -> bool {
-        let found = self.named.get(name);
-        if let Some(transform) = found {
-            self.current = *transform;
-        }
-        found.is_some()
+        let found = self.named.get(name).cloned();
+        let is_known = found.is_some();
+        found.into_iter().for_each(|transforms| self.restore(transforms));
+        is_known
     }
 }

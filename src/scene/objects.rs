@@ -79,6 +79,7 @@ impl Builder<'_> {
             Object::Unused(shapes) => self.shapes.add_object(std::mem::take(&mut **shapes)),
         };
         *object = Object::Used(number);
+        self.warn_if_moving(keyword, source);
         let world_from_instance = self.state.current.matrix;
         if !world_from_instance.is_finite() {
             let message = "an instance under a transform that is not finite is never hit";

@@ -1,6 +1,7 @@
 //! The parameters of a directive, looked up by name and checked.
 
 use super::parser::{self, Entity, Parameter, Span, Values};
+use super::shape_defaults::{ShapeDefault, ShapeDefaults};
 use super::source::Source;
 use super::spelling;
 use super::warnings::Warnings;
@@ -12,13 +13,20 @@ pub(super) struct Parameters<'a> {
     keyword: &'static str,
     entity: &'a Entity<'a>,
     source: &'a Source,
+    /// What stands for parameters that the directive does not have.
+    defaults: &'a [ShapeDefault],
     /// The names that mean something here.
     known: Vec<&'static str>,
 }
 
 impl<'a> Parameters<'a> {
     pub(super) fn new(keyword: &'static str, entity: &'a Entity<'a>, source: &'a Source) -> Parameters<'a> {
-        Parameters { keyword, entity, source, known: Vec::new() }
+        Parameters { keyword, entity, source, defaults: &[], known: Vec::new() }
+    }
+
+    /// The parameters of a `Shape`; its own win over `defaults`.
+    pub(super) fn of_shape(entity: &'a Entity<'a>, source: &'a Source, defaults: &'a ShapeDefaults) -> Parameters<'a> {
+        Parameters { defaults: defaults.as_slice(), ..Parameters::new("Shape", entity, source) }
     }
 
     /// The name behind the keyword: `sphere`, `perspective`.
@@ -31,10 +39,18 @@ impl<'a> Parameters<'a> {
         self.known.extend_from_slice(names);
     }
 
-    /// The last parameter of this name, as in pbrt-v3.
-    fn find(&mut self, name: &'static str) -> Option<&'a Parameter<'a>> {
+    /// The last parameter of this name, as in pbrt, with the file that it stands in.
+    fn last(&self, name: &str) -> Option<(&'a Parameter<'a>, &'a Source)> {
+        let own = self.entity.parameters.iter().rfind(|parameter| parameter.name == name);
+        own.map(|parameter| (parameter, self.source)).or_else(|| {
+            let default = self.defaults.iter().rfind(|default| default.parameter.name == name)?;
+            Some((&default.parameter, &*default.source))
+        })
+    }
+
+    fn find(&mut self, name: &'static str) -> Option<(&'a Parameter<'a>, &'a Source)> {
         self.known.push(name);
-        self.entity.parameters.iter().rfind(|parameter| parameter.name == name)
+        self.last(name)
     }
 
     /// Whether the directive has a parameter of this name.
@@ -44,11 +60,11 @@ impl<'a> Parameters<'a> {
 
     /// All numbers of a parameter.
     pub(super) fn numbers(&mut self, name: &'static str) -> Result<Option<&'a [f64]>> {
-        let Some(parameter) = self.find(name) else { return Ok(None) };
+        let Some((parameter, source)) = self.find(name) else { return Ok(None) };
         match &parameter.values {
             Values::Numbers(numbers) => Ok(Some(numbers)),
             Values::None => Ok(Some(&[])),
-            _ => Err(self.source.error(&parameter.values_span, format!("`{name}` takes numbers"))),
+            _ => Err(source.error(&parameter.values_span, format!("`{name}` takes numbers"))),
         }
     }
 
@@ -91,28 +107,31 @@ impl<'a> Parameters<'a> {
 
     /// One string.
     pub(super) fn string(&mut self, name: &'static str) -> Result<Option<&'a str>> {
-        let Some(parameter) = self.find(name) else { return Ok(None) };
+        let Some((parameter, source)) = self.find(name) else { return Ok(None) };
         match &parameter.values {
             Values::Strings(strings) if strings.len() == 1 && !strings[0].text.is_empty() => Ok(Some(&strings[0].text)),
-            _ => Err(self
-                .source
-                .error(&parameter.values_span, format!("`{name}` takes one string in quotes that is not empty"))),
+            _ => {
+                Err(source
+                    .error(&parameter.values_span, format!("`{name}` takes one string in quotes that is not empty")))
+            }
         }
     }
 
     /// An error that points at the values of the last parameter called `name`.
     pub(super) fn error_at(&self, name: &str, message: impl Into<String>) -> Error {
-        self.source.error(self.span_of(name), message)
+        let (span, source) = self.span_of(name);
+        source.error(span, message)
     }
 
     /// Where the values of the last parameter called `name` are.
     pub(super) fn place_of(&self, name: &str) -> SourceLocation {
-        self.source.at(self.span_of(name))
+        let (span, source) = self.span_of(name);
+        source.at(span)
     }
 
-    fn span_of(&self, name: &str) -> &Span {
-        let parameter = self.entity.parameters.iter().rfind(|parameter| parameter.name == name);
-        parameter.map_or(&self.entity.name.span, |parameter| &parameter.values_span)
+    fn span_of(&self, name: &str) -> (&'a Span, &'a Source) {
+        let found = self.last(name).map(|(parameter, source)| (&parameter.values_span, source));
+        found.unwrap_or((&self.entity.name.span, self.source))
     }
 
     /// An error that points at the name behind the keyword.
@@ -123,7 +142,7 @@ impl<'a> Parameters<'a> {
     /// A warning, once a kind, that points at the parameter called `name`.
     pub(super) fn warn(&self, name: &str, message: impl Into<String>, warnings: &mut Warnings) {
         let kind = format!("{} {} {name}", self.keyword, self.entity.name.text);
-        warnings.add(kind, || Diagnostic::new(message).at(self.source.at(self.span_of(name))));
+        warnings.add(kind, || Diagnostic::new(message).at(self.place_of(name)));
     }
 
     /// A warning, once a kind, that points at the name behind the keyword.
@@ -166,8 +185,8 @@ impl<'a> Parameters<'a> {
 
     /// An error that points at number `place`, from 0, of the array called `name`.
     pub(super) fn error_at_number(&self, name: &str, place: usize, message: impl Into<String>) -> Error {
-        let array = self.span_of(name);
-        self.source.error(&parser::number_in(&self.source.text, array, place), message)
+        let (array, source) = self.span_of(name);
+        source.error(&parser::number_in(&source.text, array, place), message)
     }
 
     fn unknown(&self, parameter: &Parameter) -> Diagnostic {

@@ -2,7 +2,7 @@
 
 use super::parser::Span;
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
-use crate::input;
+use crate::input::{self, gzip};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
@@ -14,9 +14,9 @@ pub(super) struct Source {
 }
 
 impl Source {
-    /// Reads a file.
+    /// Reads a file, compressed with gzip or not; places in it count in what is decompressed.
     pub(super) fn read(path: &Path) -> Result<Source> {
-        Ok(Source { path: path.to_path_buf(), text: input::read(path)? })
+        Source::of(path, input::read(path)?)
     }
 
     /// Reads the scene that the user named, `-` for standard input; within a scene `-` is a file like any other.
@@ -24,7 +24,11 @@ impl Source {
         if path != Path::new("-") {
             return Source::read(path);
         }
-        Ok(Source { path: path.to_path_buf(), text: input::read_stdin()? })
+        Source::of(path, input::read_stdin()?)
+    }
+
+    fn of(path: &Path, bytes: Vec<u8>) -> Result<Source> {
+        Ok(Source { path: path.to_path_buf(), text: gzip::content(path, bytes)? })
     }
 
     /// The place of `span`.

@@ -13,7 +13,9 @@ pub fn closest<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> Option<&
         return None;
     }
     let word = word.to_ascii_lowercase();
-    let scored = known.filter(|k| k.len() <= LONGEST).map(|k| (distance(&word, &k.to_ascii_lowercase()), k));
+    // Every byte that one is longer is an edit.
+    let known = known.filter(|k| k.len() <= LONGEST && k.len().abs_diff(word.len()) <= EDITS);
+    let scored = known.map(|k| (distance(&word, &k.to_ascii_lowercase()), k));
     let close = scored.filter(|(edits, k)| *edits <= EDITS && (*edits == 0 || 2 * edits < k.len()));
     close.min_by_key(|(edits, _)| *edits).map(|(_, k)| k)
 }

@@ -1,7 +1,7 @@
 //! The directives that change the current transform (rules R2 and R3).
 
 use super::builder::Builder;
-use super::parser::{ActiveTransform, Directive, Statement, Text};
+use super::parser::{Directive, Statement, Text};
 use super::source::{Place, Source};
 use crate::error::{Diagnostic, Result};
 use crate::geometry::{Point, Transform, Vector};
@@ -10,8 +10,8 @@ use std::rc::Rc;
 impl Builder<'_> {
     /// Multiplies the current transform, and remembers where it first went wrong.
     pub(super) fn concat(&mut self, leaf: Transform, directive: &Directive, source: &Rc<Source>) {
-        if self.active == ActiveTransform::EndTime {
-            return;
+        if !self.state.changes_start() {
+            return self.state.concat(&leaf);
         }
         if !leaf.matrix.is_finite() {
             let message = why_not_finite(&directive.statement);
@@ -24,20 +24,12 @@ impl Builder<'_> {
     }
 
     pub(super) fn replace(&mut self, transform: Transform, directive: &Directive, source: &Rc<Source>) {
-        if self.active != ActiveTransform::EndTime {
-            self.state.current = transform;
+        self.state.replace(&transform);
+        if self.state.changes_start() {
             self.singular = None;
             if !transform.inverse.is_finite() {
                 self.singular = Some((why_not_finite(&directive.statement), Place::new(source, &directive.span)));
             }
-        }
-    }
-
-    pub(super) fn activate(&mut self, active: ActiveTransform, directive: &Directive, source: &Rc<Source>) {
-        self.active = active;
-        if active == ActiveTransform::EndTime {
-            let message = "moving transforms are not supported: shapes stand where they are at the start time";
-            self.warnings.add("moving", || Diagnostic::new(message).at(source.at(&directive.span)));
         }
     }
 

@@ -15,9 +15,10 @@ use std::path::Path;
 
 use self::plain::Plain;
 use super::faces::{Faces, check_count};
-use super::{Loaded, TriangleMesh, gzip, signature};
+use super::{Loaded, TriangleMesh, signature};
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::geometry::Point;
+use crate::input::gzip;
 
 /// Polygons are ours to cut, and what `tobj` calls lines and points are faces that it finds too small.
 const OPTIONS: tobj::LoadOptions =

@@ -22,9 +22,9 @@ use std::path::Path;
 use self::ascii::Ascii;
 use self::binary::{BigEndian, Binary, LittleEndian};
 use self::header::{Encoding, Header};
-use super::{Loaded, gzip};
+use super::Loaded;
 use crate::error::Result;
-use crate::input::Storage;
+use crate::input::{Storage, gzip};
 
 /// Reads the bytes of a PLY file, compressed or not; `path` is for messages only.
 pub fn parse_ply(path: &Path, bytes: &[u8]) -> Result<Loaded> {

@@ -12,14 +12,10 @@ use super::value::Keep;
 
 impl<'a> Source<'a> {
     /// The directive that `input` begins with; `previous` is the keyword of the one before it.
-    pub(super) fn directive(
-        &self,
-        previous: Option<&str>,
-        input: &'a [u8],
-    ) -> Parsed<'a, (&'static str, Directive<'a>)> {
+    pub(super) fn directive(&self, previous: Option<&str>, input: &'a [u8]) -> Parsed<'a, (&'a str, Directive<'a>)> {
         let known = word(input).ok().and_then(|(rest, word)| Some((rest, keyword::known(word)?)));
         let Some((rest, name)) = known else {
-            return wrong(self.no_directive(previous, input));
+            return self.private(previous, input);
         };
         let keyword = self.span(input, rest);
         let (rest, statement) = self.statement(Keyword { name, at: input }, rest)?;

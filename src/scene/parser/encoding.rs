@@ -22,7 +22,9 @@ pub(super) fn text<'a>(source: &Source<'a>) -> Result<&'a [u8]> {
 }
 
 fn compressed(source: &Source) -> Error {
-    source.file_error("this file is compressed with gzip").note("unpack it first: `gunzip` does")
+    source
+        .file_error("this is gzip data, compressed twice")
+        .note("expected the text of a PBRT scene, compressed once or not at all")
 }
 
 fn utf16(source: &Source) -> Error {

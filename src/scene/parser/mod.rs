@@ -12,6 +12,7 @@ mod encoding;
 mod keyword;
 mod numbers;
 mod parameter;
+mod private;
 mod source;
 mod statement;
 #[cfg(test)]
@@ -35,7 +36,7 @@ pub struct Directives<'a> {
     rest: &'a [u8],
     /// Why this is no text at all, until it has been told.
     unreadable: Option<Error>,
-    previous: Option<&'static str>,
+    previous: Option<&'a str>,
 }
 
 impl<'a> Directives<'a> {

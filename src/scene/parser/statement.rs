@@ -78,6 +78,8 @@ pub enum Statement<'a> {
     ObjectInstance(Text<'a>),
     /// A directive without influence on hit and depth, by its keyword.
     Ignored(&'static str),
+    /// A directive that no pbrt knows, by its keyword.
+    Private(&'a str),
 }
 
 /// Which of the two transforms of a moving scene the directives that follow change.
@@ -124,6 +126,19 @@ pub struct Parameter<'a> {
     pub values_span: Span,
 }
 
+impl Parameter<'_> {
+    /// A copy that outlives the text.
+    pub fn to_owned(&self) -> Parameter<'static> {
+        Parameter {
+            type_name: Cow::Owned(self.type_name.clone().into_owned()),
+            name: Cow::Owned(self.name.clone().into_owned()),
+            span: self.span.clone(),
+            values: self.values.to_owned(),
+            values_span: self.values_span.clone(),
+        }
+    }
+}
+
 /// The values of a parameter. Their kind is that of the file, it need not fit the declared type.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Values<'a> {
@@ -135,4 +150,17 @@ pub enum Values<'a> {
     Booleans(Vec<bool>),
     /// An empty array.
     None,
+}
+
+impl Values<'_> {
+    /// A copy that outlives the text.
+    fn to_owned(&self) -> Values<'static> {
+        let owned = |text: &Text| Text { text: Cow::Owned(text.text.clone().into_owned()), span: text.span.clone() };
+        match self {
+            Values::Numbers(numbers) => Values::Numbers(numbers.clone()),
+            Values::Strings(texts) => Values::Strings(texts.iter().map(owned).collect()),
+            Values::Booleans(booleans) => Values::Booleans(booleans.clone()),
+            Values::None => Values::None,
+        }
+    }
 }

@@ -8,7 +8,7 @@ use super::blocks::{Tally, line_start};
 use super::form::Form;
 use super::{face_lines, vertex_lines};
 use crate::geometry::Point;
-use crate::mesh::gzip::Stream;
+use crate::input::gzip::Stream;
 use crate::mesh::ply::header::{Encoding, Header};
 use crate::mesh::{Loaded, TriangleMesh};
 

@@ -7,7 +7,7 @@ use proptest::sample::Index;
 
 use super::read_in_blocks;
 use crate::input::Storage;
-use crate::mesh::gzip::{self, Stream};
+use crate::input::gzip::{self, Stream};
 use crate::mesh::tests::told;
 use crate::mesh::{Loaded, ply};
 

@@ -191,7 +191,13 @@ fn the_others_in_brief() {
             "12",
             "1:1: found the number `12` where a directive is expected\n   = a scene begins with a directive such as `LookAt` or `Camera`",
         ),
-        ("Foo", "1:1: unknown directive `Foo`\n   = expected a directive such as `Shape` or `Translate`"),
+        ("foo", "1:1: unknown directive `foo`\n   = expected a directive such as `Shape` or `Translate`"),
+        ("Foo [ 1 [ 2 ] \"a\"", "1:5: this `[` is not closed\n   = expected `]` before the end of the file"),
+        ("Foo [ 1 Shape", "1:5: this `[` is not closed\n   = expected `]` before `Shape` at line 1, column 9"),
+        ("Foo \"a", "1:5: this string is not closed\n   = a string ends with `\"` on the line where it begins"),
+        ("Foo 1 ]", "1:7: this `]` closes nothing\n   = there is no `[` that is still open before it"),
+        ("Foo bar", "1:5: unknown directive `bar`\n   = expected a directive such as `Shape` or `Translate`"),
+        ("Shapes \"sphere\"", "1:1: unknown directive `Shapes`\n   = did you mean `Shape`?"),
         (
             "Include \"a\\d.pbrt\"",
             "1:11: unknown escape `\\d` in a string\n   = write `\\\\` for a backslash; paths take `/` on every system",
@@ -211,7 +217,7 @@ fn the_others_in_brief() {
 fn files_that_are_no_text() {
     assert_eq!(
         message(b"\x1f\x8b\x08"),
-        "a.pbrt: this file is compressed with gzip\n   = unpack it first: `gunzip` does"
+        "a.pbrt: this is gzip data, compressed twice\n   = expected the text of a PBRT scene, compressed once or not at all"
     );
     let utf16 = "a.pbrt: this file is UTF-16 text\n   = expected ASCII or UTF-8: save it as UTF-8";
     for source in [&b"\xff\xfeL\0o\0"[..], b"\xfe\xff\0L\0o", b"L\0o\0o\0", b"\0L\0o"] {

@@ -61,7 +61,7 @@ proptest! {
 
     #[test]
     fn survives_any_words(
-        words in proptest::collection::vec("(Shape|Scale|Texture|Option|\"|\\[|\\]|\"float f\"|\"a\"|1|true|#|,|\\\\|\n|é)", 0..30)
+        words in proptest::collection::vec("(Shape|Foo|Scale|Texture|Option|\"|\\[|\\]|\"float f\"|\"a\"|1|true|#|,|\\\\|\n|é)", 0..30)
     ) {
         survives(words.concat().as_bytes());
         survives(words.join(" ").as_bytes());

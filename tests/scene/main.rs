@@ -1,5 +1,7 @@
 //! What scene files mean: cameras, transforms, shapes, and what is said about mistakes.
 
+mod directives;
+
 use feimos::error::ErrorKind;
 use feimos::film::PixelBounds;
 use feimos::geometry::{Matrix, Point};
@@ -21,8 +23,11 @@ fn folder(files: &[(&str, &str)]) -> TempDir {
 }
 
 fn load_files(files: &[(&str, &str)]) -> Result<Scene, String> {
-    let folder = folder(files);
-    let path = folder.path().join(files[0].0);
+    load_folder(&folder(files), files[0].0)
+}
+
+fn load_folder(folder: &TempDir, name: &str) -> Result<Scene, String> {
+    let path = folder.path().join(name);
     let root = format!("{}/", folder.path().display());
     load(&path, &LoadOptions::default(), Progress::SILENT).map_err(|error| error.to_string().replace(&root, ""))
 }
@@ -49,7 +54,7 @@ const TRIANGLE: &str = "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 
 /// Rays that pbrt-v3 printed, in single precision and with directions of length 1.
 #[test]
 fn cameras_are_those_of_pbrt() {
-    let rows = include_str!("pbrt3-camera-rays.tsv").lines().filter(|line| !line.starts_with('#')).skip(1);
+    let rows = include_str!("../pbrt3-camera-rays.tsv").lines().filter(|line| !line.starts_with('#')).skip(1);
     let mut count = 0;
     for row in rows {
         let columns: Vec<&str> = row.split('\t').collect();

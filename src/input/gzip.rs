@@ -1,4 +1,4 @@
-//! Compressed meshes, told by their content and not by their name.
+//! Compressed files, told by their content and not by their name.
 
 use std::borrow::Cow;
 use std::io::Read;
@@ -6,12 +6,12 @@ use std::path::Path;
 
 use flate2::bufread::MultiGzDecoder;
 
+use super::Storage;
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
-use crate::input::Storage;
 
 const MAGIC: &[u8] = b"\x1f\x8b";
 
-/// A mesh does not shrink to less than this part of its size, unless it is made to fill the memory.
+/// A mesh or a scene does not shrink to less than this part of its size, unless it is made to fill the memory.
 const MOST_TIMES: u64 = 256;
 /// Small files may shrink more than that.
 const MOST_BYTES: u64 = 64 << 20;
@@ -24,21 +24,21 @@ fn recognises(bytes: &[u8]) -> bool {
 }
 
 /// Whether the content of `storage` is compressed.
-pub(super) fn is_in(storage: &Storage) -> bool {
+pub(crate) fn is_in(storage: &Storage) -> bool {
     let mut buffer = Vec::new();
     storage.piece(0..MAGIC.len() as u64, &mut buffer).is_ok_and(recognises)
 }
 
 /// Compressed content, decompressed as it is read.
-pub(super) struct Stream<'a> {
+pub(crate) struct Stream<'a> {
     /// The content, which ends at the limit of what is believed.
-    pub(super) content: Box<dyn Read + Send + 'a>,
+    pub(crate) content: Box<dyn Read + Send + 'a>,
     /// The bytes that it may be trusted to have, as far as memory is concerned.
-    pub(super) trusted_size: usize,
+    pub(crate) trusted_size: usize,
 }
 
 /// What `read` makes of the content of the compressed `storage`: nothing where there is too much of it.
-pub(super) fn stream<T>(storage: &Storage, read: impl FnOnce(&mut Stream) -> Option<T>) -> Option<T> {
+pub(crate) fn stream<T>(storage: &Storage, read: impl FnOnce(&mut Stream) -> Option<T>) -> Option<T> {
     let mut buffer = Vec::new();
     let size = storage.size();
     let end = storage.piece(size.saturating_sub(4)..size, &mut buffer).ok()?;
@@ -48,11 +48,19 @@ pub(super) fn stream<T>(storage: &Storage, read: impl FnOnce(&mut Stream) -> Opt
 }
 
 /// What `parse` makes of the content of the file `path`, whose bytes are `bytes`.
-pub(super) fn parsed<T>(path: &Path, bytes: &[u8], parse: impl FnOnce(&[u8]) -> Result<T>) -> Result<T> {
+pub(crate) fn parsed<T>(path: &Path, bytes: &[u8], parse: impl FnOnce(&[u8]) -> Result<T>) -> Result<T> {
     parse(&decompressed(path, bytes)?).map_err(|error| match recognises(bytes) {
         true => error.note("places count in the decompressed file"),
         false => error,
     })
+}
+
+/// The content of the file `path`, whose bytes are `bytes`, where they are compressed; else the bytes.
+///
+/// # Errors
+/// Damaged data, and those that would fill the memory.
+pub(crate) fn content(path: &Path, bytes: Vec<u8>) -> Result<Vec<u8>> {
+    if recognises(&bytes) { decompressed(path, &bytes).map(Cow::into_owned) } else { Ok(bytes) }
 }
 
 fn decompressed<'a>(path: &Path, bytes: &'a [u8]) -> Result<Cow<'a, [u8]>> {

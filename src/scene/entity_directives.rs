@@ -1,0 +1,80 @@
+//! The directives that have a type and parameters, but for `Shape`.
+
+use super::accelerator::AcceleratorParameters;
+use super::builder::Builder;
+use super::camera_parameters::CameraParameters;
+use super::film::FilmParameters;
+use super::parameters::Parameters;
+use super::parser::{Entity, Span};
+use super::shape_defaults::MAX_DEFAULTS;
+use super::source::{Place, Source};
+use super::spelling;
+use crate::error::{Diagnostic, Result};
+use std::rc::Rc;
+
+/// What pbrt-v4's `Attribute` can set defaults for.
+const TARGETS: [&str; 5] = ["shape", "light", "material", "medium", "texture"];
+
+impl Builder<'_> {
+    /// Camera, Film and their like belong before `WorldBegin`.
+    fn check_before_world(&self, name: &str, keyword: &Span, source: &Rc<Source>) -> Result<()> {
+        if !self.in_world {
+            return Ok(());
+        }
+        let error = source.error(keyword, format!("{name} inside the world"));
+        Err(error.note("expected before WorldBegin"))
+    }
+
+    pub(super) fn camera(&mut self, entity: &Entity, keyword: &Span, source: &Rc<Source>) -> Result<()> {
+        self.check_before_world("Camera", keyword, source)?;
+        let mut parameters = Parameters::new("Camera", entity, source);
+        if let (Some((reason, place)), false) = (&self.singular, self.state.current.inverse.is_finite()) {
+            return Err(place.error(*reason).note("so the camera, which comes after it, has no place"));
+        }
+        let camera = CameraParameters::read(&mut parameters, &self.state.current, &mut self.warnings)?;
+        parameters.finish(&mut self.warnings);
+        self.camera = Some(camera);
+        self.state.name_inverse("camera");
+        if self.state.is_moving() {
+            let message = "a moving camera is not supported: it stands where it is at the start time";
+            self.warnings.add("moving camera", || Diagnostic::new(message).at(source.at(keyword)));
+        }
+        Ok(())
+    }
+
+    pub(super) fn film(&mut self, entity: &Entity, keyword: &Span, source: &Rc<Source>) -> Result<()> {
+        self.check_before_world("Film", keyword, source)?;
+        let mut parameters = Parameters::new("Film", entity, source);
+        self.film = FilmParameters::read(&mut parameters)?;
+        parameters.finish_with_suggestions(&mut self.warnings);
+        self.film_place = Some(Place::new(source, keyword));
+        Ok(())
+    }
+
+    pub(super) fn accelerator(&mut self, entity: &Entity, source: &Rc<Source>) -> Result<()> {
+        let mut parameters = Parameters::new("Accelerator", entity, source);
+        self.accelerator = AcceleratorParameters::read(&mut parameters)?;
+        parameters.finish_with_suggestions(&mut self.warnings);
+        Ok(())
+    }
+
+    /// Of the defaults that v4 can set, only those of shapes matter.
+    pub(super) fn attribute(&mut self, entity: &Entity, source: &Rc<Source>) -> Result<()> {
+        let target = &*entity.name.text;
+        if target == "shape" {
+            if !self.state.defaults.add(&entity.parameters, source) {
+                let message = format!("more than {MAX_DEFAULTS} parameters of shapes are set by Attribute at a time");
+                return Err(source.error(&entity.name.span, message));
+            }
+        } else if TARGETS.contains(&target) {
+            *self.skipped.entry("Attribute").or_default() += 1;
+        } else {
+            let error = source.error(&entity.name.span, format!("Attribute sets nothing for `{target}`"));
+            return Err(match spelling::closest(target, TARGETS.into_iter()) {
+                Some(known) => error.note(format!("did you mean `{known}`?")),
+                None => error.note(format!("expected one of {}", TARGETS.join(", "))),
+            });
+        }
+        Ok(())
+    }
+}
