@@ -1,0 +1,187 @@
+//! The test in `f64` with bounds on its errors.
+
+mod adjugate;
+#[cfg(test)]
+mod tests;
+
+use self::adjugate::Adjugate;
+use super::cut::{Cut, Plane};
+use super::{Disk, Form, Quadric};
+use crate::exact::Approximation;
+use crate::geometry::Point;
+use crate::shape::{FilterRay, Verdict};
+use std::array::from_fn;
+use std::cmp::Ordering::{self, Greater, Less};
+
+type Approximations = [Approximation; 3];
+/// The positive roots of an equation, the nearer one first; `None` where it is not sure how many there are.
+type Roots = Option<[Option<Approximation>; 2]>;
+
+/// A surface and a ray in object space, times a positive factor and the sign of the determinant of M.
+///
+/// With m the linear part of M divided by a power of two s, so that its largest entry is about 1, A its adjugate, o' =
+/// A (o - c), d' = A d and R = r s |det m|, the ray is o' + t d', and R the radius: nothing is divided, and few products leave
+/// the range. A point q of object space is o' + t d' divided by s det m.
+struct ScaledSpace {
+    origin: Approximations,
+    direction: Approximations,
+    /// R.
+    radius: Approximation,
+    /// s det m.
+    determinant: Approximation,
+}
+
+impl Quadric {
+    /// Whether `ray` meets what there is of the surface, and where first, as far as `f64` can tell (rules E2, E5 and E6).
+    ///
+    /// The discriminant is taken as R^2 |d'|^2 - |o' x d'|^2, which keeps its digits where b^2 - ac loses them, and the
+    /// roots in the form that adds numbers of one sign (Haines et al., "Precision Improvements for Ray/Sphere
+    /// Intersection", Ray Tracing Gems, 2019). Every number carries a bound on its error. A cylinder is a sphere of two dimensions.
+    pub fn filter(&self, ray: &FilterRay) -> Verdict {
+        let space = ScaledSpace::new(self, ray);
+        let (o, d) = (&space.origin, &space.direction);
+        match &self.form {
+            Form::Sphere(None) => first_hit(space.roots(o, d), |_| Some(true)),
+            Form::Sphere(Some(cut)) => first_hit(space.roots(o, d), |t| space.is_there(t, cut)),
+            Form::Cylinder(cut) => match first_hit(space.roots(&across(o), &across(d)), |t| space.is_there(t, cut)) {
+                Verdict::Unsure if space.misses_between_ends(cut) => Verdict::Miss,
+                verdict => verdict,
+            },
+            Form::Disk(disk) => first_hit(space.crossing(disk), |t| space.is_in_ring(t, disk, self.radius)),
+        }
+    }
+}
+
+/// The first of the roots that is there.
+#[inline]
+fn first_hit(roots: Roots, is_there: impl Fn(Approximation) -> Option<bool>) -> Verdict {
+    let Some(roots) = roots else { return Verdict::Unsure };
+    for t in roots.into_iter().flatten() {
+        match is_there(t) {
+            Some(true) => {
+                let bracket = t.bracket();
+                return if bracket.low > 0.0 { Verdict::Hit(bracket) } else { Verdict::Unsure };
+            }
+            Some(false) => {}
+            None => return Verdict::Unsure,
+        }
+    }
+    Verdict::Miss
+}
+
+/// What of a vector is across the z axis.
+fn across(v: &Approximations) -> Approximations {
+    [v[0], v[1], Approximation::exactly(0.0)]
+}
+
+impl ScaledSpace {
+    fn new(quadric: &Quadric, ray: &FilterRay) -> ScaledSpace {
+        let m = &quadric.world_from_object;
+        let scale = quadric.scale();
+        let adjugate = Adjugate::new(m, scale);
+        let determinant = adjugate.row_times(0, adjugate.column) * Approximation::exactly(scale);
+        let from_centre = ray.ray.origin - Point::from(m.column(3));
+        ScaledSpace {
+            origin: from_fn(|k| adjugate.row_times(k, from_centre)),
+            direction: from_fn(|k| adjugate.row_times(k, ray.ray.direction)),
+            radius: Approximation::exactly(quadric.radius) * determinant.abs(),
+            determinant,
+        }
+    }
+
+    /// The t with |o + t d| = R, where o and d are those of the ray or what of them is across the axis.
+    fn roots(&self, o: &Approximations, d: &Approximations) -> Roots {
+        let square_of_radius = self.radius.square();
+        let b = dot(o, d);
+        let c = dot(o, o) - square_of_radius;
+        let outside = c.sign()? == Greater;
+        if outside && b.sign() == Some(Greater) {
+            // Both roots, if there are any, are negative.
+            return Some([None, None]);
+        }
+        let a = dot(d, d);
+        let moment = cross(o, d);
+        let discriminant = square_of_radius * a - dot(&moment, &moment);
+        if outside {
+            if discriminant.sign()? == Less {
+                return Some([None, None]);
+            }
+            // Both roots are positive only where b is negative. Of a sphere it is far from 0 where the discriminant is, so this is
+            // for the reader's peace of mind.
+            b.sign().filter(|sign| *sign == Less)?;
+            let sum = discriminant.square_root() - b;
+            return Some([Some(c.over(sum)), Some(sum.over(a))]);
+        }
+        // From within, the discriminant is positive, and one root is behind; but if d is 0 across the axis, there is none, and a
+        // division by 0 says nothing. Where the sign of b is not sure, both forms are good.
+        let root = discriminant.square_root();
+        let t = if b.sign() == Some(Greater) { (-c).over(b + root) } else { (root - b).over(a) };
+        Some([Some(t), None])
+    }
+
+    /// Where the ray crosses the plane of `disk`.
+    fn crossing(&self, disk: &Disk) -> Roots {
+        let rise = self.above(disk.height);
+        let slope = self.direction[2];
+        let is_ahead = rise.sign()? == slope.sign()?;
+        Some([is_ahead.then(|| rise.over(slope)), None])
+    }
+
+    /// How far, along the axis, the plane at `height` is from the origin of the ray.
+    fn above(&self, height: f64) -> Approximation {
+        Approximation::exactly(height) * self.determinant - self.origin[2]
+    }
+
+    fn point(&self, t: Approximation) -> Approximations {
+        from_fn(|k| self.origin[k] + t * self.direction[k])
+    }
+
+    /// Whether the cut leaves the point at `t`.
+    fn is_there(&self, t: Approximation, cut: &Cut) -> Option<bool> {
+        let point = self.point(t);
+        let sign = self.determinant.sign()?;
+        cut.holds(|plane| self.side(&point, sign, plane))
+    }
+
+    /// On which side of `plane` a point is, given the sign of the determinant.
+    fn side(&self, point: &Approximations, sign: Ordering, plane: &Plane) -> Option<Ordering> {
+        let offset = Approximation::exactly(plane.offset) * self.determinant;
+        let difference = dot(&plane.normal.map(Approximation::exactly), point) - offset;
+        difference.sign().map(|side| if sign == Less { side.reverse() } else { side })
+    }
+
+    /// Whether the point at `t`, which is in the plane of `disk`, is there.
+    fn is_in_ring(&self, t: Approximation, disk: &Disk, radius: f64) -> Option<bool> {
+        let point = self.point(t);
+        let sign = self.determinant.sign()?;
+        let [x, y, _] = point;
+        let distance = x.square() + y.square();
+        let from_axis = |limit: f64| (distance - (Approximation::exactly(limit) * self.determinant).square()).sign();
+        disk.holds(radius, from_axis, |plane| self.side(&point, sign, plane))
+    }
+
+    /// Whether the ray surely misses a cylinder between its ends, which the roots cannot tell where it is nearly parallel to the axis.
+    /// Between the planes of the ends it is a segment: it misses where that is within the circle, or beyond a tangent of it.
+    fn misses_between_ends(&self, cut: &Cut) -> bool {
+        let end = |z: f64| across(&self.point(self.above(z).over(self.direction[2])));
+        let (p, q) = (end(cut.z_min), end(cut.z_max));
+        let square_of_radius = self.radius.square();
+        let is = |difference: Approximation, sign: Ordering| difference.sign() == Some(sign);
+        let pp = dot(&p, &p);
+        let is_within = is(pp - square_of_radius, Less) && is(dot(&q, &q) - square_of_radius, Less);
+        // The tangent across p: the circle reaches R |p| along p.
+        let pq = dot(&p, &q);
+        let is_beside =
+            is(pp - square_of_radius, Greater) && is(pq, Greater) && is(pq.square() - square_of_radius * pp, Greater);
+        is_within || is_beside
+    }
+}
+
+fn dot(a: &Approximations, b: &Approximations) -> Approximation {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: &Approximations, b: &Approximations) -> Approximations {
+    let minor = |i: usize, j: usize| a[i] * b[j] - a[j] * b[i];
+    [minor(1, 2), minor(2, 0), minor(0, 1)]
+}
