@@ -218,7 +218,7 @@ impl<'a> Builder<'a> {
             number,
             world_from_object: self.state.current.matrix,
         };
-        target.add(Parameters::of_shape(entity, source, &self.state.defaults))
+        target.add(Parameters::of_shape(entity, source, &self.state.defaults)?)
     }
 
     /// No block is open, or the innermost is an `outer`.

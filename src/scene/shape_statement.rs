@@ -1,5 +1,6 @@
 //! The `Shape` directive: from parameters to geometry.
 
+use super::declared_type::DeclaredType;
 use super::parameters::Parameters;
 use super::transform_cache::TransformCache;
 use super::warnings::Warnings;
@@ -61,7 +62,7 @@ impl ShapeTarget<'_> {
 
     fn warn_of_moved_and_cut(&mut self, parameters: &mut Parameters) {
         // An alpha of 1 is solid everywhere; a texture may be anything.
-        let is_solid = matches!(parameters.number("alpha"), Ok(Some(alpha)) if alpha >= 1.0);
+        let is_solid = parameters.lone_number("alpha").is_some_and(|alpha| alpha >= 1.0);
         if parameters.has("alpha") && !is_solid {
             parameters.warn("alpha", "alpha is ignored: the whole surface is solid", self.warnings);
         }
@@ -104,7 +105,7 @@ impl ShapeTarget<'_> {
 
     fn add_triangle_mesh(&mut self, parameters: &mut Parameters) -> Result<()> {
         parameters.ignore(&SURFACE);
-        let Some(coordinates) = parameters.numbers("P")? else {
+        let Some(coordinates) = parameters.numbers("P", DeclaredType::POINT)? else {
             return Err(parameters
                 .missing("P", "a triangle mesh without vertices")
                 .note("expected \"point3 P\" [ ... ]"));
@@ -114,7 +115,7 @@ impl ShapeTarget<'_> {
             return Err(parameters.error_at("P", message));
         }
         let vertices: Vec<Point> = coordinates.par_chunks_exact(3).map(|p| Point::new(p[0], p[1], p[2])).collect();
-        let triangles = match parameters.numbers("indices")? {
+        let triangles = match parameters.numbers("indices", DeclaredType::INTEGER)? {
             Some(indices) => triangles_of(parameters, indices, vertices.len())?,
             None if vertices.len() == 3 => vec![[0, 1, 2]],
             None => {
