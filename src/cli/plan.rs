@@ -7,7 +7,7 @@ use super::reporter::Reporter;
 use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::error::{Error, Result};
 use feimos::film::{ChannelName, ColorMap, DepthRange, Format, PixelBounds, View};
-use feimos::scene::{AcceleratorParameters, Film, LoadOptions};
+use feimos::scene::{AcceleratorParameters, Film, LoadOptions, spelling};
 
 /// How every scene of the command is rendered.
 #[derive(Debug)]
@@ -110,13 +110,10 @@ impl Plan {
 
     /// How to build: by the command line's method, else the scene's, else `sah`.
     pub(crate) fn build_options(&self, accelerator: &AcceleratorParameters, reporter: &Reporter) -> BuildOptions {
-        let from_scene = method_of_scene(accelerator);
-        if let (None, Err(unknown)) = (self.accel, &from_scene) {
-            reporter.note(format_args!(
-                "the scene asks for the accelerator `{unknown}`, which is unknown here: sah is used"
-            ));
+        if let (None, Some(note)) = (self.accel, note_on(accelerator)) {
+            reporter.note(note);
         }
-        build_options(self.accel.or(from_scene.ok()).unwrap_or(SplitMethod::Sah), accelerator)
+        build_options(self.accel.or(method_of_scene(accelerator).ok()).unwrap_or(SplitMethod::Sah), accelerator)
     }
 }
 
@@ -133,6 +130,17 @@ fn method_of_scene(accelerator: &AcceleratorParameters) -> std::result::Result<S
         (Some("bvh"), Some(name)) => name.parse().map_err(|_| name),
         (Some(name), _) => Err(name),
     }
+}
+
+/// What to say of an accelerator that is unknown here.
+pub(super) fn note_on(accelerator: &AcceleratorParameters) -> Option<String> {
+    let unknown = method_of_scene(accelerator).err()?;
+    let meant = match accelerator.split_method.as_deref() {
+        Some(_) => spelling::closest(unknown, SplitMethod::ALL.into_iter().map(SplitMethod::name)),
+        None => spelling::closest(unknown, ["bvh"].into_iter()),
+    };
+    let meant = meant.map_or(String::new(), |known| format!("; did you mean `{known}`?"));
+    Some(format!("the scene asks for the accelerator `{unknown}`, which is unknown here: sah is used{meant}"))
 }
 
 fn refuse(flags: &[(&str, bool)], destination: &Destination, reason: &str) -> Result<()> {

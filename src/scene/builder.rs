@@ -232,7 +232,7 @@ impl<'a> Builder<'a> {
             world_from_object: self.state.current.matrix,
             is_in_object,
         };
-        target.add(Parameters::of_shape(entity, source, &self.state.defaults))
+        target.add(Parameters::of_shape(entity, source, &self.state.defaults)?)
     }
 
     /// No block is open, or the innermost is an `outer`.

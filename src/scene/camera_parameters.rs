@@ -1,5 +1,6 @@
 //! The `Camera` directive.
 
+use super::declared_type::DeclaredType;
 use super::parameters::Parameters;
 use super::spelling;
 use super::warnings::Warnings;
@@ -74,7 +75,9 @@ impl CameraParameters {
 /// Four finite numbers. A window that is turned round mirrors the picture; one without extent repeats a line of it, which
 /// is worth a warning.
 fn screen_window(parameters: &mut Parameters, warnings: &mut Warnings) -> Result<Option<ScreenWindow>> {
-    let Some([x0, x1, y0, y1]) = parameters.fixed_numbers::<4>("screenwindow")? else { return Ok(None) };
+    let Some([x0, x1, y0, y1]) = parameters.fixed_numbers::<4>("screenwindow", DeclaredType::FLOAT)? else {
+        return Ok(None);
+    };
     if [x0, x1, y0, y1].iter().any(|number| !number.is_finite()) {
         let error = parameters.error_at("screenwindow", "the screen window is not finite");
         return Err(error.note("expected x0 x1 y0 y1 with x0 < x1 and y0 < y1"));

@@ -27,7 +27,7 @@ impl Builder<'_> {
 
     pub(super) fn camera(&mut self, entity: &Entity, keyword: &Span, source: &Rc<Source>) -> Result<()> {
         self.check_before_world("Camera", keyword, source)?;
-        let mut parameters = Parameters::new("Camera", entity, source);
+        let mut parameters = Parameters::new("Camera", entity, source)?;
         if let (Some((reason, place)), false) = (&self.singular, self.state.current.inverse.is_finite()) {
             return Err(place.error(*reason).note("so the camera, which comes after it, has no place"));
         }
@@ -44,7 +44,7 @@ impl Builder<'_> {
 
     pub(super) fn film(&mut self, entity: &Entity, keyword: &Span, source: &Rc<Source>) -> Result<()> {
         self.check_before_world("Film", keyword, source)?;
-        let mut parameters = Parameters::new("Film", entity, source);
+        let mut parameters = Parameters::new("Film", entity, source)?;
         self.film = FilmParameters::read(&mut parameters)?;
         parameters.finish_with_suggestions(&mut self.warnings);
         self.film_place = Some(Place::new(source, keyword));
@@ -52,7 +52,7 @@ impl Builder<'_> {
     }
 
     pub(super) fn accelerator(&mut self, entity: &Entity, source: &Rc<Source>) -> Result<()> {
-        let mut parameters = Parameters::new("Accelerator", entity, source);
+        let mut parameters = Parameters::new("Accelerator", entity, source)?;
         self.accelerator = AcceleratorParameters::read(&mut parameters)?;
         parameters.finish_with_suggestions(&mut self.warnings);
         Ok(())
@@ -60,7 +60,7 @@ impl Builder<'_> {
 
     /// Of the defaults that v4 can set, only those of shapes matter.
     pub(super) fn attribute(&mut self, entity: &Entity, source: &Rc<Source>) -> Result<()> {
-        let target = &*entity.name.text;
+        let target = Parameters::new("Attribute", entity, source)?.entity_name();
         if target == "shape" {
             if !self.state.defaults.add(&entity.parameters, source) {
                 let message = format!("more than {MAX_DEFAULTS} parameters of shapes are set by Attribute at a time");

@@ -1,5 +1,6 @@
 //! The `Film` directive: resolution, crop, name.
 
+use super::declared_type::DeclaredType;
 use super::parameters::Parameters;
 use crate::error::Result;
 use crate::film::PixelBounds;
@@ -30,12 +31,12 @@ impl FilmParameters {
         let most = PixelBounds::MAX_SIDE.into();
         let x_resolution = parameters.integer("xresolution", 1, most)?.map(|x| x as u32);
         let y_resolution = parameters.integer("yresolution", 1, most)?.map(|y| y as u32);
-        let crop_window = parameters.fixed_numbers::<4>("cropwindow")?;
+        let crop_window = parameters.fixed_numbers::<4>("cropwindow", DeclaredType::FLOAT)?;
         if crop_window.is_some_and(|window| !window.iter().all(|fraction| (0.0..=1.0).contains(fraction))) {
             let error = parameters.error_at("cropwindow", "`cropwindow` takes fractions of the film, from 0 to 1");
             return Err(error.note("expected x0 x1 y0 y1; `pixelbounds` takes pixels"));
         }
-        let pixel_bounds = parameters.fixed_numbers::<4>("pixelbounds")?;
+        let pixel_bounds = parameters.fixed_numbers::<4>("pixelbounds", DeclaredType::INTEGER)?;
         if pixel_bounds.is_some_and(|bounds| bounds.iter().any(|bound| bound.fract() != 0.0 || !bound.is_finite())) {
             return Err(parameters.error_at("pixelbounds", "`pixelbounds` takes four integers: x0 x1 y0 y1"));
         }

@@ -4,6 +4,7 @@ mod accelerator;
 mod auto_frame;
 mod builder;
 mod camera_parameters;
+mod declared_type;
 mod entity_directives;
 mod film;
 mod graphics_state;

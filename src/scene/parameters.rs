@@ -1,5 +1,6 @@
 //! The parameters of a directive, looked up by name and checked.
 
+use super::declared_type::{DeclaredType, refusal_of_values};
 use super::parser::{self, Entity, Parameter, Span, Values};
 use super::shape_defaults::{ShapeDefault, ShapeDefaults};
 use super::source::Source;
@@ -15,18 +16,31 @@ pub(super) struct Parameters<'a> {
     source: &'a Source,
     /// What stands for parameters that the directive does not have.
     defaults: &'a [ShapeDefault],
-    /// The names that mean something here.
-    known: Vec<&'static str>,
+    /// The names that were asked for.
+    asked: Vec<&'static str>,
+    /// Names that mean something, if not here.
+    ignored: Vec<&'static str>,
 }
 
 impl<'a> Parameters<'a> {
-    pub(super) fn new(keyword: &'static str, entity: &'a Entity<'a>, source: &'a Source) -> Parameters<'a> {
-        Parameters { keyword, entity, source, defaults: &[], known: Vec::new() }
+    /// # Errors
+    /// A value that is not of its declared type, whatever its name.
+    pub(super) fn new(keyword: &'static str, entity: &'a Entity<'a>, source: &'a Source) -> Result<Parameters<'a>> {
+        for parameter in &entity.parameters {
+            if let Some(refusal) = refusal_of_values(parameter) {
+                return Err(Error::bad_input(refusal.at(source.at(&parameter.values_span))));
+            }
+        }
+        Ok(Parameters { keyword, entity, source, defaults: &[], asked: Vec::new(), ignored: Vec::new() })
     }
 
     /// The parameters of a `Shape`; its own win over `defaults`.
-    pub(super) fn of_shape(entity: &'a Entity<'a>, source: &'a Source, defaults: &'a ShapeDefaults) -> Parameters<'a> {
-        Parameters { defaults: defaults.as_slice(), ..Parameters::new("Shape", entity, source) }
+    pub(super) fn of_shape(
+        entity: &'a Entity<'a>,
+        source: &'a Source,
+        defaults: &'a ShapeDefaults,
+    ) -> Result<Parameters<'a>> {
+        Ok(Parameters { defaults: defaults.as_slice(), ..Parameters::new("Shape", entity, source)? })
     }
 
     /// The name behind the keyword: `sphere`, `perspective`.
@@ -36,7 +50,12 @@ impl<'a> Parameters<'a> {
 
     /// Marks names as known and without influence.
     pub(super) fn ignore(&mut self, names: &[&'static str]) {
-        self.known.extend_from_slice(names);
+        self.ignored.extend_from_slice(names);
+    }
+
+    /// The names that mean something.
+    fn known(&self) -> impl Iterator<Item = &'static str> {
+        self.asked.iter().chain(&self.ignored).copied()
     }
 
     /// The last parameter of this name, as in pbrt, with the file that it stands in.
@@ -49,8 +68,21 @@ impl<'a> Parameters<'a> {
     }
 
     fn find(&mut self, name: &'static str) -> Option<(&'a Parameter<'a>, &'a Source)> {
-        self.known.push(name);
+        self.asked.push(name);
         self.last(name)
+    }
+
+    /// As [`Parameters::last`], of a parameter that is to be a `declared`.
+    fn find_declared(
+        &mut self,
+        name: &'static str,
+        declared: DeclaredType,
+    ) -> Result<Option<(&'a Parameter<'a>, &'a Source)>> {
+        let found = self.find(name);
+        match found.and_then(|(parameter, source)| Some((declared.refusal(parameter)?, source.at(&parameter.span)))) {
+            Some((refusal, place)) => Err(Error::bad_input(refusal.at(place))),
+            None => Ok(found),
+        }
     }
 
     /// Whether the directive has a parameter of this name.
@@ -58,9 +90,9 @@ impl<'a> Parameters<'a> {
         self.find(name).is_some()
     }
 
-    /// All numbers of a parameter.
-    pub(super) fn numbers(&mut self, name: &'static str) -> Result<Option<&'a [f64]>> {
-        let Some((parameter, source)) = self.find(name) else { return Ok(None) };
+    /// All numbers of a parameter that is to be a `declared`.
+    pub(super) fn numbers(&mut self, name: &'static str, declared: DeclaredType) -> Result<Option<&'a [f64]>> {
+        let Some((parameter, source)) = self.find_declared(name, declared)? else { return Ok(None) };
         match &parameter.values {
             Values::Numbers(numbers) => Ok(Some(numbers)),
             Values::None => Ok(Some(&[])),
@@ -69,8 +101,12 @@ impl<'a> Parameters<'a> {
     }
 
     /// Exactly N numbers.
-    pub(super) fn fixed_numbers<const N: usize>(&mut self, name: &'static str) -> Result<Option<[f64; N]>> {
-        let Some(numbers) = self.numbers(name)? else { return Ok(None) };
+    pub(super) fn fixed_numbers<const N: usize>(
+        &mut self,
+        name: &'static str,
+        declared: DeclaredType,
+    ) -> Result<Option<[f64; N]>> {
+        let Some(numbers) = self.numbers(name, declared)? else { return Ok(None) };
         match numbers.try_into() {
             Ok(numbers) => Ok(Some(numbers)),
             Err(_) => {
@@ -80,9 +116,17 @@ impl<'a> Parameters<'a> {
         }
     }
 
-    /// One number.
+    /// One number, declared as `float`.
     pub(super) fn number(&mut self, name: &'static str) -> Result<Option<f64>> {
-        Ok(self.fixed_numbers::<1>(name)?.map(|[number]| number))
+        Ok(self.fixed_numbers::<1>(name, DeclaredType::FLOAT)?.map(|[number]| number))
+    }
+
+    /// The number that a parameter is, where it is one; it may be anything else.
+    pub(super) fn lone_number(&mut self, name: &'static str) -> Option<f64> {
+        match &self.find(name)?.0.values {
+            Values::Numbers(numbers) if numbers.len() == 1 => Some(numbers[0]),
+            _ => None,
+        }
     }
 
     /// One finite number above 0.
@@ -97,7 +141,7 @@ impl<'a> Parameters<'a> {
 
     /// One integer from `least` to `most`.
     pub(super) fn integer(&mut self, name: &'static str, least: i64, most: i64) -> Result<Option<i64>> {
-        let Some(number) = self.number(name)? else { return Ok(None) };
+        let Some([number]) = self.fixed_numbers(name, DeclaredType::INTEGER)? else { return Ok(None) };
         if number.fract() == 0.0 && number >= least as f64 && number <= most as f64 {
             return Ok(Some(number as i64));
         }
@@ -107,7 +151,7 @@ impl<'a> Parameters<'a> {
 
     /// One string.
     pub(super) fn string(&mut self, name: &'static str) -> Result<Option<&'a str>> {
-        let Some((parameter, source)) = self.find(name) else { return Ok(None) };
+        let Some((parameter, source)) = self.find_declared(name, DeclaredType::STRING)? else { return Ok(None) };
         match &parameter.values {
             Values::Strings(strings) if strings.len() == 1 && !strings[0].text.is_empty() => Ok(Some(&strings[0].text)),
             _ => {
@@ -151,10 +195,11 @@ impl<'a> Parameters<'a> {
         warnings.add(kind, || diagnostic.at(self.source.at(&self.entity.name.span)));
     }
 
-    /// Warns of parameters that nobody asked for.
+    /// Warns of parameters that nobody asked for, and of those that occur more than once.
     pub(super) fn finish(self, warnings: &mut Warnings) {
+        self.warn_of_repeated(warnings);
         for parameter in &self.entity.parameters {
-            if self.known.iter().any(|known| parameter.name == *known) {
+            if self.known().any(|known| parameter.name == known) {
                 continue;
             }
             let kind = format!("unknown {} {} {}", self.keyword, self.entity.name.text, parameter.name);
@@ -162,13 +207,30 @@ impl<'a> Parameters<'a> {
         }
     }
 
-    /// Warns of parameters that look like misspelt known ones, where there are many that do not matter.
+    /// As [`Parameters::finish`], where there are many that do not matter: warns of those that look like misspelt known ones.
     pub(super) fn finish_with_suggestions(self, warnings: &mut Warnings) {
+        self.warn_of_repeated(warnings);
         for parameter in &self.entity.parameters {
-            let is_known = self.known.iter().any(|known| parameter.name == *known);
-            if !is_known && spelling::closest(&parameter.name, self.known.iter().copied()).is_some() {
+            let is_known = self.known().any(|known| parameter.name == known);
+            if !is_known && spelling::closest(&parameter.name, self.known()).is_some() {
                 let kind = format!("unknown {} {}", self.keyword, parameter.name);
                 warnings.add(kind, || self.unknown(parameter));
+            }
+        }
+    }
+
+    /// Warns of parameters that matter and that a later one of the same name overrules, as in pbrt.
+    fn warn_of_repeated(&self, warnings: &mut Warnings) {
+        let mut rest = &self.entity.parameters[..];
+        while let Some((parameter, later)) = rest.split_first() {
+            rest = later;
+            let matters = || self.asked.iter().any(|name| parameter.name == *name);
+            if !later.is_empty() && matters() && later.iter().any(|other| other.name == parameter.name) {
+                let kind = format!("repeated {} {}", self.keyword, parameter.name);
+                warnings.add(kind, || {
+                    let message = format!("`{}` is set more than once: the last one counts", parameter.name);
+                    Diagnostic::new(message).at(self.source.at(&parameter.span))
+                });
             }
         }
     }
@@ -193,7 +255,7 @@ impl<'a> Parameters<'a> {
         let (keyword, entity) = (self.keyword, &self.entity.name.text);
         let message = format!("{keyword} \"{entity}\" has no parameter `{}`: ignored", parameter.name);
         let diagnostic = Diagnostic::new(message).at(self.source.at(&parameter.span));
-        match spelling::closest(&parameter.name, self.known.iter().copied()) {
+        match spelling::closest(&parameter.name, self.known()) {
             Some(known) => diagnostic.note(format!("did you mean `{known}`?")),
             None => diagnostic,
         }

@@ -58,7 +58,7 @@ impl ShapeTarget<'_> {
 
     fn warn_of_moved_and_cut(&mut self, parameters: &mut Parameters) {
         // An alpha of 1 is solid everywhere; a texture may be anything.
-        let is_solid = matches!(parameters.number("alpha"), Ok(Some(alpha)) if alpha >= 1.0);
+        let is_solid = parameters.lone_number("alpha").is_some_and(|alpha| alpha >= 1.0);
         if parameters.has("alpha") && !is_solid {
             parameters.warn("alpha", "alpha is ignored: the whole surface is solid", self.warnings);
         }

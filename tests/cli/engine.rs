@@ -147,6 +147,10 @@ fn a_scene_with_an_unknown_accelerator_is_rendered_by_sah() {
     let folder = Folder::new().with("kd.pbrt", format!("Accelerator \"kdtree\"\n{BALL}"));
     let run = folder.render("kd.pbrt --json").succeeded().said("`kdtree`, which is unknown here: sah is used");
     assert_eq!(run.json()[0]["accel"], "sah");
+    for (wrong, meant) in [("\"bhv\"", "bvh"), ("\"bvh\" \"string splitmethod\" \"midle\"", "middle")] {
+        let folder = Folder::new().with("a.pbrt", format!("Accelerator {wrong}\n{BALL}"));
+        folder.render("a.pbrt").succeeded().said(&format!("sah is used; did you mean `{meant}`?\n"));
+    }
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! What scene files mean: cameras, transforms, shapes, and what is said about mistakes.
 
 mod directives;
+mod parameters;
 
 use feimos::error::ErrorKind;
 use feimos::film::PixelBounds;
@@ -443,7 +444,10 @@ fn mistakes_of_value() {
         ("Include \"\"", "a.pbrt:1:9: the name of the file is empty"),
         ("Film \"image\" \"integer xresolution\" 0", "a.pbrt:1:36: `xresolution` is 0, expected an integer from 1 to"),
         ("Film \"image\" \"integer yresolution\" 1.5", "a.pbrt:1:36: `yresolution` is 1.5"),
-        ("Film \"image\" \"string filename\" 7", "a.pbrt:1:32: `filename` takes one string in quotes"),
+        (
+            "Film \"image\" \"string filename\" 7",
+            "a.pbrt:1:32: `filename` is declared as `string`, but its value is a number",
+        ),
         (
             "Film \"image\" \"float cropwindow\" [ 0 0 0 1 ]\nWorldBegin",
             "a.pbrt:1:1: the crop of the film has no pixel",

@@ -22,6 +22,7 @@ mod value;
 
 use std::path::Path;
 
+pub use self::parameter::NUMBER_TYPES;
 use self::source::{Fault, Source};
 pub use self::statement::{ActiveTransform, Directive, Entity, Parameter, Span, Statement, Text, Values};
 use self::token::blanks;

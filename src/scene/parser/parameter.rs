@@ -22,7 +22,7 @@ pub(super) struct Declaration<'a> {
 }
 
 /// The types whose values are numbers, in every version of pbrt.
-const NUMBER_TYPES: [&str; 11] =
+pub const NUMBER_TYPES: [&str; 11] =
     ["float", "integer", "normal", "normal3", "point", "point2", "point3", "vector", "vector2", "vector3", "blackbody"];
 
 impl Declaration<'_> {

@@ -2,12 +2,13 @@
 
 use crate::error::Result;
 use crate::geometry::Point;
+use crate::scene::declared_type::DeclaredType;
 use crate::scene::parameters::Parameters;
 use rayon::prelude::*;
 
 /// The points of `P`, three numbers each; `mesh` is what they make, with its article.
 pub(super) fn vertices_of(parameters: &mut Parameters, mesh: &str) -> Result<Vec<Point>> {
-    let Some(coordinates) = parameters.numbers("P")? else {
+    let Some(coordinates) = parameters.numbers("P", DeclaredType::POINT)? else {
         let message = format!("{mesh} without vertices");
         return Err(parameters.missing("P", message).note("expected \"point3 P\" [ ... ]"));
     };
@@ -25,7 +26,7 @@ pub(super) fn faces_of<const N: usize>(
     vertex_count: usize,
     expected: &str,
 ) -> Result<Option<Vec<[u32; N]>>> {
-    let Some(indices) = parameters.numbers("indices")? else { return Ok(None) };
+    let Some(indices) = parameters.numbers("indices", DeclaredType::INTEGER)? else { return Ok(None) };
     if !indices.len().is_multiple_of(N) {
         let message = format!("`indices` has {} numbers, expected {expected}", indices.len());
         return Err(parameters.error_at("indices", message));

@@ -1,0 +1,115 @@
+//! Types, counts and names of parameters.
+
+use crate::{error, scene, warnings};
+
+/// What is said of a shape with `parameters`.
+fn error_of(parameters: &str) -> String {
+    error(&format!("WorldBegin\nShape {parameters}"))
+}
+
+#[test]
+fn values_have_the_declared_type() {
+    let cases = [
+        (
+            "\"sphere\" \"float radius\" \"1\"",
+            "2:31: `radius` is declared as `float`, but its value is a string",
+            "numbers",
+        ),
+        ("\"sphere\" \"bool x\" 3", "2:25: `x` is declared as `bool`, but its value is a number", "`true` or `false`"),
+        ("\"sphere\" \"float x\" [ true ]", "2:26: `x` is declared as `float`, but its value is a boolean", "numbers"),
+        (
+            "\"plymesh\" \"string filename\" [ 1 ]",
+            "2:35: `filename` is declared as `string`, but its value is a number",
+            "a string in quotes",
+        ),
+        (
+            "\"sphere\" \"texture alpha\" 1",
+            "2:32: `alpha` is declared as `texture`, but its value is a number",
+            "a string in quotes",
+        ),
+    ];
+    for (parameters, expected, note) in cases {
+        let found = error_of(parameters);
+        assert!(found.starts_with(&format!("a.pbrt:{expected}\n")), "{found}");
+        assert!(found.ends_with(&format!("\n   = expected {note}")), "{found}");
+    }
+}
+
+#[test]
+fn parameters_that_matter_have_the_right_type() {
+    let cases = [
+        ("\"trianglemesh\" \"string P\" \"x\"", "2:22: `P` is declared as `string`", "expected `point3` or `point`"),
+        ("\"trianglemesh\" \"float P\" [ 0 0 0 ]", "2:22: `P` is declared as `float`", "expected `point3` or `point`"),
+        ("\"trianglemesh\" \"pont3 P\" [ 0 0 0 ]", "2:22: `P` is declared as `pont3`", "did you mean `point3`?"),
+        ("\"plymesh\" \"float filename\" 1", "2:17: `filename` is declared as `float`", "expected `string`"),
+        ("\"sphere\" \"integer radius\" 1", "2:16: `radius` is declared as `integer`", "expected `float`"),
+        ("\"sphere\" \"flaot radius\" 1", "2:16: `radius` is declared as `flaot`", "did you mean `float`?"),
+        (
+            "\"trianglemesh\" \"point P\" [ 0 0 0 1 0 0 0 1 0 ] \"float indices\" [ 0 1 2 ]",
+            "2:54: `indices` is declared as `float`",
+            "expected `integer`",
+        ),
+    ];
+    for (parameters, expected, note) in cases {
+        let found = error_of(parameters);
+        assert!(found.starts_with(&format!("a.pbrt:{expected}\n")), "{found}");
+        assert!(found.ends_with(&format!("\n   = {note}")), "{found}");
+    }
+    let found = error("Film \"rgb\" \"float xresolution\" 64");
+    assert!(found.starts_with("a.pbrt:1:12: `xresolution` is declared as `float`"), "{found}");
+    let found = error("Camera \"perspective\" \"integer fov\" 40");
+    assert!(found.starts_with("a.pbrt:1:22: `fov` is declared as `integer`"), "{found}");
+}
+
+#[test]
+fn counts_are_right() {
+    let cases = [
+        ("\"sphere\" \"float radius\" [ 1 2 ]", "2:31: `radius` takes one number, found 2"),
+        ("\"sphere\" \"float radius\" [ ]", "2:31: `radius` takes one number, found 0"),
+        ("\"plymesh\" \"string filename\" [ \"a\" \"b\" ]", "2:35: `filename` takes one string"),
+        ("\"trianglemesh\" \"point P\" [ 0 0 ]", "2:32: `P` has 2 numbers"),
+        (
+            "\"trianglemesh\" \"point P\" [ 0 0 0 1 0 0 0 1 0 ] \"integer indices\" [ 0.5 1 2 ]",
+            "2:74: index 0.5, number 1 of `indices`, names no vertex",
+        ),
+    ];
+    for (parameters, expected) in cases {
+        let found = error_of(parameters);
+        assert!(found.starts_with(&format!("a.pbrt:{expected}")), "{found}");
+    }
+}
+
+#[test]
+fn what_does_not_matter_may_be_of_any_type() {
+    let scene = scene(
+        "WorldBegin Shape \"sphere\" \"float radius\" 2 \"colour shadowalpha\" [ 1 ]
+        Shape \"trianglemesh\" \"point P\" [ 0 0 0 1 0 0 0 1 0 ] \"normals N\" [ 0 ] \"float uv\" [ 1 ] \"float st\" [ 1 2 ]
+        Shape \"nurbs\" \"what P\" \"ever\"",
+    );
+    let expected = "the shape `nurbs` is not supported: left out";
+    assert_eq!(warnings(&scene), [(expected.to_owned(), 1)]);
+}
+
+#[test]
+fn the_last_of_several_counts_with_a_warning() {
+    let scene = scene(
+        "Film \"rgb\" \"integer xresolution\" 1 \"integer xresolution\" 2 \"float diagonal\" 1 \"float diagonal\" 1
+        WorldBegin
+        Shape \"sphere\" \"float radius\" 1 \"float radius\" 2 \"float radius\" 3
+        Shape \"sphere\" \"float radius\" 4 \"float radius\" 5
+        Shape \"trianglemesh\" \"point P\" [ 0 0 0 1 0 0 0 1 0 ] \"float uv\" [ 1 ] \"float uv\" [ 2 ]",
+    );
+    assert_eq!([0, 1].map(|index| scene.shapes.sphere(index).radius), [3.0, 5.0]);
+    assert_eq!(scene.film.resolution[0], 2);
+    let repeated = |name: &str| format!("`{name}` is set more than once: the last one counts");
+    assert_eq!(warnings(&scene), [(repeated("xresolution"), 1), (repeated("radius"), 3)]);
+}
+
+#[test]
+fn misspelt_parameters_are_told_with_what_is_meant() {
+    let scene = scene("WorldBegin Shape \"sphere\" \"float raduis\" 1 \"float raduis\" 2 \"float foo\" 3");
+    let notes: Vec<&[String]> = scene.warnings.iter().map(|warning| &warning.first.notes[..]).collect();
+    assert_eq!(notes, [&["did you mean `radius`?".to_owned()][..], &[]]);
+    let counts: Vec<u64> = scene.warnings.iter().map(|warning| warning.count).collect();
+    assert_eq!(counts, [2, 1]);
+}
