@@ -46,35 +46,35 @@ pub(super) struct FilmFromTree {
 impl FilmFromTree {
     /// For the tree whose anchor is the eye.
     pub(super) fn of_world(view: &View) -> FilmFromTree {
-        let rows = view.film_from_world.map(|row| row.map(|entry| (entry / view.units) as f32));
-        FilmFromTree { rows, anchor: [0.0; 3], slack: [UNDERFLOW; 3], ..FilmFromTree::EMPTY.with(view) }
+        let row = |k: usize| view.film_from_world[k].map(|entry| (entry / view.units) as f32);
+        FilmFromTree::new(view, row, |_| 0.0, |_| 0.0)
     }
 
     /// For the tree of an object, with boxes in `space`, where an instance places it.
     pub(super) fn of_object(view: &View, space: &AnchorSpace, placement: &Placement) -> FilmFromTree {
         let world_from_instance = &placement.world_from_instance;
         let anchor = world_from_instance.apply(space.anchor()) - view.eye;
-        let mut film = FilmFromTree::EMPTY.with(view);
-        for (k, row) in view.film_from_world.iter().enumerate() {
-            let along = |vector: [f64; 3]| row[0] * vector[0] + row[1] * vector[1] + row[2] * vector[2];
-            film.rows[k] = [0, 1, 2].map(|j| (along(world_from_instance.column(j)) / space.units()) as f32);
-            film.anchor[k] = along(anchor.to_array()) as f32;
-            let slack: f64 = (0..3).map(|axis| row[axis].abs() * placement.slack[axis]).sum();
-            film.slack[k] = (2.0 * slack) as f32 + UNDERFLOW;
-        }
-        film
+        let rows = &view.film_from_world;
+        let along = |k: usize, vector: [f64; 3]| (0..3).map(|axis| rows[k][axis] * vector[axis]).sum::<f64>();
+        let row = |k: usize| [0, 1, 2].map(|axis| (along(k, world_from_instance.column(axis)) / space.units()) as f32);
+        let slack = |k: usize| (0..3).map(|axis| rows[k][axis].abs() * placement.slack[axis]).sum::<f64>();
+        // Twice, for the roundings of what is worked out here.
+        FilmFromTree::new(view, row, |k| along(k, anchor.to_array()), |k| 2.0 * slack(k))
     }
 
-    const EMPTY: FilmFromTree = FilmFromTree {
-        is_perspective: false,
-        rows: [[0.0; 3]; 3],
-        anchor: [0.0; 3],
-        slack: [0.0; 3],
-        offset: [0.0; 2],
-    };
-
-    fn with(self, view: &View) -> FilmFromTree {
-        FilmFromTree { is_perspective: view.is_perspective, offset: view.offset.map(|offset| offset as f32), ..self }
+    fn new(
+        view: &View,
+        row: impl Fn(usize) -> [f32; 3],
+        anchor: impl Fn(usize) -> f64,
+        slack: impl Fn(usize) -> f64,
+    ) -> FilmFromTree {
+        FilmFromTree {
+            is_perspective: view.is_perspective,
+            rows: [0, 1, 2].map(row),
+            anchor: [0, 1, 2].map(|k| anchor(k) as f32),
+            slack: [0, 1, 2].map(|k| slack(k) as f32 + UNDERFLOW),
+            offset: view.offset.map(|offset| offset as f32),
+        }
     }
 }
 
