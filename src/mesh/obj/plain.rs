@@ -96,8 +96,9 @@ impl<'a> Plain<'a> {
         self.lines.push(keyword);
         for word in words {
             self.lines.push(b' ');
-            // What is not ASCII is wrong in any case, and may be a blank to others.
-            self.lines.extend(word.iter().map(|byte| if byte.is_ascii() { *byte } else { b'?' }));
+            // What is no character is wrong in any case, and may be a blank to others; so may nothing, before the slash of `/2`.
+            self.lines.extend(word.iter().map(|byte| if byte.is_ascii_graphic() { *byte } else { b'?' }));
+            self.lines.extend(word.is_empty().then_some(b'?'));
         }
         self.lines.push(b'\n');
     }
