@@ -20,6 +20,14 @@ impl Projection {
     pub fn perspective(fov: f64) -> Projection {
         Projection::Perspective { tangent: degrees::tangent_of_half(fov) }
     }
+
+    /// The field of view in degrees, for people: it has been rounded twice. None where rays are parallel.
+    pub fn field_of_view(&self) -> Option<f64> {
+        match self {
+            Projection::Perspective { tangent } => Some(2.0 * tangent.atan().to_degrees()),
+            Projection::Orthographic => None,
+        }
+    }
 }
 
 /// What the film shows of the plane at distance 1, in units of the camera's space (of the tangent, for a
@@ -64,6 +72,11 @@ impl Camera {
     /// The point that boxes are stored relative to: the eye, or the origin of camera space.
     pub fn anchor(&self) -> Point {
         self.world_from_camera.column(3).into()
+    }
+
+    /// Where the camera looks in the world, about: a vector of length 1.
+    pub fn view_direction(&self) -> Vector {
+        Vector::from(self.world_from_camera.column(2)).normalized()
     }
 
     /// Where the ray of pixel `x`, `y` passes the plane at distance 1: X and Y in camera space.

@@ -104,7 +104,7 @@ impl fmt::Display for Diagnostic {
 
 /// A line of a message that quotes names from files: cut where it is too long to be read, and without anything that
 /// would command the terminal.
-fn printable(line: &str) -> String {
+pub fn printable(line: &str) -> String {
     const MAX: usize = 500;
     let cut = line.chars().count() > MAX;
     let shown = line.chars().take(MAX).map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c });

@@ -1,6 +1,7 @@
 //! Options as typed.
 
 use super::bench_args::BenchArgs;
+use super::check::CheckArgs;
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 use feimos::accel::{Precision, SplitMethod};
 use feimos::film::{ChannelName, ColorMap, PixelBounds, View};
@@ -20,6 +21,11 @@ pub(crate) enum Command {
     ///
     /// A scene is a .pbrt file, `-` for standard input, or a bare .ply or .obj, which is framed automatically.
     Render(Box<RenderArgs>),
+    /// Check scenes without rendering them: what they hold, and what is wrong with them.
+    ///
+    /// Reads everything that a picture would need and tells what there is: camera, film, shapes, bounds, directives. No ray is
+    /// cast and no tree is built.
+    Check(CheckArgs),
     /// Measure how fast accelerators are built and traced.
     ///
     /// Each scene is loaded once; then every accelerator with every precision builds and traces the whole image, in turn, round

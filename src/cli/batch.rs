@@ -1,5 +1,6 @@
 //! Scenes, one after the other.
 
+use super::WARNED;
 use super::args::{BatchArgs, RenderArgs};
 use super::failures::Failures;
 use super::job::{Outcome, Renderer};
@@ -16,9 +17,6 @@ use feimos::film::atomic_file::Overwrite;
 use feimos::scene::{self, SceneOptions};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
-
-/// The exit code of warnings under `--strict`.
-const WARNED: u8 = 1;
 
 /// Renders all scenes and returns the exit code: the highest of any scene.
 pub(crate) fn render(args: &RenderArgs, reporter: &Reporter) -> Result<u8> {

@@ -1,11 +1,12 @@
 //! `feimos bench`: scenes, one after the other, by every configuration.
 
 use super::bench_args::{BenchArgs, Reference};
+use super::counted::counted;
 use super::failures::Failures;
-use super::picture::write_to_stdout;
 use super::plan::{build_options, first_repeated};
 use super::progress_bar::{Phase, ProgressBars};
 use super::reporter::Reporter;
+use super::stdout::write_to_stdout;
 use super::summary;
 use super::thread_pool::thread_pool;
 use feimos::accel::{Precision, SplitMethod};
@@ -125,11 +126,6 @@ impl<'a> Bench<'a> {
             counted(self.rounds.runs as u64, "run"),
         )
     }
-}
-
-/// `count` of a thing, in words.
-fn counted(count: u64, thing: &str) -> String {
-    format!("{} {thing}{}", HumanCount(count), if count == 1 { "" } else { "s" })
 }
 
 fn refuse_repeated<T: Copy + PartialEq + std::fmt::Display>(flag: &str, items: Option<&[T]>) -> Result<()> {

@@ -1,11 +1,12 @@
 //! One scene: load, build, trace, write.
 
 use super::output_name::Destination;
-use super::picture::{Picture, write_to_stdout};
+use super::picture::Picture;
 use super::plan::Plan;
 use super::progress_bar::{Phase, ProgressBars};
 use super::record::{Milliseconds, Record, peak_bytes};
 use super::reporter::Reporter;
+use super::stdout::write_json_line;
 use super::summary;
 use feimos::accel::{Aggregate, BuildOptions, Precision, SplitMethod, Statistics};
 use feimos::error::{Error, Result};
@@ -173,8 +174,6 @@ fn record(path: &Path, scene: &Scene, finished: &Finished) -> Record {
 impl Outcome {
     /// Prints the line of `--json`.
     pub(crate) fn print_json(&self) -> Result<()> {
-        let mut line = serde_json::to_vec(&self.record).expect("a record has no keys that JSON lacks");
-        line.push(b'\n');
-        write_to_stdout(Ok(line))
+        write_json_line(&self.record)
     }
 }

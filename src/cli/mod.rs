@@ -4,6 +4,8 @@ mod args;
 mod batch;
 mod bench;
 mod bench_args;
+mod check;
+mod counted;
 mod failures;
 mod job;
 mod manifest;
@@ -13,6 +15,8 @@ mod plan;
 mod progress_bar;
 mod record;
 mod reporter;
+mod scene_files;
+mod stdout;
 mod summary;
 mod terminal;
 mod thread_pool;
@@ -23,12 +27,16 @@ use feimos::error::Result;
 use reporter::Reporter;
 use std::process::ExitCode;
 
+/// The exit code of warnings under `--strict`.
+const WARNED: u8 = 1;
+
 /// Runs the command that was typed and returns the exit code for it.
 pub(crate) fn run() -> ExitCode {
     // clap prints help, version and its own errors, and leaves with 0 or 2.
     let cli = Cli::parse();
     match cli.command {
         Command::Render(args) => report(&args.talk, |reporter| batch::render(&args, reporter)),
+        Command::Check(args) => report(&args.talk, |reporter| check::check(&args, reporter)),
         Command::Bench(args) => report(&args.talk, |reporter| bench::bench(&args, reporter)),
     }
 }

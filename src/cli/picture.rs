@@ -2,12 +2,12 @@
 
 use super::output_name::Destination;
 use super::reporter::Reporter;
-use feimos::error::{Error, Result};
+use super::stdout::write_to_stdout;
+use feimos::error::Result;
 use feimos::film::atomic_file::{self, Overwrite};
 use feimos::film::{ChannelName, ColorMap, DepthRange, Image, View, exr_file, png_file};
 use feimos::shape::Shapes;
 use std::io::{self, Cursor, Seek, Write};
-use std::path::Path;
 
 /// A file's content, as far as the command line decides it.
 #[derive(Debug, Clone, PartialEq)]
@@ -96,15 +96,6 @@ impl Picture {
             }
         }
     }
-}
-
-/// Writes all of `bytes`, unless making them failed.
-pub(crate) fn write_to_stdout(bytes: io::Result<Vec<u8>>) -> Result<()> {
-    let written = bytes.and_then(|bytes| {
-        let mut stdout = io::stdout().lock();
-        stdout.write_all(&bytes).and_then(|()| stdout.flush())
-    });
-    written.map_err(|error| Error::writing(Path::new("standard output"), &error))
 }
 
 /// The one attribute of an EXR that is ours: what the numbers mean.

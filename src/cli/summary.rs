@@ -24,7 +24,7 @@ pub(super) fn report_scene(scene: &Scene, reporter: &Reporter) {
 }
 
 /// What is stored, and how often objects are instanced, if there are any.
-fn geometry(shapes: &Shapes) -> String {
+pub(super) fn geometry(shapes: &Shapes) -> String {
     let stored =
         format!("{} triangles, {} spheres, cylinders and disks", shapes.stored_triangles(), shapes.stored_spheres());
     match shapes.instances().len() {

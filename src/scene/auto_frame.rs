@@ -1,6 +1,6 @@
 //! A camera for a bare mesh.
 
-use super::{AcceleratorParameters, Film, LoadOptions, Scene, Warnings};
+use super::{AcceleratorParameters, Census, Film, LoadOptions, Scene, Warnings};
 use crate::camera::{Camera, Projection, ScreenWindow};
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::film::PixelBounds;
@@ -19,8 +19,9 @@ const FLAT: f64 = 0.01;
 const MARGIN: f64 = 1.02;
 
 /// The scene of one mesh, seen whole from +z with y upwards and x to the right: the way its maker sees it, not
-/// mirrored by pbrt's left-handed camera. A mesh that is flat in x or y is seen from the side and above as well.
-pub(super) fn scene_of_mesh(path: &Path, loaded: Loaded, options: &LoadOptions) -> Result<Scene> {
+/// mirrored by pbrt's left-handed camera. A mesh that is flat in x or y is seen from the side and above as well. `shape` is what
+/// a scene would call the mesh.
+pub(super) fn scene_of_mesh(path: &Path, shape: &str, loaded: Loaded, options: &LoadOptions) -> Result<Scene> {
     let resolution = options.resolution.unwrap_or([1280, 720]);
     let mut warnings = Warnings::default();
     loaded.warnings.into_iter().for_each(|warning| warnings.add_single(warning));
@@ -34,6 +35,8 @@ pub(super) fn scene_of_mesh(path: &Path, loaded: Loaded, options: &LoadOptions) 
     let mut shapes = Shapes::default();
     let added = shapes.add_mesh(loaded.mesh.vertices, loaded.mesh.triangles, &Matrix::IDENTITY, 1);
     added.map_err(|error| Error::bad_input(Diagnostic::new(error.to_string()).at(SourceLocation::file(path))))?;
+    let mut census = Census::default();
+    census.count_shape(shape, Some(shapes.own_count()));
     let aspect = f64::from(resolution[0]) / f64::from(resolution[1]);
     Ok(Scene {
         camera: Camera {
@@ -49,6 +52,7 @@ pub(super) fn scene_of_mesh(path: &Path, loaded: Loaded, options: &LoadOptions) 
         transform_count: 1,
         warnings,
         summary: None,
+        census,
     })
 }
 

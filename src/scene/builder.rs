@@ -2,6 +2,7 @@
 
 use super::accelerator::AcceleratorParameters;
 use super::camera_parameters::CameraParameters;
+use super::census::Census;
 use super::film::FilmParameters;
 use super::graphics_state::{Block, GraphicsState};
 use super::includes::Includes;
@@ -18,7 +19,6 @@ use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::geometry::{Transform, Vector};
 use crate::progress::Progress;
 use crate::shape::Shapes;
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
@@ -44,7 +44,7 @@ pub(super) struct Builder<'a> {
     shape_count: u32,
     transforms: TransformCache,
     pub(super) warnings: Warnings,
-    pub(super) skipped: BTreeMap<&'static str, u64>,
+    census: Census,
     pub(super) includes: Includes,
 }
 
@@ -68,7 +68,7 @@ impl<'a> Builder<'a> {
             shape_count: 0,
             transforms: TransformCache::default(),
             warnings: Warnings::default(),
-            skipped: BTreeMap::new(),
+            census: Census::default(),
             includes: Includes::default(),
         }
     }
@@ -107,6 +107,7 @@ impl<'a> Builder<'a> {
                 self.warn_of_the_rest(&directive, &source);
                 break;
             }
+            self.census.count(&directive);
             self.obey(&directive, &source)?;
             if self.only_options && self.in_world {
                 break;
@@ -133,11 +134,10 @@ impl<'a> Builder<'a> {
             Statement::LookAt(numbers) => self.look_at(numbers, directive, source),
             Statement::Transform(m) => self.replace(affine(m, directive, source)?, directive, source),
             Statement::ConcatTransform(m) => self.concat(affine(m, directive, source)?, directive, source),
-            Statement::TransformTimes(_) => *self.skipped.entry("TransformTimes").or_default() += 1,
             Statement::ActiveTransform(active) => self.state.active = *active,
             Statement::CoordinateSystem(name) => self.state.name(&name.text),
             Statement::CoordSysTransform(name) => self.recall(name, source),
-            Statement::ReverseOrientation => {}
+            Statement::ReverseOrientation | Statement::TransformTimes(_) | Statement::Ignored(_) => {}
             Statement::AttributeBegin => self.state.begin(Block::Attribute, Place::new(source, keyword)),
             Statement::AttributeEnd => self.end(Block::Attribute, keyword, source)?,
             Statement::TransformBegin => self.state.begin(Block::Transform, Place::new(source, keyword)),
@@ -154,7 +154,6 @@ impl<'a> Builder<'a> {
             Statement::Film(entity) => self.film(entity, keyword, source)?,
             Statement::Accelerator(entity) => self.accelerator(entity, source)?,
             Statement::Shape(entity) => self.shape(entity, keyword, source)?,
-            Statement::Ignored(keyword) => *self.skipped.entry(keyword).or_default() += 1,
             Statement::Private(name) => self.warn_of_private(name, keyword, source),
         }
         Ok(())
@@ -232,7 +231,11 @@ impl<'a> Builder<'a> {
             world_from_object: self.state.current.matrix,
             is_in_object,
         };
-        target.add(Parameters::of_shape(entity, source, &self.state.defaults)?)
+        let before = target.shapes.own_count();
+        let is_added = target.add(Parameters::of_shape(entity, source, &self.state.defaults)?)?;
+        let added = target.shapes.own_count() - before;
+        self.census.count_shape(&entity.name.text, is_added.then_some(added));
+        Ok(())
     }
 
     /// No block is open, or the innermost is an `outer`.
@@ -265,15 +268,8 @@ impl<'a> Builder<'a> {
             shape_count: self.shape_count,
             transform_count: self.transforms.len() + self.objects.transform_count,
             warnings: self.warnings,
-            summary: summary(&self.skipped),
+            summary: self.census.summary(),
+            census: self.census,
         })
     }
-}
-
-fn summary(skipped: &BTreeMap<&'static str, u64>) -> Option<String> {
-    if skipped.is_empty() {
-        return None;
-    }
-    let counts: Vec<String> = skipped.iter().map(|(keyword, count)| format!("{count} {keyword}")).collect();
-    Some(format!("skipped, without influence on hit and depth: {}", counts.join(", ")))
 }

@@ -66,9 +66,7 @@ impl Builder<'_> {
                 let message = format!("more than {MAX_DEFAULTS} parameters of shapes are set by Attribute at a time");
                 return Err(source.error(&entity.name.span, message));
             }
-        } else if TARGETS.contains(&target) {
-            *self.skipped.entry("Attribute").or_default() += 1;
-        } else {
+        } else if !TARGETS.contains(&target) {
             let error = source.error(&entity.name.span, format!("Attribute sets nothing for `{target}`"));
             return Err(match spelling::closest(target, TARGETS.into_iter()) {
                 Some(known) => error.note(format!("did you mean `{known}`?")),

@@ -3,6 +3,8 @@
 use super::accelerator::AcceleratorParameters;
 use super::auto_frame::scene_of_mesh;
 use super::builder::Builder;
+use super::parser;
+use super::source::Source;
 use super::{LoadOptions, Scene};
 use crate::error::Result;
 use crate::mesh;
@@ -14,7 +16,7 @@ use std::path::Path;
 /// `progress` counts bytes of scene files.
 pub fn load(path: &Path, options: &LoadOptions, progress: Progress) -> Result<Scene> {
     match bare_mesh_reader(path) {
-        Some(read) => scene_of_mesh(path, read(path)?, options),
+        Some((shape, read)) => scene_of_mesh(path, shape, read(path)?, options),
         None => {
             let mut builder = Builder::new(path, progress);
             builder.read_top_level()?;
@@ -52,13 +54,21 @@ pub fn is_bare_mesh(path: &Path) -> bool {
     bare_mesh_reader(path).is_some()
 }
 
-fn bare_mesh_reader(path: &Path) -> Option<fn(&Path) -> Result<mesh::Loaded>> {
+/// Whether the file `path` is a scene by itself: it begins a world, or cannot be read to find out.
+pub fn is_top_level(path: &Path) -> bool {
+    Source::read(path).map_or(true, |source| parser::begins_world(&source.text))
+}
+
+/// What a scene would call the mesh, and how it is read.
+type MeshReader = (&'static str, fn(&Path) -> Result<mesh::Loaded>);
+
+fn bare_mesh_reader(path: &Path) -> Option<MeshReader> {
     let name = path.file_name()?.to_str()?.to_ascii_lowercase();
     let name = name.strip_suffix(".gz").unwrap_or(&name);
     if name.ends_with(".ply") {
-        Some(mesh::read_ply)
+        Some(("plymesh", mesh::read_ply))
     } else if name.ends_with(".obj") {
-        Some(mesh::read_obj)
+        Some(("objmesh", mesh::read_obj))
     } else {
         None
     }

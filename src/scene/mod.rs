@@ -4,6 +4,7 @@ mod accelerator;
 mod auto_frame;
 mod builder;
 mod camera_parameters;
+mod census;
 mod declared_type;
 mod entity_directives;
 mod film;
@@ -23,8 +24,9 @@ mod transform_directives;
 mod warnings;
 
 pub use accelerator::AcceleratorParameters;
+pub use census::{Census, ShapeCount};
 pub use film::Film;
-pub use load::{SceneOptions, is_bare_mesh, load, parse, read_options};
+pub use load::{SceneOptions, is_bare_mesh, is_top_level, load, parse, read_options};
 pub use warnings::{Warning, Warnings};
 
 use crate::camera::Camera;
@@ -49,6 +51,8 @@ pub struct Scene {
     pub warnings: Warnings,
     /// One line on what was skipped because hit and depth do not depend on it, where anything was.
     pub summary: Option<String>,
+    /// What the file says, counted.
+    pub census: Census,
 }
 
 /// What the command line says about loading.

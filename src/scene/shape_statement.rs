@@ -35,8 +35,8 @@ pub(super) const SURFACE: [&str; 8] =
     ["N", "S", "uv", "st", "faceIndices", "discarddegenerateUVs", "emissionfilename", "edgelength"];
 
 impl ShapeTarget<'_> {
-    /// Adds the shape; a shape that is not supported is a warning.
-    pub(super) fn add(&mut self, mut parameters: Parameters) -> Result<()> {
+    /// Adds the shape; one that is not supported is a warning. Whether it was added.
+    pub(super) fn add(&mut self, mut parameters: Parameters) -> Result<bool> {
         match parameters.entity_name() {
             "sphere" => self.add_sphere(&mut parameters)?,
             "cylinder" => self.add_cylinder(&mut parameters)?,
@@ -48,12 +48,12 @@ impl ShapeTarget<'_> {
             "objmesh" => self.add_mesh_file(&mut parameters, mesh::read_obj)?,
             other => {
                 self.warn_unsupported(&parameters, other);
-                return Ok(());
+                return Ok(false);
             }
         }
         self.warn_of_moved_and_cut(&mut parameters);
         parameters.finish(self.warnings);
-        Ok(())
+        Ok(true)
     }
 
     fn warn_of_moved_and_cut(&mut self, parameters: &mut Parameters) {

@@ -6,6 +6,8 @@ use std::collections::HashMap;
 /// The first of its kind, and how many there were.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Warning {
+    /// What is the same for all of them.
+    pub kind: String,
     /// What and where the first one was.
     pub first: Diagnostic,
     /// How often.
@@ -31,13 +33,14 @@ impl Warnings {
         let known = self.place_of_kind.contains_key(&kind);
         if !known && list.len() >= MAX_KINDS {
             if list.len() == MAX_KINDS {
-                list.push(Warning { first: Diagnostic::new("more warnings of other kinds"), count: 0 });
+                let first = Diagnostic::new("more warnings of other kinds");
+                list.push(Warning { kind: "others".to_owned(), first, count: 0 });
             }
             list[MAX_KINDS].count += 1;
             return;
         }
-        let place = *self.place_of_kind.entry(kind).or_insert_with(|| {
-            list.push(Warning { first: first(), count: 0 });
+        let place = *self.place_of_kind.entry(kind).or_insert_with_key(|kind| {
+            list.push(Warning { kind: kind.clone(), first: first(), count: 0 });
             list.len() - 1
         });
         list[place].count += 1;

@@ -3,6 +3,7 @@
 //! There are three tests of each kind of primitive: `filter` in `f64`, which says when it does not know; `exact`, which
 //! always knows; and one in `f32`, which never says.
 
+mod extent;
 mod filter_ray;
 mod numbers;
 mod object;

@@ -69,6 +69,11 @@ impl Folder {
         Run::of(assert_cmd::Command::from_std(self.subcommand("bench", arguments)))
     }
 
+    /// Runs `feimos check` with `arguments` and an empty standard input.
+    pub(crate) fn check(&self, arguments: &str) -> Run {
+        Run::of(assert_cmd::Command::from_std(self.subcommand("check", arguments)))
+    }
+
     /// Runs [`Folder::command`] with an empty standard input.
     pub(crate) fn render(&self, arguments: &str) -> Run {
         self.render_input(arguments, "")

@@ -2,6 +2,7 @@
 
 mod batch;
 mod bench;
+mod check;
 mod engine;
 mod exit_code;
 mod folder;

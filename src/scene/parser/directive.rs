@@ -13,13 +13,14 @@ use super::value::Keep;
 impl<'a> Source<'a> {
     /// The directive that `input` begins with; `previous` is the keyword of the one before it.
     pub(super) fn directive(&self, previous: Option<&str>, input: &'a [u8]) -> Parsed<'a, (&'a str, Directive<'a>)> {
-        let known = word(input).ok().and_then(|(rest, word)| Some((rest, keyword::known(word)?)));
-        let Some((rest, name)) = known else {
+        let known = word(input).ok().and_then(|(rest, word)| Some((rest, keyword::number(word)?)));
+        let Some((rest, number)) = known else {
             return self.private(previous, input);
         };
-        let keyword = self.span(input, rest);
+        let (keyword, name) = (self.span(input, rest), keyword::KEYWORDS[number]);
         let (rest, statement) = self.statement(Keyword { name, at: input }, rest)?;
-        Ok((rest, (name, Directive { span: self.span(input, rest), keyword, statement })))
+        let span = self.span(input, rest);
+        Ok((rest, (name, Directive { span, keyword, keyword_number: Some(number), statement })))
     }
 
     /// What follows `keyword`.

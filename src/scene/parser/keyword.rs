@@ -1,7 +1,7 @@
 //! The names of directives.
 
 /// Every keyword of pbrt-v2, v3 and v4, sorted.
-pub(super) const KEYWORDS: [&str; 45] = [
+pub const KEYWORDS: [&str; 45] = [
     "Accelerator",
     "ActiveTransform",
     "AreaLightSource",
@@ -57,10 +57,14 @@ pub(super) struct Keyword<'a> {
     pub(super) at: &'a [u8],
 }
 
+/// The place of the keyword that `word` is.
+pub(super) fn number(word: &[u8]) -> Option<usize> {
+    KEYWORDS.binary_search_by(|keyword| keyword.as_bytes().cmp(word)).ok()
+}
+
 /// The keyword that `word` is.
 pub(super) fn known(word: &[u8]) -> Option<&'static str> {
-    let at = KEYWORDS.binary_search_by(|keyword| keyword.as_bytes().cmp(word)).ok()?;
-    Some(KEYWORDS[at])
+    number(word).map(|number| KEYWORDS[number])
 }
 
 #[cfg(test)]

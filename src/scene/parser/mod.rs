@@ -22,12 +22,31 @@ mod value;
 
 use std::path::Path;
 
+pub use self::keyword::KEYWORDS;
 pub use self::parameter::NUMBER_TYPES;
 use self::source::{Fault, Source};
 pub use self::statement::{ActiveTransform, Directive, Entity, Parameter, Span, Statement, Text, Values};
-use self::token::blanks;
+use self::token::{Token, blanks};
 pub use self::value::number_in;
 use crate::error::{Error, Result};
+
+/// Whether there is a `WorldBegin` in the text of a scene file, which need not be right in all else.
+pub fn begins_world(text: &[u8]) -> bool {
+    const KEYWORD: &[u8] = b"WorldBegin";
+    // Most files that are parts of others do not even have it in a comment.
+    if !text.windows(KEYWORD.len()).any(|bytes| bytes == KEYWORD) {
+        return false;
+    }
+    let mut rest = text;
+    loop {
+        match Token::next(rest) {
+            (Token::End, _) => return false,
+            (Token::Keyword("WorldBegin"), _) => return true,
+            // A string that is not closed ends with its quote.
+            (token, at) => rest = &at[token.length()..],
+        }
+    }
+}
 
 /// The directives of one scene file, in order; ends after the first error.
 #[derive(Debug, Clone)]

@@ -22,8 +22,8 @@ impl<'a> Source<'a> {
             Some((rest, name)) if spelling::closest(name, KEYWORDS.into_iter()).is_none() => {
                 let keyword = self.span(input, rest);
                 let (rest, ()) = self.arguments(rest)?;
-                let statement = Statement::Private(name);
-                Ok((rest, (name, Directive { span: self.span(input, rest), keyword, statement })))
+                let (span, statement) = (self.span(input, rest), Statement::Private(name));
+                Ok((rest, (name, Directive { span, keyword, keyword_number: None, statement })))
             }
             _ => wrong(self.no_directive(previous, input)),
         }

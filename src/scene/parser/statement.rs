@@ -13,6 +13,8 @@ pub struct Directive<'a> {
     pub span: Span,
     /// The keyword alone.
     pub keyword: Span,
+    /// The place of the keyword among [`KEYWORDS`](super::KEYWORDS), if it is one of them.
+    pub keyword_number: Option<usize>,
     /// What it says.
     pub statement: Statement<'a>,
 }

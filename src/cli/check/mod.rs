@@ -1,0 +1,96 @@
+//! `feimos check`: what scenes hold and what is wrong with them, without a picture.
+
+mod args;
+mod block;
+mod record;
+
+pub(crate) use args::CheckArgs;
+
+use super::WARNED;
+use super::failures::Failures;
+use super::plan::note_on;
+use super::progress_bar::{Phase, ProgressBars};
+use super::reporter::Reporter;
+use super::scene_files::scenes_of;
+use super::stdout::{write_json_line, write_to_stdout};
+use super::thread_pool::thread_pool;
+use block::Block;
+use feimos::error::Result;
+use feimos::progress::Progress;
+use feimos::scene::{self, LoadOptions, Scene};
+use record::Record;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// Checks all scenes and returns the exit code: the highest of any scene.
+pub(crate) fn check(args: &CheckArgs, reporter: &Reporter) -> Result<u8> {
+    let pool = thread_pool(args.threads)?;
+    let mut check =
+        Check { args, reporter, bars: ProgressBars::new(&args.talk), failures: Failures::default(), tried: 0 };
+    let named: Vec<(&PathBuf, Result<Vec<PathBuf>>)> = args.scenes.iter().map(|path| (path, scenes_of(path))).collect();
+    let count = named.iter().map(|(_, found)| found.as_ref().map_or(1, Vec::len)).sum();
+    let mut code = 0;
+    'all: for (path, found) in named {
+        let results = match found {
+            Ok(scenes) => scenes.into_iter().map(|scene| (scene, None)).collect(),
+            Err(error) => vec![(path.clone(), Some(error))],
+        };
+        for (scene, error) in results {
+            let result = error.map_or_else(|| pool.install(|| check.load(&scene)), Err);
+            code = code.max(check.tell(&scene, result)?);
+            if args.fail_fast && !check.failures.is_empty() {
+                break 'all;
+            }
+        }
+    }
+    check.failures.report(count, count - check.tried, reporter);
+    Ok(code)
+}
+
+struct Check<'a> {
+    args: &'a CheckArgs,
+    reporter: &'a Reporter,
+    bars: ProgressBars,
+    failures: Failures,
+    /// Scenes so far.
+    tried: usize,
+}
+
+impl Check<'_> {
+    /// All of `render` that comes before the aggregate.
+    fn load(&self, path: &Path) -> Result<Scene> {
+        let start = Instant::now();
+        let load = |progress: Progress<'_>| scene::load(path, &LoadOptions::default(), progress);
+        let loaded = self.bars.during(Phase::Loading, load);
+        self.reporter.detail(format_args!("{}: read in {:.0} ms", path.display(), start.elapsed().as_secs_f64() * 1e3));
+        loaded
+    }
+
+    /// Tells what came of a scene; returns its exit code.
+    fn tell(&mut self, path: &Path, result: Result<Scene>) -> Result<u8> {
+        self.tried += 1;
+        let exit_code = match &result {
+            Ok(scene) if self.args.strict && !scene.warnings.is_empty() => WARNED,
+            Ok(_) => 0,
+            Err(error) => error.kind().exit_code(),
+        };
+        if self.args.json {
+            write_json_line(&Record::new(path, exit_code, &result))?;
+        }
+        match &result {
+            Ok(scene) => self.tell_of_scene(path, scene)?,
+            Err(error) => _ = self.failures.add(path, error, self.reporter),
+        }
+        Ok(exit_code)
+    }
+
+    fn tell_of_scene(&self, path: &Path, scene: &Scene) -> Result<()> {
+        if !self.args.json && !self.args.talk.quiet {
+            let gap = if self.tried > 1 { "\n" } else { "" };
+            write_to_stdout(Ok(format!("{gap}{}", Block::new(path, scene)).into_bytes()))?;
+        }
+        self.reporter.warnings(&scene.warnings);
+        note_on(&scene.accelerator).into_iter().for_each(|note| self.reporter.note(note));
+        Ok(())
+    }
+}
