@@ -1,8 +1,10 @@
 //! Object instances: the same picture as the same shapes written out, whatever the transforms, and that of the reference.
+//!
+//! `FEIMOS_CASES=10000 cargo test --release --test instances` runs as many cases of each kind.
 
 mod common;
 
-use common::{agreed_picture, assert_same, judged, picture, rendered, whole};
+use common::{agreed_picture, assert_same, cases, judged, picture, rendered, whole};
 use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::camera::{Camera, Projection, ScreenWindow};
 use feimos::exact::times_power_of_two;
@@ -172,7 +174,7 @@ fn eye() -> impl Strategy<Value = Matrix> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(150) })]
+    #![proptest_config(cases(150))]
 
     /// Every accelerator, level and number of threads, and the shapes written out.
     #[test]

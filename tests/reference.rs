@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{add_triangles, judged, picture, rendered, whole};
+use common::{add_triangles, cases, judged, picture, rendered, whole};
 use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::camera::{Camera, Projection, ScreenWindow};
 use feimos::exact::times_power_of_two;
@@ -15,11 +15,6 @@ use feimos::shape::{Cut, Disk, Form, Shapes};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseError;
 use std::path::Path;
-
-fn cases(in_ci: u32) -> ProptestConfig {
-    let cases = std::env::var("FEIMOS_CASES").ok().map(|cases| cases.parse().expect("a number of cases"));
-    ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(cases.unwrap_or(in_ci)) }
-}
 
 fn agrees_with_the_reference(camera: &Camera, shapes: &Shapes) -> Result<(), TestCaseError> {
     let expected = judged(camera, shapes);

@@ -12,7 +12,14 @@ use feimos::render::{RenderOptions, Rendering, render};
 use feimos::scene::{LoadOptions, Scene, load};
 use feimos::shape::Shapes;
 use feimos::simd::Level;
+use proptest::test_runner::Config as ProptestConfig;
 use std::path::Path;
+
+/// So many random cases of each kind, or as many as the environment variable `FEIMOS_CASES` says.
+pub(crate) fn cases(in_ci: u32) -> ProptestConfig {
+    let cases = std::env::var("FEIMOS_CASES").ok().map(|cases| cases.parse().expect("a number of cases"));
+    ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(cases.unwrap_or(in_ci)) }
+}
 
 /// Loads a scene that must load.
 pub(crate) fn scene(path: &Path) -> Scene {
