@@ -372,7 +372,7 @@ fn what_cannot_be_subdivided_is_shown() {
     }
     let found = error(&format!("WorldBegin\nShape \"loopsubdiv\" {TETRAHEDRON}\n  \"integer nlevels\" 13"));
     let expected = "a.pbrt:3:21: 4 faces would be 268435456 after 13 levels of subdivision\n   |\n 3 |   \"integer nlevels\" 13\n   \
-        |                     ^^\n   = at most 67108864 are supported: take fewer levels";
+        |                     ^^\n   = at most 16777216 are supported: take fewer levels";
     assert_eq!(found, expected);
 }
 

@@ -82,7 +82,7 @@ impl InstanceTrees {
         };
         let seen: Vec<BuildPrimitive> = (0..count).into_par_iter().filter_map(place).collect();
         progress.advance(count - seen.len());
-        let leaf = BuildOptions { max_leaf: MAX_LEAF, ..options };
+        let leaf = BuildOptions { max_leaf: options.max_leaf.min(MAX_LEAF), ..options };
         let tree = Tree::build(seen, leaf, progress, |instance| instance);
         let mut is_shown = vec![false; shapes.objects().len()];
         tree.order.iter().for_each(|instance| is_shown[shapes.instances()[*instance as usize].object()] = true);

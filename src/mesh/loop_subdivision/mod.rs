@@ -14,7 +14,7 @@ use crate::geometry::Point;
 pub const MOST_LEVELS: u32 = 30;
 
 /// Faces at most after all levels. They take about 80 bytes each while the last level is made.
-const MOST_FACES: u64 = 1 << 26;
+const MOST_FACES: u64 = 1 << 24;
 
 /// Why a surface cannot be subdivided.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -41,7 +41,7 @@ pub enum Place {
 ///
 /// # Errors
 /// Where faces do not make a surface: more than two at an edge, parts that only share a vertex, a face that names a vertex twice,
-/// two of the same vertices; and where there would be more than 2^26 faces.
+/// two of the same vertices; and where there would be more than 2^24 faces.
 pub fn subdivide(vertices: Vec<Point>, faces: &[[u32; 3]], levels: u32) -> Result<TriangleMesh, Refusal> {
     check_size(vertices.len(), faces.len(), levels)?;
     let mut surface = control_mesh::connect(vertices, faces)?;
