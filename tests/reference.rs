@@ -113,7 +113,7 @@ fn matrix() -> impl Strategy<Value = Matrix> {
 #[test]
 fn the_scenes_to_try_are_right() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
-    for name in ["sphere", "triangles", "transforms", "partial-spheres", "quadrics"] {
+    for name in ["sphere", "triangles", "transforms", "partial-spheres", "quadrics", "instances"] {
         let options = LoadOptions { resolution: Some([48, 27]) };
         let scene = load(&folder.join(name).with_extension("pbrt"), &options, Progress::SILENT).unwrap();
         assert!(scene.warnings.is_empty() && scene.shapes.primitive_count() > 0, "{name}");

@@ -1,11 +1,13 @@
 //! What a person reads about a scene and its image.
 
+use super::counted::counted;
 use super::job::Finished;
 use super::record::Milliseconds;
 use super::reporter::Reporter;
 use feimos::accel::{Fallbacks, Precision};
 use feimos::scene::Scene;
 use feimos::shape::Shapes;
+use indicatif::HumanCount;
 
 /// Warnings, what was skipped, and what there is.
 pub(super) fn report_scene(scene: &Scene, reporter: &Reporter) {
@@ -25,13 +27,19 @@ pub(super) fn report_scene(scene: &Scene, reporter: &Reporter) {
 
 /// What is stored, and how often objects are instanced, if there are any.
 pub(super) fn geometry(shapes: &Shapes) -> String {
-    let stored =
-        format!("{} triangles, {} spheres, cylinders and disks", shapes.stored_triangles(), shapes.stored_spheres());
-    match shapes.instances().len() {
+    let quadrics = match shapes.stored_spheres() {
+        0 => String::new(),
+        1 => ", 1 sphere, cylinder or disk".to_owned(),
+        count => format!(", {} spheres, cylinders and disks", HumanCount(count as u64)),
+    };
+    let stored = format!("{}{quadrics}", counted(shapes.stored_triangles() as u64, "triangle"));
+    match shapes.instances().len() as u64 {
         0 => stored,
         instances => {
-            let (objects, primitives) = (shapes.objects().len(), shapes.primitive_count());
-            format!("{stored}, {instances} instances of {objects} objects: {primitives} primitives in all")
+            let (instances, objects) =
+                (counted(instances, "instance"), counted(shapes.objects().len() as u64, "object"));
+            let primitives = counted(shapes.primitive_count(), "primitive");
+            format!("{stored}, {instances} of {objects}: {primitives} in all")
         }
     }
 }

@@ -35,7 +35,7 @@ ball.pbrt
   shapes                    statements  primitives
               sphere                 1           1
               trianglemesh           1           1
-  geometry    1 triangles, 1 spheres, cylinders and disks
+  geometry    1 triangle, 1 sphere, cylinder or disk
   bounds      (-1.5, -1, -1) to (2.5, 2, 2.5)
   memory      2 transforms, 348 bytes
   directives  1 Camera, 1 Film, 1 LookAt, 2 Shape, 1 Translate, 1 WorldBegin
@@ -56,7 +56,7 @@ fn what_is_left_out_and_what_is_skipped_is_told() {
         "  camera      orthographic, at (0, 0, 0), towards (0, 0, 1)\n",
         "  film        8 x 4 pixels, of which 2 to 8 and 0 to 3\n",
         "              nurbs            1    left out\n              sphere           2           2\n",
-        "2 instances of 1 objects: 4 primitives in all\n",
+        "2 instances of 1 object: 4 primitives in all\n",
         "  bounds      (-1, -1, -1) to (11, 1, 1)\n",
         "  skipped     1 Attribute, 2 Material, 1 Sampler, 1 TransformTimes\n  unknown     1 RenderPass\n",
     ];

@@ -16,6 +16,7 @@ pub(super) fn text<'a>(source: &Source<'a>) -> Result<&'a [u8]> {
         [0, second, ..] if second.is_ascii_graphic() => Err(utf16(source)),
         [first, 0, ..] if first.is_ascii_graphic() => Err(utf16(source)),
         [0xef, 0xbb, 0xbf, ..] if !head.contains(&0) => Ok(&bytes[3..]),
+        _ if head.starts_with(b"version https://git-lfs.github.com/spec") => Err(pointer(source)),
         _ if head.contains(&0) => Err(binary(source)),
         _ => Ok(bytes),
     }
@@ -29,6 +30,12 @@ fn compressed(source: &Source) -> Error {
 
 fn utf16(source: &Source) -> Error {
     source.file_error("this file is UTF-16 text").note("expected ASCII or UTF-8: save it as UTF-8")
+}
+
+fn pointer(source: &Source) -> Error {
+    source
+        .file_error("this is a Git LFS pointer: the scene itself has not been fetched")
+        .note("`git lfs pull` fetches it")
 }
 
 fn binary(source: &Source) -> Error {

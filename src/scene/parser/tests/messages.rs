@@ -225,6 +225,9 @@ fn files_that_are_no_text() {
     }
     let binary = "a.pbrt: this is a binary file\n   = expected the text of a PBRT scene";
     assert_eq!(message(b"\x7fELF\0\0\0"), binary);
+    let pointer =
+        "a.pbrt: this is a Git LFS pointer: the scene itself has not been fetched\n   = `git lfs pull` fetches it";
+    assert_eq!(message(b"version https://git-lfs.github.com/spec/v1\noid sha256:00\n"), pointer);
     assert!(message(b"\x80\x81\x82").contains("found bytes that are not text where a directive is expected"));
 }
 
