@@ -5,11 +5,12 @@
 mod common;
 
 use common::{agreed_picture, assert_same, cases, judged, picture, rendered, whole};
-use feimos::accel::{BuildOptions, Precision, SplitMethod};
+use feimos::accel::{Aggregate, BuildOptions, Precision, SplitMethod};
 use feimos::camera::{Camera, Projection, ScreenWindow};
 use feimos::exact::times_power_of_two;
 use feimos::film::{ChannelName, Image};
 use feimos::geometry::{Matrix, Point, Transform, Vector};
+use feimos::progress::Progress;
 use feimos::shape::{Cut, Disk, Form, Shapes};
 use proptest::prelude::*;
 
@@ -254,6 +255,29 @@ fn too_many_primitives_are_told_by_instance() {
     assert!(hits.iter().filter(|pixel| prim[**pixel] == 1).count() > 1_000, "many see a first layer");
     let different: std::collections::HashSet<u32> = hits.iter().map(|pixel| instance[*pixel]).collect();
     assert!(different.len() > 4_000, "{}", different.len());
+}
+
+#[test]
+fn an_instance_takes_less_than_200_bytes() {
+    let layer = [(-0.4, -0.4), (0.4, -0.4), (0.0, 0.4)].map(|(x, y)| Point::new(x, y, 0.0));
+    let mut object = Shapes::default();
+    let transform = object.add_transform(Matrix::IDENTITY);
+    object.add_object_mesh(layer.to_vec(), vec![[0, 1, 2]], transform, 1).unwrap();
+    let mut shapes = Shapes::default();
+    let object = shapes.add_object(object);
+    let count = 100_000;
+    for instance in 0..count {
+        // Places that follow no order.
+        let at = |prime: u32| f64::from((instance as u32).wrapping_mul(prime)) / f64::from(u32::MAX);
+        let turn = Transform::rotate(360.0 * at(0x9e37_79b9), Vector::new(1.0, 2.0, 3.0)).matrix;
+        let place = [at(0x85eb_ca6b), at(0xc2b2_ae35), at(0x27d4_eb2f)].map(|x| 100.0 * x);
+        shapes.add_instance(object, Matrix::translate(place).times(&turn)).unwrap();
+    }
+    for method in SplitMethod::ALL {
+        let aggregate = Aggregate::build(&shapes, Point::default(), BuildOptions::new(method), Progress::SILENT);
+        let bytes = shapes.bytes() + aggregate.statistics(&shapes).bytes;
+        assert!(bytes < 200 * count, "{method}: {} bytes an instance", bytes / count);
+    }
 }
 
 /// Without the check of the tree, which would look at every primitive of every instance.

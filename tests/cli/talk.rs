@@ -33,7 +33,7 @@ fn verbose_tells_of_each_phase() {
     let folder = Folder::new();
     for flag in ["-v", "--verbose"] {
         let run = folder.render(&format!("ball.pbrt {flag}")).succeeded();
-        run.said("loaded 2 shapes: 1 triangles, 1 spheres").said("built 1 nodes by sah over 2 of 2 primitives");
+        run.said("loaded 2 shapes: 1 triangle, 1 sphere").said("built 1 nodes by sah over 2 of 2 primitives");
     }
     folder.render("ball.pbrt -v -q").failed(2, "cannot be used with");
 }
@@ -64,7 +64,7 @@ fn statistics_are_printed_on_demand_even_if_quiet() {
     let run = folder.render("ball.pbrt --stats -q").succeeded();
     let found: Vec<&str> = run.stderr.lines().map(|line| line.split_whitespace().next().unwrap()).collect();
     assert_eq!(found, labels.split_whitespace().collect::<Vec<_>>());
-    run.said("1 triangles, 1 spheres").said("accelerator sah").said("precision   exact");
+    run.said("1 triangle, 1 sphere").said("accelerator sah").said("precision   exact");
     let run = folder.render("ball.pbrt --stats -q --precision fast").succeeded();
     run.said("precision   fast").did_not_say("integers");
     folder.render("ball.pbrt").succeeded().did_not_say("SAH cost");
