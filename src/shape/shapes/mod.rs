@@ -1,11 +1,13 @@
 //! All geometry of a scene, in the order of the file.
 
-use super::object::{Instance, Object, Pose};
-use super::{Cut, Form, Placed, Primitive, Quadric, Surface, Triangle};
+mod instances;
+mod order;
+
 use crate::geometry::{Matrix, Point};
+use crate::shape::object::{Instance, Object};
+use crate::shape::{Cut, Form, Primitive, Quadric, Surface, Triangle};
 use rayon::prelude::*;
 use std::fmt;
-use std::ops::Range;
 
 /// The geometry of a scene. Meshes are in world space; spheres keep the number of their transform, and so do cylinders and disks,
 /// which are stored among them; objects are stored once, with their instances.
@@ -222,45 +224,6 @@ impl Shapes {
         if count as u64 > limit { Err(CapacityError { what, limit }) } else { Ok(()) }
     }
 
-    /// Adds an object, of which there is no instance yet; returns its number. Its geometry has no instances itself.
-    pub fn add_object(&mut self, shapes: Shapes) -> usize {
-        self.objects.push(Object::new(shapes));
-        self.objects.len() - 1
-    }
-
-    /// Adds an instance of an object that was added; its primitives are numbered next.
-    pub fn add_instance(&mut self, object: usize, world_from_instance: Matrix) -> Result<(), CapacityError> {
-        if self.instances.len() == Placed::MAX_INSTANCES {
-            return Err(CapacityError { what: "instances", limit: Placed::MAX_INSTANCES as u64 });
-        }
-        let first_number = self.instanced + self.own_count() as u64;
-        self.instanced += self.objects[object].shapes().own_count() as u64;
-        self.instances.push(Instance { world_from_instance, first_number, object: object as u32 });
-        Ok(())
-    }
-
-    /// The objects that instances are of.
-    pub fn objects(&self) -> &[Object] {
-        &self.objects
-    }
-
-    /// The instances of objects, in the order of the file.
-    pub fn instances(&self) -> &[Instance] {
-        &self.instances
-    }
-
-    /// The object of an instance.
-    #[inline]
-    pub fn object_of(&self, instance: usize) -> &Object {
-        &self.objects[self.instances[instance].object()]
-    }
-
-    /// The object of an instance where the instance places it.
-    #[inline]
-    pub fn pose(&self, instance: usize) -> Pose<'_> {
-        Pose::new(self.object_of(instance).shapes(), self.instances[instance].world_from_instance)
-    }
-
     /// The number of the next primitive that is in no instance, where `more` are to come. `prim` channels count from 1, in 32
     /// bits.
     fn next_number(&self, more: usize) -> Result<FirstNumber, CapacityError> {
@@ -275,16 +238,6 @@ impl Shapes {
     /// Triangles and spheres that are in no instance.
     pub fn own_count(&self) -> usize {
         self.triangles.len() + self.spheres.len()
-    }
-
-    /// Triangles and spheres, each as often as there are instances of it.
-    pub fn primitive_count(&self) -> u64 {
-        self.own_count() as u64 + self.instanced
-    }
-
-    /// Whether there are too many primitives for `prim` channels to count them all: then they count within the instance.
-    pub fn counts_within_instances(&self) -> bool {
-        self.primitive_count() > u64::from(u32::MAX)
     }
 
     /// Triangles that are in no instance, those that can never be hit among them.
@@ -372,112 +325,10 @@ impl Shapes {
         }
     }
 
-    /// A primitive, in world space (rule R4).
-    #[inline]
-    pub fn surface(&self, placed: Placed) -> Surface {
-        match placed.instance() {
-            None => self.own_surface(placed.primitive()),
-            Some(instance) => self.pose(instance).surface(placed.primitive()),
-        }
-    }
-
-    /// A triangle, in world space (rule R4).
-    #[inline]
-    pub fn placed_triangle(&self, placed: Placed) -> Triangle {
-        let index = placed.primitive().index();
-        match placed.instance() {
-            None => self.triangle(index),
-            Some(instance) => self.pose(instance).triangle(index),
-        }
-    }
-
     /// All primitives that are in no instance, kind by kind.
     pub fn primitives(&self) -> impl Iterator<Item = Primitive> + use<> {
         let triangles = (0..self.triangles.len()).map(Primitive::triangle);
         triangles.chain((0..self.spheres.len()).map(Primitive::sphere))
-    }
-
-    /// All primitives, those of instances as often as there are instances.
-    pub fn all(&self) -> impl Iterator<Item = Placed> {
-        let instances = 0..self.instances.len();
-        let instanced = instances.flat_map(|instance| {
-            let primitives = self.object_of(instance).shapes().primitives();
-            primitives.map(move |primitive| Placed::in_instance(instance, primitive))
-        });
-        self.primitives().map(Placed::alone).chain(instanced)
-    }
-
-    /// The primitive number, from 0 in the order of the file (rule E3).
-    #[inline]
-    pub fn number(&self, placed: Placed) -> u64 {
-        match placed.instance() {
-            None => self.own_number(placed.primitive()).in_all(),
-            Some(instance) => {
-                let within = self.object_of(instance).shapes().own_number(placed.primitive()).alone;
-                self.instances[instance].first_number() + u64::from(within)
-            }
-        }
-    }
-
-    /// What `prim` channels call a primitive: its number plus 1, counted within the instance, or among the primitives that are in
-    /// none, if there are [too many](Shapes::counts_within_instances).
-    #[inline]
-    pub fn image_number(&self, placed: Placed) -> u32 {
-        if !self.counts_within_instances() {
-            return self.number(placed) as u32 + 1;
-        }
-        let shapes = placed.instance().map_or(self, |instance| self.object_of(instance).shapes());
-        shapes.own_number(placed.primitive()).alone + 1
-    }
-
-    /// The number of a primitive that is in no instance.
-    #[inline]
-    fn own_number(&self, primitive: Primitive) -> FirstNumber {
-        let index = primitive.index() as u32;
-        let (first, place) = if primitive.is_sphere() {
-            let run = &self.sphere_runs[self.sphere_runs.partition_point(|run| run.first_sphere <= index) - 1];
-            (run.first_number, index - run.first_sphere)
-        } else {
-            let run = self.mesh_of(index);
-            (run.first_number, index - run.first_triangle)
-        };
-        FirstNumber { alone: first.alone + place, ..first }
-    }
-
-    /// The triangles of the mesh that a triangle belongs to.
-    pub(super) fn mesh_around(&self, triangle: u32) -> Range<u32> {
-        let mesh = self.meshes.partition_point(|run| run.first_triangle <= triangle) - 1;
-        let end = self.meshes.get(mesh + 1).map_or(u32::MAX, |next| next.first_triangle);
-        self.meshes[mesh].first_triangle..end
-    }
-
-    /// The transform of the mesh of an object that a triangle belongs to.
-    #[inline]
-    pub(crate) fn transform_of_mesh(&self, triangle: u32) -> &Matrix {
-        let number = self.mesh_of(triangle).transform.expect("meshes of objects keep their transforms");
-        &self.transforms[number as usize]
-    }
-
-    /// The number of the `Shape` statement, from 1.
-    #[inline]
-    pub fn shape_number(&self, placed: Placed) -> u32 {
-        let shapes = placed.instance().map_or(self, |instance| self.object_of(instance).shapes());
-        let primitive = placed.primitive();
-        if primitive.is_sphere() {
-            shapes.spheres[primitive.index()].shape
-        } else {
-            shapes.mesh_of(primitive.index() as u32).shape
-        }
-    }
-
-    /// Whether `a` comes before `b` in the file: it wins a tie (rule E3).
-    pub fn precedes(&self, a: Placed, b: Placed) -> bool {
-        let (p, q) = (a.primitive(), b.primitive());
-        if a.instance() == b.instance() && p.is_sphere() == q.is_sphere() {
-            p < q
-        } else {
-            self.number(a) < self.number(b)
-        }
     }
 
     #[inline]
@@ -492,6 +343,7 @@ impl Shapes {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::shape::Placed;
 
     fn two_triangles() -> (Vec<Point>, Vec<[u32; 3]>) {
         let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
