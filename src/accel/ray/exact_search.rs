@@ -90,11 +90,7 @@ impl Candidate {
 impl Search for ExactSearch<'_> {
     #[inline]
     fn test(&mut self, primitive: Placed) {
-        let surface = self.shapes.surface(primitive);
-        // Trees of objects hold what can be hit in some instance, not in each.
-        if primitive.instance().is_some() && !surface.can_be_hit() {
-            return;
-        }
+        let Some(surface) = self.shapes.surface_in_tree(primitive) else { return };
         match surface.filter(&self.ray) {
             Verdict::Miss => {}
             Verdict::Hit(t) => self.offer(Candidate { primitive, t, root: None }),

@@ -66,11 +66,7 @@ impl<'a> FastSearch<'a> {
 impl Search for FastSearch<'_> {
     #[inline]
     fn test(&mut self, primitive: Placed) {
-        let surface = self.shapes.surface(primitive);
-        // Trees of objects hold what can be hit in some instance, not in each.
-        if primitive.instance().is_some() && !surface.can_be_hit() {
-            return;
-        }
+        let Some(surface) = self.shapes.surface_in_tree(primitive) else { return };
         if let Some(t) = self.intersect(&surface) {
             self.offer(t, primitive, &surface);
         }

@@ -64,6 +64,14 @@ impl Shapes {
         }
     }
 
+    /// A primitive of a tree, in world space, if any ray can hit it: trees of objects hold what can be hit in some instance, not
+    /// in each.
+    #[inline]
+    pub(crate) fn surface_in_tree(&self, placed: Placed) -> Option<Surface> {
+        let surface = self.surface(placed);
+        (placed.instance().is_none() || surface.can_be_hit()).then_some(surface)
+    }
+
     /// A triangle, in world space (rule R4).
     #[inline]
     pub fn placed_triangle(&self, placed: Placed) -> Triangle {
