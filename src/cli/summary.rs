@@ -12,7 +12,7 @@ use indicatif::HumanCount;
 /// Warnings, what was skipped, and what there is.
 pub(super) fn report_scene(scene: &Scene, reporter: &Reporter) {
     reporter.warnings(&scene.warnings);
-    if let Some(summary) = &scene.summary {
+    if let Some(summary) = scene.census.summary() {
         reporter.note(summary);
     }
     let shapes = &scene.shapes;

@@ -51,7 +51,6 @@ pub(super) fn scene_of_mesh(path: &Path, shape: &str, loaded: Loaded, options: &
         shape_count: 1,
         transform_count: 1,
         warnings,
-        summary: None,
         census,
     })
 }

@@ -268,7 +268,6 @@ impl<'a> Builder<'a> {
             shape_count: self.shape_count,
             transform_count: self.transforms.len() + self.objects.transform_count,
             warnings: self.warnings,
-            summary: self.census.summary(),
             census: self.census,
         })
     }

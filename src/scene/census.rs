@@ -79,7 +79,7 @@ impl Census {
     }
 
     /// One line on what was skipped, where anything was.
-    pub(super) fn summary(&self) -> Option<String> {
+    pub fn summary(&self) -> Option<String> {
         let counts: Vec<String> = self.skipped().map(|(keyword, count)| format!("{count} {keyword}")).collect();
         (!counts.is_empty()).then(|| format!("skipped, without influence on hit and depth: {}", counts.join(", ")))
     }

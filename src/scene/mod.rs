@@ -49,8 +49,6 @@ pub struct Scene {
     pub transform_count: usize,
     /// What was rendered other than the file may have meant.
     pub warnings: Warnings,
-    /// One line on what was skipped because hit and depth do not depend on it, where anything was.
-    pub summary: Option<String>,
     /// What the file says, counted.
     pub census: Census,
 }

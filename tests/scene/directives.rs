@@ -125,7 +125,7 @@ fn attributes_are_defaults_of_shapes() {
     let is_cut = [0, 1, 2, 3].map(|index| scene.shapes.sphere(index).form != Form::Sphere(None));
     assert_eq!(is_cut, [false, true, true, false]);
     assert_eq!(warnings(&scene), []);
-    assert_eq!(scene.summary.as_deref(), Some("skipped, without influence on hit and depth: 1 Attribute"));
+    assert_eq!(scene.census.summary().as_deref(), Some("skipped, without influence on hit and depth: 1 Attribute"));
 }
 
 #[test]

@@ -163,7 +163,7 @@ fn spellings_of_both_versions() {
     assert_eq!(warnings(&scene), []);
     let summary = "skipped, without influence on hit and depth: 1 ColorSpace, 1 Integrator, 1 MakeNamedMaterial, \
                    1 Material, 1 Option, 1 Texture";
-    assert_eq!(scene.summary.as_deref(), Some(summary));
+    assert_eq!(scene.census.summary().as_deref(), Some(summary));
 }
 
 #[test]
