@@ -40,6 +40,7 @@
 pub mod accel;
 pub mod bench;
 pub mod camera;
+pub mod compare;
 pub mod decimal;
 pub mod error;
 pub mod exact;
