@@ -93,7 +93,11 @@ impl Camera {
 
     /// The ray through the centre of pixel `x` from the left and `y` from the top.
     pub fn ray(&self, x: u32, y: u32) -> Ray {
-        let [x, y] = self.plane_coordinates(x, y);
+        self.ray_through(self.plane_coordinates(x, y))
+    }
+
+    /// The ray that passes the plane at distance 1 at X and Y in camera space.
+    pub fn ray_through(&self, [x, y]: [f64; 2]) -> Ray {
         let c = &self.world_from_camera.rows;
         let component = |k: usize, x: f64, y: f64, last: usize| (c[k][0] * x + c[k][1] * y) + c[k][last];
         match self.projection {

@@ -7,7 +7,7 @@ use feimos::camera::Camera;
 use feimos::film::{Channel, ChannelName, Image, PixelBounds, Samples};
 use feimos::geometry::{Matrix, Point};
 use feimos::progress::Progress;
-use feimos::reference;
+use feimos::reference::{self, ReferenceHit};
 use feimos::render::{RenderOptions, Rendering, render};
 use feimos::scene::{LoadOptions, Scene, load};
 use feimos::shape::Shapes;
@@ -117,15 +117,15 @@ pub(crate) fn assert_same(expected: &Image, found: &Image, what: &str) {
     }
 }
 
-/// What the reference says of every pixel: primitive and bits of Z and t, 0 for a miss.
+/// What the reference says of every pixel: primitive and bits of Z and t, 0 for a miss. One ray at a time and, which has to be
+/// the same, sorted out by area.
 pub(crate) fn judged(camera: &Camera, shapes: &Shapes) -> Vec<[u32; 3]> {
     let [width, height] = camera.resolution;
-    let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
-    let judge = |(x, y)| {
-        let hit = reference::closest_hit(shapes, &camera.ray(x, y));
-        hit.map_or([0; 3], |hit| [shapes.image_number(hit.primitive), hit.z.to_bits(), hit.t.to_bits()])
-    };
-    pixels.map(judge).collect()
+    let pixels: Vec<[u32; 2]> = (0..height).flat_map(|y| (0..width).map(move |x| [x, y])).collect();
+    let ray_by_ray: Vec<_> = pixels.iter().map(|[x, y]| reference::closest_hit(shapes, &camera.ray(*x, *y))).collect();
+    assert_eq!(reference::answers(camera, shapes, &pixels, Progress::SILENT), ray_by_ray, "by area");
+    let bits = |hit: ReferenceHit| [shapes.image_number(hit.primitive), hit.z.to_bits(), hit.t.to_bits()];
+    ray_by_ray.into_iter().map(|hit| hit.map_or([0; 3], bits)).collect()
 }
 
 /// What an image says of every pixel, in the same form.

@@ -1,40 +1,12 @@
-//! The judge: every primitive by exact arithmetic alone, with no filter and no aggregate.
-//!
-//! It is slow, and made to be seen to be right: it follows rules E1 to E4 by other polynomials than the rest of the
-//! program where there are others, and looks at every primitive. Comparing and rounding of roots it shares.
+//! Whether and where a ray meets a primitive (rules E1, E2, E5 and E6).
 
-use crate::exact::{Bracket, Dyadic, ExactVector, Root, nearest_f32};
+use crate::exact::{Dyadic, ExactVector, Root};
 use crate::geometry::{Matrix, Ray};
-use crate::shape::{Cut, Disk, Form, Placed, Quadric, Sector, Shapes, Surface, Triangle};
+use crate::shape::{Cut, Disk, Form, Quadric, Sector, Surface, Triangle};
 use std::cmp::Ordering::{self, Equal, Greater, Less};
 
-/// What a ray meets first.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ReferenceHit {
-    /// The primitive that is hit.
-    pub primitive: Placed,
-    /// The ray's parameter: the planar depth in units of camera space.
-    pub z: f32,
-    /// The distance from the ray's origin in units of world space.
-    pub t: f32,
-}
-
-/// The nearest hit of `ray` in `shapes`; of several at one `t`, the first in the file.
-pub fn closest_hit(shapes: &Shapes, ray: &Ray) -> Option<ReferenceHit> {
-    if !ray.can_hit() {
-        return None;
-    }
-    let hits = shapes.all().filter_map(|placed| Some((intersect(&shapes.surface(placed), ray)?, placed)));
-    let number = |placed: &Placed| shapes.number(*placed);
-    let (root, primitive) = hits.min_by(|(a, p), (b, q)| a.cmp(b).then(number(p).cmp(&number(q))))?;
-    let direction = ExactVector::from(ray.direction);
-    let square = direction.dot(&direction);
-    let z = nearest_f32(&Bracket::POSITIVE, |x| root.compare_with(x));
-    let t = nearest_f32(&Bracket::POSITIVE, |x| root.times_root_compare_with(&square, x));
-    Some(ReferenceHit { primitive, z, t })
-}
-
-fn intersect(surface: &Surface, ray: &Ray) -> Option<Root> {
+/// The `t` at which `ray` meets `surface` first, if it does.
+pub(super) fn intersect(surface: &Surface, ray: &Ray) -> Option<Root> {
     match surface {
         Surface::Triangle(triangle) => meet_triangle(triangle, ray),
         Surface::Quadric(quadric) => meet_quadric(quadric, ray),

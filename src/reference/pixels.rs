@@ -1,0 +1,156 @@
+//! Many pixels at once: the film is halved until a part holds one of them, and what a part cannot meet is left out (Warnock, "A
+//! hidden surface algorithm for computer generated halftone pictures", 1969).
+
+use super::beam::Beam;
+use super::{ReferenceHit, closest_hit_among};
+use crate::camera::Camera;
+use crate::exact::Bracket;
+use crate::film::PixelBounds;
+use crate::geometry::{Bounds, Point};
+use crate::progress::Progress;
+use crate::shape::{Form, Placed, Quadric, Shapes, Surface};
+use rayon::prelude::*;
+
+/// Primitives of a scene, those of instances as often as they are instanced, at most: the list of all of them takes 8 bytes each.
+pub const MAX_PRIMITIVES: u64 = 1 << 25;
+
+/// Lists longer than this are gone through by all threads.
+const SHORT: usize = 1 << 14;
+
+/// The exact answer for each of some pixels of a film, in their order: what [`super::closest_hit`] says, sooner. `progress`
+/// counts pixels.
+///
+/// No aggregate is made and no part of it is asked. A primitive is left out for a pixel only if interval arithmetic shows that
+/// the box around it lies beside all rays of a rectangle around the pixel.
+///
+/// # Panics
+/// Where there are more than [`MAX_PRIMITIVES`].
+pub fn answers(camera: &Camera, shapes: &Shapes, pixels: &[[u32; 2]], progress: Progress) -> Vec<Option<ReferenceHit>> {
+    by_area(camera, shapes, pixels, |[x, y], primitives| {
+        progress.advance(1);
+        closest_hit_among(primitives.iter().copied(), shapes, &camera.ray(x, y))
+    })
+}
+
+/// For each of some pixels, how many primitives its answer takes an exact test of.
+pub fn candidates(camera: &Camera, shapes: &Shapes, pixels: &[[u32; 2]]) -> Vec<usize> {
+    by_area(camera, shapes, pixels, |_, primitives| primitives.len())
+}
+
+/// Calls `visit` with each pixel and the primitives that its ray may meet.
+fn by_area<T: Send + Clone>(
+    camera: &Camera,
+    shapes: &Shapes,
+    pixels: &[[u32; 2]],
+    visit: impl Fn([u32; 2], &[Placed]) -> T + Sync,
+) -> Vec<T> {
+    assert!(shapes.primitive_count() <= MAX_PRIMITIVES, "too many primitives for one list");
+    let [width, height] = camera.resolution;
+    let sorter = Sorter {
+        shapes,
+        camera,
+        columns: (0..width).map(|x| camera.plane_coordinates(x, 0)[0]).collect(),
+        rows: (0..height).map(|y| camera.plane_coordinates(0, y)[1]).collect(),
+        visit,
+    };
+    let mut answers: Vec<Option<T>> = vec![None; pixels.len()];
+    let mut pending: Vec<Pixel<T>> =
+        answers.iter_mut().zip(pixels).map(|(answer, pixel)| Pixel { place: *pixel, answer }).collect();
+    let all: Vec<Placed> = shapes.all().collect();
+    sorter.sort(PixelBounds::of_film(width, height), &mut pending, &all);
+    answers.into_iter().map(|answer| answer.expect("every pixel lies in some part of the film")).collect()
+}
+
+/// A pixel, and where its answer goes.
+struct Pixel<'a, T> {
+    place: [u32; 2],
+    answer: &'a mut Option<T>,
+}
+
+struct Sorter<'a, F> {
+    shapes: &'a Shapes,
+    camera: &'a Camera,
+    /// Where the rays of a column pass the plane at distance 1.
+    columns: Vec<f64>,
+    /// Those of a row.
+    rows: Vec<f64>,
+    visit: F,
+}
+
+impl<F> Sorter<'_, F> {
+    /// Answers all `pixels`, which lie in `area`, by the `primitives` that rays through it may meet.
+    fn sort<T: Send + Clone>(&self, area: PixelBounds, pixels: &mut [Pixel<T>], primitives: &[Placed])
+    where
+        F: Fn([u32; 2], &[Placed]) -> T + Sync,
+    {
+        let Some(first) = pixels.first().map(|pixel| pixel.place) else { return };
+        // Where one pixel is left, its own rectangle tells the most.
+        let is_one = pixels.iter().all(|pixel| pixel.place == first);
+        let area = match is_one {
+            true => PixelBounds { x0: first[0], x1: first[0] + 1, y0: first[1], y1: first[1] + 1 },
+            false => area,
+        };
+        let met = self.met(&area, primitives);
+        if is_one {
+            let answer = (self.visit)(first, &met);
+            return pixels.iter_mut().for_each(|pixel| *pixel.answer = Some(answer.clone()));
+        }
+        let (axis, middle) = match area.width() >= area.height() {
+            true => (0, area.x0 + area.width() / 2),
+            false => (1, area.y0 + area.height() / 2),
+        };
+        let (low, high) = match axis {
+            0 => (PixelBounds { x1: middle, ..area }, PixelBounds { x0: middle, ..area }),
+            _ => (PixelBounds { y1: middle, ..area }, PixelBounds { y0: middle, ..area }),
+        };
+        pixels.sort_by_key(|pixel| pixel.place[axis] >= middle);
+        let (before, after) = pixels.split_at_mut(pixels.partition_point(|pixel| pixel.place[axis] < middle));
+        rayon::join(|| self.sort(low, before, &met), || self.sort(high, after, &met));
+    }
+
+    /// Those of the `primitives` that a ray through `area` may meet.
+    fn met(&self, area: &PixelBounds, primitives: &[Placed]) -> Vec<Placed> {
+        let hull = |values: &[f64]| Bracket {
+            low: values.iter().copied().fold(f64::INFINITY, f64::min),
+            high: values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+        };
+        let columns = hull(&self.columns[area.x0 as usize..area.x1 as usize]);
+        let rows = hull(&self.rows[area.y0 as usize..area.y1 as usize]);
+        let beam = Beam::new(self.camera, columns, rows);
+        let is_met = |placed: &&Placed| beam.may_meet(&bounds_of(&self.shapes.surface(**placed)));
+        match primitives.len() {
+            0..SHORT => primitives.iter().filter(is_met).copied().collect(),
+            _ => primitives.par_iter().filter(is_met).copied().collect(),
+        }
+    }
+}
+
+/// A box around a primitive that is seen to be right: of its corners, or of the box around a quadric in object space.
+fn bounds_of(surface: &Surface) -> Bounds {
+    match surface {
+        Surface::Triangle(triangle) => Bounds::of(triangle.0),
+        Surface::Quadric(quadric) => bounds_of_quadric(quadric),
+    }
+}
+
+/// The box in object space is taken to the world: along an axis it reaches as far as the absolute values of its half widths add up
+/// to, times those of the matrix. A factor makes up for all roundings.
+fn bounds_of_quadric(Quadric { world_from_object: m, radius, form }: &Quadric) -> Bounds {
+    let [low, high] = match form {
+        Form::Sphere(_) => [-radius, *radius],
+        Form::Cylinder(cut) => [cut.z_min, cut.z_max],
+        Form::Disk(disk) => [disk.height; 2],
+    };
+    let highest = low.abs().max(high.abs());
+    let reach = |k: usize| {
+        let [x, y, z, offset] = m.rows[k].map(f64::abs);
+        let reach = (x + y) * radius + z * highest;
+        // Of the sum with the offset, too, and of what underflows.
+        reach * (1.0 + 16.0 * f64::EPSILON) + offset * f64::EPSILON + f64::MIN_POSITIVE
+    };
+    let corner = |sign: f64| {
+        let at = |k: usize| m.rows[k][3] + sign * reach(k);
+        Point::new(at(0), at(1), at(2))
+    };
+    Bounds { low: corner(-1.0), high: corner(1.0) }
+}
