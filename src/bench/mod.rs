@@ -6,6 +6,7 @@ mod measure;
 mod row;
 mod spread;
 mod table;
+mod yardstick;
 
 pub use json::to_json;
 pub use machine::Machine;
@@ -13,3 +14,4 @@ pub use measure::{Configuration, Rounds, measure};
 pub use row::{Errors, Row};
 pub use spread::Spread;
 pub use table::Table;
+pub use yardstick::{Classic, Yardstick};

@@ -13,7 +13,7 @@ mod quadric;
 mod shapes;
 mod surface;
 mod triangle;
-mod vector32;
+pub(crate) mod vector32;
 mod verdict;
 
 pub use filter_ray::FilterRay;

@@ -3,6 +3,7 @@
 mod any_hit;
 mod exact_search;
 mod fast_search;
+mod foreign_search;
 mod tracer;
 mod traversal;
 

@@ -3,12 +3,13 @@
 use super::any_hit::AnyHit;
 use super::exact_search::ExactSearch;
 use super::fast_search::FastSearch;
+use super::foreign_search::ForeignSearch;
 use super::traversal::{Search, Stacks, traverse};
 use crate::accel::hit::{Fallbacks, Hit, Work};
 use crate::accel::space::SlabRay;
 use crate::accel::{Aggregate, Depth, Precision};
 use crate::geometry::Ray;
-use crate::shape::Shapes;
+use crate::shape::{Placed, Shapes};
 
 /// Casts rays, one after the other. Each thread has its own.
 pub struct Tracer<'a> {
@@ -38,6 +39,21 @@ impl<'a> Tracer<'a> {
     /// As [`Tracer::closest_hit`], adding to `work` what it took.
     pub fn closest_hit_counted(&mut self, ray: &Ray, work: &mut Work) -> Option<Hit> {
         self.trace::<true, false>(ray, work)
+    }
+
+    /// The nearest hit of `ray` where `intersect` tells the `t` at which it meets a primitive, and which one that is. Of several at one
+    /// `t` the first that is tested wins, so the answer may depend on the tree. Adds to `work` what it took.
+    pub fn closest_hit_by<const COUNTED: bool>(
+        &mut self,
+        ray: &Ray,
+        intersect: impl FnMut(Placed) -> Option<f32>,
+        work: &mut Work,
+    ) -> Option<Hit> {
+        if !ray.can_hit() {
+            return None;
+        }
+        let slab = self.aggregate.space.ray(ray);
+        self.search::<COUNTED, false, _>(&slab, ForeignSearch::new(&slab, intersect), work)
     }
 
     /// How far away the `hit` of `ray` is.

@@ -1,0 +1,186 @@
+//! Kernels as they are written elsewhere, in `f32` and without a bound: what exactness costs and what its lack costs is measured
+//! against them. Only the bench has them.
+
+mod moeller_trumbore;
+mod quadric;
+mod ray32;
+mod watertight;
+
+use crate::geometry::{Point, Ray};
+use crate::shape::{Placed, Shapes, Surface, Triangle};
+use quadric::{Quadratic, Quadric32};
+use ray32::Ray32;
+use rayon::prelude::*;
+
+/// Which kernels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Classic {
+    /// Moeller and Trumbore's triangle (1997), the quadratic equation as at school.
+    MoellerTrumbore,
+    /// The watertight triangle of Woop, Benthin and Wald (2013), the quadratic equation as in pbrt.
+    Watertight,
+}
+
+/// Three corners in `f32`.
+type Corners = [[f32; 3]; 3];
+
+/// The geometry of a scene as those kernels take it: in world space, rounded to `f32`.
+pub struct Yardstick<'a> {
+    classic: Classic,
+    shapes: &'a Shapes,
+    /// Those in no instance. All others are rounded when they are tested.
+    triangles: Vec<Corners>,
+    /// Likewise.
+    quadrics: Vec<Quadric32>,
+}
+
+impl<'a> Yardstick<'a> {
+    /// Of all `shapes`.
+    pub fn new(classic: Classic, shapes: &'a Shapes) -> Yardstick<'a> {
+        let triangle = |index| corners(&shapes.triangle(index));
+        Yardstick {
+            classic,
+            shapes,
+            triangles: (0..shapes.triangle_count()).into_par_iter().map(triangle).collect(),
+            quadrics: (0..shapes.sphere_count()).map(|index| Quadric32::new(&shapes.sphere(index))).collect(),
+        }
+    }
+
+    /// What tells the `t` at which `ray` meets a primitive.
+    #[inline]
+    pub fn of_ray(&self, ray: &Ray) -> impl FnMut(Placed) -> Option<f32> {
+        let ray = Ray32::new(ray);
+        move |placed| self.intersect(&ray, placed)
+    }
+
+    #[inline]
+    fn intersect(&self, ray: &Ray32, placed: Placed) -> Option<f32> {
+        let primitive = placed.primitive();
+        let index = primitive.index();
+        match (placed.instance(), primitive.is_sphere()) {
+            (None, false) => self.meet_triangle(ray, &self.triangles[index]),
+            (None, true) => self.meet_quadric(ray, &self.quadrics[index]),
+            (Some(_), _) => match self.shapes.surface(placed) {
+                Surface::Triangle(triangle) => self.meet_triangle(ray, &corners(&triangle)),
+                Surface::Quadric(quadric) => self.meet_quadric(ray, &Quadric32::new(&quadric)),
+            },
+        }
+    }
+
+    #[inline]
+    fn meet_triangle(&self, ray: &Ray32, corners: &Corners) -> Option<f32> {
+        match self.classic {
+            Classic::MoellerTrumbore => moeller_trumbore::intersect(ray, corners),
+            Classic::Watertight => watertight::intersect(ray, corners),
+        }
+    }
+
+    fn meet_quadric(&self, ray: &Ray32, quadric: &Quadric32) -> Option<f32> {
+        let quadratic = match self.classic {
+            Classic::MoellerTrumbore => Quadratic::School,
+            Classic::Watertight => Quadratic::Pbrt,
+        };
+        quadric.intersect(ray, quadratic)
+    }
+}
+
+fn corners(triangle: &Triangle) -> Corners {
+    triangle.0.map(|corner: Point| corner.to_array().map(|x| x as f32))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Matrix, Vector};
+    use crate::reference;
+    use crate::shape::{Cut, Disk, Form};
+    use proptest::prelude::*;
+
+    const BOTH: [Classic; 2] = [Classic::MoellerTrumbore, Classic::Watertight];
+
+    /// What the reference and what each of the kernels says.
+    fn answers(shapes: &Shapes, ray: &Ray) -> (Option<f32>, [Option<f32>; 2]) {
+        let nearest = |classic| {
+            let yardstick = Yardstick::new(classic, shapes);
+            let hits = shapes.all().filter_map(yardstick.of_ray(ray));
+            hits.min_by(f32::total_cmp)
+        };
+        (reference::closest_hit(shapes, ray).map(|hit| hit.z), BOTH.map(nearest))
+    }
+
+    fn agree(exact: Option<f32>, classic: Option<f32>, tolerance: f32) -> bool {
+        match (exact, classic) {
+            (None, None) => true,
+            (Some(exact), Some(classic)) => (exact - classic).abs() <= tolerance * exact,
+            _ => false,
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(2000))]
+
+        /// Far from edges, which the ray keeps away from by a thousandth, all say the same.
+        #[test]
+        fn triangles_are_met_where_nothing_is_close(
+            corners in prop::array::uniform3(prop::array::uniform3(-1.0f64..1.0)),
+            weights in prop::array::uniform3(-1.0f64..2.0),
+            eye in prop::array::uniform3(-1.0f64..1.0),
+        ) {
+            let sum: f64 = weights.iter().sum();
+            prop_assume!(sum.abs() > 0.1 && weights.iter().all(|weight| (weight / sum).abs() > 1e-3));
+            let target = |k: usize| (0..3).map(|i| weights[i] / sum * corners[i][k]).sum::<f64>();
+            let (origin, target) = (Point::from(eye), Point::new(target(0), target(1), target(2)));
+            let ray = Ray { origin, direction: target - origin };
+            let [a, b, c] = corners.map(Point::from);
+            let normal = (b - a).cross(c - a);
+            // Nearly edge-on and tiny ones are close everywhere.
+            prop_assume!(normal.dot(ray.direction).abs() > 1e-2);
+            let mut shapes = Shapes::default();
+            shapes.add_mesh(vec![a, b, c], vec![[0, 1, 2]], &Matrix::IDENTITY, 1).unwrap();
+            let (exact, classic) = answers(&shapes, &ray);
+            prop_assert!(classic.iter().all(|classic| agree(exact, *classic, 1e-3)), "{exact:?} {classic:?}");
+        }
+
+        /// Surfaces of size 1 from nearby, which rays do not graze.
+        #[test]
+        fn quadrics_are_met_where_nothing_is_close(
+            form in prop::sample::select(vec![
+                Form::Sphere(None),
+                Form::Sphere(Cut::new(1.0, -0.5, 0.75, 300.0)),
+                Form::Cylinder(Cut::of_cylinder(-1.0, 1.0, 360.0)),
+                Form::Cylinder(Cut::of_cylinder(-1.0, 0.5, 135.0)),
+                Form::Disk(Disk::new(0.25, 0.125, 360.0)),
+                Form::Disk(Disk::new(0.0, 0.0, 45.0)),
+            ]),
+            eye in prop::array::uniform3(-4.0f64..4.0),
+            target in prop::array::uniform3(-1.5f64..1.5),
+            offset in -2.0f64..2.0,
+        ) {
+            let ray = |nudge: f64| {
+                let origin = Point::from(eye);
+                let direction = Point::from(target) - origin;
+                Ray { origin, direction: Vector::new(direction.x + nudge, direction.y - nudge, direction.z + nudge) }
+            };
+            let mut shapes = Shapes::default();
+            let transform = shapes.add_transform(Matrix::translate([offset, 0.0, -offset]));
+            shapes.add_quadric(1.0, form, transform, 1).unwrap();
+            // Rays a little beside this one hit at nearly the same place, or nowhere: else it is close to a rim.
+            let beside = [-1e-2, 0.0, 1e-2].map(|nudge| reference::closest_hit(&shapes, &ray(nudge)).map(|hit| hit.z));
+            prop_assume!(beside.iter().all(|z| agree(*z, beside[1], 0.1)));
+            let (exact, classic) = answers(&shapes, &ray(0.0));
+            prop_assert!(classic.iter().all(|classic| agree(exact, *classic, 1e-2)), "{exact:?} {classic:?}");
+        }
+    }
+
+    #[test]
+    fn instances_are_met_where_they_are() {
+        let mut object = Shapes::default();
+        let transform = object.add_transform(Matrix::IDENTITY);
+        object.add_sphere(1.0, None, transform, 1).unwrap();
+        let mut shapes = Shapes::default();
+        let number = shapes.add_object(object);
+        shapes.add_instance(number, Matrix::translate([0.0, 0.0, 5.0])).unwrap();
+        let ray = Ray { origin: Point::new(0.0, 0.0, 0.0), direction: Vector::new(0.0, 0.0, 2.0) };
+        assert_eq!(answers(&shapes, &ray), (Some(2.0), [Some(2.0); 2]));
+    }
+}
