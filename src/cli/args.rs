@@ -61,16 +61,17 @@ pub(crate) struct OutputArgs {
     /// [default: the file name in the scene's Film; of a bare mesh, {stem}.png]
     #[arg(short, long, alias = "outfile", value_name = "TEMPLATE")]
     pub(crate) output: Option<String>,
-    /// Channels of an EXR [default: Z,t,A,id,prim].
+    /// Channels of an EXR; instance and cost have to be asked for [default: Z,t,A,id,prim].
     #[arg(long, value_name = "CHANNELS", value_delimiter = ',', value_parser = channel)]
     pub(crate) aov: Option<Vec<ChannelName>>,
     /// What a PNG shows [default: depth].
     #[arg(long)]
     pub(crate) view: Option<View>,
-    /// Colours of a PNG's depths [default: turbo].
+    /// Colours of a PNG's depths or costs [default: turbo].
     #[arg(long)]
     pub(crate) colormap: Option<ColorMap>,
-    /// Depths at the ends of the colours, in scene units [default: of the hits].
+    /// Depths at the ends of the colours, in scene units [default: of the hits]; of a cost view, low,high in tests a ray
+    /// [default: from 0 to the largest].
     #[arg(long, value_name = "NEAR,FAR", value_parser = numbers::<2>, allow_hyphen_values = true)]
     pub(crate) range: Option<[f64; 2]>,
     /// What Z and t of an EXR hold where nothing is hit: inf, nan, 0 or any number [default: inf].

@@ -10,8 +10,8 @@ use super::stdout::write_json_line;
 use super::summary;
 use feimos::accel::{Aggregate, BuildOptions, Precision, SplitMethod, Statistics};
 use feimos::error::{Error, Result};
+use feimos::film::PixelBounds;
 use feimos::film::atomic_file::{self, Overwrite};
-use feimos::film::{DepthRange, PixelBounds};
 use feimos::progress::Progress;
 use feimos::render::{RenderOptions, Rendering, render};
 use feimos::scene::{self, Scene};
@@ -48,8 +48,8 @@ pub(super) struct Finished {
     pub(super) precision: Precision,
     pub(super) statistics: Statistics,
     pub(super) rendering: Rendering,
-    /// Of a depth view.
-    pub(super) range: Option<DepthRange>,
+    /// Of the values in a view, in words.
+    pub(super) range: Option<String>,
     pub(super) ms: Milliseconds,
 }
 
@@ -95,8 +95,8 @@ impl Renderer<'_> {
         let picture = picture.for_scene(&scene.shapes, self.reporter);
         let window = self.plan.data_window(&scene.film)?;
         let whole = [window.width(), window.height()] == scene.film.resolution;
-        if !whole && matches!(picture, Picture::Depth { range: None, .. }) {
-            let error = Error::usage("a depth PNG of a part of the film needs --range near,far");
+        if let (false, Some((view, ends))) = (whole, picture.lacks_range()) {
+            let error = Error::usage(format!("a {view} PNG of a part of the film needs --range {ends}"));
             return Err(error.note("else every part would have colours of its own; or write an .exr"));
         }
         if let Destination::File(path) = &destination {
@@ -110,8 +110,8 @@ impl Renderer<'_> {
         let Target { destination, picture, window, build } = target;
         let primitives = scene.shapes.primitive_count();
         let Scene { shapes, camera, .. } = scene;
-        // Statistics are those of the whole tree; a picture alone needs only what it shows.
-        let build_aggregate = |progress: Progress<'_>| match self.plan.stats {
+        // Statistics and costs are those of the whole tree; other pictures alone need only what they show.
+        let build_aggregate = |progress: Progress<'_>| match self.plan.stats || picture.needs_whole_tree() {
             true => Aggregate::build(shapes, camera.anchor(), build, progress),
             false => Aggregate::build_for_view(shapes, camera, &window, build, progress),
         };
@@ -136,8 +136,8 @@ impl Renderer<'_> {
         let rendering = rendering?;
 
         let (written, write_ms) = timed(|| {
-            let range = picture.range(&rendering.image);
-            picture.write(&rendering.image, range, &destination, self.overwrite).map(|()| range)
+            let picture = picture.with_range_of(&rendering.image);
+            picture.write(&rendering.image, &destination, self.overwrite).map(|()| picture.range())
         });
         let range = written?;
         let ms = Milliseconds { build: build_ms, trace: trace_ms, write: write_ms, ..Milliseconds::default() };

@@ -6,7 +6,7 @@ use super::picture::Picture;
 use super::reporter::Reporter;
 use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::error::{Error, Result};
-use feimos::film::{ChannelName, ColorMap, DepthRange, Format, PixelBounds, View};
+use feimos::film::{ChannelName, ColorMap, CostRange, DepthRange, Format, PixelBounds, View};
 use feimos::scene::{AcceleratorParameters, Film, LoadOptions, spelling};
 
 /// How every scene of the command is rendered.
@@ -23,7 +23,8 @@ pub(crate) struct Plan {
     aov: Option<Vec<ChannelName>>,
     view: Option<View>,
     colors: Option<ColorMap>,
-    range: Option<DepthRange>,
+    /// The values at the two ends of the colours, the smaller one first.
+    range: Option<[f32; 2]>,
     cropwindow: Option<[f64; 4]>,
     pixelbounds: Option<[u32; 4]>,
 }
@@ -49,7 +50,7 @@ impl Plan {
             aov: aov.clone(),
             view: *view,
             colors: *colormap,
-            range: range.map(depth_range).transpose()?,
+            range: range.map(color_range).transpose()?,
             cropwindow,
             pixelbounds,
         };
@@ -100,11 +101,18 @@ impl Plan {
         refuse(&of_exr, destination, "a PNG; for channels give the output the extension .exr")?;
         match self.view.unwrap_or_default() {
             View::Hit => {
-                let of_depth = [("--colormap", self.colors.is_some()), ("--range", self.range.is_some())];
-                refuse(&of_depth, destination, "a hit view, which has two colours")?;
+                let of_colors = [("--colormap", self.colors.is_some()), ("--range", self.range.is_some())];
+                refuse(&of_colors, destination, "a hit view, which has two colours")?;
                 Ok(Picture::Hit)
             }
-            View::Depth => Ok(Picture::Depth { colors: self.colors.unwrap_or_default(), range: self.range }),
+            View::Depth => {
+                let range = self.range.map(|[near, far]| DepthRange { near, far });
+                Ok(Picture::Depth { colors: self.colors.unwrap_or_default(), range })
+            }
+            View::Cost => {
+                let range = self.range.map(|[low, high]| CostRange { low, high });
+                Ok(Picture::Cost { colors: self.colors.unwrap_or_default(), range })
+            }
         }
     }
 
@@ -155,13 +163,13 @@ pub(super) fn first_repeated<T: Copy + PartialEq>(items: &[T]) -> Option<T> {
     items.iter().enumerate().find(|(place, item)| items[..*place].contains(item)).map(|(_, item)| *item)
 }
 
-fn depth_range([near, far]: [f64; 2]) -> Result<DepthRange> {
-    let range = DepthRange { near: near as f32, far: far as f32 };
-    if !range.near.is_finite() || !range.far.is_finite() {
+fn color_range([near, far]: [f64; 2]) -> Result<[f32; 2]> {
+    let range = [near as f32, far as f32];
+    if !range.iter().all(|end| end.is_finite()) {
         let error = Error::usage(format!("--range {near},{far} is beyond the depths that an image can hold"));
         return Err(error.note(format!("expected numbers from {:e} to {:e}", f32::MIN, f32::MAX)));
     }
-    if near < far && range.near < range.far {
+    if near < far && range[0] < range[1] {
         return Ok(range);
     }
     Err(Error::usage(format!("--range {near},{far} is empty")).note("expected near,far with near < far"))

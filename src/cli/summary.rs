@@ -57,10 +57,10 @@ pub(super) fn report_image(finished: &Finished, reporter: &Reporter) {
         reporter.note("no ray hits anything");
     }
     let window = &finished.rendering.image.data_window;
-    let depth = finished.range.map_or(String::new(), |range| format!(", depth {} to {}", range.near, range.far));
+    let range = finished.range.as_ref().map_or(String::new(), |range| format!(", {range}"));
     let Milliseconds { load, build, trace, write, .. } = finished.ms;
     reporter.result(format_args!(
-        "{}: {} x {} pixels, {} hit{depth} (load {load:.0}, build {build:.0}, trace {trace:.0}, write {write:.0} ms)",
+        "{}: {} x {} pixels, {} hit{range} (load {load:.0}, build {build:.0}, trace {trace:.0}, write {write:.0} ms)",
         finished.destination,
         window.width(),
         window.height(),

@@ -19,13 +19,15 @@ pub enum ChannelName {
     Prim,
     /// Number of the object instance that was hit, from 1; 0 for a miss and for what is in no instance, `u32`.
     Instance,
+    /// Boxes of nodes and primitives that the pixel's ray is tested against when it goes alone through the whole tree, `u32`.
+    Cost,
 }
 
 impl ChannelName {
     /// Every channel there is.
-    pub const ALL: [ChannelName; 6] = {
+    pub const ALL: [ChannelName; 7] = {
         let [z, t, a, id, prim] = ChannelName::USUAL;
-        [z, t, a, id, prim, ChannelName::Instance]
+        [z, t, a, id, prim, ChannelName::Instance, ChannelName::Cost]
     };
 
     /// Those of an image of which nothing else was said.
@@ -41,11 +43,17 @@ impl ChannelName {
             ChannelName::Id => "id",
             ChannelName::Prim => "prim",
             ChannelName::Instance => "instance",
+            ChannelName::Cost => "cost",
         }
     }
 
     /// Whether the samples are whole numbers (`u32`) and not `f32`.
     pub fn is_integer(self) -> bool {
+        self.is_number_of_hit() || self == ChannelName::Cost
+    }
+
+    /// Whether the samples are numbers of what was hit, 0 for a miss.
+    pub fn is_number_of_hit(self) -> bool {
         matches!(self, ChannelName::Id | ChannelName::Prim | ChannelName::Instance)
     }
 }
@@ -108,6 +116,6 @@ mod tests {
     #[test]
     fn an_unknown_name_is_answered_with_the_known_ones() {
         let error = "z".parse::<ChannelName>().unwrap_err().to_string();
-        assert_eq!(error, "unknown channel `z`\n   = known channels: Z, t, A, id, prim, instance");
+        assert_eq!(error, "unknown channel `z`\n   = known channels: Z, t, A, id, prim, instance, cost");
     }
 }

@@ -5,7 +5,8 @@ use clap::ValueEnum;
 /// A colour, red, green, blue.
 pub(super) type Rgb = [u8; 3];
 
-/// How depth becomes colour. In each of them near is the bright or warm end, as if one carried the lamp.
+/// How depth becomes colour. In each of them near is the bright or warm end, as if one carried the lamp. A high cost has the
+/// colour of what is near.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, ValueEnum)]
 pub enum ColorMap {
     /// Rainbow of even steps: near is red, far is blue, in the end almost black
@@ -28,6 +29,13 @@ impl ColorMap {
             ColorMap::Viridis => "viridis",
             ColorMap::Gray => "gray",
         }
+    }
+
+    /// Tells the colour at a position between near (0) and far (1), quickly, as one of many equal steps.
+    pub(super) fn steps(self) -> impl Fn(f64) -> Rgb {
+        let table = self.table();
+        // Rounds by hand: `round` is a call where the target has no instruction for it.
+        move |position| table[(position * (TABLE_LENGTH - 1) as f64 + 0.5) as usize]
     }
 
     /// The colours from near to far in equal steps.

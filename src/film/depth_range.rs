@@ -27,12 +27,18 @@ impl DepthRange {
     /// Where `z` lies on the way from near (0) to far (1), clamped to it. In a range of one depth, that depth and
     /// everything before it is near. Never NaN.
     pub fn position(&self, z: f32) -> f64 {
-        // In f64 the difference of two f32 neither overflows nor vanishes.
-        let (z, near, far) = (f64::from(z), f64::from(self.near), f64::from(self.far));
-        let position = if near == far { z - near } else { (z - near) / (far - near) };
-        // Only infinite ends can make a NaN.
-        if position.is_nan() { 0.0 } else { position.clamp(0.0, 1.0) }
+        position_between(z, self.near, self.far)
     }
+}
+
+/// Where `value` lies on the way from `start` (0) to `end` (1), clamped to it; what is not beyond a start that is the end is at
+/// 0. Never NaN.
+pub(super) fn position_between(value: f32, start: f32, end: f32) -> f64 {
+    // In f64 the difference of two f32 neither overflows nor vanishes.
+    let (value, start, end) = (f64::from(value), f64::from(start), f64::from(end));
+    let position = if start == end { value - start } else { (value - start) / (end - start) };
+    // Only infinite ends can make a NaN.
+    if position.is_nan() { 0.0 } else { position.clamp(0.0, 1.0) }
 }
 
 /// Pixels that one thread looks at.

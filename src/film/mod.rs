@@ -6,6 +6,7 @@
 pub mod atomic_file;
 mod channel;
 mod color_map;
+mod cost_range;
 mod depth_range;
 pub mod exr_file;
 mod exr_zip;
@@ -17,6 +18,7 @@ mod run_deflate;
 
 pub use channel::{Channel, ChannelName, Samples};
 pub use color_map::ColorMap;
+pub use cost_range::CostRange;
 pub use depth_range::DepthRange;
 pub use format::Format;
 pub use pixel_bounds::PixelBounds;

@@ -7,8 +7,8 @@ use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder, ImageError};
 use rayon::prelude::*;
 
-use super::color_map::{Rgb, TABLE_LENGTH};
-use super::{ChannelName, ColorMap, DepthRange, Image};
+use super::color_map::Rgb;
+use super::{ChannelName, ColorMap, CostRange, DepthRange, Image};
 
 /// What a picture shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, ValueEnum)]
@@ -18,6 +18,8 @@ pub enum View {
     Depth,
     /// Hits red, misses yellow
     Hit,
+    /// What each ray costs alone, nodes and primitives tested: cheap is dark, dear is bright or warm
+    Cost,
 }
 
 impl View {
@@ -26,6 +28,7 @@ impl View {
         match self {
             View::Depth => "depth",
             View::Hit => "hit",
+            View::Cost => "cost",
         }
     }
 
@@ -34,6 +37,7 @@ impl View {
         match self {
             View::Depth => &[ChannelName::Z, ChannelName::A],
             View::Hit => &[ChannelName::A],
+            View::Cost => &[ChannelName::Cost],
         }
     }
 }
@@ -56,17 +60,32 @@ pub fn write_hit(image: &Image, out: &mut impl Write) -> io::Result<()> {
 /// Writes the depth view of `image`, which needs channels `Z` and `A`; `range` is stretched over `colors`.
 pub fn write_depth(image: &Image, colors: ColorMap, range: DepthRange, out: &mut impl Write) -> io::Result<()> {
     let (z, a) = (needed(image, ChannelName::Z)?, needed(image, ChannelName::A)?);
-    let table = colors.table();
-    // Rounds by hand: `round` is a call where the target has no instruction for it.
-    let color = |z: f32| table[(range.position(z) * (TABLE_LENGTH - 1) as f64 + 0.5) as usize];
-    let pixels = z.par_iter().zip(a).map(|(z, a)| if *a != 0.0 { color(*z) } else { MISS_IN_DEPTH });
+    let color = colors.steps();
+    let pixels = z.par_iter().zip(a).map(|(z, a)| if *a != 0.0 { color(range.position(*z)) } else { MISS_IN_DEPTH });
     encode(image, pixels, out)
 }
 
+/// Writes the cost view of `image`, which needs channel `cost`; `range` is stretched over `colors`, the other way round than
+/// depths are: what costs most has the colour of what is near.
+pub fn write_cost(image: &Image, colors: ColorMap, range: CostRange, out: &mut impl Write) -> io::Result<()> {
+    let costs = available(image, ChannelName::Cost, Image::numbers)?;
+    let color = colors.steps();
+    encode(image, costs.par_iter().map(|cost| color(range.position(*cost))), out)
+}
+
 fn needed(image: &Image, name: ChannelName) -> io::Result<&[f32]> {
+    available(image, name, Image::measures)
+}
+
+/// The samples of the channel of that name, as `samples` takes them from an image that is as it should be.
+fn available<T>(
+    image: &Image,
+    name: ChannelName,
+    samples: impl FnOnce(&Image, ChannelName) -> Option<&[T]>,
+) -> io::Result<&[T]> {
     let invalid = |problem: String| io::Error::new(io::ErrorKind::InvalidInput, problem);
     image.validate().map_err(invalid)?;
-    image.measures(name).ok_or_else(|| invalid(format!("no channel {}", name.as_str())))
+    samples(image, name).ok_or_else(|| invalid(format!("no channel {}", name.as_str())))
 }
 
 /// Filter `Up` and the fast deflate made for PNG. Depth of the dragon from nearby, 1920 by 1080, one thread, fastest of 15 runs: 8 ms and 0.74 MB;
@@ -93,6 +112,7 @@ fn into_io(error: ImageError) -> io::Error {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::film::color_map::TABLE_LENGTH;
     use crate::film::{Channel, PixelBounds, Samples};
     use image::RgbImage;
 
@@ -153,6 +173,27 @@ mod tests {
             let (near, far) = (table[0], table[TABLE_LENGTH - 1]);
             assert_eq!(depth(&z, &[1.0; 7], *colors, range), [near, near, near, far, far, far, far], "{colors:?}");
         }
+    }
+
+    #[test]
+    fn costs_go_from_dark_to_bright() {
+        let costs = vec![0, 10, 20, 30, u32::MAX];
+        let picture = Image {
+            display_window: (5, 1),
+            data_window: PixelBounds::of_film(5, 1),
+            channels: vec![Channel { name: ChannelName::Cost, samples: Samples::U32(costs) }],
+        };
+        let range = CostRange { low: 10.0, high: 30.0 };
+        let row = |colors| -> Vec<Rgb> {
+            decoded(|out| write_cost(&picture, colors, range, out)).pixels().map(|pixel| pixel.0).collect()
+        };
+        let gray = row(ColorMap::Gray);
+        assert_eq!([gray[0], gray[1], gray[3], gray[4]], [[0; 3], [0; 3], [255; 3], [255; 3]]);
+        assert!((127..=128).contains(&gray[2][0]));
+        assert_eq!(row(ColorMap::Viridis)[..2], [[68, 1, 84]; 2]);
+        assert_eq!(row(ColorMap::Viridis)[3..], [[253, 231, 37]; 2]);
+        let error = write_cost(&self::picture(&[1.0], &[1.0], 1), ColorMap::Gray, range, &mut Vec::new()).unwrap_err();
+        assert_eq!(error.to_string(), "no channel cost");
     }
 
     #[test]

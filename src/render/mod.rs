@@ -1,14 +1,16 @@
 //! Tiles of rays in parallel, from a scene and its aggregate to an image.
 
+mod alone;
 mod segment;
 
-use crate::accel::{Aggregate, Fallbacks, Precision, TILE, TileOptions, TileTracer, Tiles, Tracer, Work};
+use crate::accel::{Aggregate, Fallbacks, Precision, TILE, TileOptions, TileTracer, Tiles, Work};
 use crate::camera::Camera;
 use crate::error::{Diagnostic, Error, ErrorKind, Result};
 use crate::film::{Channel, ChannelName, Image, PixelBounds, Samples};
 use crate::progress::Progress;
 use crate::shape::Shapes;
 use crate::simd::Level;
+use alone::Alone;
 use rayon::prelude::*;
 use segment::{Segment, segments_of};
 
@@ -20,13 +22,14 @@ const MAX_PIXELS: u64 = 1 << 30;
 pub struct RenderOptions {
     /// The pixels wanted; within the film, and not empty.
     pub data_window: PixelBounds,
-    /// The channels wanted; only these are made.
+    /// The channels wanted; only these are made. `cost` is that of the aggregate, which should be over everything, and not only
+    /// over what a view shows.
     pub channels: Vec<ChannelName>,
     /// How hits are decided and rounded.
     pub precision: Precision,
     /// What `Z` and `t` hold where nothing is hit.
     pub miss: f32,
-    /// Whether to count the nodes and primitives that rays test one by one.
+    /// Whether to count the nodes and primitives that rays test one by one, with this precision.
     pub counted: bool,
     /// The instructions to use. The picture does not depend on it.
     pub level: Level,
@@ -42,7 +45,7 @@ impl RenderOptions {
             precision: self.precision,
             with_z: self.wants(ChannelName::Z),
             with_t: self.wants(ChannelName::T),
-            with_primitives: self.channels.iter().any(|channel| channel.is_integer()),
+            with_primitives: self.channels.iter().any(|channel| channel.is_number_of_hit()),
             miss: self.miss,
             level: self.level,
         }
@@ -87,7 +90,7 @@ pub fn blank_image(camera: &Camera, options: &RenderOptions) -> Result<Image> {
 }
 
 /// What came of the rays of an image.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct Traced {
     /// Pixels that hit something.
     pub hits: u64,
@@ -95,6 +98,18 @@ pub struct Traced {
     pub work: Option<Work>,
     /// How often integers were needed for the exact answer.
     pub fallbacks: Fallbacks,
+}
+
+impl Traced {
+    /// What came of the rays of both.
+    fn plus(mut self, other: Traced) -> Traced {
+        self.hits += other.hits;
+        self.fallbacks += other.fallbacks;
+        if let Some(work) = other.work {
+            *self.work.get_or_insert_default() += work;
+        }
+        self
+    }
 }
 
 /// As [`render`], into an image that [`blank_image`] made for these options: into one that was rendered into before, too.
@@ -106,18 +121,31 @@ pub fn render_into(
     options: &RenderOptions,
     progress: Progress,
 ) -> Traced {
-    let tiles = Tiles::new(camera, shapes, aggregate, options.of_tiles());
-    let renderer = Renderer { shapes, options, progress };
-    let segments = segments_of(&mut image.channels, &options.data_window);
-    let (hits, fallbacks) = segments
-        .into_par_iter()
-        .map_init(|| tiles.tracer(), |tracer, segment| renderer.fill(tracer, segment))
-        .reduce(Default::default, |(hits, mut fallbacks), (more, others)| {
-            fallbacks += others;
-            (hits + more, fallbacks)
-        });
-    let work = options.counted.then(|| count_work(camera, shapes, aggregate, options));
-    Traced { hits, work, fallbacks }
+    let (costs, channels): (Vec<_>, Vec<_>) =
+        image.channels.iter_mut().partition(|channel| channel.name == ChannelName::Cost);
+    let alone = |precision, progress| {
+        let window = options.data_window;
+        Alone { camera, shapes, aggregate, window, precision, progress }
+    };
+    // Hits are known on the way: whoever wants nothing but costs needs no tiles.
+    let by_tiles = (!channels.is_empty() || costs.is_empty()).then(|| {
+        let tiles = Tiles::new(camera, shapes, aggregate, options.of_tiles());
+        let renderer = Renderer { shapes, options, progress };
+        renderer.fill_all(&tiles, segments_of(channels, &options.data_window))
+    });
+    let by_cost = costs.into_iter().find_map(|channel| match &mut channel.samples {
+        Samples::U32(costs) => {
+            let progress = if by_tiles.is_some() { Progress::SILENT } else { progress };
+            Some(alone(Precision::Exact, progress).fill(costs))
+        }
+        Samples::F32(_) => None,
+    });
+    let work = match &by_cost {
+        _ if !options.counted => None,
+        Some(traced) if options.precision == Precision::Exact => traced.work,
+        _ => alone(options.precision, Progress::SILENT).count().work,
+    };
+    Traced { work, ..by_tiles.or(by_cost).unwrap_or_default() }
 }
 
 fn allocate(options: &RenderOptions) -> Result<Vec<Channel>> {
@@ -162,8 +190,15 @@ struct Renderer<'a> {
 }
 
 impl Renderer<'_> {
-    /// Traces the tiles of a segment into its channels; returns its hits, and what they needed.
-    fn fill(&self, tracer: &mut TileTracer, mut segment: Segment) -> (u64, Fallbacks) {
+    /// Traces the tiles of all segments, on all threads.
+    fn fill_all(&self, tiles: &Tiles, segments: Vec<Segment>) -> Traced {
+        let segments = segments.into_par_iter();
+        let traced = segments.map_init(|| tiles.tracer(), |tracer, segment| self.fill(tracer, segment));
+        traced.reduce(Traced::default, Traced::plus)
+    }
+
+    /// Traces the tiles of a segment into its channels.
+    fn fill(&self, tracer: &mut TileTracer, mut segment: Segment) -> Traced {
         let PixelBounds { x0, x1, y0, y1 } = segment.bounds;
         let before = tracer.fallbacks();
         let first_row = y0 / TILE * TILE;
@@ -175,23 +210,6 @@ impl Renderer<'_> {
             segment.put(traced, [first_column, first_row], columns, self.shapes);
         }
         self.progress.advance(segment.bounds.area() as usize);
-        (hits, tracer.fallbacks().since(&before))
+        Traced { hits, work: None, fallbacks: tracer.fallbacks().since(&before) }
     }
-}
-
-/// What it takes to cast every ray alone.
-fn count_work(camera: &Camera, shapes: &Shapes, aggregate: &Aggregate, options: &RenderOptions) -> Work {
-    let PixelBounds { x0, x1, y0, y1 } = options.data_window;
-    let row = |y: u32| {
-        let mut tracer = Tracer::new(aggregate, shapes, options.precision);
-        let mut work = Work::default();
-        for x in x0..x1 {
-            tracer.closest_hit_counted(&camera.ray(x, y), &mut work);
-        }
-        work
-    };
-    (y0..y1).into_par_iter().map(row).reduce(Work::default, |mut sum, work| {
-        sum += work;
-        sum
-    })
 }

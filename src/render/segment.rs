@@ -25,8 +25,8 @@ fn cuts(low: u32, high: u32, step: u32) -> Vec<[u32; 2]> {
     (low / step * step..high).step_by(step as usize).map(|at| [at.max(low), (at + step).min(high)]).collect()
 }
 
-/// All of `window`, whose samples the channels hold, in segments.
-pub(super) fn segments_of<'a>(channels: &'a mut [Channel], window: &PixelBounds) -> Vec<Segment<'a>> {
+/// All of `window`, whose samples the channels hold, in segments. Tiles know what these channels want.
+pub(super) fn segments_of<'a>(channels: Vec<&'a mut Channel>, window: &PixelBounds) -> Vec<Segment<'a>> {
     let columns = cuts(window.x0, window.x1, WIDTH);
     let rows = cuts(window.y0, window.y1, TILE);
     let bounds = rows

@@ -3,6 +3,7 @@
 mod batch;
 mod bench;
 mod check;
+mod cost;
 mod engine;
 mod exit_code;
 mod folder;

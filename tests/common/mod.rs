@@ -36,7 +36,7 @@ pub(crate) struct Way {
     pub(crate) for_view: bool,
 }
 
-/// Builds, checks the tree, and renders every channel of `window` on `threads` threads.
+/// Builds, checks the tree, and renders every channel of `window` that is the same with every accelerator, on `threads` threads.
 pub(crate) fn picture(
     camera: &Camera,
     shapes: &Shapes,
@@ -65,7 +65,7 @@ pub(crate) fn picture_by(
             aggregate.validate(shapes).unwrap_or_else(|wrong| panic!("{way:?}: {wrong}"));
             aggregate
         };
-        let channels = ChannelName::ALL.to_vec();
+        let channels = ChannelName::ALL.into_iter().filter(|name| *name != ChannelName::Cost).collect();
         let (miss, counted, level) = (f32::INFINITY, false, way.level);
         let options = RenderOptions { data_window: window, channels, miss, counted, precision, level };
         let rendering = render(camera, shapes, &aggregate, &options, Progress::SILENT).unwrap();
