@@ -1,17 +1,20 @@
-//! The film: the image that rendering fills, and one writer per format.
+//! The film: the image that rendering fills, and a writer and a reader per format.
 //!
 //! An [`Image`] holds the channels somebody asked for, over the pixels somebody asked for. [`Format`] names
-//! the writer from the file's extension; [`atomic_file`] brings its bytes to the disk, whole or not at all.
+//! the writer from the file's extension; [`atomic_file`] brings its bytes to the disk, whole or not at all. [`exr_reader`] reads
+//! images back, also those of others; [`png_reader`] reads colours.
 
 pub mod atomic_file;
 mod channel;
 mod color_map;
 mod depth_range;
 pub mod exr_file;
+pub mod exr_reader;
 mod exr_zip;
 mod format;
 mod pixel_bounds;
 pub mod png_file;
+pub mod png_reader;
 mod raster;
 mod run_deflate;
 
