@@ -2,6 +2,7 @@
 
 use super::bench_args::BenchArgs;
 use super::check::CheckArgs;
+use super::compare::CompareArgs;
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 use feimos::accel::{Precision, SplitMethod};
 use feimos::film::{ChannelName, ColorMap, PixelBounds, View};
@@ -31,6 +32,12 @@ pub(crate) enum Command {
     /// Each scene is loaded once; then every accelerator with every precision builds and traces the whole image, in turn, round
     /// after round, so that whatever else the machine does meets all of them alike.
     Bench(BenchArgs),
+    /// Compare two images: hits, what is hit, and depths in units in the last place.
+    ///
+    /// A is the image expected, B the one found: two EXR files with any of feimos's channels, by whatever program, or two PNG
+    /// files, of which colours are compared. Misses in both are equal whatever their depths. Exits with 1 where the images differ by
+    /// more than is allowed.
+    Compare(CompareArgs),
 }
 
 #[derive(Debug, Args)]

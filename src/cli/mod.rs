@@ -5,6 +5,8 @@ mod batch;
 mod bench;
 mod bench_args;
 mod check;
+mod columns;
+mod compare;
 mod counted;
 mod failures;
 mod job;
@@ -37,6 +39,7 @@ pub(crate) fn run() -> ExitCode {
     match cli.command {
         Command::Render(args) => report(&args.talk, |reporter| batch::render(&args, reporter)),
         Command::Check(args) => report(&args.talk, |reporter| check::check(&args, reporter)),
+        Command::Compare(args) => report(&args.talk, |reporter| compare::compare(&args, reporter)),
         Command::Bench(args) => report(&args.talk, |reporter| bench::bench(&args, reporter)),
     }
 }

@@ -25,6 +25,17 @@ pub enum Difference {
     Depth(u32),
 }
 
+impl Difference {
+    /// Whether it is one where depths may be off by `max_ulp` units in the last place.
+    pub fn is_beyond(self, max_ulp: u32) -> bool {
+        match self {
+            Difference::None => false,
+            Difference::FalseHit | Difference::MissedHit | Difference::WrongPrimitive => true,
+            Difference::Depth(ulps) => ulps > max_ulp,
+        }
+    }
+}
+
 /// Why two images cannot be compared.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Incomparable {
@@ -57,8 +68,19 @@ impl std::error::Error for Incomparable {}
 pub struct Comparison<'a> {
     expected: Hits<'a>,
     found: Hits<'a>,
-    numbers: Vec<[&'a [u32]; 2]>,
-    depths: Vec<[&'a [f32]; 2]>,
+    numbers: Vec<Pair<'a, u32>>,
+    depths: Vec<Pair<'a, f32>>,
+}
+
+/// The samples of a channel that both images have.
+#[derive(Debug, Clone, Copy)]
+pub struct Pair<'a, T> {
+    /// Which channel.
+    pub name: ChannelName,
+    /// Those of the image expected.
+    pub expected: &'a [T],
+    /// Those of the other one.
+    pub found: &'a [T],
 }
 
 impl<'a> Comparison<'a> {
@@ -70,8 +92,8 @@ impl<'a> Comparison<'a> {
         if expected.data_window != found.data_window {
             return Err(Incomparable::Windows(expected.data_window, found.data_window));
         }
-        let numbers = |name| Some([expected.numbers(name)?, found.numbers(name)?]);
-        let depths = |name| Some([expected.measures(name)?, found.measures(name)?]);
+        let numbers = |name| Some(Pair { name, expected: expected.numbers(name)?, found: found.numbers(name)? });
+        let depths = |name| Some(Pair { name, expected: expected.measures(name)?, found: found.measures(name)? });
         Ok(Comparison {
             expected: Hits::of(expected).ok_or(Incomparable::NoHits)?,
             found: Hits::of(found).ok_or(Incomparable::NoHits)?,
@@ -86,9 +108,11 @@ impl<'a> Comparison<'a> {
             (false, false) => Difference::None,
             (false, true) => Difference::FalseHit,
             (true, false) => Difference::MissedHit,
-            (true, true) if self.numbers.iter().any(|[a, b]| a[pixel] != b[pixel]) => Difference::WrongPrimitive,
+            (true, true) if self.numbers.iter().any(|pair| pair.expected[pixel] != pair.found[pixel]) => {
+                Difference::WrongPrimitive
+            }
             (true, true) => {
-                let ulps = self.depths.iter().map(|[a, b]| ulps_between(a[pixel], b[pixel]));
+                let ulps = self.depths.iter().map(|pair| ulps_between(pair.expected[pixel], pair.found[pixel]));
                 match ulps.max().unwrap_or(0) {
                     0 => Difference::None,
                     ulps => Difference::Depth(ulps),
@@ -105,6 +129,16 @@ impl<'a> Comparison<'a> {
     /// Whether depths are compared: both images have some.
     pub fn has_depths(&self) -> bool {
         !self.depths.is_empty()
+    }
+
+    /// The channels that tell what was hit and are compared.
+    pub fn numbers(&self) -> &[Pair<'a, u32>] {
+        &self.numbers
+    }
+
+    /// The channels of depths that are compared.
+    pub fn depths(&self) -> &[Pair<'a, f32>] {
+        &self.depths
     }
 }
 

@@ -1,7 +1,8 @@
-//! The film: the image that rendering fills, and one writer per format.
+//! The film: the image that rendering fills, and a writer and a reader per format.
 //!
 //! An [`Image`] holds the channels somebody asked for, over the pixels somebody asked for. [`Format`] names
-//! the writer from the file's extension; [`atomic_file`] brings its bytes to the disk, whole or not at all.
+//! the writer from the file's extension; [`atomic_file`] brings its bytes to the disk, whole or not at all. [`exr_reader`] reads
+//! images back, also those of others; [`png_reader`] reads colours.
 
 pub mod atomic_file;
 mod channel;
@@ -9,10 +10,13 @@ mod color_map;
 mod cost_range;
 mod depth_range;
 pub mod exr_file;
+pub mod exr_reader;
 mod exr_zip;
 mod format;
+mod image_file;
 mod pixel_bounds;
 pub mod png_file;
+pub mod png_reader;
 mod raster;
 mod run_deflate;
 
@@ -21,6 +25,7 @@ pub use color_map::ColorMap;
 pub use cost_range::CostRange;
 pub use depth_range::DepthRange;
 pub use format::Format;
+pub use image_file::ImageFile;
 pub use pixel_bounds::PixelBounds;
 pub use png_file::View;
 pub use raster::Image;

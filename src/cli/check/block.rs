@@ -1,5 +1,6 @@
 //! What a person reads about a scene: a line a subject, in aligned columns.
 
+use crate::cli::columns::{INDENT, line};
 use crate::cli::counted::counted;
 use crate::cli::summary::geometry;
 use feimos::camera::{Camera, Projection};
@@ -10,9 +11,6 @@ use feimos::scene::{Film, Scene, ShapeCount};
 use indicatif::HumanCount;
 use std::fmt::{self, Display, Formatter};
 use std::path::Path;
-
-/// Characters before the second column.
-const INDENT: usize = 14;
 
 /// Characters of a line at most, unless a word is longer.
 const WIDTH: usize = 100;
@@ -47,10 +45,6 @@ impl Display for Block<'_> {
         list(f, "skipped", census.skipped())?;
         list(f, "unknown", census.private())
     }
-}
-
-fn line(f: &mut Formatter<'_>, subject: &str, text: &str) -> fmt::Result {
-    writeln!(f, "  {subject:<width$}{}", printable(text), width = INDENT - 2)
 }
 
 /// What there is of each type of shape.

@@ -1,0 +1,85 @@
+//! A pixel that differs, with what both images say of it.
+
+use feimos::compare::Difference;
+use feimos::film::{Image, Samples};
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::fmt::{self, Display, Formatter};
+
+/// In words and as JSON.
+#[derive(Debug, Serialize)]
+pub(super) struct Pixel {
+    x: u32,
+    y: u32,
+    kind: &'static str,
+    /// Of a depth error, its size.
+    ulps: Option<u32>,
+    expected: Values,
+    found: Values,
+}
+
+/// The samples of an image by channel, those in [`Image::channels`].
+#[derive(Debug, Serialize)]
+#[serde(transparent)]
+struct Values(BTreeMap<&'static str, Sample>);
+
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+enum Sample {
+    Measure(f32),
+    Number(u32),
+    /// JSON has no infinity.
+    NotFinite(String),
+}
+
+impl Pixel {
+    /// Pixel number `pixel` of two images of the same pixels.
+    pub(super) fn new(expected: &Image, found: &Image, pixel: usize, difference: Difference) -> Pixel {
+        let window = expected.data_window;
+        let (column, row) = (pixel as u64 % u64::from(window.width()), pixel as u64 / u64::from(window.width()));
+        let (kind, ulps) = match difference {
+            Difference::None => ("equal", None),
+            Difference::FalseHit => ("false hit", None),
+            Difference::MissedHit => ("missed hit", None),
+            Difference::WrongPrimitive => ("wrong primitive", None),
+            Difference::Depth(ulps) => ("wrong depth", Some(ulps)),
+        };
+        let (x, y) = (window.x0 + column as u32, window.y0 + row as u32);
+        Pixel { x, y, kind, ulps, expected: Values::of(expected, pixel), found: Values::of(found, pixel) }
+    }
+}
+
+impl Values {
+    fn of(image: &Image, pixel: usize) -> Values {
+        let sample = |samples: &Samples| match samples {
+            Samples::F32(values) if values[pixel].is_finite() => Sample::Measure(values[pixel]),
+            Samples::F32(values) => Sample::NotFinite(values[pixel].to_string()),
+            Samples::U32(values) => Sample::Number(values[pixel]),
+        };
+        Values(image.channels.iter().map(|channel| (channel.name.as_str(), sample(&channel.samples))).collect())
+    }
+}
+
+impl Display for Pixel {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let ulps = self.ulps.map_or(String::new(), |ulps| format!(" by {ulps}"));
+        let place = format!("({}, {})", self.x, self.y);
+        let kind = format!("{}{ulps}", self.kind);
+        write!(f, "{place:<12}  {kind:<15}  A: {}; B: {}", self.expected, self.found)
+    }
+}
+
+impl Display for Values {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        for (place, (name, sample)) in self.0.iter().enumerate() {
+            let gap = if place == 0 { "" } else { ", " };
+            match sample {
+                // The shortest digits that tell it from its neighbours.
+                Sample::Measure(value) => write!(f, "{gap}{name} {value:?}")?,
+                Sample::Number(number) => write!(f, "{gap}{name} {number}")?,
+                Sample::NotFinite(value) => write!(f, "{gap}{name} {value}")?,
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,113 @@
+//! OpenEXR files of anybody, read: those of their channels that feimos knows.
+//!
+//! Scan lines or tiles, in any order, in all compressions but those that are made for colours. The crate reads the header and
+//! decompresses; the table of chunks and the chunks are read here, so that a file is known to hold all that its header claims
+//! before memory is taken for it.
+
+mod blocks;
+mod convert;
+mod part;
+#[cfg(test)]
+mod tests;
+
+use super::{Channel, Image, Samples};
+use crate::error::{Diagnostic, Error, Result, SourceLocation};
+use crate::input;
+use blocks::{Block, blocks};
+use exr::meta::MetaData;
+use part::Part;
+use rayon::prelude::*;
+use std::io::Cursor;
+use std::path::Path;
+
+/// What is wrong with a file, without its name.
+type Decoded<T> = std::result::Result<T, Diagnostic>;
+
+/// The first bytes of any OpenEXR file.
+const MAGIC: [u8; 4] = exr::meta::magic_number::BYTES;
+
+/// Blocks that are decompressed before they are put into the image: so few that the decompressed image is not held twice.
+const BATCH: usize = 64;
+
+/// Whether a file of these bytes claims to be an OpenEXR file.
+pub fn recognises(bytes: &[u8]) -> bool {
+    bytes.starts_with(&MAGIC)
+}
+
+/// The image in the file `path`, as [`decode`] reads it.
+///
+/// # Errors
+/// Likewise, and where the file cannot be read.
+pub fn read(path: &Path) -> Result<Image> {
+    decode(path, &input::read(path)?)
+}
+
+/// The image in `bytes`, the content of the file `path`: the channels that feimos knows of the first part that has any, each in
+/// the type that it has in feimos. Other types are taken where they hold the same numbers. Of several resolutions the
+/// largest is read. The origin of the display window becomes that of the film.
+///
+/// # Errors
+/// What is no such file, is damaged or cut off; deep data, subsampled channels, DWA and B44; a data window that reaches out of the display window
+/// or is too large; numbers that are none of a channel's type. Memory is taken only for what the file can hold.
+pub fn decode(path: &Path, bytes: &[u8]) -> Result<Image> {
+    decoded(bytes).map_err(|problem| Error::bad_input(problem.at(SourceLocation::file(path))))
+}
+
+fn decoded(bytes: &[u8]) -> Decoded<Image> {
+    let mut file = Cursor::new(bytes);
+    if !recognises(bytes) {
+        return Err(Diagnostic::new("this is no OpenEXR file").note("expected its first bytes to be 76 2f 31 01"));
+    }
+    let meta = MetaData::read_from_buffered(&mut file, false).map_err(|error| damaged("header", &error))?;
+    if meta.headers.iter().any(|header| header.deep) {
+        let found = Diagnostic::new("the file holds deep data, several samples a pixel");
+        return Err(found.note("expected one sample a pixel: flatten the image first"));
+    }
+    MetaData::validate(&meta.headers, false).map_err(|error| damaged("header", &error))?;
+    let part = Part::find(&meta)?;
+    let blocks = blocks(bytes, file.position(), &meta, &part)?;
+    fill(&meta, &part, &blocks)
+}
+
+/// The image of these blocks, which are all there are.
+fn fill(meta: &MetaData, part: &Part, blocks: &[Block]) -> Decoded<Image> {
+    let area = part.window.area() as usize;
+    let bytes = area.saturating_mul(part.channels.len() * size_of::<f32>());
+    // Zeroed memory costs nothing before it is used, but is refused by ending the program: so ask politely first.
+    Vec::<u8>::new()
+        .try_reserve_exact(bytes)
+        .map_err(|_| Diagnostic::new(format!("the image takes {bytes} bytes of memory, which are not to be had")))?;
+    let zeros = |is_integer: bool| if is_integer { Samples::U32(vec![0; area]) } else { Samples::F32(vec![0.0; area]) };
+    let mut samples: Vec<Samples> = part.channels.iter().map(|channel| zeros(channel.name.is_integer())).collect();
+    for batch in blocks.chunks(BATCH) {
+        let decompressed: Vec<_> = batch.par_iter().map(|block| block.decompress(meta, part)).collect();
+        for (block, pixels) in batch.iter().zip(decompressed) {
+            put(part, block, &pixels?, &mut samples)?;
+        }
+    }
+    let named = part.channels.iter().zip(samples).map(|(channel, samples)| Channel { name: channel.name, samples });
+    Ok(Image { display_window: part.film, data_window: part.window, channels: named.collect() })
+}
+
+/// Puts a decompressed block into its place in the samples of each channel.
+fn put(part: &Part, block: &Block, pixels: &[u8], samples: &mut [Samples]) -> Decoded<()> {
+    let width = block.width as usize;
+    let rows = pixels.chunks_exact(width * part.bytes_per_pixel());
+    for (y, row) in (block.y..).zip(rows) {
+        let start = y as usize * part.window.width() as usize + block.x as usize;
+        for (channel, samples) in part.channels.iter().zip(&mut *samples) {
+            let bytes = &row[channel.offset * width..][..channel.bytes() * width];
+            convert::put(channel.sample_type, bytes, samples, start).map_err(|wrong| {
+                let (x, y) = (part.window.x0 + block.x + wrong.place as u32, part.window.y0 + y);
+                let found = format!("channel {} holds {} in pixel ({x}, {y})", channel.name.as_str(), wrong.value);
+                Diagnostic::new(found).note(format!("expected {}", wrong.expected))
+            })?;
+        }
+    }
+    Ok(())
+}
+
+fn damaged(what: &str, error: &exr::error::Error) -> Diagnostic {
+    Diagnostic::new(format!("the {what} of this OpenEXR file cannot be read: {error}"))
+        .note("expected a whole file: it may be damaged or cut off")
+}

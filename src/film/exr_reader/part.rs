@@ -1,0 +1,134 @@
+//! The part of a file that is read: its windows and channels, checked.
+
+use super::Decoded;
+use crate::error::Diagnostic;
+use crate::film::{ChannelName, PixelBounds};
+use exr::compression::Compression;
+use exr::math::Vec2;
+use exr::meta::MetaData;
+use exr::meta::attribute::{ChannelDescription, IntegerBounds, SampleType};
+use exr::meta::header::Header;
+
+/// Pixels of an image at most.
+const MAX_AREA: u64 = 1 << 30;
+
+/// A part, and what of it becomes an image.
+pub(super) struct Part<'a> {
+    pub(super) index: usize,
+    pub(super) header: &'a Header,
+    /// Width and height of the display window.
+    pub(super) film: (u32, u32),
+    /// The data window, relative to the display window.
+    pub(super) window: PixelBounds,
+    pub(super) channels: Vec<FileChannel>,
+}
+
+/// A channel as the file has it.
+pub(super) struct FileChannel {
+    pub(super) name: ChannelName,
+    pub(super) sample_type: SampleType,
+    /// Bytes of a pixel in the channels before it. Those of a row lie so many times the width after the row's first.
+    pub(super) offset: usize,
+}
+
+impl FileChannel {
+    /// Bytes of a sample.
+    pub(super) fn bytes(&self) -> usize {
+        self.sample_type.bytes_per_sample()
+    }
+}
+
+impl<'a> Part<'a> {
+    /// The first part of the file with a channel that feimos knows.
+    pub(super) fn find(meta: &'a MetaData) -> Decoded<Part<'a>> {
+        let mut parts = meta.headers.iter().enumerate().map(|(index, header)| (index, header, known_channels(header)));
+        let Some((index, header, channels)) = parts.find(|(_, _, channels)| !channels.is_empty()) else {
+            return Err(unknown_channels(meta));
+        };
+        if let Some(channel) = header.channels.list.iter().find(|channel| channel.sampling != Vec2(1, 1)) {
+            let found = format!("channel {} does not have a sample for every pixel", channel.name);
+            return Err(Diagnostic::new(found).note("expected channels that are not subsampled"));
+        }
+        refuse_compression(header.compression)?;
+        let (film, window) = windows(header)?;
+        Ok(Part { index, header, film, window, channels })
+    }
+
+    /// Bytes of all channels of a pixel.
+    pub(super) fn bytes_per_pixel(&self) -> usize {
+        self.header.channels.bytes_per_pixel
+    }
+}
+
+fn known_channels(header: &Header) -> Vec<FileChannel> {
+    let mut channels: Vec<FileChannel> = Vec::new();
+    let mut offset = 0;
+    for ChannelDescription { name, sample_type, .. } in &header.channels.list {
+        let known = ChannelName::ALL.into_iter().find(|known| name.as_slice() == known.as_str().as_bytes());
+        if let Some(name) = known.filter(|known| channels.iter().all(|channel| channel.name != *known)) {
+            channels.push(FileChannel { name, sample_type: *sample_type, offset });
+        }
+        offset += sample_type.bytes_per_sample();
+    }
+    channels
+}
+
+/// DWA and B44 are made for colours, which they change; the decoders that there are for them trust what they read, as far as memory
+/// and sums are concerned.
+fn refuse_compression(compression: Compression) -> Decoded<()> {
+    use Compression::{PIZ, PXR24, RLE, Uncompressed, ZIP1, ZIP16};
+    match compression {
+        Uncompressed | RLE | ZIP1 | ZIP16 | PIZ | PXR24 => Ok(()),
+        other => Err(Diagnostic::new(format!("the image is compressed by {other}, which is not read"))
+            .note("expected none, RLE, ZIP, ZIPS, PIZ or PXR24: write it with one of these")),
+    }
+}
+
+/// Channel names of a message, at most.
+const MAX_NAMES: usize = 10;
+
+fn unknown_channels(meta: &MetaData) -> Diagnostic {
+    let mut names =
+        meta.headers.iter().flat_map(|header| &header.channels.list).map(|channel| channel.name.to_string());
+    let mut found: Vec<String> = names.by_ref().take(MAX_NAMES).collect();
+    found.extend(names.next().map(|_| "...".to_owned()));
+    let known = ChannelName::ALL.map(ChannelName::as_str).join(", ");
+    Diagnostic::new(format!("no channel of this image is one of feimos's; it has {}", found.join(", ")))
+        .note(format!("expected one or more of {known}"))
+}
+
+/// Width and height of the film, and the pixels of it that the part has.
+fn windows(header: &Header) -> Decoded<((u32, u32), PixelBounds)> {
+    let (data, display) = (header.data_window(), header.shared_attributes.display_window);
+    let shifted = |at: i32, origin: i32| u32::try_from(i64::from(at) - i64::from(origin)).ok();
+    let x0 = shifted(data.position.x(), display.position.x());
+    let y0 = shifted(data.position.y(), display.position.y());
+    let [width, height] = [data.size.x(), data.size.y()].map(|side| u32::try_from(side).unwrap_or(u32::MAX));
+    let film = [display.size.x(), display.size.y()].map(|side| u32::try_from(side).unwrap_or(u32::MAX));
+    let window = x0
+        .zip(y0)
+        .and_then(|(x0, y0)| Some(PixelBounds { x0, x1: x0.checked_add(width)?, y0, y1: y0.checked_add(height)? }));
+    let within = window.filter(|window| PixelBounds::of_film(film[0], film[1]).contains_bounds(window));
+    let Some(window) = within else {
+        let found =
+            format!("the data window, {}, reaches out of the display window, {}", words(&data), words(&display));
+        return Err(Diagnostic::new(found).note("expected a part of the display window: crop the image to it first"));
+    };
+    if window.is_empty() {
+        return Err(
+            Diagnostic::new(format!("the image is {width} x {height} pixels")).note("expected a pixel at least")
+        );
+    }
+    if film[0].max(film[1]) > PixelBounds::MAX_SIDE || window.area() > MAX_AREA {
+        let found = format!("the image is {width} x {height} pixels, of a film of {} x {}", film[0], film[1]);
+        let note =
+            format!("expected {MAX_AREA} pixels at most, of a film with sides of {} at most", PixelBounds::MAX_SIDE);
+        return Err(Diagnostic::new(found).note(note));
+    }
+    Ok(((film[0], film[1]), window))
+}
+
+fn words(bounds: &IntegerBounds) -> String {
+    let (first, last) = (bounds.position, bounds.max());
+    format!("x {} to {} and y {} to {}", first.x(), last.x(), first.y(), last.y())
+}

@@ -1,0 +1,95 @@
+use super::*;
+
+/// Small files, one of each encoding that differs in how it is read.
+fn files() -> Vec<Vec<u8>> {
+    let ways = [
+        (Compression::Uncompressed, Blocks::ScanLines),
+        (Compression::RLE, Blocks::Tiles((2, 2).into())),
+        (Compression::ZIP1, Blocks::ScanLines),
+        (Compression::ZIP16, Blocks::Tiles((3, 1).into())),
+        (Compression::PIZ, Blocks::ScanLines),
+        (Compression::PXR24, Blocks::ScanLines),
+    ];
+    let pixels = 9 * 8;
+    let file = |(compression, blocks)| {
+        let encoding = Encoding { compression, blocks, line_order: LineOrder::Increasing };
+        let channels = ["A", "R", "Y", "Z", "id"].map(|name| match name {
+            "R" | "Y" => (name, as_f16(&vec![0.5; pixels])),
+            "id" => (name, FlatSamples::U32(vec![3; pixels])),
+            _ => (name, FlatSamples::F32(small(pixels))),
+        });
+        one_layer((9, 8), channels.to_vec(), encoding)
+    };
+    ways.into_iter().map(file).collect()
+}
+
+#[test]
+fn files_that_are_cut_off_are_refused() {
+    for file in files() {
+        read(&file).unwrap();
+        for end in 0..file.len() {
+            refused(&file[..end]);
+        }
+    }
+}
+
+#[test]
+fn changed_bytes_are_read_or_refused() {
+    for file in files() {
+        for place in 0..file.len() {
+            for change in [0x01, 0x80, 0xff, file[place]] {
+                let mut changed = file.clone();
+                changed[place] ^= change;
+                drop(read(&changed));
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_no_exr_is_refused() {
+    for bytes in [&b""[..], b"v", b"WorldBegin", b"\x89PNG\r\n\x1a\n", &[0; 4096]] {
+        assert!(refused(bytes).contains("this is no OpenEXR file"));
+    }
+    refused(&[&MAGIC[..], &[2, 0, 0, 0]].concat());
+    refused(&[&MAGIC[..], &[0xff; 500]].concat());
+}
+
+#[test]
+fn a_chunk_that_was_never_written_is_missed() {
+    let image = strange((3, 4), PixelBounds::of_film(3, 4));
+    let file = of_our_writer(&image);
+    // The table, whose entries point behind it, in order: nothing else does.
+    let entry = |at: usize| u64::from_le_bytes(file[at..at + 8].try_into().unwrap());
+    let table = (0..file.len() - 32)
+        .find(|at| (0..4).all(|row| entry(at + 8 * row) >= *at as u64 + 32) && entry(*at) == *at as u64 + 32);
+    let table = table.expect("a table of four chunks");
+    let mut missing = file.clone();
+    missing[table + 16..table + 24].fill(0);
+    refused(&missing);
+    let mut twice = file.clone();
+    twice.copy_within(table..table + 8, table + 8);
+    assert!(refused(&twice).contains("holds pixels that another one holds as well"), "{}", refused(&twice));
+    // What lies between the chunks is of no account.
+    let mut moved = file.clone();
+    let chunk = file[entry(table) as usize..entry(table + 8) as usize].to_vec();
+    moved.extend([[7; 5].to_vec(), chunk].concat());
+    moved[table..table + 8].copy_from_slice(&(file.len() as u64 + 5).to_le_bytes());
+    assert_same(&image, &read(&moved).unwrap());
+}
+
+#[test]
+fn nothing_is_taken_for_what_the_file_cannot_hold() {
+    // A row of 2^24 pixels in 20 bytes.
+    let encoding = Encoding { compression: Compression::ZIP1, ..Encoding::UNCOMPRESSED };
+    let file = one_layer((1 << 16, 1), vec![("Z", FlatSamples::F32(vec![1.0; 1 << 16]))], encoding);
+    read(&file).unwrap();
+    let width = ((1 << 16) - 1i32).to_le_bytes();
+    let mut wide = file.clone();
+    for at in 0..file.len() - 4 {
+        if file[at..at + 4] == width {
+            wide[at..at + 4].copy_from_slice(&((1 << 24) - 1i32).to_le_bytes());
+        }
+    }
+    assert!(refused(&wide).contains("for 16777216 x 1 pixels"), "{}", refused(&wide));
+}
