@@ -8,6 +8,7 @@ mod depth;
 mod hit;
 mod instance;
 mod node;
+mod overlap;
 mod precision;
 mod ray;
 mod space;

@@ -6,7 +6,7 @@ use super::tree::Tree;
 use crate::shape::Shapes;
 
 /// What visiting a node costs, in units of testing a primitive.
-const NODE_COST: f64 = 1.0;
+pub(super) const NODE_COST: f64 = 1.0;
 
 /// Counts and costs of the trees of an aggregate: that of the primitives in no instance, that of the instances, and those of
 /// the objects, each once.

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use std::fmt;
 
 /// What times depend on besides the program. What the system does not tell is `None`.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Machine {
     /// The processor's model.
     pub cpu: Option<String>,
@@ -13,6 +13,8 @@ pub struct Machine {
     pub cores: Option<usize>,
     /// Hardware threads that the process may use.
     pub threads: usize,
+    /// The clock in MHz, as the system names it: the mean of the threads.
+    pub mhz: Option<f64>,
     /// The instructions that rays are traced with.
     pub simd: String,
     /// The operating system and the architecture.
@@ -29,6 +31,7 @@ impl Machine {
             cpu: field(&cpuinfo, "model name").next().map(str::to_owned),
             cores: cores(&cpuinfo),
             threads: std::thread::available_parallelism().map_or(1, usize::from),
+            mhz: clock(&cpuinfo),
             simd: simd.to_owned(),
             os: os(read("/proc/sys/kernel/osrelease")),
             feimos: env!("CARGO_PKG_VERSION").to_owned(),
@@ -42,6 +45,9 @@ impl fmt::Display for Machine {
         f.write_str(self.cpu.as_deref().unwrap_or("unknown processor"))?;
         if let Some(cores) = self.cores {
             write!(f, ", {cores} {}", if cores == 1 { "core" } else { "cores" })?;
+        }
+        if let Some(mhz) = self.mhz {
+            write!(f, ", {mhz:.0} MHz")?;
         }
         write!(f, ", {}, {}, feimos {}", self.simd, self.os, self.feimos)
     }
@@ -62,6 +68,12 @@ fn field<'a>(cpuinfo: &'a str, name: &'a str) -> impl Iterator<Item = &'a str> {
     pairs.filter(move |(key, _)| key.trim() == name).map(|(_, value)| value.trim())
 }
 
+/// The mean of all threads.
+fn clock(cpuinfo: &str) -> Option<f64> {
+    let clocks: Vec<f64> = field(cpuinfo, "cpu MHz").filter_map(|mhz| mhz.parse().ok()).collect();
+    (!clocks.is_empty()).then(|| clocks.iter().sum::<f64>() / clocks.len() as f64)
+}
+
 /// Different pairs of a socket and a core in it.
 fn cores(cpuinfo: &str) -> Option<usize> {
     let pairs = field(cpuinfo, "physical id").zip(field(cpuinfo, "core id"));
@@ -78,6 +90,7 @@ mod tests {
         let cpuinfo: String = [(0, 0), (0, 1), (0, 0), (1, 0)].map(|(socket, core)| thread(socket, core)).concat();
         assert_eq!(cores(&cpuinfo), Some(3));
         assert_eq!(field(&cpuinfo, "model name").next(), Some("Quick 9"));
+        assert_eq!(clock("cpu MHz : 2000.0\ncpu MHz : 3000.0\n"), Some(2500.0));
         assert_eq!(cores("Features : fp asimd\n"), None);
     }
 
@@ -87,12 +100,13 @@ mod tests {
             cpu: Some("Quick 9".into()),
             cores: Some(2),
             threads: 4,
+            mhz: Some(2500.4),
             simd: "scalar".into(),
             os: "linux 6.1 x86_64".into(),
             feimos: "0.1.0".into(),
         };
-        assert_eq!(known.to_string(), "Quick 9, 2 cores, scalar, linux 6.1 x86_64, feimos 0.1.0");
-        let unknown = Machine { cpu: None, cores: None, ..known };
+        assert_eq!(known.to_string(), "Quick 9, 2 cores, 2500 MHz, scalar, linux 6.1 x86_64, feimos 0.1.0");
+        let unknown = Machine { cpu: None, cores: None, mhz: None, ..known };
         assert_eq!(unknown.to_string(), "unknown processor, scalar, linux 6.1 x86_64, feimos 0.1.0");
     }
 }

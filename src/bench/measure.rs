@@ -1,146 +1,200 @@
 //! Runs in turn, timed.
 
-use super::{Row, Spread};
-use crate::accel::{Aggregate, BuildOptions, Precision, Statistics, Work};
+use super::caster::{Cast, Caster};
+use super::judge::{Judge, SEED};
+use super::pixels::{TileSample, some_pixels};
+use super::plan::sample_of;
+use super::random::Random;
+use super::surface_points::SurfacePoints;
+use super::{Errors, Pictures, Plan, Row, Spread};
+use crate::accel::{Aggregate, BuildOptions, Statistics, Work};
 use crate::error::Result;
-use crate::film::ChannelName;
 use crate::progress::Progress;
-use crate::render::{RenderOptions, Rendering, render};
-use crate::scene::Scene;
-use crate::simd::Level;
+use crate::scene::{self, LoadOptions, Scene};
 use std::hint::black_box;
+use std::path::Path;
 use std::time::Instant;
 
-/// One way to build and to trace.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Configuration {
-    /// How to build.
-    pub build: BuildOptions,
-    /// How to decide hits.
-    pub precision: Precision,
+/// What came of a scene.
+#[derive(Debug)]
+pub struct Measured {
+    /// Method by method, kernel by kernel.
+    pub rows: Vec<Row>,
+    /// If they were wanted.
+    pub pictures: Option<Pictures>,
 }
 
-/// How often to measure.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Rounds {
-    /// Rounds that are not counted.
-    pub warmup: usize,
-    /// Rounds that are; 1 or more.
-    pub runs: usize,
+/// A scene to measure.
+pub struct Bench<'a> {
+    /// Where it was read from; `-` is not read again.
+    pub path: &'a Path,
+    /// What was read.
+    pub scene: &'a Scene,
+    /// Milliseconds that this took.
+    pub load_ms: f64,
+    /// Exact answers, if errors are wanted.
+    pub judge: Option<Judge>,
 }
 
-impl Rounds {
-    /// How often `configurations` are run in all: with one run each that counts and is not timed.
-    pub fn steps(&self, configurations: usize) -> usize {
-        configurations.saturating_mul(1 + self.warmup + self.runs)
-    }
-}
-
-/// Builds over all of `scene` and traces its whole image by each of the `configurations`, on the threads of the current
-/// rayon pool; `name` is what the rows call the scene.
-///
-/// A round runs each configuration once, so that drift of the machine meets all of them alike. Counting costs time, so
-/// it has a run of its own. `progress` counts runs.
-///
-/// # Errors
-/// Where the image is larger than memory can hold.
-pub fn measure(
-    scene: &Scene,
-    name: &str,
-    configurations: &[Configuration],
-    rounds: Rounds,
-    progress: Progress,
-) -> Result<Vec<Row>> {
-    let subjects = configurations.iter().map(|configuration| Subject::new(scene, *configuration));
-    let mut subjects = subjects.inspect(|_| progress.advance(1)).collect::<Result<Vec<Subject>>>()?;
-    for round in 0..rounds.warmup.saturating_add(rounds.runs.max(1)) {
-        for subject in &mut subjects {
-            let (build_ms, trace_ms) = time(scene, subject.configuration)?;
-            if round >= rounds.warmup {
-                subject.build_ms.push(build_ms);
-                subject.trace_ms.push(trace_ms);
-            }
-            progress.advance(1);
+impl Bench<'_> {
+    /// Loads the scene, builds over all of it and traces its whole image as `plan` says, on the threads of the current rayon pool.
+    ///
+    /// A round runs everything once, so that drift of the machine meets all of it alike. Counting and comparing take time, so
+    /// they have a round of their own. `progress` counts [`Plan::steps`].
+    ///
+    /// # Errors
+    /// Where the image is larger than memory can hold, or the scene cannot be read again.
+    pub fn measure(&self, plan: &Plan, progress: Progress) -> Result<Measured> {
+        let points = SurfacePoints::of(&self.scene.shapes, &mut Random::new(SEED));
+        let casters: Vec<Caster> = plan.kernels.iter().map(|kernel| Caster::new(self.scene, *kernel)).collect();
+        let mut pictures = plan.with_pictures.then(|| Pictures::new(self.scene));
+        let mut trees = Vec::new();
+        let trial = Trial { bench: self, casters: &casters, points: points.as_ref(), progress };
+        for build in &plan.builds {
+            trees.push(trial.tree(*build, pictures.as_mut())?);
         }
+        let mut load_ms = vec![self.load_ms];
+        for round in 0..plan.rounds.warmup.saturating_add(plan.rounds.runs.max(1)) {
+            let is_counted = round >= plan.rounds.warmup;
+            if self.path != Path::new("-") {
+                let (again, ms) = timed(|| scene::load(self.path, &LoadOptions::default(), Progress::SILENT));
+                drop(again?);
+                load_ms.extend(is_counted.then_some(ms));
+            }
+            for tree in &mut trees {
+                tree.run(self.scene, &casters, is_counted, progress)?;
+            }
+        }
+        // The first time was to warm up.
+        let load_ms = Spread::of(load_ms.split_off(usize::from(load_ms.len() > 1))).expect("a time at least");
+        let rows = trees.into_iter().flat_map(|tree| tree.into_rows(self, &casters, load_ms)).collect();
+        Ok(Measured { rows, pictures })
     }
-    Ok(subjects.into_iter().map(|subject| subject.into_row(scene, name)).collect())
 }
 
-/// A configuration and what is known of it so far.
-struct Subject {
-    configuration: Configuration,
-    statistics: Statistics,
-    work: Work,
-    fallback_rays: u64,
-    build_ms: Vec<f64>,
-    trace_ms: Vec<f64>,
+/// Finds out what is the same in every run.
+struct Trial<'a> {
+    bench: &'a Bench<'a>,
+    casters: &'a [Caster<'a>],
+    points: Option<&'a SurfacePoints>,
+    progress: Progress<'a>,
 }
 
-impl Subject {
-    /// Counts what runs do, which is the same in each.
-    fn new(scene: &Scene, configuration: Configuration) -> Result<Subject> {
-        let aggregate = build(scene, configuration);
-        let rendering = trace(scene, &aggregate, configuration, true)?;
-        Ok(Subject {
-            configuration,
+impl Trial<'_> {
+    fn tree(&self, options: BuildOptions, mut pictures: Option<&mut Pictures>) -> Result<Tree> {
+        let scene = self.bench.scene;
+        let aggregate = build(scene, options);
+        self.progress.advance(1);
+        let sample = sample_of(options.method, scene, &mut Random::new(SEED + 2));
+        let judge = match (&sample, &self.bench.judge) {
+            (Some(sample), Some(_)) => Some(Judge::of_pixels(scene, sample.pixels.clone(), Progress::SILENT)),
+            _ => None,
+        };
+        let pixels = match &sample {
+            Some(sample) => sample.pixels.clone(),
+            None => some_pixels(u64::MAX, &scene.film.crop, &mut Random::new(SEED)),
+        };
+        if let Some(pictures) = pictures.as_deref_mut().filter(|_| sample.is_none()) {
+            pictures.add_cost(options.method, scene, &aggregate)?;
+        }
+        let mut casts = Vec::new();
+        for caster in self.casters {
+            let cast = caster.cast(&aggregate, sample.as_ref())?;
+            let judge = judge.as_ref().or(self.bench.judge.as_ref());
+            if let Some(pictures) = pictures.as_deref_mut() {
+                pictures.add_row(caster.kernel, &cast, judge);
+            }
+            casts.push(Trace {
+                errors: judge.map(|judge| judge.errors(&cast.strip(&judge.pixels))),
+                work: caster.work(&aggregate, &pixels),
+                fallback_rays: caster.kernel.is_exact().then_some(cast.fallback_rays),
+                ms: Vec::new(),
+            });
+            self.progress.advance(1);
+        }
+        Ok(Tree {
+            options,
             statistics: aggregate.statistics(&scene.shapes),
-            work: rendering.traced.work.unwrap_or_default(),
-            fallback_rays: rendering.traced.fallbacks.rays,
+            overlap: self.points.map(|points| points.overlap(&aggregate)),
+            counted_rays: pixels.len() as u64,
+            sample,
             build_ms: Vec::new(),
-            trace_ms: Vec::new(),
+            traces: casts,
         })
     }
+}
 
-    fn into_row(self, scene: &Scene, name: &str) -> Row {
-        let Configuration { build, precision } = self.configuration;
-        Row {
-            scene: name.to_owned(),
-            method: build.method,
-            precision,
+/// A way to build, and what is known of it so far.
+struct Tree {
+    options: BuildOptions,
+    sample: Option<TileSample>,
+    statistics: Statistics,
+    overlap: Option<f64>,
+    /// Rays that [`Trace::work`] is of.
+    counted_rays: u64,
+    build_ms: Vec<f64>,
+    /// One for each kernel.
+    traces: Vec<Trace>,
+}
+
+/// A kernel's rays through a tree, and what is known of them so far.
+struct Trace {
+    errors: Option<Errors>,
+    work: Work,
+    fallback_rays: Option<u64>,
+    ms: Vec<f64>,
+}
+
+impl Tree {
+    /// Builds, and traces by all of the `casters`.
+    fn run(&mut self, scene: &Scene, casters: &[Caster], is_counted: bool, progress: Progress) -> Result<()> {
+        let (aggregate, ms) = timed(|| build(scene, self.options));
+        self.build_ms.extend(is_counted.then_some(ms));
+        progress.advance(1);
+        for (caster, trace) in casters.iter().zip(&mut self.traces) {
+            let (cast, ms): (Result<Cast>, f64) = timed(|| caster.cast(&aggregate, self.sample.as_ref()));
+            drop(cast?);
+            trace.ms.extend(is_counted.then_some(ms));
+            progress.advance(1);
+        }
+        Ok(())
+    }
+
+    fn into_rows(self, bench: &Bench, casters: &[Caster], load_ms: Spread) -> Vec<Row> {
+        let build_ms = Spread::of(self.build_ms).expect("a run at least");
+        let per_ray = |count: u64| count as f64 / self.counted_rays as f64;
+        let row = |(trace, caster): (Trace, &Caster)| Row {
+            scene: bench.path.display().to_string(),
+            method: self.options.method,
+            kernel: caster.kernel,
             threads: rayon::current_num_threads(),
-            rays: scene.film.crop.area(),
-            build_ms: Spread::of(self.build_ms).expect("a run at least"),
-            trace_ms: Spread::of(self.trace_ms).expect("a run at least"),
-            nodes: self.work.nodes,
-            primitives: self.work.primitives,
+            rays: caster.rays(self.sample.as_ref()),
+            pixels: bench.scene.film.crop.area(),
+            load_ms,
+            build_ms,
+            trace_ms: Spread::of(trace.ms).expect("a run at least"),
+            nodes_per_ray: per_ray(trace.work.nodes),
+            primitives_per_ray: per_ray(trace.work.primitives),
             sah_cost: self.statistics.sah_cost,
+            overlap: self.overlap,
             depth: self.statistics.depth,
             bytes: self.statistics.bytes,
-            errors: None,
-            fallback_rays: (precision == Precision::Exact).then_some(self.fallback_rays),
-        }
+            input: bench.judge.as_ref().and_then(|judge| judge.input),
+            errors: trace.errors,
+            fallback_rays: trace.fallback_rays,
+        };
+        self.traces.into_iter().zip(casters).map(row).collect()
     }
 }
 
-/// Builds and traces once; tells the milliseconds of either. What was made is given back outside of both.
-fn time(scene: &Scene, configuration: Configuration) -> Result<(f64, f64)> {
+/// Runs something and tells how many milliseconds it took, in thousandths: more digits would be noise. What was made is given back
+/// outside of that.
+pub fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
     let start = Instant::now();
-    let aggregate = black_box(build(scene, configuration));
-    let build_ms = milliseconds_since(start);
-    let start = Instant::now();
-    let rendering = black_box(trace(scene, &aggregate, configuration, false)?);
-    let trace_ms = milliseconds_since(start);
-    drop(rendering);
-    Ok((build_ms, trace_ms))
+    let result = black_box(work());
+    (result, (start.elapsed().as_secs_f64() * 1e6).round() / 1e3)
 }
 
-/// In thousandths: more digits would be noise.
-fn milliseconds_since(start: Instant) -> f64 {
-    (start.elapsed().as_secs_f64() * 1e6).round() / 1e3
-}
-
-fn build(scene: &Scene, configuration: Configuration) -> Aggregate {
-    Aggregate::build(&scene.shapes, scene.camera.anchor(), configuration.build, Progress::SILENT)
-}
-
-fn trace(scene: &Scene, aggregate: &Aggregate, configuration: Configuration, counted: bool) -> Result<Rendering> {
-    let options = RenderOptions {
-        data_window: scene.film.crop,
-        channels: ChannelName::USUAL.to_vec(),
-        precision: configuration.precision,
-        miss: f32::INFINITY,
-        counted,
-        level: Level::detect(),
-    };
-    render(&scene.camera, &scene.shapes, aggregate, &options, Progress::SILENT)
+fn build(scene: &Scene, options: BuildOptions) -> Aggregate {
+    Aggregate::build(&scene.shapes, scene.camera.anchor(), options, Progress::SILENT)
 }

@@ -1,17 +1,48 @@
-//! How fast accelerators are built and traced: measured, and told in a table and in JSON.
+//! Speed against error: accelerators and kernels measured in turn, their answers compared with the exact ones, and what came of it
+//! told in tables, files for programs, a plot and a page.
 
+mod caster;
+mod columns;
+mod confidence;
+mod csv;
+mod errors;
+mod input_error;
 mod json;
+mod judge;
+mod kernel;
 mod machine;
+mod markdown;
 mod measure;
+mod pareto;
+mod pictures;
+mod pixels;
+mod plan;
+mod plot;
+mod random;
+mod report;
 mod row;
 mod spread;
+mod surface_points;
 mod table;
+mod total;
 mod yardstick;
 
+pub use confidence::confidence_interval;
+pub use csv::to_csv;
+pub use errors::Errors;
+pub use input_error::InputError;
 pub use json::to_json;
+pub use judge::{Judge, can_be_judged, judged_pixels};
+pub use kernel::{Kernel, UnknownKernel};
 pub use machine::Machine;
-pub use measure::{Configuration, Rounds, measure};
-pub use row::{Errors, Row};
+pub use markdown::to_markdown;
+pub use measure::{Bench, Measured, timed};
+pub use pictures::{PictureFiles, Pictures};
+pub use plan::{Plan, Rounds};
+pub use plot::to_svg;
+pub use report::{Section, notes, to_html};
+pub use row::Row;
 pub use spread::Spread;
-pub use table::Table;
+pub use table::{RayTable, TreeTable};
+pub use total::totals;
 pub use yardstick::{Classic, Yardstick};

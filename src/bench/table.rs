@@ -1,35 +1,96 @@
-//! Rows for people.
+//! Rows for people: a table of trees and a table of rays.
 
-use super::Row;
+use super::columns::{Column, aligned, lines, markdown, name, number};
+use super::{Errors, Row};
 use indicatif::HumanCount;
-use std::fmt;
 
-/// The rows of one scene, in columns that are as wide as they need to be.
-#[derive(Debug, Clone, Copy)]
-pub struct Table<'a>(pub &'a [Row]);
-
-/// What stands in a column, and over it.
-struct Column {
-    title: &'static str,
-    cell: fn(&Row) -> String,
-}
-
-const COLUMNS: [Column; 11] = [
-    Column { title: "accel", cell: |row| row.method.to_string() },
-    Column { title: "precision", cell: |row| row.precision.to_string() },
-    Column { title: "build ms", cell: |row| row.build_ms.to_string() },
-    Column { title: "trace ms", cell: |row| row.trace_ms.to_string() },
-    Column { title: "Mrays/s", cell: |row| format!("{:.2}", row.mrays_per_s()) },
-    Column { title: "nodes/ray", cell: |row| mean(row.nodes_per_ray()) },
-    Column { title: "prims/ray", cell: |row| mean(row.primitives_per_ray()) },
-    Column { title: "SAH", cell: |row| mean(row.sah_cost) },
-    Column { title: "depth", cell: |row| row.depth.to_string() },
-    Column { title: "tree bytes", cell: |row| HumanCount(row.bytes as u64).to_string() },
-    Column { title: "fallbacks", cell: |row| row.fallback_rays.map_or("-".to_owned(), |n| HumanCount(n).to_string()) },
+/// What stands in the table of trees: one line for each accelerator.
+const TREES: [Column<Row>; 7] = [
+    name("accel", |row| row.method.to_string()),
+    number("load ms", |row| row.load_ms.to_string()),
+    number("build ms", |row| row.build_ms.to_string()),
+    number("SAH", |row| mean(row.sah_cost)),
+    number("EPO", |row| row.overlap.map_or("-".to_owned(), mean)),
+    number("depth", |row| row.depth.to_string()),
+    number("tree bytes", |row| HumanCount(row.bytes as u64).to_string()),
 ];
 
-/// Columns of names, which stand at the left; numbers stand at the right.
-const NAMES: usize = 2;
+/// What stands in the table of rays: one line for each accelerator and kernel.
+const RAYS: [Column<RatedRow>; 14] = [
+    name("accel", |RatedRow(row, _)| row.method.to_string()),
+    name("precision", |RatedRow(row, _)| row.kernel.to_string()),
+    number("trace ms", |RatedRow(row, _)| row.trace_ms.to_string()),
+    number("Mrays/s", |RatedRow(row, _)| rate(row.mrays_per_s())),
+    number("cycles/ray", |RatedRow(row, mhz)| mhz.map_or("-".to_owned(), |mhz| mean(row.cycles_per_ray(mhz)))),
+    number("nodes/ray", |RatedRow(row, _)| mean(row.nodes_per_ray)),
+    number("prims/ray", |RatedRow(row, _)| mean(row.primitives_per_ray)),
+    number("false", |RatedRow(row, _)| count(row, |errors| errors.tally.false_hits)),
+    number("missed", |RatedRow(row, _)| count(row, |errors| errors.tally.missed_hits)),
+    number("wrong", |RatedRow(row, _)| count(row, |errors| errors.tally.wrong_primitives)),
+    number("max ulp", |RatedRow(row, _)| {
+        ulp(row, |errors| Some(HumanCount(errors.tally.depths.max()?.into()).to_string()))
+    }),
+    number("99 %", |RatedRow(row, _)| {
+        ulp(row, |errors| Some(HumanCount(errors.tally.depths.percentile(99.0)?.into()).to_string()))
+    }),
+    number("mean", |RatedRow(row, _)| ulp(row, |errors| Some(small(errors.tally.depths.mean()?)))),
+    number("integers", |RatedRow(row, _)| {
+        row.fallback_rays.map_or("-".to_owned(), |rays| HumanCount(rays).to_string())
+    }),
+];
+
+/// A row, and the machine's clock in MHz, if it tells.
+struct RatedRow(Row, Option<f64>);
+
+/// The trees of a scene: rows of one method share theirs.
+#[derive(Debug, Clone, Copy)]
+pub struct TreeTable<'a>(pub &'a [Row]);
+
+/// The rays of a scene, on a machine with a clock of so many MHz, if that is known.
+#[derive(Debug, Clone, Copy)]
+pub struct RayTable<'a>(pub &'a [Row], pub Option<f64>);
+
+impl TreeTable<'_> {
+    /// In columns.
+    pub fn aligned(&self) -> String {
+        aligned(&TREES, &self.rows())
+    }
+
+    /// In Markdown.
+    pub fn markdown(&self) -> String {
+        markdown(&TREES, &self.rows())
+    }
+
+    /// Cell by cell, titles first.
+    pub fn cells(&self) -> Vec<Vec<String>> {
+        lines(&TREES, &self.rows())
+    }
+
+    fn rows(&self) -> Vec<Row> {
+        self.0.chunk_by(|a, b| a.scene == b.scene && a.method == b.method).map(|rows| rows[0].clone()).collect()
+    }
+}
+
+impl RayTable<'_> {
+    /// In columns.
+    pub fn aligned(&self) -> String {
+        aligned(&RAYS, &self.rows())
+    }
+
+    /// In Markdown.
+    pub fn markdown(&self) -> String {
+        markdown(&RAYS, &self.rows())
+    }
+
+    /// Cell by cell, titles first.
+    pub fn cells(&self) -> Vec<Vec<String>> {
+        lines(&RAYS, &self.rows())
+    }
+
+    fn rows(&self) -> Vec<RatedRow> {
+        self.0.iter().map(|row| RatedRow(row.clone(), self.1)).collect()
+    }
+}
 
 fn mean(value: f64) -> String {
     match value {
@@ -39,63 +100,96 @@ fn mean(value: f64) -> String {
     }
 }
 
-impl fmt::Display for Table<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let titles = COLUMNS.map(|column| column.title.to_owned());
-        let rows = self.0.iter().map(|row| COLUMNS.map(|column| (column.cell)(row)));
-        let lines: Vec<[String; COLUMNS.len()]> = std::iter::once(titles).chain(rows).collect();
-        let width = |place: usize| lines.iter().map(|line| line[place].len()).max().unwrap_or(0);
-        let widths: [usize; COLUMNS.len()] = std::array::from_fn(width);
-        for line in &lines {
-            let cells = line.iter().zip(widths).enumerate().map(|(place, (cell, width))| match place {
-                0..NAMES => format!("{cell:width$}"),
-                _ => format!("{cell:>width$}"),
-            });
-            writeln!(f, "{}", cells.collect::<Vec<_>>().join("  ").trim_end())?;
-        }
-        Ok(())
+/// Three digits of what may be small.
+fn rate(value: f64) -> String {
+    match value {
+        value if value < 0.01 => format!("{value:.1e}"),
+        value => format!("{value:.2}"),
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::accel::{Precision, SplitMethod};
-    use crate::bench::Spread;
+fn small(value: f64) -> String {
+    match value {
+        0.0 => "0".to_owned(),
+        value if value < 0.001 => format!("{value:.0e}"),
+        value if value < 1000.0 => format!("{value:.3}"),
+        value => HumanCount(value.round() as u64).to_string(),
+    }
+}
 
-    fn row(method: SplitMethod, precision: Precision) -> Row {
+/// A number of pixels; of a sample, the most that it may stand for in all of the picture, too.
+fn count(row: &Row, of: fn(&Errors) -> u64) -> String {
+    let Some(errors) = &row.errors else { return "-".to_owned() };
+    let count = of(errors);
+    match errors.confidence(count) {
+        None => HumanCount(count).to_string(),
+        Some([_, high]) => format!("{} (<{:.2}%)", HumanCount(count), 100.0 * high),
+    }
+}
+
+fn ulp(row: &Row, of: fn(&Errors) -> Option<String>) -> String {
+    row.errors.as_ref().and_then(of).unwrap_or_else(|| "-".to_owned())
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+    use crate::accel::SplitMethod;
+    use crate::bench::{Kernel, Spread};
+    use crate::compare::{Tally, Ulps};
+
+    /// A row of a picture of 1000 pixels, of which `judged` were looked at: a false hit and an error of 3 among them.
+    pub(in crate::bench) fn row(method: SplitMethod, kernel: Kernel, judged: u64) -> Row {
+        let mut depths = Ulps::default();
+        [0, 0, 0, 3].iter().for_each(|error| depths.add(*error));
+        let tally = Tally { pixels: judged, false_hits: 1, missed_hits: 0, wrong_primitives: 2, depths };
         Row {
             scene: "a.pbrt".into(),
             method,
-            precision,
+            kernel,
             threads: 2,
             rays: 1000,
+            pixels: 1000,
+            load_ms: Spread { min: 1.0, median: 2.0, max: 3.0 },
             build_ms: Spread { min: 415.2, median: 461.1, max: 491.9 },
             trace_ms: Spread { min: 49.96, median: 50.0, max: 53.04 },
-            nodes: 19_890,
-            primitives: 1_234_567,
+            nodes_per_ray: 19.89,
+            primitives_per_ray: 1234.567,
             sah_cost: 49.13,
+            overlap: Some(3.25),
             depth: 26,
             bytes: 34_218_112,
-            errors: None,
-            fallback_rays: (precision == Precision::Exact).then_some(12_345),
+            input: None,
+            errors: (judged > 0).then_some(Errors { tally, of: 1000 }),
+            fallback_rays: kernel.is_exact().then_some(12_345),
         }
     }
 
     #[test]
-    fn names_stand_left_and_numbers_right() {
-        let rows = [row(SplitMethod::Sah, Precision::Exact), row(SplitMethod::Hlbvh, Precision::Fast)];
-        let expected = "\
-accel  precision       build ms          trace ms  Mrays/s  nodes/ray  prims/ray   SAH  depth  tree bytes  fallbacks
-sah    exact      461 (415-492)  50.0 (50.0-53.0)     0.02       19.9      1,235  49.1     26  34,218,112     12,345
-hlbvh  fast       461 (415-492)  50.0 (50.0-53.0)     0.02       19.9      1,235  49.1     26  34,218,112          -
+    fn trees_are_told_once_and_rays_by_kernel() {
+        let [exact, fast, ..] = Kernel::ALL;
+        let rows =
+            [row(SplitMethod::Sah, exact, 1000), row(SplitMethod::Sah, fast, 100), row(SplitMethod::Hlbvh, fast, 0)];
+        let trees = "\
+accel           load ms       build ms   SAH  EPO  depth  tree bytes
+sah    2.00 (1.00-3.00)  461 (415-492)  49.1  3.2     26  34,218,112
+hlbvh  2.00 (1.00-3.00)  461 (415-492)  49.1  3.2     26  34,218,112
 ";
-        assert_eq!(Table(&rows).to_string(), expected);
+        assert_eq!(TreeTable(&rows).aligned(), trees);
+        let rays = "\
+accel  precision          trace ms  Mrays/s  cycles/ray  nodes/ray  prims/ray      false     missed      wrong  max ulp  99 %   mean  integers
+sah    exact      50.0 (50.0-53.0)     0.02     250,000       19.9      1,235          1          0          2        3     3  0.750    12,345
+sah    fast       50.0 (50.0-53.0)     0.02     250,000       19.9      1,235  1 (<5.45%)  0 (<3.70%)  2 (<7.00%)        3     3  0.750         -
+hlbvh  fast       50.0 (50.0-53.0)     0.02     250,000       19.9      1,235          -          -          -        -     -      -         -
+";
+        let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
+        assert_eq!(words(&RayTable(&rows, Some(2500.0)).aligned()), words(rays));
     }
 
     #[test]
     fn what_is_no_number_is_a_dash() {
-        let empty = Row { sah_cost: f64::NAN, ..row(SplitMethod::None, Precision::Exact) };
-        assert!(Table(&[empty]).to_string().contains("  -     26"));
+        let [exact, ..] = Kernel::ALL;
+        let empty = Row { sah_cost: f64::NAN, overlap: None, ..row(SplitMethod::None, exact, 0) };
+        assert!(TreeTable(&[empty]).aligned().contains("  -    -     26"));
     }
 }

@@ -1,6 +1,6 @@
 //! Options as typed.
 
-use super::bench_args::BenchArgs;
+use super::bench::BenchArgs;
 use super::check::CheckArgs;
 use super::compare::CompareArgs;
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
@@ -27,10 +27,10 @@ pub(crate) enum Command {
     /// Reads everything that a picture would need and tells what there is: camera, film, shapes, bounds, directives. No ray is
     /// cast and no tree is built.
     Check(CheckArgs),
-    /// Measure how fast accelerators are built and traced.
+    /// Measure speed against error: how fast accelerators are built and traced, and how wrong the answers are.
     ///
-    /// Each scene is loaded once; then every accelerator with every precision builds and traces the whole image, in turn, round
-    /// after round, so that whatever else the machine does meets all of them alike.
+    /// Every accelerator is built and every precision traces the whole image, in turn, round after round, so that whatever else the
+    /// machine does meets all of them alike. Answers are compared with those of exact arithmetic on all primitives.
     Bench(BenchArgs),
     /// Compare two images: hits, what is hit, and depths in units in the last place.
     ///

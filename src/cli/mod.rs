@@ -3,7 +3,6 @@
 mod args;
 mod batch;
 mod bench;
-mod bench_args;
 mod check;
 mod columns;
 mod compare;

@@ -16,6 +16,8 @@ pub(crate) enum Phase {
     Building(usize),
     /// This many pixels.
     Rendering(u64),
+    /// This many pixels by exact arithmetic.
+    Judging(u64),
     /// This many runs of `bench`.
     Measuring(usize),
 }
@@ -58,6 +60,7 @@ fn bar(phase: Phase, target: ProgressDrawTarget) -> ProgressBar {
             (Some(count as u64), "  building  [{bar:40}] {human_pos}/{human_len} primitives {eta}")
         }
         Phase::Rendering(pixels) => (Some(pixels), "  rendering [{bar:40}] {human_pos}/{human_len} pixels {eta}"),
+        Phase::Judging(pixels) => (Some(pixels), "  judging   [{bar:40}] {human_pos}/{human_len} pixels {eta}"),
         Phase::Measuring(runs) => (Some(runs as u64), "  measuring [{bar:40}] {human_pos}/{human_len} runs {eta}"),
     };
     let style = ProgressStyle::with_template(template).expect("a template written above").progress_chars("=> ");

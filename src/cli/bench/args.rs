@@ -1,8 +1,9 @@
 //! Options of `bench` as typed.
 
-use super::args::{TalkArgs, threads};
-use clap::Args;
-use feimos::accel::{Precision, SplitMethod};
+use crate::cli::args::{TalkArgs, threads};
+use clap::{Args, ValueEnum};
+use feimos::accel::SplitMethod;
+use feimos::bench::Kernel;
 use std::path::PathBuf;
 
 #[derive(Debug, Args)]
@@ -14,22 +15,21 @@ pub(crate) struct BenchArgs {
     pub(crate) configurations: ConfigurationArgs,
     #[command(flatten, next_help_heading = "Measurement")]
     pub(crate) measurement: MeasurementArgs,
-    /// Write the rows as JSON to this file; `-` writes them to standard output, in place of the table.
-    #[arg(long, value_name = "FILE", help_heading = "Output")]
-    pub(crate) json: Option<PathBuf>,
+    #[command(flatten, next_help_heading = "Output")]
+    pub(crate) output: OutputArgs,
     #[command(flatten, next_help_heading = "Talk")]
     pub(crate) talk: TalkArgs,
 }
 
 #[derive(Debug, Args)]
 pub(crate) struct ConfigurationArgs {
-    /// Accelerators, separated by commas: none, middle, equal, sah, hlbvh [default: all; none only where it is not
-    /// hopeless].
+    /// Accelerators, separated by commas: none, middle, equal, sah, hlbvh [default: all].
     #[arg(long, value_name = "METHODS", value_delimiter = ',')]
     pub(crate) accel: Option<Vec<SplitMethod>>,
-    /// Precisions, separated by commas: exact, fast [default: all].
+    /// How hits are decided, separated by commas: exact and fast as in render, exact-single a ray at a time; moeller-trumbore and
+    /// watertight, which are yardsticks [default: all].
     #[arg(long, value_name = "HOW", value_delimiter = ',')]
-    pub(crate) precision: Option<Vec<Precision>>,
+    pub(crate) precision: Option<Vec<Kernel>>,
     /// Threads to use [default: all that the process may use].
     #[arg(long, alias = "nthreads", value_name = "N", value_parser = threads)]
     pub(crate) threads: Option<usize>,
@@ -44,15 +44,37 @@ pub(crate) struct MeasurementArgs {
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = warmup)]
     pub(crate) warmup: usize,
     /// What answers are compared with.
-    #[arg(long, value_name = "WHAT", default_value = "none", value_parser = reference)]
+    #[arg(long, value_name = "WHAT", default_value = "exact")]
     pub(crate) reference: Reference,
 }
 
 /// What answers are compared with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Reference {
-    /// Nothing: times and counts alone.
+    /// Exact arithmetic on all primitives; of some pixels, where all would take long
+    Exact,
+    /// Nothing: times and counts alone
     None,
+}
+
+/// Where results go besides the table. `-` is standard output, in place of the table.
+#[derive(Debug, Args)]
+pub(crate) struct OutputArgs {
+    /// Write the rows as JSON; `-` writes them to standard output, in place of the tables, as it does below.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) json: Option<PathBuf>,
+    /// Write the rows as comma-separated values.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) csv: Option<PathBuf>,
+    /// Write the tables in Markdown.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) markdown: Option<PathBuf>,
+    /// Write a plot of error against speed, of several scenes together.
+    #[arg(long, value_name = "FILE.svg")]
+    pub(crate) plot: Option<PathBuf>,
+    /// Write a page with all of it, and pictures of depths, costs and errors, to index.html in this directory.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) report: Option<PathBuf>,
 }
 
 /// Rounds at most: a typing error should not run for ever.
@@ -69,12 +91,4 @@ fn warmup(text: &str) -> Result<usize, String> {
 fn rounds(text: &str, least: usize) -> Result<usize, String> {
     let rounds = text.parse().ok().filter(|rounds| (least..=MAX_ROUNDS).contains(rounds));
     rounds.ok_or_else(|| format!("expected a number from {least} to {MAX_ROUNDS}"))
-}
-
-fn reference(text: &str) -> Result<Reference, String> {
-    match text {
-        "none" => Ok(Reference::None),
-        "exact" => Err("not available yet; expected none, which measures times and counts alone".to_owned()),
-        _ => Err("expected none".to_owned()),
-    }
 }

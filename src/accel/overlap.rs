@@ -1,0 +1,100 @@
+//! How much nodes overlap surfaces that are not theirs.
+
+use super::Aggregate;
+use super::node::Node;
+use super::statistics::NODE_COST;
+use super::tree::Tree;
+use crate::geometry::Point;
+use crate::shape::Primitive;
+
+impl Aggregate {
+    /// What the nodes cost that hold a point of a `primitive` without having it below: the mean of this over all points of all
+    /// surfaces is the end-point overlap (EPO) of Aila, Karras and Laine, "On quality metrics of bounding volume hierarchies"
+    /// (2013), section 3. Costs are those of [`super::Statistics::sah_cost`]. Of the primitives that are in no instance.
+    pub fn overlap_at(&self, primitive: Primitive, point: Point) -> f64 {
+        let place = self.space.place(&point);
+        self.tree.root.map_or(0.0, |root| overlap(&self.tree, &root, primitive, &place).cost)
+    }
+}
+
+/// What is known of a node and of all below it.
+#[derive(Default)]
+struct Overlap {
+    cost: f64,
+    /// Whether the primitive is below.
+    is_own: bool,
+}
+
+/// As deep as the tree.
+fn overlap(tree: &Tree<Primitive>, node: &Node, primitive: Primitive, place: &[f32; 3]) -> Overlap {
+    let holds = (0..3).all(|k| node.bounds.low[k] <= place[k] && place[k] <= node.bounds.high[k]);
+    if !holds {
+        return Overlap::default();
+    }
+    let (below, own_cost) = if node.is_leaf() {
+        let is_own = tree.in_leaf(node).contains(&primitive);
+        (Overlap { cost: 0.0, is_own }, f64::from(node.count))
+    } else {
+        let children = &tree.below[node.first as usize];
+        let [left, right] = [0, 1].map(|side| overlap(tree, &children.node(side), primitive, place));
+        (Overlap { cost: left.cost + right.cost, is_own: left.is_own || right.is_own }, NODE_COST)
+    };
+    Overlap { cost: below.cost + if below.is_own { 0.0 } else { own_cost }, ..below }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::accel::{BuildOptions, SplitMethod};
+    use crate::geometry::Matrix;
+    use crate::progress::Progress;
+    use crate::shape::Shapes;
+
+    /// Triangles side by side, and one across all of their boxes.
+    fn aggregate(method: SplitMethod) -> (Aggregate, Vec<Point>) {
+        let corner = |x: f64, y: f64| Point::new(x, y, 1.0);
+        let mut vertices: Vec<Point> = (0..8)
+            .flat_map(|i| [(0.0, 0.0), (0.5, 0.0), (0.0, 0.5)].map(|(x, y)| corner(x + f64::from(i), y)))
+            .collect();
+        vertices.extend([corner(0.0, 0.25), corner(8.0, 0.25), corner(8.0, 0.3)]);
+        let triangles = (0..9).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+        let mut shapes = Shapes::default();
+        shapes.add_mesh(vertices.clone(), triangles, &Matrix::IDENTITY, 1).unwrap();
+        let options = BuildOptions { method, max_leaf: 1 };
+        (Aggregate::build(&shapes, corner(0.0, 0.0), options, Progress::SILENT), vertices)
+    }
+
+    #[test]
+    fn a_list_overlaps_nothing() {
+        let (aggregate, vertices) = aggregate(SplitMethod::None);
+        assert_eq!(aggregate.overlap_at(Primitive::triangle(0), vertices[0]), 0.0);
+    }
+
+    #[test]
+    fn counts_the_nodes_around_a_point_that_are_not_its_own() {
+        let (aggregate, vertices) = aggregate(SplitMethod::Sah);
+        // The corner lies in the root, which is its own, and in nothing of the others: all are beside or below.
+        assert_eq!(aggregate.overlap_at(Primitive::triangle(3), vertices[10]), 0.0);
+        // The long one lies in the boxes of the others, too: a leaf at least, and what is around it.
+        let inside = Point::new(3.1, 0.26, 1.0);
+        let by_hand: f64 = aggregate
+            .tree
+            .nodes()
+            .filter(|(node, _)| {
+                let place = aggregate.space.place(&inside);
+                (0..3).all(|k| node.bounds.low[k] <= place[k] && place[k] <= node.bounds.high[k])
+            })
+            .filter(|(node, _)| !holds(&aggregate.tree, node, Primitive::triangle(8)))
+            .map(|(node, _)| if node.is_leaf() { f64::from(node.count) } else { NODE_COST })
+            .sum();
+        assert!(by_hand >= 1.0);
+        assert_eq!(aggregate.overlap_at(Primitive::triangle(8), inside), by_hand);
+    }
+
+    fn holds(tree: &Tree<Primitive>, node: &Node, primitive: Primitive) -> bool {
+        match node.is_leaf() {
+            true => tree.in_leaf(node).contains(&primitive),
+            false => (0..2).any(|side| holds(tree, &tree.below[node.first as usize].node(side), primitive)),
+        }
+    }
+}

@@ -1,0 +1,75 @@
+//! The exact answers that rows are compared with.
+
+use super::pixels::{Answer, some_pixels, strip};
+use super::random::Random;
+use super::{Errors, InputError};
+use crate::compare::{Comparison, Tally};
+use crate::film::Image;
+use crate::progress::Progress;
+use crate::reference;
+use crate::scene::Scene;
+
+/// Exact tests that are worth waiting for: some seconds on two threads.
+const MAX_TESTS: u64 = 4_000_000;
+
+/// Pixels that tell how many tests a pixel takes.
+const PILOT: u64 = 256;
+
+/// Exact answers for some pixels of a picture.
+#[derive(Debug)]
+pub struct Judge {
+    /// In film pixels.
+    pub(super) pixels: Vec<[u32; 2]>,
+    expected: Image,
+    /// How far rounding moves what these pixels see, if the scene knows.
+    pub(super) input: Option<InputError>,
+    /// Pixels of the picture.
+    of: u64,
+}
+
+/// Whether `scene` has few enough primitives for the reference.
+pub fn can_be_judged(scene: &Scene) -> bool {
+    scene.shapes.primitive_count() <= reference::MAX_PRIMITIVES
+}
+
+/// How many pixels of the picture the reference is asked for: all, if that takes no more tests than are worth waiting for.
+pub fn judged_pixels(scene: &Scene) -> u64 {
+    let all = scene.film.crop.area();
+    let pilot = some_pixels(PILOT, &scene.film.crop, &mut Random::new(SEED));
+    let tests = reference::candidates(&scene.camera, &scene.shapes, &pilot).into_iter().sum::<usize>() as u64;
+    // A pixel with no test is work, too.
+    let share = u128::from(MAX_TESTS) * pilot.len() as u128 / u128::from(tests + pilot.len() as u64).max(1);
+    all.min(u64::try_from(share).unwrap_or(u64::MAX).max(1))
+}
+
+/// All samples start here.
+pub(super) const SEED: u64 = 0x5eed;
+
+impl Judge {
+    /// For `count` pixels of the picture, chosen at random where these are not all. `progress` counts them.
+    pub fn new(scene: &Scene, count: u64, progress: Progress) -> Judge {
+        Judge::of_pixels(scene, some_pixels(count, &scene.film.crop, &mut Random::new(SEED + 1)), progress)
+    }
+
+    /// For some pixels of the picture.
+    pub(super) fn of_pixels(scene: &Scene, pixels: Vec<[u32; 2]>, progress: Progress) -> Judge {
+        let Scene { camera, shapes, .. } = scene;
+        let hits = reference::answers(camera, shapes, &pixels, progress);
+        let of_pixels = pixels.iter().zip(&hits).filter_map(|(pixel, hit)| Some((*pixel, (*hit)?)));
+        let input = InputError::of(scene, &of_pixels.collect::<Vec<_>>());
+        let answer =
+            |hit: reference::ReferenceHit| Answer { z: hit.z, t: hit.t, primitive: shapes.image_number(hit.primitive) };
+        let expected = strip(hits.into_iter().map(|hit| hit.map(answer)));
+        Judge { pixels, expected, input, of: scene.film.crop.area() }
+    }
+
+    /// What is wrong with `found`, a strip of the same pixels.
+    pub(super) fn errors(&self, found: &Image) -> Errors {
+        let tally = Tally::of(&self.comparison(found), 0..self.pixels.len());
+        Errors { tally, of: self.of }
+    }
+
+    pub(super) fn comparison<'a>(&'a self, found: &'a Image) -> Comparison<'a> {
+        Comparison::new(&self.expected, found).expect("strips of the same pixels")
+    }
+}

@@ -1,0 +1,59 @@
+//! Pieces of HTML.
+
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD;
+
+/// Text as it may stand between tags and in attributes.
+pub(super) fn escaped(text: &str) -> String {
+    let escape = |c: char| match c {
+        '&' => "&amp;".to_owned(),
+        '<' => "&lt;".to_owned(),
+        '>' => "&gt;".to_owned(),
+        '"' => "&quot;".to_owned(),
+        '\'' => "&#39;".to_owned(),
+        c => c.to_string(),
+    };
+    text.chars().map(escape).collect()
+}
+
+/// A table whose first line is of titles and whose first columns, `names` of them, are of names.
+pub(super) fn table(lines: &[Vec<String>], names: usize) -> String {
+    let line = |cells: &Vec<String>, tag: &str| {
+        let cell = |(place, cell): (usize, &String)| {
+            let class = if place < names { " class=\"name\"" } else { "" };
+            format!("<{tag}{class}>{}</{tag}>", escaped(cell))
+        };
+        format!("<tr>{}</tr>\n", cells.iter().enumerate().map(cell).collect::<String>())
+    };
+    let [titles, rows @ ..] = lines else { return String::new() };
+    let rows: String = rows.iter().map(|cells| line(cells, "td")).collect();
+    format!("<div class=\"wide\"><table>\n{}{rows}</table></div>\n", line(titles, "th"))
+}
+
+/// A picture, a PNG file, that is part of the page.
+pub(super) fn figure(caption: &str, png: &[u8], class: &str) -> String {
+    let (caption, data) = (escaped(caption), BASE64_STANDARD.encode(png));
+    format!(
+        "<figure class=\"{class}\"><img alt=\"{caption}\" src=\"data:image/png;base64,{data}\">\
+         <figcaption>{caption}</figcaption></figure>\n"
+    )
+}
+
+/// A colour and what it means.
+pub(super) fn swatch([red, green, blue]: [u8; 3], meaning: &str) -> String {
+    format!("<span class=\"swatch\" style=\"background: rgb({red} {green} {blue})\"></span>{}", escaped(meaning))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_from_outside_becomes_a_tag() {
+        let cells = vec![vec!["a".to_owned(), "<b>".to_owned()], vec!["\"c\" & 'd'".to_owned(), "1".to_owned()]];
+        let table = table(&cells, 1);
+        assert!(table.contains("<th class=\"name\">a</th><th>&lt;b&gt;</th>"), "{table}");
+        assert!(table.contains("<td class=\"name\">&quot;c&quot; &amp; &#39;d&#39;</td><td>1</td>"), "{table}");
+        assert!(figure("\"<", &[0, 1], "").contains("alt=\"&quot;&lt;\" src=\"data:image/png;base64,AAE=\""));
+    }
+}
