@@ -1,6 +1,6 @@
 //! The exact answers that rows are compared with.
 
-use super::pixels::{Answer, some_pixels, strip};
+use super::pixels::{Answer, some_pixels, strip, strip_of};
 use super::random::Random;
 use super::{Errors, InputError};
 use crate::compare::{Comparison, Tally};
@@ -63,8 +63,13 @@ impl Judge {
         Judge { pixels, expected, input, of: scene.film.crop.area() }
     }
 
-    /// What is wrong with `found`, a strip of the same pixels.
-    pub(super) fn errors(&self, found: &Image) -> Errors {
+    /// What is wrong with a picture of the scene's crop that has the usual channels.
+    pub fn errors(&self, picture: &Image) -> Errors {
+        self.errors_of_strip(&strip_of(picture, &self.pixels))
+    }
+
+    /// What is wrong with a strip of the same pixels.
+    pub(super) fn errors_of_strip(&self, found: &Image) -> Errors {
         let tally = Tally::of(&self.comparison(found), 0..self.pixels.len());
         Errors { tally, of: self.of }
     }

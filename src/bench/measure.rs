@@ -105,7 +105,7 @@ impl Trial<'_> {
                 pictures.add_row(caster.kernel, &cast, judge);
             }
             casts.push(Trace {
-                errors: judge.map(|judge| judge.errors(&cast.strip(&judge.pixels))),
+                errors: judge.map(|judge| judge.errors_of_strip(&cast.strip(&judge.pixels))),
                 work: caster.work(&aggregate, &pixels),
                 fallback_rays: caster.kernel.is_exact().then_some(cast.fallback_rays),
                 ms: Vec::new(),

@@ -73,7 +73,7 @@ impl Pictures {
 
     fn errors_of(&self, cast: &Cast, judge: &Judge) -> Vec<[u8; 3]> {
         let strip = cast.strip(&judge.pixels);
-        let largest = judge.errors(&strip).tally.depths.max().unwrap_or(0);
+        let largest = judge.errors_of_strip(&strip).tally.depths.max().unwrap_or(0);
         let colors = difference_picture(&judge.comparison(&strip), judge.pixels.len(), largest);
         let mut pixels = vec![NOT_JUDGED; self.window.area() as usize];
         for ([x, y], color) in judge.pixels.iter().zip(&colors) {

@@ -40,7 +40,7 @@ impl Plan {
 const MAX_TESTS: u64 = 1 << 30;
 
 /// Tests that these tiles take, if each took them once.
-const SAMPLE_TESTS: u64 = 1 << 25;
+const SAMPLE_TESTS: u64 = 1 << 24;
 
 /// The tiles that `method` is tried on; `None` for all.
 pub(super) fn sample_of(method: SplitMethod, scene: &Scene, random: &mut Random) -> Option<TileSample> {

@@ -41,7 +41,7 @@ const QUANTITIES: [Quantity; 2] = [
 
 /// A plot of the rows' errors against their speeds as an SVG file: decisions at the left, depths at the right, both axes logarithmic,
 /// with a line for no error at all. A line joins the rows that no other beats (the Pareto front). `title` stands on top. Rows whose
-/// errors were not measured are left out.
+/// errors were not measured are left out, and those that are sampled: their speeds and errors would stretch both axes.
 pub fn to_svg(title: &str, rows: &[Row]) -> String {
     let mut svg = String::new();
     draw(&mut svg, title, rows).expect("drawing into a string does not fail");
@@ -75,6 +75,9 @@ struct Point {
 
 impl Point {
     fn new(row: &Row, quantity: &Quantity) -> Option<Point> {
+        if row.is_sampled() {
+            return None;
+        }
         let [error, high] = (quantity.of)(row.errors.as_ref()?);
         Some(Point { method: row.method, kernel: row.kernel, speed: row.mrays_per_s(), error, high })
     }

@@ -26,7 +26,7 @@ const RAYS: [Column<RatedRow>; 14] = [
     number("prims/ray", |RatedRow(row, _)| mean(row.primitives_per_ray)),
     number("false", |RatedRow(row, _)| count(row, |errors| errors.tally.false_hits)),
     number("missed", |RatedRow(row, _)| count(row, |errors| errors.tally.missed_hits)),
-    number("wrong", |RatedRow(row, _)| count(row, |errors| errors.tally.wrong_primitives)),
+    number("wrong prim", |RatedRow(row, _)| count(row, |errors| errors.tally.wrong_primitives)),
     number("max ulp", |RatedRow(row, _)| {
         ulp(row, |errors| Some(HumanCount(errors.tally.depths.max()?.into()).to_string()))
     }),
@@ -177,7 +177,7 @@ hlbvh  2.00 (1.00-3.00)  461 (415-492)  49.1  3.2     26  34,218,112
 ";
         assert_eq!(TreeTable(&rows).aligned(), trees);
         let rays = "\
-accel  precision          trace ms  Mrays/s  cycles/ray  nodes/ray  prims/ray      false     missed      wrong  max ulp  99 %   mean  integers
+accel  precision          trace ms  Mrays/s  cycles/ray  nodes/ray  prims/ray      false     missed wrong prim  max ulp  99 %   mean  integers
 sah    exact      50.0 (50.0-53.0)     0.02     250,000       19.9      1,235          1          0          2        3     3  0.750    12,345
 sah    fast       50.0 (50.0-53.0)     0.02     250,000       19.9      1,235  1 (<5.45%)  0 (<3.70%)  2 (<7.00%)        3     3  0.750         -
 hlbvh  fast       50.0 (50.0-53.0)     0.02     250,000       19.9      1,235          -          -          -        -     -      -         -

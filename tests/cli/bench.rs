@@ -8,6 +8,8 @@ const ONCE: &str = "--runs 1 --warmup 0";
 
 const ERRORS: [&str; 6] = ["sampled_pixels", "wrong_hits", "wrong_primitives", "max_ulp", "p99_ulp", "mean_ulp"];
 
+const KERNELS: [&str; 5] = ["exact", "fast", "exact-single", "moeller-trumbore", "watertight"];
+
 /// The document on standard output.
 fn document(run: &Run) -> Value {
     serde_json::from_slice(&run.stdout).unwrap()
@@ -32,7 +34,7 @@ fn configurations(rows: &[Value]) -> Vec<(String, String)> {
 fn every_accelerator_is_measured_with_every_precision() {
     let rows = rows(&Folder::new(), &format!("ball.pbrt {ONCE}"));
     let methods = ["none", "middle", "equal", "sah", "hlbvh"];
-    let expected = methods.iter().flat_map(|method| ["exact", "fast"].map(|how| (method.to_string(), how.to_string())));
+    let expected = methods.iter().flat_map(|method| KERNELS.map(|how| (method.to_string(), how.to_string())));
     assert_eq!(configurations(&rows), expected.collect::<Vec<_>>());
 }
 
@@ -47,19 +49,23 @@ fn a_row_has_the_documented_keys_in_their_order() {
     let run = Folder::new().bench(&format!("ball.pbrt {ONCE} --accel sah --precision exact --json -")).succeeded();
     let text = stdout(&run);
     let keys: Vec<&str> = text.split("\":").filter_map(|part| part.rsplit('"').next()).collect();
-    let documented = "machine cpu cores threads simd os feimos rows \
-                      scene accel precision threads rays build_ms min median max trace_ms min median max \
-                      mrays_per_s nodes_per_ray primitives_per_ray sah_cost depth bytes sampled_pixels wrong_hits \
-                      wrong_primitives max_ulp p99_ulp mean_ulp fallback_rays";
+    let documented = "machine cpu cores threads mhz simd os feimos rows \
+                      scene accel precision threads rays pixels load_ms min median max build_ms min median max \
+                      trace_ms min median max mrays_per_s cycles_per_ray nodes_per_ray primitives_per_ray sah_cost epo \
+                      depth bytes input max_ulp max_pixels sampled_pixels wrong_hits false_hits missed_hits \
+                      wrong_primitives confidence_95 max_ulp p99_ulp mean_ulp fallback_rays";
     assert_eq!(keys[..keys.len() - 1], documented.split_whitespace().collect::<Vec<_>>());
     assert!(text.ends_with("}\n"));
 }
 
 #[test]
 fn rows_hold_what_was_measured_and_null_for_what_was_not() {
-    let rows = rows(&Folder::new(), "ball.pbrt --runs 4 --warmup 2 --accel none,sah --threads 2");
+    let rows = rows(
+        &Folder::new(),
+        "ball.pbrt --runs 4 --warmup 2 --accel none,sah --precision exact,fast --threads 2 --reference none",
+    );
     for row in &rows {
-        for ms in [&row["build_ms"], &row["trace_ms"]] {
+        for ms in [&row["load_ms"], &row["build_ms"], &row["trace_ms"]] {
             let [min, median, max] = ["min", "median", "max"].map(|key| ms[key].as_f64().unwrap());
             assert!(0.0 <= min && min <= median && median <= max, "{row}");
         }
@@ -98,26 +104,91 @@ fn counts_are_those_of_render() {
 }
 
 #[test]
-fn the_table_has_a_line_for_each_row() {
+fn the_tables_have_a_line_for_each_tree_and_each_row() {
     let run = Folder::new().bench(&format!("ball.pbrt {ONCE} --accel none,hlbvh --threads 1")).succeeded();
     let text = stdout(&run);
     let lines: Vec<&str> = text.lines().collect();
     assert!(lines[0].ends_with(concat!("feimos ", env!("CARGO_PKG_VERSION"))), "{text}");
-    assert_eq!(lines[1], "");
     let title = "ball.pbrt: 13 x 7 rays, 2 primitives, 1 thread, median (fastest-slowest) of 1 run";
-    assert_eq!(lines[2], title);
-    assert!(lines[3].starts_with("accel  precision  "), "{text}");
-    let names: Vec<String> =
-        lines[4..].iter().map(|line| line.split_whitespace().take(2).collect::<Vec<_>>().join(" ")).collect();
-    assert_eq!(names, ["none exact", "none fast", "hlbvh exact", "hlbvh fast"]);
-    assert!(lines.iter().all(|line| line.len() <= 120), "{text}");
+    assert_eq!([lines[1], lines[2], lines[3]], ["", title, ""]);
+    let names = |lines: &[&str]| -> Vec<String> {
+        lines.iter().map(|line| line.split_whitespace().take(2).collect::<Vec<_>>().join(" ")).collect()
+    };
+    assert!(
+        lines[4].starts_with("accel  ") && lines[5].starts_with("none ") && lines[6].starts_with("hlbvh "),
+        "{text}"
+    );
+    assert!(lines[7].is_empty() && lines[8].starts_with("accel  precision  "), "{text}");
+    let rows = ["none", "hlbvh"].iter().flat_map(|method| KERNELS.map(|kernel| format!("{method} {kernel}")));
+    assert_eq!(names(&lines[9..19]), rows.collect::<Vec<_>>());
+    assert!(lines.iter().all(|line| line.len() <= 170), "{text}");
     assert_eq!(run.stderr, "");
+}
+
+#[test]
+fn exact_rows_have_no_error_and_the_others_theirs() {
+    let folder = Folder::new();
+    let rows = rows(&folder, &format!("ball.pbrt {ONCE} --accel sah"));
+    for row in &rows {
+        assert_eq!(
+            (&row["sampled_pixels"], &row["pixels"], &row["confidence_95"]),
+            (&91.into(), &91.into(), &Value::Null)
+        );
+        let is_exact = row["precision"].as_str().unwrap().starts_with("exact");
+        let errors = ["wrong_hits", "wrong_primitives", "max_ulp"].map(|key| row[key].as_u64().unwrap());
+        assert!(!is_exact || errors == [0; 3], "{row}");
+        assert_eq!(
+            row["wrong_hits"].as_u64(),
+            Some(row["false_hits"].as_u64().unwrap() + row["missed_hits"].as_u64().unwrap())
+        );
+    }
+    assert!(rows.iter().any(|row| row["max_ulp"].as_u64() > Some(0)), "f32 is not exact: {rows:?}");
+}
+
+#[test]
+fn two_runs_agree_on_every_error_and_all_work() {
+    let folder = Folder::new().with("floor.pbrt", floor(9000));
+    let figures = || -> Vec<Value> {
+        let mut rows = rows(&folder, &format!("ball.pbrt floor.pbrt {ONCE} --accel none,sah"));
+        for row in &mut rows {
+            let row = row.as_object_mut().unwrap();
+            ["load_ms", "build_ms", "trace_ms", "mrays_per_s", "cycles_per_ray"]
+                .iter()
+                .for_each(|key| _ = row.remove(*key));
+        }
+        rows
+    };
+    assert_eq!(figures(), figures());
+}
+
+#[test]
+fn every_output_holds_every_row() {
+    let folder = Folder::new();
+    let outputs = "--json a.json --csv a.csv --markdown a.md --plot a.svg --report out/page";
+    folder.bench(&format!("ball.pbrt {ONCE} --accel none,sah {outputs}")).succeeded();
+    let text = |name: &str| String::from_utf8(folder.bytes(name)).unwrap();
+    assert_eq!(text("a.csv").lines().count(), 11);
+    assert_eq!(text("a.md").matches("\n| none |").count() + text("a.md").matches("\n| sah |").count(), 12);
+    assert!(text("a.svg").starts_with("<svg") && text("a.svg").contains("ball.pbrt"));
+    let page = text("out/page/index.html");
+    assert!(page.contains("--report out/page") && page.contains("<h2>ball.pbrt</h2>") && page.contains("cost, sah"));
+    let run = folder.bench(&format!("ball.pbrt {ONCE} --csv -")).succeeded();
+    assert!(stdout(&run).starts_with("scene,accel,precision,"));
+}
+
+#[test]
+fn results_that_would_meet_in_one_place_are_refused() {
+    let folder = Folder::new();
+    folder.bench("ball.pbrt --json a --csv ./a").failed(2, "two results would both go to `./a`");
+    folder.bench("ball.pbrt --json - --plot -").failed(2, "two results would both go to `-`");
+    folder.bench("ball.pbrt --report ball.pbrt").failed(73, "ball.pbrt: cannot create");
 }
 
 #[test]
 fn a_file_of_json_goes_with_the_table() {
     let folder = Folder::new();
-    let run = folder.bench(&format!("ball.pbrt {ONCE} --accel sah --json rows.json")).succeeded();
+    let run =
+        folder.bench(&format!("ball.pbrt {ONCE} --accel sah --precision exact,fast --json rows.json")).succeeded();
     assert!(stdout(&run).contains("\nsah    exact "), "{run:?}");
     let document: Value = serde_json::from_slice(&folder.bytes("rows.json")).unwrap();
     assert_eq!(document["rows"].as_array().unwrap().len(), 2);
@@ -133,7 +204,8 @@ fn a_bad_place_for_the_json_is_known_before_anything_is_measured() {
 #[test]
 fn a_bad_scene_is_told_and_the_others_go_on() {
     let folder = Folder::new().with("bad.pbrt", "Shap").with("warned.pbrt", WARNED);
-    let run = folder.bench(&format!("bad.pbrt warned.pbrt gone.pbrt ball.pbrt {ONCE} --accel sah --json -"));
+    let run = folder
+        .bench(&format!("bad.pbrt warned.pbrt gone.pbrt ball.pbrt {ONCE} --accel sah --precision exact,fast --json -"));
     let run = run.exited(66).said("error: bad.pbrt:1:1: unknown directive").said("error: gone.pbrt: cannot read");
     let run = run
         .said("warning: warned.pbrt:2:7")
@@ -153,32 +225,41 @@ fn floor(count: usize) -> String {
 }
 
 #[test]
-fn none_is_left_out_where_it_would_take_long_unless_it_is_named() {
-    let folder = Folder::new().with("floor.pbrt", floor(5000));
-    let precision = "--precision fast";
-    let run = folder.bench(&format!("floor.pbrt {ONCE} {precision} --json -")).succeeded();
-    let methods: Vec<String> =
-        configurations(document(&run)["rows"].as_array().unwrap()).into_iter().map(|row| row.0).collect();
-    assert_eq!(methods, ["middle", "equal", "sah", "hlbvh"]);
-    run.said(
-        "note: floor.pbrt: none is left out: 102,400 rays, each tested against 10,000 primitives, would take long",
+fn none_is_sampled_where_it_would_take_long_and_says_so() {
+    let folder = Folder::new().with("floor.pbrt", floor(9000));
+    let run = folder.bench(&format!("floor.pbrt {ONCE} --accel none,sah --precision fast,watertight")).succeeded();
+    let text = stdout(&run);
+    assert!(
+        text.contains("\nnone is sampled: ") && text.contains(" of 102,400 rays, some tiles chosen at random"),
+        "{text}"
     );
-    let run = folder.bench(&format!("floor.pbrt {ONCE} {precision} --accel none")).succeeded().did_not_say("left out");
-    assert!(stdout(&run).contains("\nnone   fast "), "{run:?}");
+    let rows = rows(&folder, &format!("floor.pbrt {ONCE} --accel none,sah --precision fast,watertight"));
+    let [tiles, alone, all, _] = &rows[..] else { panic!("{rows:?}") };
+    let count = |row: &Value, key: &str| row[key].as_u64().unwrap();
+    assert!(count(tiles, "rays") < 102_400 && count(tiles, "rays").is_multiple_of(256));
+    assert_eq!(
+        (count(alone, "rays"), count(alone, "sampled_pixels")),
+        (count(tiles, "rays") / 256, count(tiles, "rays") / 256)
+    );
+    assert_eq!((count(all, "rays"), &all["confidence_95"]), (102_400, &Value::Null));
+    let [low, high] = [0, 1].map(|end: usize| tiles["confidence_95"]["wrong_hits"][end].as_f64().unwrap());
+    assert!(low == 0.0 && high > 0.0 && high < 0.5, "{tiles}");
 }
 
 #[test]
 fn what_cannot_be_measured_is_refused() {
     let folder = Folder::new();
     let cases = [
-        ("--reference exact", "invalid value 'exact' for '--reference <WHAT>': not available yet"),
-        ("--reference embree", "invalid value 'embree' for '--reference <WHAT>': expected none"),
+        ("--reference embree", "invalid value 'embree' for '--reference <WHAT>'"),
         (
             "--accel sah,kd",
             "invalid value 'kd' for '--accel <METHODS>': expected one of none, middle, equal, sah, hlbvh",
         ),
         ("--accel sah,none,sah", "--accel names `sah` twice"),
-        ("--precision slow", "invalid value 'slow' for '--precision <HOW>': expected one of exact, fast"),
+        (
+            "--precision slow",
+            "invalid value 'slow' for '--precision <HOW>': expected some of exact, fast, exact-single, moeller-trumbore, watertight",
+        ),
         ("--precision fast,fast", "--precision names `fast` twice"),
         ("--runs 0", "invalid value '0' for '--runs <N>': expected a number from 1 to 10000"),
         ("--warmup 10001", "invalid value '10001' for '--warmup <N>': expected a number from 0 to 10000"),
@@ -194,6 +275,6 @@ fn what_cannot_be_measured_is_refused() {
 #[test]
 fn progress_is_drawn_where_it_is_asked_for() {
     let folder = Folder::new();
-    folder.bench(&format!("ball.pbrt {ONCE} --progress always")).succeeded().said("measuring [");
+    folder.bench(&format!("ball.pbrt {ONCE} --progress always")).succeeded().said("judging   [").said("measuring [");
     folder.bench(&format!("ball.pbrt {ONCE}")).succeeded().did_not_say("measuring [");
 }

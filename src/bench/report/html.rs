@@ -31,10 +31,10 @@ pub(super) fn table(lines: &[Vec<String>], names: usize) -> String {
 }
 
 /// A picture, a PNG file, that is part of the page.
-pub(super) fn figure(caption: &str, png: &[u8], class: &str) -> String {
+pub(super) fn figure(caption: &str, png: &[u8]) -> String {
     let (caption, data) = (escaped(caption), BASE64_STANDARD.encode(png));
     format!(
-        "<figure class=\"{class}\"><img alt=\"{caption}\" src=\"data:image/png;base64,{data}\">\
+        "<figure><img alt=\"{caption}\" src=\"data:image/png;base64,{data}\">\
          <figcaption>{caption}</figcaption></figure>\n"
     )
 }
@@ -54,6 +54,6 @@ mod tests {
         let table = table(&cells, 1);
         assert!(table.contains("<th class=\"name\">a</th><th>&lt;b&gt;</th>"), "{table}");
         assert!(table.contains("<td class=\"name\">&quot;c&quot; &amp; &#39;d&#39;</td><td>1</td>"), "{table}");
-        assert!(figure("\"<", &[0, 1], "").contains("alt=\"&quot;&lt;\" src=\"data:image/png;base64,AAE=\""));
+        assert!(figure("\"<", &[0, 1]).contains("alt=\"&quot;&lt;\" src=\"data:image/png;base64,AAE=\""));
     }
 }

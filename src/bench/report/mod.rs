@@ -2,9 +2,10 @@
 
 mod html;
 
-use super::{InputError, Machine, PictureFiles, RayTable, Row, TreeTable, to_svg, totals};
+use super::{InputError, Kernel, Machine, PictureFiles, RayTable, Row, TreeTable, to_svg, totals};
 use crate::compare::picture;
 use html::{escaped, figure, swatch, table};
+use indicatif::HumanCount;
 use std::fmt::Write;
 
 /// What the page says of a scene.
@@ -82,17 +83,20 @@ pub fn notes(rows: &[Row]) -> Vec<String> {
         notes.push(format!(
             "errors are those of {} of {} pixels, chosen at random; in brackets, what the share of all pixels is below, with a \
              confidence of 95 %",
-            errors.tally.pixels, errors.of
+            HumanCount(errors.tally.pixels),
+            HumanCount(errors.of)
         ));
     }
     for row in rows.chunk_by(|a, b| a.method == b.method).filter_map(|rows| rows.iter().find(|row| row.is_sampled())) {
         let judged = row
             .errors
             .as_ref()
-            .map_or(String::new(), |errors| format!(", errors are those of {} pixels in them", errors.tally.pixels));
+            .map_or(String::new(), |errors| format!("; errors are those of {} pixels in them", errors.tally.pixels));
         notes.push(format!(
             "{} is sampled: {} of {} rays, some tiles chosen at random (of kernels that trace rays alone, a ray of each){judged}",
-            row.method, row.rays, row.pixels
+            row.method,
+            HumanCount(row.rays),
+            HumanCount(row.pixels)
         ));
     }
     if rows.iter().all(|row| row.errors.is_none()) {
@@ -112,8 +116,8 @@ fn of_pictures(rows: &[Row], pictures: &PictureFiles) -> String {
              pixels.</p>\n<div class=\"pictures\">\n",
             pictures.highest_cost
         );
-        text += &figure("depth", depth, "large");
-        pictures.costs.iter().for_each(|(method, cost)| text += &figure(&format!("cost, {method}"), cost, ""));
+        text += &figure("depth", depth);
+        pictures.costs.iter().for_each(|(method, cost)| text += &figure(&format!("cost, {method}"), cost));
         text += "</div>\n";
     }
     if pictures.errors.iter().any(Option::is_some) {
@@ -130,11 +134,65 @@ fn of_pictures(rows: &[Row], pictures: &PictureFiles) -> String {
             text += &swatch(color, meaning);
         }
         text += "</p>\n<div class=\"pictures\">\n";
-        for (row, errors) in rows.iter().zip(&pictures.errors) {
-            let Some(errors) = errors else { continue };
-            text += &figure(&format!("{} {}", row.method, row.kernel), errors, "");
+        for (caption, png) in different(rows, &pictures.errors) {
+            text += &figure(&caption, png);
         }
         text += "</div>\n";
     }
     text
+}
+
+/// Each picture once, with the names of all rows that share it: answers mostly do not depend on the tree.
+fn different<'a>(rows: &[Row], pictures: &'a [Option<Vec<u8>>]) -> Vec<(String, &'a [u8])> {
+    let mut different: Vec<(Kernel, Vec<&str>, &[u8])> = Vec::new();
+    for (row, picture) in rows.iter().zip(pictures) {
+        let Some(picture) = picture.as_deref() else { continue };
+        match different.iter_mut().find(|(kernel, _, other)| *kernel == row.kernel && *other == picture) {
+            Some((_, methods, _)) => methods.push(row.method.name()),
+            None => different.push((row.kernel, vec![row.method.name()], picture)),
+        }
+    }
+    different
+        .into_iter()
+        .map(|(kernel, methods, picture)| (format!("{kernel}: {}", methods.join(", ")), picture))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::accel::SplitMethod;
+    use crate::bench::table::tests::row;
+
+    fn section(name: &str) -> Section {
+        let [exact, fast, ..] = Kernel::ALL;
+        let rows = [
+            (SplitMethod::Middle, exact),
+            (SplitMethod::Middle, fast),
+            (SplitMethod::Sah, exact),
+            (SplitMethod::Sah, fast),
+        ];
+        let pictures = PictureFiles {
+            depth: Some(vec![1]),
+            costs: vec![(SplitMethod::Sah, vec![2])],
+            highest_cost: 7.0,
+            errors: vec![Some(vec![3]), Some(vec![4]), Some(vec![3]), Some(vec![5])],
+            size: [3, 4],
+        };
+        let rows = rows.map(|(method, kernel)| Row { scene: name.into(), ..row(method, kernel, 1000) }).to_vec();
+        Section { title: format!("{name}: small"), rows, pictures }
+    }
+
+    #[test]
+    fn a_page_holds_every_scene_and_nothing_from_elsewhere() {
+        let machine = Machine::detect("scalar");
+        let page = to_html(&machine, "feimos bench <x>", &[section("a<b>.pbrt"), section("c.pbrt")]);
+        assert!(page.contains("<h2>a&lt;b&gt;.pbrt</h2>") && page.contains("<h2>All 2 scenes</h2>"));
+        assert_eq!((page.matches("<svg").count(), page.matches("<table>").count()), (3, 5));
+        assert!(!page.contains("src=\"http") && !page.contains("href="), "everything is on the page");
+        let captions: Vec<&str> =
+            page.split("<figcaption>").skip(1).map(|rest| &rest[..rest.find('<').unwrap()]).collect();
+        let of_one = ["depth", "cost, sah", "exact: middle, sah", "fast: middle", "fast: sah"];
+        assert_eq!(captions, [of_one, of_one].concat());
+    }
 }

@@ -31,6 +31,11 @@ impl Outputs {
     /// # Errors
     /// A place where no file can be made, before anybody waits for what should go there; two results that would go to one place.
     pub(super) fn new(args: &OutputArgs) -> Result<Outputs> {
+        // First, since other files may go there.
+        if let Some(directory) = &args.report {
+            fs::create_dir_all(directory).map_err(|error| Error::writing(directory, &error))?;
+            atomic_file::check(&directory.join(PAGE))?;
+        }
         let asked = [
             (Content::Json, &args.json),
             (Content::Csv, &args.csv),
@@ -52,10 +57,6 @@ impl Outputs {
             if let Destination::File(path) = destination {
                 atomic_file::check(path)?;
             }
-        }
-        if let Some(directory) = &args.report {
-            fs::create_dir_all(directory).map_err(|error| Error::writing(directory, &error))?;
-            atomic_file::check(&directory.join(PAGE))?;
         }
         Ok(Outputs { files, report: args.report.clone() })
     }
