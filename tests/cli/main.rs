@@ -3,6 +3,7 @@
 mod batch;
 mod bench;
 mod check;
+mod compare;
 mod engine;
 mod exit_code;
 mod folder;
