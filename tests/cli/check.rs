@@ -4,13 +4,9 @@ use crate::folder::{BALL, Folder, Run, WARNED};
 use serde_json::{Value, json};
 use std::fs;
 
-fn stdout(run: &Run) -> &str {
-    std::str::from_utf8(&run.stdout).unwrap()
-}
-
 /// The first words of the blocks' titles.
 fn titles(run: &Run) -> Vec<&str> {
-    stdout(run).lines().filter(|line| !line.is_empty() && !line.starts_with(' ')).collect()
+    run.text().lines().filter(|line| !line.is_empty() && !line.starts_with(' ')).collect()
 }
 
 /// A folder with scenes, parts of scenes and other files below it.
@@ -40,7 +36,7 @@ ball.pbrt
   memory      2 transforms, 348 bytes
   directives  1 Camera, 1 Film, 1 LookAt, 2 Shape, 1 Translate, 1 WorldBegin
 ";
-    assert_eq!((stdout(&run), run.stderr.as_str()), (expected, ""));
+    assert_eq!((run.text(), run.stderr.as_str()), (expected, ""));
 }
 
 #[test]
@@ -51,7 +47,7 @@ fn what_is_left_out_and_what_is_skipped_is_told() {
         ObjectBegin \"o\" Shape \"sphere\" Shape \"sphere\" ObjectEnd
         ObjectInstance \"o\" Translate 10 0 0 ObjectInstance \"o\" Shape \"nurbs\"";
     let run = Folder::new().with("a.pbrt", scene).check("a.pbrt").succeeded();
-    let found = stdout(&run);
+    let found = run.text();
     let lines = [
         "  camera      orthographic, at (0, 0, 0), towards (0, 0, 1)\n",
         "  film        8 x 4 pixels, of which 2 to 8 and 0 to 3\n",
@@ -68,9 +64,9 @@ fn what_is_left_out_and_what_is_skipped_is_told() {
 fn long_lists_go_on_in_the_next_line() {
     let names: String = ('A'..='Z').map(|letter| format!("Private{letter}{letter}{letter} ")).collect();
     let run = Folder::new().with("a.pbrt", format!("WorldBegin {names}")).check("a.pbrt -q").succeeded();
-    assert_eq!((stdout(&run), run.stderr.as_str()), ("", ""), "quiet");
+    assert_eq!((run.text(), run.stderr.as_str()), ("", ""), "quiet");
     let run = Folder::new().with("a.pbrt", format!("WorldBegin {names}")).check("a.pbrt").succeeded();
-    let found = stdout(&run);
+    let found = run.text();
     assert!(found.lines().all(|line| line.len() <= 100), "{found}");
     assert!(
         found.contains("\n  unknown     1 PrivateAAA, ") && found.contains(",\n              1 Private"),
@@ -82,14 +78,14 @@ fn long_lists_go_on_in_the_next_line() {
 fn names_from_files_do_not_command_the_terminal() {
     let scene = "Film \"rgb\" \"string filename\" \"a\u{1b}[31m.exr\" WorldBegin Shape \"b\u{1b}[31m\"";
     let run = Folder::new().with("a.pbrt", scene).check("a.pbrt").succeeded();
-    assert!(!stdout(&run).contains('\u{1b}') && !run.stderr.contains('\u{1b}'), "{run:?}");
+    assert!(!run.text().contains('\u{1b}') && !run.stderr.contains('\u{1b}'), "{run:?}");
 }
 
 #[test]
 fn a_bare_mesh_is_checked_where_it_is_named() {
     let folder = Folder::new().with("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     let run = folder.check("m.obj").succeeded();
-    assert!(stdout(&run).contains("              objmesh           1           1\n"), "{}", stdout(&run));
+    assert!(run.text().contains("              objmesh           1           1\n"), "{}", run.text());
     assert_eq!(titles(&folder.check(".").succeeded()), ["./ball.pbrt"]);
 }
 

@@ -74,6 +74,11 @@ impl Folder {
         Run::of(assert_cmd::Command::from_std(self.subcommand("check", arguments)))
     }
 
+    /// Runs `feimos compare` with `arguments` and an empty standard input.
+    pub(crate) fn compare(&self, arguments: &str) -> Run {
+        Run::of(assert_cmd::Command::from_std(self.subcommand("compare", arguments)))
+    }
+
     /// Runs [`Folder::command`] with an empty standard input.
     pub(crate) fn render(&self, arguments: &str) -> Run {
         self.render_input(arguments, "")
@@ -163,9 +168,14 @@ impl Run {
         self
     }
 
+    /// Standard output as text.
+    pub(crate) fn text(&self) -> &str {
+        std::str::from_utf8(&self.stdout).unwrap()
+    }
+
     /// The lines of `--json`.
     pub(crate) fn json(&self) -> Vec<serde_json::Value> {
-        json_lines(std::str::from_utf8(&self.stdout).unwrap())
+        json_lines(self.text())
     }
 }
 

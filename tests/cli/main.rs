@@ -3,6 +3,7 @@
 mod batch;
 mod bench;
 mod check;
+mod compare;
 mod cost;
 mod engine;
 mod exit_code;

@@ -1,10 +1,13 @@
 //! A pixel that differs, with what both images say of it.
 
 use feimos::compare::Difference;
-use feimos::film::{Image, Samples};
+use feimos::film::{ChannelName, Image, Samples};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt::{self, Display, Formatter};
+
+const FALSE_HIT: &str = "false hit";
+const MISSED_HIT: &str = "missed hit";
 
 /// In words and as JSON.
 #[derive(Debug, Serialize)]
@@ -39,8 +42,8 @@ impl Pixel {
         let (column, row) = (pixel as u64 % u64::from(window.width()), pixel as u64 / u64::from(window.width()));
         let (kind, ulps) = match difference {
             Difference::None => ("equal", None),
-            Difference::FalseHit => ("false hit", None),
-            Difference::MissedHit => ("missed hit", None),
+            Difference::FalseHit => (FALSE_HIT, None),
+            Difference::MissedHit => (MISSED_HIT, None),
             Difference::WrongPrimitive => ("wrong primitive", None),
             Difference::Depth(ulps) => ("wrong depth", Some(ulps)),
         };
@@ -62,16 +65,23 @@ impl Values {
 
 impl Display for Pixel {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let ulps = self.ulps.map_or(String::new(), |ulps| format!(" by {ulps}"));
         let place = format!("({}, {})", self.x, self.y);
-        let kind = format!("{}{ulps}", self.kind);
-        write!(f, "{place:<12}  {kind:<15}  A: {}; B: {}", self.expected, self.found)
+        let kind = format!("{}{}", self.kind, self.ulps.map_or(String::new(), |ulps| format!(" by {ulps}")));
+        write!(f, "{place:<12}  {kind:<15}  ")?;
+        match self.kind {
+            FALSE_HIT => write!(f, "A: miss; B: {}", self.found),
+            MISSED_HIT => write!(f, "A: {}; B: miss", self.expected),
+            _ => write!(f, "A: {}; B: {}", self.expected, self.found),
+        }
     }
 }
 
 impl Display for Values {
+    /// Of a hit, so that `A` says nothing.
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        for (place, (name, sample)) in self.0.iter().enumerate() {
+        let names = ChannelName::ALL.into_iter().filter(|name| *name != ChannelName::A);
+        let samples = names.filter_map(|name| Some((name.as_str(), self.0.get(name.as_str())?)));
+        for (place, (name, sample)) in samples.enumerate() {
             let gap = if place == 0 { "" } else { ", " };
             match sample {
                 // The shortest digits that tell it from its neighbours.

@@ -1,8 +1,8 @@
 //! The chunks of a file: found, counted and decompressed.
 
 use super::part::Part;
-use super::{Decoded, damaged};
-use crate::error::Diagnostic;
+use super::{WHOLE, damaged, wrong};
+use crate::error::Result;
 use exr::block::UncompressedBlock;
 use exr::block::chunk::{Chunk, CompressedBlock, CompressedScanLineBlock, CompressedTileBlock, TileCoordinates};
 use exr::math::Vec2;
@@ -24,21 +24,21 @@ pub(super) struct Block<'a> {
 
 /// All blocks of the largest resolution of `part`, each once, in the order of the file's table, which begins at byte `table` of
 /// the file.
-pub(super) fn blocks<'a>(bytes: &'a [u8], table: u64, meta: &MetaData, part: &Part) -> Decoded<Vec<Block<'a>>> {
+pub(super) fn blocks<'a>(bytes: &'a [u8], table: u64, meta: &MetaData, part: &Part) -> Result<Vec<Block<'a>>> {
     let grid = Grid::of(part);
     let counts = meta.headers.iter().map(|header| header.chunk_count as u64);
     let chunks = counts.clone().fold(0, u64::saturating_add);
     let tables = bytes.get(table as usize..).unwrap_or_default();
     if chunks > tables.len() as u64 / size_of::<u64>() as u64 || grid.count() > chunks {
         let found = format!("the file ends in the table of its {chunks} chunks");
-        return Err(Diagnostic::new(found).note("expected a whole file: it may be damaged or cut off"));
+        return Err(wrong(found, WHOLE));
     }
     let before = counts.take(part.index).sum::<u64>() as usize;
     let offsets = &tables.as_chunks().0[before..before + part.header.chunk_count];
     let mut blocks: Vec<Option<Block>> = std::iter::repeat_with(|| None).take(grid.count() as usize).collect();
     for offset in offsets {
         let offset = u64::from_le_bytes(*offset);
-        let at = |problem: String| Diagnostic::new(format!("the chunk at byte {offset} {problem}")).note(WHOLE);
+        let at = |problem: String| wrong(format!("the chunk at byte {offset} {problem}"), WHOLE);
         let chunk = RawChunk::read(bytes, offset, meta, part).map_err(at)?;
         let Some(place) = grid.place(&chunk).map_err(at)? else { continue };
         let block = grid.block(place, chunk.compressed);
@@ -48,10 +48,8 @@ pub(super) fn blocks<'a>(bytes: &'a [u8], table: u64, meta: &MetaData, part: &Pa
         }
     }
     let all: Option<Vec<Block>> = blocks.into_iter().collect();
-    all.ok_or_else(|| Diagnostic::new("some pixels are in no chunk of the file").note(WHOLE))
+    all.ok_or_else(|| wrong("some pixels are in no chunk of the file", WHOLE))
 }
-
-const WHOLE: &str = "expected a whole file: it may be damaged, or the program that wrote it was ended";
 
 /// A chunk as the file has it.
 struct RawChunk<'a> {
@@ -66,7 +64,7 @@ enum RawPosition {
 }
 
 impl<'a> RawChunk<'a> {
-    fn read(bytes: &'a [u8], offset: u64, meta: &MetaData, part: &Part) -> Result<RawChunk<'a>, String> {
+    fn read(bytes: &'a [u8], offset: u64, meta: &MetaData, part: &Part) -> std::result::Result<RawChunk<'a>, String> {
         let outside = || format!("lies outside of the file, which has {} bytes", bytes.len());
         let start = usize::try_from(offset).ok().and_then(|offset| bytes.get(offset..)).ok_or_else(outside)?;
         let mut rest = Integers(start);
@@ -139,7 +137,7 @@ impl Grid {
     }
 
     /// The number of the block in `chunk`; `None` of another resolution.
-    fn place(&self, chunk: &RawChunk) -> Result<Option<u64>, String> {
+    fn place(&self, chunk: &RawChunk) -> std::result::Result<Option<u64>, String> {
         let (column, row) = match chunk.position {
             RawPosition::Row(y) => {
                 let row = u32::try_from(i64::from(y) - i64::from(self.first_row)).ok();
@@ -176,7 +174,7 @@ impl Block<'_> {
     }
 
     /// Whether it can hold its pixels; else what is wrong.
-    fn check_size(&self, part: &Part) -> Result<(), String> {
+    fn check_size(&self, part: &Part) -> std::result::Result<(), String> {
         let (bytes, size) = (self.compressed.len() as u64, self.size(part));
         if bytes > size || bytes.saturating_mul(MOST_TIMES) < size {
             let (width, height) = (self.width, self.height);
@@ -186,7 +184,7 @@ impl Block<'_> {
     }
 
     /// Its pixels as the crate has them: row by row, in each the channels one after another, in the machine's order of bytes.
-    pub(super) fn decompress(&self, meta: &MetaData, part: &Part) -> Decoded<Vec<u8>> {
+    pub(super) fn decompress(&self, meta: &MetaData, part: &Part) -> Result<Vec<u8>> {
         let compressed_pixels_le = self.compressed.to_vec();
         let compressed_block = match part.header.blocks {
             BlockDescription::ScanLines => {
@@ -205,7 +203,7 @@ impl Block<'_> {
             UncompressedBlock::decompress_chunk(chunk, meta, false).map_err(|error| damaged("pixels", &error))?;
         match block.data.len() as u64 == self.size(part) {
             true => Ok(block.data),
-            false => Err(Diagnostic::new("a chunk does not hold as many samples as it has pixels").note(WHOLE)),
+            false => Err(wrong("a chunk does not hold as many samples as it has pixels", WHOLE)),
         }
     }
 }

@@ -20,9 +20,6 @@ use rayon::prelude::*;
 use std::io::Cursor;
 use std::path::Path;
 
-/// What is wrong with a file, without its name.
-type Decoded<T> = std::result::Result<T, Diagnostic>;
-
 /// The first bytes of any OpenEXR file.
 const MAGIC: [u8; 4] = exr::meta::magic_number::BYTES;
 
@@ -50,18 +47,18 @@ pub fn read(path: &Path) -> Result<Image> {
 /// What is no such file, is damaged or cut off; deep data, subsampled channels, DWA and B44; a data window that reaches out of the display window
 /// or is too large; numbers that are none of a channel's type. Memory is taken only for what the file can hold.
 pub fn decode(path: &Path, bytes: &[u8]) -> Result<Image> {
-    decoded(bytes).map_err(|problem| Error::bad_input(problem.at(SourceLocation::file(path))))
+    decoded(bytes).map_err(|error| error.or_at(|| SourceLocation::file(path)))
 }
 
-fn decoded(bytes: &[u8]) -> Decoded<Image> {
+fn decoded(bytes: &[u8]) -> Result<Image> {
     let mut file = Cursor::new(bytes);
     if !recognises(bytes) {
-        return Err(Diagnostic::new("this is no OpenEXR file").note("expected its first bytes to be 76 2f 31 01"));
+        return Err(wrong("this is no OpenEXR file", "its first bytes to be 76 2f 31 01"));
     }
     let meta = MetaData::read_from_buffered(&mut file, false).map_err(|error| damaged("header", &error))?;
     if meta.headers.iter().any(|header| header.deep) {
-        let found = Diagnostic::new("the file holds deep data, several samples a pixel");
-        return Err(found.note("expected one sample a pixel: flatten the image first"));
+        let expected = "one sample a pixel: flatten the image first";
+        return Err(wrong("the file holds deep data, several samples a pixel", expected));
     }
     MetaData::validate(&meta.headers, false).map_err(|error| damaged("header", &error))?;
     let part = Part::find(&meta)?;
@@ -70,13 +67,13 @@ fn decoded(bytes: &[u8]) -> Decoded<Image> {
 }
 
 /// The image of these blocks, which are all there are.
-fn fill(meta: &MetaData, part: &Part, blocks: &[Block]) -> Decoded<Image> {
+fn fill(meta: &MetaData, part: &Part, blocks: &[Block]) -> Result<Image> {
     let area = part.window.area() as usize;
     let bytes = area.saturating_mul(part.channels.len() * size_of::<f32>());
     // Zeroed memory costs nothing before it is used, but is refused by ending the program: so ask politely first.
     Vec::<u8>::new()
         .try_reserve_exact(bytes)
-        .map_err(|_| Diagnostic::new(format!("the image takes {bytes} bytes of memory, which are not to be had")))?;
+        .map_err(|_| wrong(format!("the image takes {bytes} bytes of memory"), "as many to be had"))?;
     let zeros = |is_integer: bool| if is_integer { Samples::U32(vec![0; area]) } else { Samples::F32(vec![0.0; area]) };
     let mut samples: Vec<Samples> = part.channels.iter().map(|channel| zeros(channel.name.is_integer())).collect();
     for batch in blocks.chunks(BATCH) {
@@ -90,24 +87,30 @@ fn fill(meta: &MetaData, part: &Part, blocks: &[Block]) -> Decoded<Image> {
 }
 
 /// Puts a decompressed block into its place in the samples of each channel.
-fn put(part: &Part, block: &Block, pixels: &[u8], samples: &mut [Samples]) -> Decoded<()> {
+fn put(part: &Part, block: &Block, pixels: &[u8], samples: &mut [Samples]) -> Result<()> {
     let width = block.width as usize;
     let rows = pixels.chunks_exact(width * part.bytes_per_pixel());
     for (y, row) in (block.y..).zip(rows) {
         let start = y as usize * part.window.width() as usize + block.x as usize;
         for (channel, samples) in part.channels.iter().zip(&mut *samples) {
             let bytes = &row[channel.offset * width..][..channel.bytes() * width];
-            convert::put(channel.sample_type, bytes, samples, start).map_err(|wrong| {
-                let (x, y) = (part.window.x0 + block.x + wrong.place as u32, part.window.y0 + y);
-                let found = format!("channel {} holds {} in pixel ({x}, {y})", channel.name.as_str(), wrong.value);
-                Diagnostic::new(found).note(format!("expected {}", wrong.expected))
+            convert::put(channel.sample_type, bytes, samples, start).map_err(|unfit| {
+                let (x, y) = (part.window.x0 + block.x + unfit.place as u32, part.window.y0 + y);
+                let found = format!("channel {} holds {} in pixel ({x}, {y})", channel.name.as_str(), unfit.value);
+                wrong(found, unfit.expected)
             })?;
         }
     }
     Ok(())
 }
 
-fn damaged(what: &str, error: &exr::error::Error) -> Diagnostic {
-    Diagnostic::new(format!("the {what} of this OpenEXR file cannot be read: {error}"))
-        .note("expected a whole file: it may be damaged or cut off")
+/// An error in a file whose name is not known here.
+fn wrong(found: impl Into<String>, expected: impl std::fmt::Display) -> Error {
+    Error::bad_input(Diagnostic::new(found).note(format!("expected {expected}")))
 }
+
+fn damaged(what: &str, error: &exr::error::Error) -> Error {
+    wrong(format!("the {what} of this OpenEXR file cannot be read: {error}"), WHOLE)
+}
+
+const WHOLE: &str = "a whole file: it may be damaged, cut off, or the program that wrote it was ended";

@@ -1,7 +1,7 @@
 //! The part of a file that is read: its windows and channels, checked.
 
-use super::Decoded;
-use crate::error::Diagnostic;
+use super::wrong;
+use crate::error::{Error, Result};
 use crate::film::{ChannelName, PixelBounds};
 use exr::compression::Compression;
 use exr::math::Vec2;
@@ -40,14 +40,14 @@ impl FileChannel {
 
 impl<'a> Part<'a> {
     /// The first part of the file with a channel that feimos knows.
-    pub(super) fn find(meta: &'a MetaData) -> Decoded<Part<'a>> {
+    pub(super) fn find(meta: &'a MetaData) -> Result<Part<'a>> {
         let mut parts = meta.headers.iter().enumerate().map(|(index, header)| (index, header, known_channels(header)));
         let Some((index, header, channels)) = parts.find(|(_, _, channels)| !channels.is_empty()) else {
             return Err(unknown_channels(meta));
         };
         if let Some(channel) = header.channels.list.iter().find(|channel| channel.sampling != Vec2(1, 1)) {
             let found = format!("channel {} does not have a sample for every pixel", channel.name);
-            return Err(Diagnostic::new(found).note("expected channels that are not subsampled"));
+            return Err(wrong(found, "channels that are not subsampled"));
         }
         refuse_compression(header.compression)?;
         let (film, window) = windows(header)?;
@@ -75,30 +75,32 @@ fn known_channels(header: &Header) -> Vec<FileChannel> {
 
 /// DWA and B44 are made for colours, which they change; the decoders that there are for them trust what they read, as far as memory
 /// and sums are concerned.
-fn refuse_compression(compression: Compression) -> Decoded<()> {
+fn refuse_compression(compression: Compression) -> Result<()> {
     use Compression::{PIZ, PXR24, RLE, Uncompressed, ZIP1, ZIP16};
     match compression {
         Uncompressed | RLE | ZIP1 | ZIP16 | PIZ | PXR24 => Ok(()),
-        other => Err(Diagnostic::new(format!("the image is compressed by {other}, which is not read"))
-            .note("expected none, RLE, ZIP, ZIPS, PIZ or PXR24: write it with one of these")),
+        other => {
+            let expected = "none, RLE, ZIP, ZIPS, PIZ or PXR24: write it with one of these";
+            Err(wrong(format!("the image is compressed by {other}, which is not read"), expected))
+        }
     }
 }
 
 /// Channel names of a message, at most.
 const MAX_NAMES: usize = 10;
 
-fn unknown_channels(meta: &MetaData) -> Diagnostic {
+fn unknown_channels(meta: &MetaData) -> Error {
     let mut names =
         meta.headers.iter().flat_map(|header| &header.channels.list).map(|channel| channel.name.to_string());
     let mut found: Vec<String> = names.by_ref().take(MAX_NAMES).collect();
     found.extend(names.next().map(|_| "...".to_owned()));
     let known = ChannelName::ALL.map(ChannelName::as_str).join(", ");
-    Diagnostic::new(format!("no channel of this image is one of feimos's; it has {}", found.join(", ")))
-        .note(format!("expected one or more of {known}"))
+    let found = format!("no channel of this image is one of feimos's; it has {}", found.join(", "));
+    wrong(found, format!("one or more of {known}"))
 }
 
 /// Width and height of the film, and the pixels of it that the part has.
-fn windows(header: &Header) -> Decoded<((u32, u32), PixelBounds)> {
+fn windows(header: &Header) -> Result<((u32, u32), PixelBounds)> {
     let (data, display) = (header.data_window(), header.shared_attributes.display_window);
     let shifted = |at: i32, origin: i32| u32::try_from(i64::from(at) - i64::from(origin)).ok();
     let x0 = shifted(data.position.x(), display.position.x());
@@ -112,18 +114,15 @@ fn windows(header: &Header) -> Decoded<((u32, u32), PixelBounds)> {
     let Some(window) = within else {
         let found =
             format!("the data window, {}, reaches out of the display window, {}", words(&data), words(&display));
-        return Err(Diagnostic::new(found).note("expected a part of the display window: crop the image to it first"));
+        return Err(wrong(found, "a part of the display window: crop the image to it first"));
     };
     if window.is_empty() {
-        return Err(
-            Diagnostic::new(format!("the image is {width} x {height} pixels")).note("expected a pixel at least")
-        );
+        return Err(wrong(format!("the image is {width} x {height} pixels"), "a pixel at least"));
     }
     if film[0].max(film[1]) > PixelBounds::MAX_SIDE || window.area() > MAX_AREA {
         let found = format!("the image is {width} x {height} pixels, of a film of {} x {}", film[0], film[1]);
-        let note =
-            format!("expected {MAX_AREA} pixels at most, of a film with sides of {} at most", PixelBounds::MAX_SIDE);
-        return Err(Diagnostic::new(found).note(note));
+        let note = format!("{MAX_AREA} pixels at most, of a film with sides of {} at most", PixelBounds::MAX_SIDE);
+        return Err(wrong(found, note));
     }
     Ok(((film[0], film[1]), window))
 }
