@@ -48,6 +48,7 @@ pub mod film;
 pub mod geometry;
 mod input;
 pub mod mesh;
+pub mod pixel;
 pub mod progress;
 pub mod reference;
 pub mod render;

@@ -2,6 +2,7 @@
 
 use super::bench_args::BenchArgs;
 use super::check::CheckArgs;
+use super::pixel::PixelArgs;
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 use feimos::accel::{Precision, SplitMethod};
 use feimos::film::{ChannelName, ColorMap, PixelBounds, View};
@@ -31,6 +32,11 @@ pub(crate) enum Command {
     /// Each scene is loaded once; then every accelerator with every precision builds and traces the whole image, in turn, round
     /// after round, so that whatever else the machine does meets all of them alike.
     Bench(BenchArgs),
+    /// Explain one pixel: its ray, what it hits and where that is in the scene file, how close it was.
+    ///
+    /// Tells what each precision makes of the ray, what it costs with each accelerator, and what exact arithmetic on every single
+    /// primitive says.
+    Pixel(PixelArgs),
 }
 
 #[derive(Debug, Args)]
@@ -254,11 +260,16 @@ fn numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
     Ok(numbers)
 }
 
+/// Column and row of a pixel.
+pub(super) fn pixel(text: &str) -> Result<[u32; 2], String> {
+    integers(parts(text, ',')?)
+}
+
 fn pixel_bounds(text: &str) -> Result<[u32; 4], String> {
     integers(parts(text, ',')?)
 }
 
-fn resolution(text: &str) -> Result<[u32; 2], String> {
+pub(super) fn resolution(text: &str) -> Result<[u32; 2], String> {
     let resolution = integers(parts(text, 'x')?)?;
     const MAX_SIDE: u32 = PixelBounds::MAX_SIDE;
     match resolution {

@@ -11,6 +11,7 @@ mod job;
 mod manifest;
 mod output_name;
 mod picture;
+mod pixel;
 mod plan;
 mod progress_bar;
 mod record;
@@ -38,6 +39,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Render(args) => report(&args.talk, |reporter| batch::render(&args, reporter)),
         Command::Check(args) => report(&args.talk, |reporter| check::check(&args, reporter)),
         Command::Bench(args) => report(&args.talk, |reporter| bench::bench(&args, reporter)),
+        Command::Pixel(args) => report(&args.talk, |reporter| pixel::pixel(&args, reporter)),
     }
 }
 

@@ -9,5 +9,6 @@ mod exit_code;
 mod folder;
 mod message;
 mod output;
+mod pixel;
 mod region;
 mod talk;

@@ -5,6 +5,7 @@ mod block;
 mod record;
 
 pub(crate) use args::CheckArgs;
+pub(super) use block::line;
 
 use super::WARNED;
 use super::failures::Failures;
