@@ -33,8 +33,10 @@ fn a_ray_through_an_edge_has_no_margin() {
     let hit = explanation.hit.unwrap();
     assert!(hit.margin.is_on_rim());
     assert_eq!(hit.margin, Margin::Triangle { barycentric: [0.375, 0.625, 0.0], on_film: Some(0.0) });
-    assert_eq!((hit.depth.z, hit.depth.t, hit.z.low, hit.z.high), (2.0, 2.0, 2.0, 2.0));
-    assert_eq!((hit.point.to_array(), hit.normal.unwrap().to_array()), ([0.25, 0.25, 2.0], [0.0, 0.0, -1.0]));
+    assert_eq!((hit.depth.z, hit.depth.t), (2.0, 2.0));
+    assert!(hit.z.low <= 2.0 && 2.0 <= hit.z.high && hit.z.high - hit.z.low < 1e-14, "{:?}", hit.z);
+    assert!((hit.point.z - 2.0).abs() < 1e-14 && hit.point.x == 0.25 && hit.point.y == 0.25, "{:?}", hit.point);
+    assert_eq!(hit.normal.unwrap().to_array().map(|x| x + 0.0), [0.0, 0.0, -1.0]);
     let scan = explanation.scan.unwrap();
     assert_eq!((scan.met, scan.next, scan.missed), (1, None, None));
     assert!(!explained(&scene, [3, 1]).hit.unwrap().margin.is_on_rim());
@@ -62,7 +64,7 @@ fn what_is_behind_is_told_with_its_distance() {
     let explanation = explained(&scene, [1, 2]);
     let next = explanation.scan.unwrap().next.unwrap();
     assert_eq!((explanation.hit.unwrap().prim, scene.shapes.image_number(next.primitive)), (2, 1));
-    assert_eq!((next.is_tie, next.farther), (false, 0.5));
+    assert!(!next.is_tie && (next.farther - 0.5).abs() < 1e-14, "{next:?}");
 }
 
 #[test]
