@@ -21,6 +21,14 @@ impl Projection {
         Projection::Perspective { tangent: degrees::tangent_of_half(fov) }
     }
 
+    /// What scene files call it.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Projection::Perspective { .. } => "perspective",
+            Projection::Orthographic => "orthographic",
+        }
+    }
+
     /// The field of view in degrees, for people: it has been rounded twice. None where rays are parallel.
     pub fn field_of_view(&self) -> Option<f64> {
         match self {

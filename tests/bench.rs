@@ -14,7 +14,7 @@ use std::sync::LazyLock;
 
 /// Triangles and spheres, the exact picture of them, and who knows it.
 static EXACT: LazyLock<(Scene, Image, Judge)> = LazyLock::new(|| {
-    let load_options = LoadOptions { resolution: Some([80, 50]) };
+    let load_options = LoadOptions { resolution: Some([80, 50]), ..LoadOptions::default() };
     let scene = load(Path::new("scenes/transforms.pbrt"), &load_options, Progress::SILENT).unwrap();
     let options = BuildOptions::new(SplitMethod::Sah);
     let window = whole(&scene.camera);

@@ -3,6 +3,7 @@
 use super::bench::BenchArgs;
 use super::check::CheckArgs;
 use super::compare::CompareArgs;
+use super::pixel::PixelArgs;
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 use feimos::accel::{Precision, SplitMethod};
 use feimos::film::{ChannelName, ColorMap, PixelBounds, View};
@@ -38,6 +39,11 @@ pub(crate) enum Command {
     /// files, of which colours are compared. Misses in both are equal whatever their depths. Exits with 1 where the images differ by
     /// more than is allowed.
     Compare(CompareArgs),
+    /// Explain one pixel: its ray, what it hits and where that is in the scene file, how close it was.
+    ///
+    /// Tells what each precision makes of the ray, what it costs with each accelerator, and what exact arithmetic on every single
+    /// primitive says.
+    Pixel(PixelArgs),
 }
 
 #[derive(Debug, Args)]
@@ -261,11 +267,16 @@ fn numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
     Ok(numbers)
 }
 
+/// Column and row of a pixel.
+pub(super) fn pixel(text: &str) -> Result<[u32; 2], String> {
+    integers(parts(text, ',')?)
+}
+
 fn pixel_bounds(text: &str) -> Result<[u32; 4], String> {
     integers(parts(text, ',')?)
 }
 
-fn resolution(text: &str) -> Result<[u32; 2], String> {
+pub(super) fn resolution(text: &str) -> Result<[u32; 2], String> {
     let resolution = integers(parts(text, 'x')?)?;
     const MAX_SIDE: u32 = PixelBounds::MAX_SIDE;
     match resolution {

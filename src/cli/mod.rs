@@ -12,6 +12,7 @@ mod job;
 mod manifest;
 mod output_name;
 mod picture;
+mod pixel;
 mod plan;
 mod progress_bar;
 mod record;
@@ -40,6 +41,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Check(args) => report(&args.talk, |reporter| check::check(&args, reporter)),
         Command::Compare(args) => report(&args.talk, |reporter| compare::compare(&args, reporter)),
         Command::Bench(args) => report(&args.talk, |reporter| bench::bench(&args, reporter)),
+        Command::Pixel(args) => report(&args.talk, |reporter| pixel::pixel(&args, reporter)),
     }
 }
 

@@ -1,6 +1,6 @@
 //! A camera for a bare mesh.
 
-use super::{AcceleratorParameters, Census, Film, LoadOptions, Scene, Warnings};
+use super::{AcceleratorParameters, Census, Film, LoadOptions, Places, Scene, Warnings};
 use crate::camera::{Camera, Projection, ScreenWindow};
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::film::PixelBounds;
@@ -52,6 +52,7 @@ pub(super) fn scene_of_mesh(path: &Path, shape: &str, loaded: Loaded, options: &
         transform_count: 1,
         warnings,
         census,
+        places: options.places.then(|| Places::of_mesh(path, shape)),
     })
 }
 

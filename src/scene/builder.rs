@@ -9,6 +9,7 @@ use super::includes::Includes;
 use super::objects::{Definition, Objects};
 use super::parameters::Parameters;
 use super::parser::{Directive, Directives, Entity, Span, Statement};
+use super::places::Places;
 use super::shape_statement::ShapeTarget;
 use super::source::{Place, Source};
 use super::transform_cache::TransformCache;
@@ -46,6 +47,8 @@ pub(super) struct Builder<'a> {
     pub(super) warnings: Warnings,
     census: Census,
     pub(super) includes: Includes,
+    /// If they are wanted.
+    pub(super) places: Option<Places>,
 }
 
 impl<'a> Builder<'a> {
@@ -70,7 +73,13 @@ impl<'a> Builder<'a> {
             warnings: Warnings::default(),
             census: Census::default(),
             includes: Includes::default(),
+            places: None,
         }
+    }
+
+    /// The same, keeping the places of statements if that is wanted.
+    pub(super) fn with_options(path: &Path, options: &LoadOptions, progress: Progress<'a>) -> Builder<'a> {
+        Builder { places: options.places.then(Places::default), ..Builder::new(path, progress) }
     }
 
     /// Reads a scene no further than `WorldBegin`.
@@ -94,6 +103,7 @@ impl<'a> Builder<'a> {
     /// Obeys the directives of one file and of those that it includes.
     pub(super) fn read(&mut self, source: Rc<Source>) -> Result<()> {
         self.includes.enter(&source.path);
+        self.places.iter_mut().for_each(|places| places.enter(&source.path));
         let mut seen = 0;
         for directive in Directives::new(&source.path, &source.text) {
             let directive = match directive {
@@ -114,6 +124,7 @@ impl<'a> Builder<'a> {
             }
         }
         self.includes.leave();
+        self.places.iter_mut().for_each(Places::leave);
         Ok(())
     }
 
@@ -216,6 +227,8 @@ impl<'a> Builder<'a> {
             return Err(source.error(keyword, format!("the scene has more than {} shapes", u32::MAX)));
         };
         self.shape_count = number;
+        let name = &entity.name.text;
+        self.places.iter_mut().for_each(|places| places.add_shape(name, keyword, &source.text));
         self.warn_if_moving(keyword, source);
         let is_in_object = self.objects.open.is_some();
         let (shapes, transforms) = match &mut self.objects.open {
@@ -269,6 +282,7 @@ impl<'a> Builder<'a> {
             transform_count: self.transforms.len() + self.objects.transform_count,
             warnings: self.warnings,
             census: self.census,
+            places: self.places,
         })
     }
 }

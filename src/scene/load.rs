@@ -18,7 +18,7 @@ pub fn load(path: &Path, options: &LoadOptions, progress: Progress) -> Result<Sc
     match bare_mesh_reader(path) {
         Some((shape, read)) => scene_of_mesh(path, shape, read(path)?, options),
         None => {
-            let mut builder = Builder::new(path, progress);
+            let mut builder = Builder::with_options(path, options, progress);
             builder.read_top_level()?;
             builder.finish(options)
         }
@@ -27,7 +27,7 @@ pub fn load(path: &Path, options: &LoadOptions, progress: Progress) -> Result<Sc
 
 /// Reads the bytes of a scene file that `path` would name: errors call it so, and what it includes is sought beside it.
 pub fn parse(path: &Path, bytes: Vec<u8>, options: &LoadOptions) -> Result<Scene> {
-    let mut builder = Builder::new(path, Progress::SILENT);
+    let mut builder = Builder::with_options(path, options, Progress::SILENT);
     builder.read_text(bytes)?;
     builder.finish(options)
 }

@@ -86,6 +86,8 @@ impl Builder<'_> {
             self.warnings.add("infinite instance", || Diagnostic::new(message).at(source.at(keyword)));
         }
         let added = self.shapes.add_instance(number, world_from_instance);
-        added.map_err(|error| source.error(keyword, error.to_string()).note("split the scene"))
+        added.map_err(|error| source.error(keyword, error.to_string()).note("split the scene"))?;
+        self.places.iter_mut().for_each(|places| places.add_instance(keyword, &source.text));
+        Ok(())
     }
 }

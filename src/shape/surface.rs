@@ -1,6 +1,6 @@
 //! A primitive by itself, in world space.
 
-use super::{FilterRay, Quadric, Triangle, Verdict};
+use super::{FilterRay, Form, Quadric, Triangle, Verdict};
 use crate::exact::{Bracket, Root};
 use crate::geometry::{Bounds, Ray};
 
@@ -65,6 +65,18 @@ impl Surface {
             (Surface::Quadric(a), Surface::Quadric(b)) => a == b,
             (Surface::Triangle(a), Surface::Triangle(b)) => a.coincides_with(b),
             _ => false,
+        }
+    }
+
+    /// What it is called.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Surface::Triangle(_) => "triangle",
+            Surface::Quadric(quadric) => match quadric.form {
+                Form::Sphere(_) => "sphere",
+                Form::Cylinder(_) => "cylinder",
+                Form::Disk(_) => "disk",
+            },
         }
     }
 

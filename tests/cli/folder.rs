@@ -79,6 +79,11 @@ impl Folder {
         Run::of(assert_cmd::Command::from_std(self.subcommand("compare", arguments)))
     }
 
+    /// Runs `feimos pixel` with `arguments` and an empty standard input.
+    pub(crate) fn pixel(&self, arguments: &str) -> Run {
+        Run::of(assert_cmd::Command::from_std(self.subcommand("pixel", arguments)))
+    }
+
     /// Runs [`Folder::command`] with an empty standard input.
     pub(crate) fn render(&self, arguments: &str) -> Run {
         self.render_input(arguments, "")

@@ -10,5 +10,6 @@ mod exit_code;
 mod folder;
 mod message;
 mod output;
+mod pixel;
 mod region;
 mod talk;

@@ -3,7 +3,7 @@
 use crate::cli::columns::{INDENT, line};
 use crate::cli::counted::counted;
 use crate::cli::summary::geometry;
-use feimos::camera::{Camera, Projection};
+use feimos::camera::Camera;
 use feimos::error::printable;
 use feimos::film::PixelBounds;
 use feimos::geometry::Bounds;
@@ -82,10 +82,7 @@ fn list<'a>(f: &mut Formatter<'_>, subject: &str, counts: impl Iterator<Item = (
 }
 
 fn camera_in_words(camera: &Camera) -> String {
-    let kind = match camera.projection {
-        Projection::Perspective { .. } => "perspective",
-        Projection::Orthographic => "orthographic",
-    };
+    let kind = camera.projection.name();
     let fov = camera.projection.field_of_view().map_or(String::new(), |fov| format!(", {} degrees", short(fov)));
     let (eye, direction) = (camera.anchor().to_array(), camera.view_direction().to_array());
     format!("{kind}{fov}, at {}, towards {}", triple(eye), triple(direction))

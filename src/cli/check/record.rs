@@ -1,6 +1,6 @@
 //! What `--json` prints of a scene.
 
-use feimos::camera::{Camera, Projection};
+use feimos::camera::Camera;
 use feimos::error::{Diagnostic, Error};
 use feimos::film::PixelBounds;
 use feimos::geometry::Bounds;
@@ -173,10 +173,7 @@ impl CameraRecord {
     fn new(camera: &Camera) -> CameraRecord {
         let window = &camera.screen_window;
         CameraRecord {
-            projection: match camera.projection {
-                Projection::Perspective { .. } => "perspective",
-                Projection::Orthographic => "orthographic",
-            },
+            projection: camera.projection.name(),
             fov: camera.projection.field_of_view(),
             eye: camera.anchor().to_array(),
             direction: camera.view_direction().to_array(),

@@ -35,6 +35,21 @@ impl Quadric {
             Form::Disk(disk) => space.crossing(disk, self.radius),
         }
     }
+
+    /// How far `ray` is from only touching the whole of a sphere or a cylinder: (b^2 - a c) / b^2 of its equation
+    /// a t^2 + 2 b t + c = 0, rounded to the nearest `f64`. It is 0 where the ray touches, below where it misses, and more than 1
+    /// from within. `None` of a disk, and where b is 0. The surface [can be hit](Quadric::can_be_hit), and the ray is finite.
+    pub fn clearance(&self, ray: &Ray) -> Option<f64> {
+        let space = ScaledSpace::new(self, ray);
+        let (o, d) = (&space.origin, &space.direction);
+        let [a, b, c] = match &self.form {
+            Form::Sphere(_) => space.equation(o, d, self.radius),
+            Form::Cylinder(_) => space.equation(&across(o), &across(d), self.radius),
+            Form::Disk(_) => return None,
+        };
+        let square = b.square();
+        (!square.is_zero()).then(|| (&square - &(&a * &c)).quotient_to_f64(&square))
+    }
 }
 
 /// What of a vector is across the z axis.
@@ -54,12 +69,14 @@ impl ScaledSpace {
 
     /// The t with |o + t d| = R, the smaller one first; `None` where there is none, or d is 0.
     fn distances_from_middle(&self, o: &ExactVector, d: &ExactVector, radius: f64) -> Option<[Root; 2]> {
-        let a = d.dot(d);
-        if a.is_zero() {
-            return None;
-        }
+        let [a, b, c] = self.equation(o, d, radius);
+        if a.is_zero() { None } else { Root::of_quadratic(&a, &b, &c) }
+    }
+
+    /// The a, b and c of the equation a t^2 + 2 b t + c = 0 for these t.
+    fn equation(&self, o: &ExactVector, d: &ExactVector, radius: f64) -> [Dyadic; 3] {
         let radius = &Dyadic::from(radius) * &self.determinant;
-        Root::of_quadratic(&a, &o.dot(d), &(&o.dot(o) - &radius.square()))
+        [d.dot(d), o.dot(d), &o.dot(o) - &radius.square()]
     }
 
     /// Whether the cut leaves the point at `t`.

@@ -1,9 +1,17 @@
 //! The test in exact arithmetic.
 
 use super::Triangle;
-use crate::exact::{ExactVector, Root};
+use crate::exact::{Dyadic, ExactVector, Root};
 use crate::geometry::Ray;
 use std::cmp::Ordering;
+
+/// What of a triangle decides where a ray meets it.
+struct Seen {
+    /// The edge functions.
+    edges: [Dyadic; 3],
+    /// v0 . (v1 x v2).
+    height: Dyadic,
+}
 
 impl Triangle {
     /// The `t` at which `ray` crosses the closed triangle, or `None` (rule E1). The triangle and the ray are finite.
@@ -12,18 +20,29 @@ impl Triangle {
     /// within the triangle, 0 on an edge, and all 0 where the ray lies in the plane. By Cramer's rule
     /// t = v0 . (v1 x v2) / (e0 + e1 + e2).
     pub fn exact(&self, ray: &Ray) -> Option<Root> {
-        let origin = ExactVector::from(ray.origin);
-        let direction = ExactVector::from(ray.direction);
-        let [v0, v1, v2] = self.0.map(|corner| ExactVector::from(corner).minus(&origin));
-        let across = v1.cross(&v2);
-        let edges = [direction.dot(&across), direction.dot(&v2.cross(&v0)), direction.dot(&v0.cross(&v1))];
+        let Seen { edges, height } = self.seen_along(ray);
         let is_any = |sign: Ordering| edges.iter().any(|edge| edge.sign() == sign);
         if is_any(Ordering::Less) == is_any(Ordering::Greater) {
             return None;
         }
         let [e0, e1, e2] = &edges;
-        let t = Root::ratio(v0.dot(&across), &(e0 + e1) + e2);
+        let t = Root::ratio(height, &(e0 + e1) + e2);
         (t.sign() == Ordering::Greater).then_some(t)
+    }
+
+    /// The edge functions e0, e1 and e2 of `ray` (see [`Triangle::exact`]): over their sum, the barycentric coordinates of the point
+    /// where it crosses the triangle's plane.
+    pub fn exact_edges(&self, ray: &Ray) -> [Dyadic; 3] {
+        self.seen_along(ray).edges
+    }
+
+    fn seen_along(&self, ray: &Ray) -> Seen {
+        let origin = ExactVector::from(ray.origin);
+        let direction = ExactVector::from(ray.direction);
+        let [v0, v1, v2] = self.0.map(|corner| ExactVector::from(corner).minus(&origin));
+        let across = v1.cross(&v2);
+        let edges = [direction.dot(&across), direction.dot(&v2.cross(&v0)), direction.dot(&v0.cross(&v1))];
+        Seen { edges, height: v0.dot(&across) }
     }
 
     /// The `t` at which `ray` crosses the triangle, which it is known to do: n . (a - o) / (n . d) with n = ab x ac. This takes
