@@ -17,7 +17,7 @@
 //! use feimos::simd::Level;
 //! use std::path::Path;
 //!
-//! let options = LoadOptions { resolution: Some([40, 40]) };
+//! let options = LoadOptions { resolution: Some([40, 40]), ..LoadOptions::default() };
 //! let scene = load(Path::new("scenes/sphere.pbrt"), &options, Progress::SILENT)?;
 //! let anchor = scene.camera.anchor();
 //! let aggregate = Aggregate::build(&scene.shapes, anchor, BuildOptions::new(SplitMethod::Sah), Progress::SILENT);

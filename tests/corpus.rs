@@ -27,7 +27,7 @@ const HEADER: &str = "scene\tprimitives\tshapes left out\tpixels hit\terror";
 
 /// What becomes of a scene: the rest of its line in the table.
 fn outcome(path: &Path) -> String {
-    let options = LoadOptions { resolution: Some(RESOLUTION) };
+    let options = LoadOptions { resolution: Some(RESOLUTION), ..LoadOptions::default() };
     match load(path, &options, Progress::SILENT) {
         Ok(scene) => {
             format!("{}\t{}\t{}\t", scene.shapes.primitive_count(), scene.census.left_out(), hits(&scene, path))

@@ -114,7 +114,7 @@ fn matrix() -> impl Strategy<Value = Matrix> {
 fn the_scenes_to_try_are_right() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
     for name in ["sphere", "triangles", "transforms", "partial-spheres", "quadrics", "instances"] {
-        let options = LoadOptions { resolution: Some([48, 27]) };
+        let options = LoadOptions { resolution: Some([48, 27]), ..LoadOptions::default() };
         let scene = load(&folder.join(name).with_extension("pbrt"), &options, Progress::SILENT).unwrap();
         assert!(scene.warnings.is_empty() && scene.shapes.primitive_count() > 0, "{name}");
         agrees_with_the_reference(&scene.camera, &scene.shapes).unwrap_or_else(|wrong| panic!("{name}: {wrong}"));

@@ -1,5 +1,6 @@
 //! How fast accelerators are built and traced: measured, and told in a table and in JSON.
 
+mod input_error;
 mod json;
 mod machine;
 mod measure;
@@ -8,6 +9,7 @@ mod spread;
 mod table;
 mod yardstick;
 
+pub use input_error::InputError;
 pub use json::to_json;
 pub use machine::Machine;
 pub use measure::{Configuration, Rounds, measure};

@@ -40,7 +40,7 @@ impl Plan {
         }
         let plan = Plan {
             output_name: OutputName::new(output.clone())?,
-            load: LoadOptions { resolution },
+            load: LoadOptions { resolution, ..LoadOptions::default() },
             accel: args.engine.accel,
             precision: args.engine.precision,
             threads: args.engine.threads,

@@ -14,13 +14,14 @@ use super::source::{Place, Source};
 use super::transform_cache::TransformCache;
 use super::transform_directives::affine;
 use super::warnings::Warnings;
-use super::{LoadOptions, Scene, SceneOptions};
+use super::{LoadOptions, Roundings, Scene, SceneOptions};
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
-use crate::geometry::{Transform, Vector};
+use crate::geometry::{RoundedTransform, Transform, Vector};
 use crate::progress::Progress;
 use crate::shape::Shapes;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
+use std::sync::Arc;
 
 /// A scene in the making.
 pub(super) struct Builder<'a> {
@@ -46,6 +47,8 @@ pub(super) struct Builder<'a> {
     pub(super) warnings: Warnings,
     census: Census,
     pub(super) includes: Includes,
+    /// Filled where roundings are followed.
+    pub(super) roundings: Option<Roundings>,
 }
 
 impl<'a> Builder<'a> {
@@ -70,7 +73,14 @@ impl<'a> Builder<'a> {
             warnings: Warnings::default(),
             census: Census::default(),
             includes: Includes::default(),
+            roundings: None,
         }
+    }
+
+    /// Whether to follow how far transforms are rounded, from the first directive on.
+    pub(super) fn follow_roundings(&mut self, follow: bool) {
+        self.state.rounded = follow.then(|| Arc::new(RoundedTransform::IDENTITY));
+        self.roundings = follow.then(Roundings::default);
     }
 
     /// Reads a scene no further than `WorldBegin`.
@@ -216,6 +226,9 @@ impl<'a> Builder<'a> {
             return Err(source.error(keyword, format!("the scene has more than {} shapes", u32::MAX)));
         };
         self.shape_count = number;
+        if let (Some(roundings), Some(rounded)) = (&mut self.roundings, &self.state.rounded) {
+            roundings.shapes.push(Arc::clone(rounded));
+        }
         self.warn_if_moving(keyword, source);
         let is_in_object = self.objects.open.is_some();
         let (shapes, transforms) = match &mut self.objects.open {
@@ -269,6 +282,7 @@ impl<'a> Builder<'a> {
             transform_count: self.transforms.len() + self.objects.transform_count,
             warnings: self.warnings,
             census: self.census,
+            roundings: self.roundings,
         })
     }
 }

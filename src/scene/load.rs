@@ -19,6 +19,7 @@ pub fn load(path: &Path, options: &LoadOptions, progress: Progress) -> Result<Sc
         Some((shape, read)) => scene_of_mesh(path, shape, read(path)?, options),
         None => {
             let mut builder = Builder::new(path, progress);
+            builder.follow_roundings(options.roundings);
             builder.read_top_level()?;
             builder.finish(options)
         }
@@ -28,6 +29,7 @@ pub fn load(path: &Path, options: &LoadOptions, progress: Progress) -> Result<Sc
 /// Reads the bytes of a scene file that `path` would name: errors call it so, and what it includes is sought beside it.
 pub fn parse(path: &Path, bytes: Vec<u8>, options: &LoadOptions) -> Result<Scene> {
     let mut builder = Builder::new(path, Progress::SILENT);
+    builder.follow_roundings(options.roundings);
     builder.read_text(bytes)?;
     builder.finish(options)
 }

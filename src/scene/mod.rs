@@ -14,6 +14,7 @@ mod load;
 mod objects;
 mod parameters;
 pub mod parser;
+mod roundings;
 mod shape_defaults;
 mod shape_statement;
 mod shapes;
@@ -27,6 +28,7 @@ pub use accelerator::AcceleratorParameters;
 pub use census::{Census, ShapeCount};
 pub use film::Film;
 pub use load::{SceneOptions, is_bare_mesh, is_top_level, load, parse, read_options};
+pub use roundings::Roundings;
 pub use warnings::{Warning, Warnings};
 
 use crate::camera::Camera;
@@ -51,6 +53,8 @@ pub struct Scene {
     pub warnings: Warnings,
     /// What the file says, counted.
     pub census: Census,
+    /// How far transforms are rounded, where that was asked for.
+    pub roundings: Option<Roundings>,
 }
 
 /// What the command line says about loading.
@@ -58,4 +62,6 @@ pub struct Scene {
 pub struct LoadOptions {
     /// Width and height of the film, in place of the file's.
     pub resolution: Option<[u32; 2]>,
+    /// Whether to follow how far transforms are rounded; the picture does not depend on it.
+    pub roundings: bool,
 }

@@ -10,6 +10,7 @@ use crate::error::{Diagnostic, Result};
 use crate::shape::Shapes;
 use std::collections::HashMap;
 use std::rc::Rc;
+use std::sync::Arc;
 
 /// The objects of a scene, by name.
 #[derive(Default)]
@@ -86,6 +87,10 @@ impl Builder<'_> {
             self.warnings.add("infinite instance", || Diagnostic::new(message).at(source.at(keyword)));
         }
         let added = self.shapes.add_instance(number, world_from_instance);
-        added.map_err(|error| source.error(keyword, error.to_string()).note("split the scene"))
+        added.map_err(|error| source.error(keyword, error.to_string()).note("split the scene"))?;
+        if let (Some(roundings), Some(rounded)) = (&mut self.roundings, &self.state.rounded) {
+            roundings.instances.push(Arc::clone(rounded));
+        }
+        Ok(())
     }
 }

@@ -51,7 +51,7 @@ pub(crate) fn print_phases(options: &PhaseOptions) -> Result<()> {
     let method: SplitMethod = options.accel.parse().map_err(|error| format!("{}: {error}", options.accel))?;
     rayon::ThreadPoolBuilder::new().num_threads(options.threads).build_global()?;
     let mut costs = Vec::new();
-    let load_options = LoadOptions { resolution: Some([SIDE, SIDE]) };
+    let load_options = LoadOptions { resolution: Some([SIDE, SIDE]), ..LoadOptions::default() };
     let scene = measured(&mut costs, || load(&options.mesh, &load_options, Progress::SILENT))??;
     let (shapes, camera) = (&scene.shapes, &scene.camera);
     let build = || Aggregate::build(shapes, camera.anchor(), BuildOptions::new(method), Progress::SILENT);

@@ -13,14 +13,14 @@ fn path_of(name: &str) -> PathBuf {
 
 /// The scene in a file, on a square film of `side` pixels instead of its own where that is said.
 pub(super) fn of_file(name: &str, side: Option<u32>) -> Result<View> {
-    let options = LoadOptions { resolution: side.map(|side| [side, side]) };
+    let options = LoadOptions { resolution: side.map(|side| [side, side]), ..LoadOptions::default() };
     let scene = load(&path_of(name), &options, Progress::SILENT)?;
     View::new(scene.camera, scene.shapes)
 }
 
 /// From where A is seen, without perspective; 5 units of the world high.
 pub(super) fn orthographic() -> Result<View> {
-    let options = LoadOptions { resolution: Some([1024, 1024]) };
+    let options = LoadOptions { resolution: Some([1024, 1024]), ..LoadOptions::default() };
     let scene = load(&path_of("dragon.pbrt"), &options, Progress::SILENT)?;
     let mut camera = scene.camera;
     camera.projection = Projection::Orthographic;
