@@ -8,6 +8,7 @@ mod integer;
 mod nearest;
 mod powers;
 mod root;
+mod rounded;
 mod underflow;
 mod vector;
 
@@ -17,5 +18,6 @@ pub use dyadic::Dyadic;
 pub use nearest::nearest_f32;
 pub use powers::{UNIT_ROUNDOFF, exponent_of, power_of_two, times_power_of_two};
 pub use root::Root;
+pub use rounded::Rounded;
 pub use underflow::may_underflow_below;
 pub use vector::ExactVector;

@@ -1,13 +1,14 @@
 //! A camera for a bare mesh.
 
-use super::{AcceleratorParameters, Census, Film, LoadOptions, Places, Scene, Warnings};
+use super::{AcceleratorParameters, Census, Film, LoadOptions, Places, Roundings, Scene, Warnings};
 use crate::camera::{Camera, Projection, ScreenWindow};
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::film::PixelBounds;
-use crate::geometry::{Bounds, Matrix, Transform, Vector};
+use crate::geometry::{Bounds, Matrix, RoundedTransform, Transform, Vector};
 use crate::mesh::Loaded;
 use crate::shape::Shapes;
 use std::path::Path;
+use std::sync::Arc;
 
 /// In degrees, across the shorter side of the film.
 const FIELD_OF_VIEW: f64 = 40.0;
@@ -26,8 +27,8 @@ pub(super) fn scene_of_mesh(path: &Path, shape: &str, loaded: Loaded, options: &
     let mut warnings = Warnings::default();
     loaded.warnings.into_iter().for_each(|warning| warnings.add_single(warning));
     let finite = loaded.mesh.vertices.iter().copied().filter(|vertex| vertex.is_finite());
-    let world_from_camera = frame(&Bounds::of(finite));
-    let world_from_camera = world_from_camera.filter(Matrix::is_finite).ok_or_else(|| {
+    let frame = frame(&Bounds::of(finite));
+    let frame = frame.filter(|frame| frame.transform.inverse.is_finite()).ok_or_else(|| {
         let message = "the mesh is too large to be framed automatically";
         let diagnostic = Diagnostic::new(message).at(SourceLocation::file(path));
         Error::bad_input(diagnostic.note("write a scene with a Scale and a LookAt around it"))
@@ -38,9 +39,14 @@ pub(super) fn scene_of_mesh(path: &Path, shape: &str, loaded: Loaded, options: &
     let mut census = Census::default();
     census.count_shape(shape, Some(shapes.own_count()));
     let aspect = f64::from(resolution[0]) / f64::from(resolution[1]);
+    let roundings = options.roundings.then(|| Roundings {
+        camera: Arc::new(frame),
+        shapes: vec![Arc::new(RoundedTransform::IDENTITY)],
+        instances: Vec::new(),
+    });
     Ok(Scene {
         camera: Camera {
-            world_from_camera,
+            world_from_camera: frame.transform.inverse,
             projection: Projection::perspective(FIELD_OF_VIEW),
             screen_window: ScreenWindow::of_aspect(aspect),
             resolution,
@@ -53,13 +59,15 @@ pub(super) fn scene_of_mesh(path: &Path, shape: &str, loaded: Loaded, options: &
         warnings,
         census,
         places: options.places.then(|| Places::of_mesh(path, shape)),
+        roundings,
     })
 }
 
-/// Where the camera stands to see all of `bounds`; `None` where no such place can be written in numbers.
-fn frame(bounds: &Bounds) -> Option<Matrix> {
+/// Camera space from world space for a camera that sees all of `bounds`; `None` where no such place can be written in numbers. What
+/// roundings move it by counts from its eye on: that is where it is meant to be.
+fn frame(bounds: &Bounds) -> Option<RoundedTransform> {
     if bounds.is_empty() {
-        return Some(Matrix::IDENTITY);
+        return Some(RoundedTransform::IDENTITY);
     }
     let centre = bounds.centre();
     let to_corner = bounds.high - centre;
@@ -70,8 +78,10 @@ fn frame(bounds: &Bounds) -> Option<Matrix> {
     let towards_eye = if flat { Vector::new(1.0, 1.0, 2.0).normalized() } else { Vector::new(0.0, 0.0, 1.0) };
     let eye = centre + towards_eye * (MARGIN * radius / half_angle.sin());
     let ahead = eye + towards_eye * -radius;
-    let camera_from_world = Transform::look_at(eye, ahead, Vector::new(0.0, 1.0, 0.0))?;
-    Some(Transform::scale([-1.0, 1.0, 1.0]).times(&camera_from_world).inverse)
+    let up = Vector::new(0.0, 1.0, 0.0);
+    Transform::look_at(eye, ahead, up)?;
+    let camera_from_world = RoundedTransform::look_at([eye.to_array(), ahead.to_array(), up.to_array()]);
+    Some(RoundedTransform::scale([-1.0, 1.0, 1.0]).times(&camera_from_world))
 }
 
 #[cfg(test)]
@@ -82,7 +92,7 @@ mod tests {
     #[test]
     fn sees_the_whole_box_with_x_to_the_right() {
         let bounds = Bounds { low: Point::new(-1.0, 2.0, -3.0), high: Point::new(5.0, 4.0, 1.0) };
-        let camera = frame(&bounds).unwrap();
+        let camera = frame(&bounds).unwrap().transform.inverse;
         let [eye_x, eye_y, eye_z] = camera.column(3);
         assert_eq!((eye_x, eye_y), (2.0, 3.0));
         assert!(eye_z > 1.0);
@@ -95,8 +105,8 @@ mod tests {
     fn odd_sizes_do_not_break_it() {
         assert!(frame(&Bounds::EMPTY).is_some());
         let point = Point::new(1.0, 1.0, 1.0);
-        assert!(frame(&Bounds { low: point, high: point }).unwrap().is_finite());
+        assert!(frame(&Bounds { low: point, high: point }).unwrap().transform.inverse.is_finite());
         let huge = Bounds { low: Point::new(-1e308, 0.0, 0.0), high: Point::new(1e308, 1.0, 1.0) };
-        assert!(frame(&huge).is_none_or(|camera| !camera.is_finite()));
+        assert!(frame(&huge).is_none_or(|camera| !camera.transform.inverse.is_finite()));
     }
 }

@@ -15,13 +15,14 @@ use super::source::{Place, Source};
 use super::transform_cache::TransformCache;
 use super::transform_directives::affine;
 use super::warnings::Warnings;
-use super::{LoadOptions, Scene, SceneOptions};
+use super::{LoadOptions, Roundings, Scene, SceneOptions};
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
-use crate::geometry::{Transform, Vector};
+use crate::geometry::{RoundedTransform, Transform, Vector};
 use crate::progress::Progress;
 use crate::shape::Shapes;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
+use std::sync::Arc;
 
 /// A scene in the making.
 pub(super) struct Builder<'a> {
@@ -49,6 +50,8 @@ pub(super) struct Builder<'a> {
     pub(super) includes: Includes,
     /// If they are wanted.
     pub(super) places: Option<Places>,
+    /// Filled where roundings are followed.
+    pub(super) roundings: Option<Roundings>,
 }
 
 impl<'a> Builder<'a> {
@@ -74,12 +77,17 @@ impl<'a> Builder<'a> {
             census: Census::default(),
             includes: Includes::default(),
             places: None,
+            roundings: None,
         }
     }
 
-    /// The same, keeping the places of statements if that is wanted.
+    /// The same, keeping the places of statements and following roundings from the first directive on, where that is wanted.
     pub(super) fn with_options(path: &Path, options: &LoadOptions, progress: Progress<'a>) -> Builder<'a> {
-        Builder { places: options.places.then(Places::default), ..Builder::new(path, progress) }
+        let mut builder = Builder::new(path, progress);
+        builder.places = options.places.then(Places::default);
+        builder.state.rounded = options.roundings.then(|| Arc::new(RoundedTransform::IDENTITY));
+        builder.roundings = options.roundings.then(Roundings::default);
+        builder
     }
 
     /// Reads a scene no further than `WorldBegin`.
@@ -229,6 +237,9 @@ impl<'a> Builder<'a> {
         self.shape_count = number;
         let name = &entity.name.text;
         self.places.iter_mut().for_each(|places| places.add_shape(name, keyword, &source.text));
+        if let (Some(roundings), Some(rounded)) = (&mut self.roundings, &self.state.rounded) {
+            roundings.shapes.push(Arc::clone(rounded));
+        }
         self.warn_if_moving(keyword, source);
         let is_in_object = self.objects.open.is_some();
         let (shapes, transforms) = match &mut self.objects.open {
@@ -283,6 +294,7 @@ impl<'a> Builder<'a> {
             warnings: self.warnings,
             census: self.census,
             places: self.places,
+            roundings: self.roundings,
         })
     }
 }

@@ -11,6 +11,7 @@ use super::source::{Place, Source};
 use super::spelling;
 use crate::error::{Diagnostic, Result};
 use std::rc::Rc;
+use std::sync::Arc;
 
 /// What pbrt-v4's `Attribute` can set defaults for.
 const TARGETS: [&str; 5] = ["shape", "light", "material", "medium", "texture"];
@@ -34,6 +35,9 @@ impl Builder<'_> {
         let camera = CameraParameters::read(&mut parameters, &self.state.current, &mut self.warnings)?;
         parameters.finish(&mut self.warnings);
         self.camera = Some(camera);
+        if let (Some(roundings), Some(rounded)) = (&mut self.roundings, &self.state.rounded) {
+            roundings.camera = Arc::clone(rounded);
+        }
         self.state.name_inverse("camera");
         if self.state.is_moving() {
             let message = "a moving camera is not supported: it stands where it is at the start time";

@@ -3,8 +3,9 @@
 use super::parser::ActiveTransform;
 use super::shape_defaults::ShapeDefaults;
 use super::source::Place;
-use crate::geometry::Transform;
+use crate::geometry::{RoundedTransform, Transform};
 use std::collections::HashMap;
+use std::sync::Arc;
 
 /// The kinds of block, each with an end of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -56,6 +57,7 @@ pub(super) struct OpenBlock {
 #[derive(Clone)]
 struct Transforms {
     start: Transform,
+    rounded: Option<Arc<RoundedTransform>>,
     end: Option<Box<Transform>>,
 }
 
@@ -65,6 +67,8 @@ struct Transforms {
 pub(super) struct GraphicsState {
     /// The current transform and its tracked inverse (rule R3), at the start time.
     pub(super) current: Transform,
+    /// It again with the errors of its entries, where roundings are followed.
+    pub(super) rounded: Option<Arc<RoundedTransform>>,
     /// That of the end time where it differs: kept only to know what moves.
     end: Option<Box<Transform>>,
     /// Which of the two the directives change.
@@ -79,6 +83,7 @@ impl GraphicsState {
     pub(super) fn new() -> GraphicsState {
         GraphicsState {
             current: Transform::IDENTITY,
+            rounded: None,
             end: None,
             active: ActiveTransform::All,
             defaults: ShapeDefaults::default(),
@@ -90,6 +95,7 @@ impl GraphicsState {
     /// The world's own transform: nothing of the camera's is left.
     pub(super) fn begin_world(&mut self) {
         (self.current, self.end, self.active) = (Transform::IDENTITY, None, ActiveTransform::All);
+        self.rounded = self.rounded.as_ref().map(|_| Arc::new(RoundedTransform::IDENTITY));
         self.name("world");
     }
 
@@ -98,14 +104,22 @@ impl GraphicsState {
         self.active != ActiveTransform::EndTime
     }
 
-    /// The current transform becomes `current * leaf`.
-    pub(super) fn concat(&mut self, leaf: &Transform) {
+    /// The current transform becomes `current * leaf`. `rounded` is the leaf with its errors, where they are followed.
+    pub(super) fn concat(&mut self, leaf: &Transform, rounded: impl FnOnce() -> RoundedTransform) {
         self.change(|current| current.times(leaf));
+        self.change_rounded(|current| current.times(&rounded()));
     }
 
-    /// `transform` takes the place of the current transform.
-    pub(super) fn replace(&mut self, transform: &Transform) {
+    /// `transform` takes the place of the current transform. `rounded` is as for `concat`.
+    pub(super) fn replace(&mut self, transform: &Transform, rounded: impl FnOnce() -> RoundedTransform) {
         self.change(|_| *transform);
+        self.change_rounded(|_| rounded());
+    }
+
+    fn change_rounded(&mut self, changed: impl FnOnce(&RoundedTransform) -> RoundedTransform) {
+        if let (true, Some(rounded)) = (self.changes_start(), &mut self.rounded) {
+            *rounded = Arc::new(changed(rounded));
+        }
     }
 
     fn change(&mut self, changed: impl Fn(&Transform) -> Transform) {
@@ -158,11 +172,11 @@ impl GraphicsState {
     }
 
     fn transforms(&self) -> Transforms {
-        Transforms { start: self.current, end: self.end.clone() }
+        Transforms { start: self.current, rounded: self.rounded.clone(), end: self.end.clone() }
     }
 
     fn restore(&mut self, transforms: Transforms) {
-        (self.current, self.end) = (transforms.start, transforms.end);
+        (self.current, self.rounded, self.end) = (transforms.start, transforms.rounded, transforms.end);
     }
 
     /// Gives a name to the current transform.
@@ -173,7 +187,8 @@ impl GraphicsState {
     /// Gives a name to the inverse of the current transform.
     pub(super) fn name_inverse(&mut self, name: &str) {
         let end = self.end.as_ref().map(|end| Box::new(end.inverted()));
-        self.named.insert(name.to_owned(), Transforms { start: self.current.inverted(), end });
+        let rounded = self.rounded.as_ref().map(|rounded| Arc::new(rounded.inverted()));
+        self.named.insert(name.to_owned(), Transforms { start: self.current.inverted(), rounded, end });
     }
 
     /// Makes the transform called `name` the current one; whether there is one.

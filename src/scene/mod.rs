@@ -15,6 +15,7 @@ mod objects;
 mod parameters;
 pub mod parser;
 mod places;
+mod roundings;
 mod shape_defaults;
 mod shape_statement;
 mod shapes;
@@ -29,6 +30,7 @@ pub use census::{Census, ShapeCount};
 pub use film::Film;
 pub use load::{SceneOptions, is_bare_mesh, is_top_level, load, parse, read_options};
 pub use places::{Place, Places};
+pub use roundings::Roundings;
 pub use warnings::{Warning, Warnings};
 
 use crate::camera::Camera;
@@ -55,6 +57,8 @@ pub struct Scene {
     pub census: Census,
     /// Where the file says it, if that was asked for: no picture needs it.
     pub places: Option<Places>,
+    /// How far transforms are rounded, where that was asked for.
+    pub roundings: Option<Roundings>,
 }
 
 /// What the command line says about loading.
@@ -64,4 +68,6 @@ pub struct LoadOptions {
     pub resolution: Option<[u32; 2]>,
     /// Whether to keep the [places](Scene::places) of statements.
     pub places: bool,
+    /// Whether to follow how far transforms are rounded; the picture does not depend on it.
+    pub roundings: bool,
 }

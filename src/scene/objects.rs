@@ -10,6 +10,7 @@ use crate::error::{Diagnostic, Result};
 use crate::shape::Shapes;
 use std::collections::HashMap;
 use std::rc::Rc;
+use std::sync::Arc;
 
 /// The objects of a scene, by name.
 #[derive(Default)]
@@ -88,6 +89,9 @@ impl Builder<'_> {
         let added = self.shapes.add_instance(number, world_from_instance);
         added.map_err(|error| source.error(keyword, error.to_string()).note("split the scene"))?;
         self.places.iter_mut().for_each(|places| places.add_instance(keyword, &source.text));
+        if let (Some(roundings), Some(rounded)) = (&mut self.roundings, &self.state.rounded) {
+            roundings.instances.push(Arc::clone(rounded));
+        }
         Ok(())
     }
 }

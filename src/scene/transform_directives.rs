@@ -4,27 +4,27 @@ use super::builder::Builder;
 use super::parser::{Directive, Statement, Text};
 use super::source::{Place, Source};
 use crate::error::{Diagnostic, Result};
-use crate::geometry::{Point, Transform, Vector};
+use crate::geometry::{Point, RoundedTransform, Transform, Vector};
 use std::rc::Rc;
 
 impl Builder<'_> {
     /// Multiplies the current transform, and remembers where it first went wrong.
     pub(super) fn concat(&mut self, leaf: Transform, directive: &Directive, source: &Rc<Source>) {
         if !self.state.changes_start() {
-            return self.state.concat(&leaf);
+            return self.state.concat(&leaf, || rounded(&leaf, &directive.statement));
         }
         if !leaf.matrix.is_finite() {
             let message = why_not_finite(&directive.statement);
             self.warnings.add(message, || Diagnostic::new(message).at(source.at(&directive.span)));
         }
-        self.state.concat(&leaf);
+        self.state.concat(&leaf, || rounded(&leaf, &directive.statement));
         if self.singular.is_none() && !self.state.current.inverse.is_finite() {
             self.singular = Some((why_not_finite(&directive.statement), Place::new(source, &directive.span)));
         }
     }
 
     pub(super) fn replace(&mut self, transform: Transform, directive: &Directive, source: &Rc<Source>) {
-        self.state.replace(&transform);
+        self.state.replace(&transform, || rounded(&transform, &directive.statement));
         if self.state.changes_start() {
             self.singular = None;
             if !transform.inverse.is_finite() {
@@ -66,6 +66,20 @@ fn why_not_finite(statement: &Statement) -> &'static str {
         Statement::Scale(factors) if factors.contains(&0.0) => "this Scale by 0 cannot be undone",
         Statement::Transform(_) | Statement::ConcatTransform(_) => "this matrix has no finite inverse",
         _ => "the numbers of this transform are beyond the range of f64, or no numbers",
+    }
+}
+
+/// The transform that a directive spells, with the errors of its entries.
+fn rounded(leaf: &Transform, statement: &Statement) -> RoundedTransform {
+    match statement {
+        Statement::Identity => RoundedTransform::IDENTITY,
+        Statement::Translate(offset) => RoundedTransform::translate(*offset),
+        Statement::Scale(factors) => RoundedTransform::scale(*factors),
+        Statement::Rotate([angle, x, y, z]) => RoundedTransform::rotate(*angle, Vector::new(*x, *y, *z)),
+        Statement::LookAt([ex, ey, ez, lx, ly, lz, ux, uy, uz]) => {
+            RoundedTransform::look_at([[*ex, *ey, *ez], [*lx, *ly, *lz], [*ux, *uy, *uz]])
+        }
+        _ => RoundedTransform::of_numbers(leaf),
     }
 }
 

@@ -88,7 +88,8 @@ impl<'a> Runner<'a> {
 
     /// Loads `path`, judges and measures it, on the threads of the current pool; with a title that says so.
     fn measure(&self, path: &Path) -> Result<(String, Measured)> {
-        let load_scene = |progress: Progress<'_>| scene::load(path, &LoadOptions::default(), progress);
+        let options = LoadOptions { roundings: self.reference == Reference::Exact, ..LoadOptions::default() };
+        let load_scene = |progress: Progress<'_>| scene::load(path, &options, progress);
         let (scene, load_ms) = timed(|| self.bars.during(Phase::Loading, load_scene));
         let scene = scene?;
         summary::report_scene(&scene, self.reporter);

@@ -1,0 +1,137 @@
+//! How far roundings of rules R2 to R4 move a primitive.
+
+use super::made_up;
+use crate::exact::{Rounded, UNIT_ROUNDOFF as U};
+use crate::geometry::{Point, RoundedTransform};
+use crate::scene::Roundings;
+use crate::shape::{Placed, Shapes};
+
+/// More than the products of a vertex lose to underflow.
+const TINY: f64 = f64::from_bits(1 << 4);
+
+/// How far every point of a primitive is from where it is meant to be, at most, in the world.
+pub(super) fn of_primitive(shapes: &Shapes, roundings: &Roundings, placed: Placed) -> f64 {
+    let shape = &roundings.shapes[shapes.shape_number(placed) as usize - 1];
+    let (primitive, instance) = (placed.primitive(), placed.instance());
+    // What an instance shows has the product of both transforms.
+    let rounded = match instance {
+        Some(instance) => roundings.instances[instance].times(shape),
+        None => **shape,
+    };
+    let store = instance.map_or(shapes, |instance| shapes.object_of(instance).shapes());
+    if primitive.is_sphere() {
+        // Its matrix is off, but none of its points has been rounded.
+        let extent = store.sphere(primitive.index()).extent();
+        return extent.map_or(f64::INFINITY, |extent| length(of_matrix(&rounded, extent)));
+    }
+    let corners = store.triangle(primitive.index()).0;
+    let of_corner = |corner: Point| match instance {
+        // Objects keep the vertices of their files.
+        Some(_) => length(of_vertex(&rounded, corner.to_array().map(f64::abs))),
+        None => of_world_vertex(&rounded, corner),
+    };
+    corners.map(of_corner).into_iter().fold(0.0, f64::max)
+}
+
+/// How far the image of a vertex is from where it is meant to be, along each axis, `p` being the absolute coordinates of the
+/// vertex in object space or more.
+fn of_vertex(rounded: &RoundedTransform, p: [f64; 3]) -> [f64; 3] {
+    let (by_matrix, by_rounding) = (of_matrix(rounded, p), of_rounding(rounded, p));
+    [0, 1, 2].map(|k| made_up(by_matrix[k] + by_rounding[k]))
+}
+
+/// What the error of the matrix does to a point.
+fn of_matrix(rounded: &RoundedTransform, p: [f64; 3]) -> [f64; 3] {
+    rounded.error.matrix.map(|e| made_up(e[0] * p[0] + e[1] * p[1] + e[2] * p[2] + e[3]))
+}
+
+/// What rule R4 rounds: products, but for those with 0 and 1, and sums of what is not 0. Along the way no sum is larger than all
+/// terms together but for roundings of 2^-53, which `made_up` makes up for.
+fn of_rounding(rounded: &RoundedTransform, p: [f64; 3]) -> [f64; 3] {
+    rounded.transform.matrix.rows.map(|m| {
+        let m = m.map(f64::abs);
+        let terms = [m[0] * p[0], m[1] * p[1], m[2] * p[2], m[3]];
+        let products = (0..3).filter(|j| m[*j] != 0.0 && m[*j] != 1.0).map(|j| U * terms[j] + TINY).sum::<f64>();
+        let sums = m.iter().filter(|entry| **entry != 0.0).count().saturating_sub(1);
+        made_up(products + sums as f64 * (U * terms.iter().sum::<f64>()))
+    })
+}
+
+/// How far a vertex `w` in the world is from where it is meant to be, though nobody knows any more where it was in object space.
+///
+/// With M the matrix meant and d the displacement, w = M p + d, so p = M^-1 w - M^-1 d, and |d| is bounded by a monotone affine function F of
+/// |p|. So |p| <= H(|p|), with H(x) = |M^-1 w| + |M^-1| F(x) and H(0) > 0. Where H(x) <= x, |p| is not above x: else let s > 1 be the
+/// least factor with |p| <= s x; but |p| <= H(s x) <= s H(x) - (s - 1) H(0) < s x.
+fn of_world_vertex(rounded: &RoundedTransform, w: Point) -> f64 {
+    let inverse = rounded.inverse();
+    let about = inverse.map(|row| {
+        let product = |j: usize| row[j] * Rounded::exactly(w[j]);
+        (product(0) + product(1) + product(2) + row[3]).most()
+    });
+    // More than 0 in all components, and hardly more than they are.
+    let largest = about.into_iter().fold(f64::MIN_POSITIVE, f64::max);
+    let about = about.map(|component| component + largest / (1u64 << 60) as f64);
+    let bound = |p: [f64; 3]| {
+        let d = of_vertex(rounded, p);
+        let moved = inverse.map(|row| (0..3).map(|j| row[j].most() * d[j]).sum::<f64>());
+        [0, 1, 2].map(|k| made_up(about[k] + made_up(moved[k])))
+    };
+    let guess = bound([0.0; 3]).map(|component| 2.0 * component);
+    let p = bound(guess);
+    let is_proven = (0..3).all(|k| p[k] <= guess[k] && p[k] < f64::INFINITY);
+    if is_proven { length(of_vertex(rounded, p)) } else { f64::INFINITY }
+}
+
+/// The length of a vector, or more: scaled, so that no square leaves the range.
+pub(super) fn length(v: [f64; 3]) -> f64 {
+    let largest = v.into_iter().fold(0.0, f64::max);
+    if largest == 0.0 || largest == f64::INFINITY {
+        return largest;
+    }
+    made_up(largest * v.iter().map(|x| (x / largest) * (x / largest)).sum::<f64>().sqrt())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::high_precision::{self, High, chain};
+    use proptest::prelude::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(500))]
+
+        #[test]
+        fn vertices_are_no_farther_from_where_they_are_meant(
+            chain in chain(),
+            p in prop::array::uniform3(prop_oneof![-9.0f64..9.0, -1e6f64..1e6, Just(0.0), Just(1.0)]),
+        ) {
+            let (rounded, meant) = chain;
+            let w = rounded.transform.matrix.apply(p.into());
+            let exact = p.map(High::from);
+            let image = meant.matrix.map(|row| high_precision::dot(&row, &exact).plus(&row[3]));
+            let off = high_precision::length(&std::array::from_fn(|k| image[k].minus(&w[k].into())));
+            let (known, unknown) = (length(of_vertex(&rounded, p.map(f64::abs))), of_world_vertex(&rounded, w));
+            prop_assert!(off.is_within(known) && off.is_within(unknown));
+            // Not to know the vertex costs little where the transform is none of the worst.
+            prop_assert!(unknown >= known || unknown.is_finite());
+        }
+    }
+
+    #[test]
+    fn identities_move_nothing_and_sums_round() {
+        let point = Point::new(0.1, 0.2, 0.3);
+        assert_eq!(of_world_vertex(&RoundedTransform::IDENTITY, point), 0.0);
+        let moved = RoundedTransform::translate([0.0, 4.0, 0.0]);
+        let displacement = of_world_vertex(&moved, Point::new(0.1, 4.2, 0.3));
+        assert!(displacement > 3.0 * U && displacement < 6.0 * U, "{displacement}");
+        let flat = RoundedTransform::scale([1.0, 0.0, 1.0]);
+        assert_eq!(of_world_vertex(&flat, point), f64::INFINITY);
+    }
+
+    #[test]
+    fn lengths_do_not_leave_the_range() {
+        assert_eq!(length([0.0; 3]), 0.0);
+        assert!(length([3e-200, 0.0, 4e-200]) >= 5e-200 && length([3e200, 4e200, 0.0]) < 5.1e200);
+        assert_eq!(length([1.0, f64::INFINITY, 1.0]), f64::INFINITY);
+    }
+}

@@ -1,0 +1,61 @@
+//! How far rules R2 to R5 move what a picture sees: the error of its input, which no test of a ray can mend.
+
+mod displacement;
+mod view;
+
+use crate::reference::ReferenceHit;
+use crate::scene::Scene;
+use displacement::{length, of_primitive};
+use serde::Serialize;
+use view::View;
+
+/// How far roundings on the way from the file to rays and vertices (rules R2 to R5) move what hits see, at most.
+///
+/// Every hit is a point of a ray and of a surface. Without a rounding the ray's point would be elsewhere, and so would the surface's: the
+/// bounds of both ways, added up, are the displacement. It is a length in the world, in whatever direction. Where a ray grazes the
+/// surface, its depth may change by more than that.
+///
+/// The numbers of the file count as they were read (R1), and the vertices of a subdivision surface as they were refined (R6).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct InputError {
+    /// The largest displacement of a hit, in units in the last place of its distance `t` in `f32`.
+    pub max_ulp: f64,
+    /// The largest displacement of a hit, in pixels across the film.
+    pub max_pixels: f64,
+}
+
+/// Makes up for the roundings of a bound, which are fewer than 2^12 of 2^-53 each.
+const SLACK: f64 = 1.0 + 1.0 / (1u64 << 40) as f64;
+
+/// A bound with its own roundings; infinite where it is not known.
+fn made_up(bound: f64) -> f64 {
+    if bound.is_nan() { f64::INFINITY } else { bound * SLACK }
+}
+
+impl InputError {
+    /// The largest of `hits`, which are those of the rays of some pixels. `None` where the scene was read without following
+    /// roundings, and where there is no hit.
+    pub fn of(scene: &Scene, hits: &[([u32; 2], ReferenceHit)]) -> Option<InputError> {
+        let roundings = scene.roundings.as_ref()?;
+        let view = View { camera: &scene.camera, rounded: &roundings.camera };
+        let errors = hits.iter().map(|(pixel, hit)| {
+            let of_ray = view.displacement(*pixel, hit.z);
+            let of_surface = of_primitive(&scene.shapes, roundings, hit.primitive);
+            let displacement = made_up(of_ray + of_surface);
+            InputError {
+                max_ulp: in_ulps(displacement, hit.t),
+                max_pixels: view.in_pixels(displacement, *pixel, hit.z),
+            }
+        });
+        errors
+            .reduce(|a, b| InputError { max_ulp: a.max_ulp.max(b.max_ulp), max_pixels: a.max_pixels.max(b.max_pixels) })
+    }
+}
+
+/// In units of the last place of `t`; at a power of two of those below it, which are smaller.
+fn in_ulps(displacement: f64, t: f32) -> f64 {
+    if t.is_finite() { made_up(displacement / (f64::from(t) - f64::from(t.next_down()))) } else { f64::INFINITY }
+}
+
+#[cfg(test)]
+mod tests;
