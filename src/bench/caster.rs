@@ -207,14 +207,13 @@ impl<'a> Caster<'a> {
     /// What a ray that travels alone hits, and how far away.
     #[inline]
     fn hit(&self, tracer: &mut Tracer, ray: &Ray) -> Option<(Placed, Depth)> {
-        let Some(yardstick) = &self.yardstick else {
-            let hit = tracer.closest_hit(ray)?;
-            return Some((hit.primitive, tracer.depth(ray, &hit)));
-        };
-        let hit = tracer.closest_hit_by::<false>(ray, yardstick.of_ray(ray), &mut Work::default())?;
-        let z = hit.t.low as f32;
-        let [x, y, w] = ray.direction.to_array().map(|component| component as f32);
-        Some((hit.primitive, Depth { z, t: z * (x * x + y * y + w * w).sqrt() }))
+        match &self.yardstick {
+            Some(yardstick) => yardstick.closest_hit(tracer, ray),
+            None => {
+                let hit = tracer.closest_hit(ray)?;
+                Some((hit.primitive, tracer.depth(ray, &hit)))
+            }
+        }
     }
 }
 

@@ -1,20 +1,22 @@
 //! What each way of computing finds.
 
-use crate::accel::{Aggregate, Precision, Tracer};
+use crate::accel::{Aggregate, Depth, Precision, Tracer};
+use crate::bench::{Classic, Kernel, Yardstick};
 use crate::compare::ulps_between;
 use crate::error::Result;
 use crate::film::{ChannelName, Image, PixelBounds};
 use crate::progress::Progress;
 use crate::render::{RenderOptions, render};
 use crate::scene::Scene;
+use crate::shape::Placed;
 use crate::simd::Level;
 
 /// The answer of one way of computing.
 #[derive(Debug, Clone, Copy)]
 pub struct Answer {
-    /// How hits are decided.
-    pub precision: Precision,
-    /// `in a tile`, as `render` does it, or `alone`.
+    /// How hits are decided; `None` where somebody else's arithmetic is the yardstick.
+    pub precision: Option<Precision>,
+    /// `in a tile`, as `render` does it, or `alone`; of a yardstick its name.
     pub way: &'static str,
     /// `None` for a miss.
     pub found: Option<Found>,
@@ -42,19 +44,20 @@ impl Found {
     }
 }
 
-/// All answers: that of the exact search for single rays first. Other ways of computing go to the end of the list.
+/// All answers: that of the exact search for single rays first, those of the yardsticks last.
 pub(super) fn answers(scene: &Scene, tree: &Aggregate, pixel: [u32; 2]) -> Result<Vec<Answer>> {
-    let mut answers: Vec<Answer> = Vec::new();
+    let mut found: Vec<(Option<Precision>, &'static str, Option<Found>)> = Vec::new();
     for precision in Precision::ALL {
-        let ways =
-            [("alone", alone(scene, tree, pixel, precision)), ("in a tile", in_tile(scene, tree, pixel, precision)?)];
-        for (way, found) in ways {
-            let exact = answers.first().map_or(found, |first| first.found);
-            let off = |(a, b): (Found, Found)| [ulps_between(a.z, b.z), ulps_between(a.t, b.t)];
-            answers.push(Answer { precision, way, found, ulps: exact.zip(found).map(off) });
-        }
+        found.push((Some(precision), "alone", alone(scene, tree, pixel, precision)));
+        found.push((Some(precision), "in a tile", in_tile(scene, tree, pixel, precision)?));
     }
-    Ok(answers)
+    for classic in [Classic::MoellerTrumbore, Classic::Watertight] {
+        found.push((None, Kernel::Classic(classic).name(), by_yardstick(scene, tree, pixel, classic)));
+    }
+    let exact = found[0].2;
+    let off = |(a, b): (Found, Found)| [ulps_between(a.z, b.z), ulps_between(a.t, b.t)];
+    let answer = |(precision, way, found)| Answer { precision, way, found, ulps: exact.zip(found).map(off) };
+    Ok(found.into_iter().map(answer).collect())
 }
 
 fn alone(scene: &Scene, tree: &Aggregate, [x, y]: [u32; 2], precision: Precision) -> Option<Found> {
@@ -62,8 +65,19 @@ fn alone(scene: &Scene, tree: &Aggregate, [x, y]: [u32; 2], precision: Precision
     let mut tracer = Tracer::new(tree, &scene.shapes, precision);
     let hit = tracer.closest_hit(&ray)?;
     let depth = tracer.depth(&ray, &hit);
-    let instance = hit.primitive.instance().map_or(0, |instance| instance as u32 + 1);
-    Some(Found { prim: scene.shapes.image_number(hit.primitive), instance, z: depth.z, t: depth.t })
+    Some(of_hit(scene, hit.primitive, depth))
+}
+
+fn by_yardstick(scene: &Scene, tree: &Aggregate, [x, y]: [u32; 2], classic: Classic) -> Option<Found> {
+    let mut tracer = Tracer::new(tree, &scene.shapes, Precision::Exact);
+    let (primitive, depth) =
+        Yardstick::new(classic, &scene.shapes).closest_hit(&mut tracer, &scene.camera.ray(x, y))?;
+    Some(of_hit(scene, primitive, depth))
+}
+
+fn of_hit(scene: &Scene, primitive: Placed, depth: Depth) -> Found {
+    let instance = primitive.instance().map_or(0, |instance| instance as u32 + 1);
+    Found { prim: scene.shapes.image_number(primitive), instance, z: depth.z, t: depth.t }
 }
 
 /// By an image of this pixel.

@@ -85,7 +85,7 @@ fn contradictions(
     judged: Option<Option<ReferenceHit>>,
 ) -> Vec<String> {
     let mut found = Vec::new();
-    for answer in answers.iter().filter(|answer| answer.precision == Precision::Exact) {
+    for answer in answers.iter().filter(|answer| answer.precision == Some(Precision::Exact)) {
         if answer.found.map(Found::bits) != answers[0].found.map(Found::bits) {
             found.push(format!("exact {}: {:?} is not {:?}", answer.way, answer.found, answers[0].found));
         }

@@ -112,8 +112,6 @@ mod tests {
             let off = high_precision::length(&std::array::from_fn(|k| image[k].minus(&w[k].into())));
             let (known, unknown) = (length(of_vertex(&rounded, p.map(f64::abs))), of_world_vertex(&rounded, w));
             prop_assert!(off.is_within(known) && off.is_within(unknown));
-            // Not to know the vertex costs little where the transform is none of the worst.
-            prop_assert!(unknown >= known || unknown.is_finite());
         }
     }
 

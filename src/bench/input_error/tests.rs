@@ -32,7 +32,7 @@ const TRIANGLE: &str = r#"Shape "trianglemesh" "point P" [-2 -2 0.3  2 -2 0.3  0
 fn what_is_not_rounded_is_only_seen_by_rounded_rays() {
     // All numbers of rays and vertices are exact here.
     assert_eq!(error_of(TRIANGLE), InputError { max_ulp: 0.0, max_pixels: 0.0 });
-    assert_eq!(error_of(r#"Shape "sphere" "float radius" 0.1"#).max_ulp, 0.0);
+    assert_eq!(error_of(r#"Shape "sphere" "float radius" 1"#).max_ulp, 0.0);
     let scaled = error_of(&format!("Scale 0.7 0.7 0.7 {TRIANGLE}"));
     assert!(scaled.max_ulp > 0.0 && scaled.max_ulp < 1e-7, "{scaled:?}");
     assert!(scaled.max_pixels > 0.0 && scaled.max_pixels < 1e-14, "{scaled:?}");

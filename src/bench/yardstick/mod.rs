@@ -6,7 +6,9 @@ mod quadric;
 mod ray32;
 mod watertight;
 
+use crate::accel::{Depth, Tracer, Work};
 use crate::geometry::{Point, Ray};
+use crate::shape::vector32::dot;
 use crate::shape::{Placed, Shapes, Surface, Triangle};
 use quadric::{Quadratic, Quadric32};
 use ray32::Ray32;
@@ -51,6 +53,15 @@ impl<'a> Yardstick<'a> {
     pub fn of_ray(&self, ray: &Ray) -> impl FnMut(Placed) -> Option<f32> {
         let ray = Ray32::new(ray);
         move |placed| self.intersect(&ray, placed)
+    }
+
+    /// What `ray` meets first, as far as this kernel can tell, and how far away that is.
+    #[inline]
+    pub fn closest_hit(&self, tracer: &mut Tracer, ray: &Ray) -> Option<(Placed, Depth)> {
+        let hit = tracer.closest_hit_by::<false>(ray, self.of_ray(ray), &mut Work::default())?;
+        let z = hit.t.low as f32;
+        let direction = ray.direction.to_array().map(|component| component as f32);
+        Some((hit.primitive, Depth { z, t: z * dot(direction, direction).sqrt() }))
     }
 
     #[inline]

@@ -111,9 +111,10 @@ impl Block<'_> {
     fn tell_of_answers(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let mut last = None;
         for answer in &self.explanation.answers {
-            let subject = if last == Some(answer.precision) { "" } else { answer.precision.name() };
-            last = Some(answer.precision);
-            line(f, subject, &format!("{:9}  {}", answer.way, found(answer)))?;
+            let kind = answer.precision.map_or("yardsticks", Precision::name);
+            let subject = if last == Some(kind) { "" } else { kind };
+            last = Some(kind);
+            line(f, subject, &format!("{:16}  {}", answer.way, found(answer)))?;
         }
         Ok(())
     }
@@ -161,7 +162,7 @@ fn found(answer: &Answer) -> String {
     let Some(Found { prim, instance, z, t }) = answer.found else { return "miss".to_owned() };
     let instance = if instance > 0 { format!(" in instance {instance}") } else { String::new() };
     let off = match answer.ulps {
-        Some([of_z, of_t]) if answer.precision != Precision::Exact => format!(": off by {of_z} and {of_t} ulps"),
+        Some([of_z, of_t]) if answer.precision != Some(Precision::Exact) => format!(": off by {of_z} and {of_t} ulps"),
         _ => String::new(),
     };
     format!("prim {prim}{instance}, Z {z}, t {t}{off}")

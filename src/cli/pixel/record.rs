@@ -190,7 +190,7 @@ impl AnswerRecord {
     fn new(answer: &Answer) -> AnswerRecord {
         let (found, ulps) = (answer.found, answer.ulps);
         AnswerRecord {
-            precision: answer.precision.name(),
+            precision: answer.precision.map_or("yardstick", Precision::name),
             way: answer.way,
             hit: found.is_some(),
             prim: found.map_or(0, |found| found.prim),
