@@ -1,5 +1,6 @@
 //! What `--json` prints of a pixel.
 
+use feimos::accel::Precision;
 use feimos::pixel::{Answer, Explanation, HitDetails, Margin, Scan};
 use feimos::scene::Scene;
 use feimos::shape::{Placed, Surface};
