@@ -1,6 +1,6 @@
 //! Rows for pages of text.
 
-use super::{Machine, RayTable, Row, TreeTable, notes};
+use super::{Machine, Row, notes, ray_table, tree_table};
 
 /// The machine, and of each scene its notes and its tables.
 pub fn to_markdown(machine: &Machine, rows: &[Row]) -> String {
@@ -8,7 +8,7 @@ pub fn to_markdown(machine: &Machine, rows: &[Row]) -> String {
     for rows in rows.chunk_by(|a, b| a.scene == b.scene) {
         text += &format!("\n## {}\n\n", rows[0].scene.replace('\n', " "));
         notes(rows).iter().for_each(|note| text += &format!("- {note}\n"));
-        text += &format!("\n{}\n{}", TreeTable(rows).markdown(), RayTable(rows, machine.mhz).markdown());
+        text += &format!("\n{}\n{}", tree_table(rows).markdown(), ray_table(rows, machine.mhz).markdown());
     }
     text
 }

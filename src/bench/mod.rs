@@ -2,7 +2,6 @@
 //! told in tables, files for programs, a plot and a page.
 
 mod caster;
-mod columns;
 mod confidence;
 mod csv;
 mod errors;
@@ -24,6 +23,7 @@ mod row;
 mod spread;
 mod surface_points;
 mod table;
+mod text_table;
 mod total;
 mod yardstick;
 
@@ -43,6 +43,7 @@ pub use plot::to_svg;
 pub use report::{Section, notes, to_html};
 pub use row::Row;
 pub use spread::Spread;
-pub use table::{RayTable, TreeTable};
+pub use table::{ray_table, tree_table};
+pub use text_table::TextTable;
 pub use total::totals;
 pub use yardstick::{Classic, Yardstick};

@@ -1,7 +1,7 @@
 //! Rows for people: a table of trees and a table of rays.
 
-use super::columns::{Column, aligned, lines, markdown, name, number};
-use super::{Errors, Row};
+use super::text_table::{Column, name, number};
+use super::{Errors, Row, TextTable};
 use indicatif::HumanCount;
 
 /// What stands in the table of trees: one line for each accelerator.
@@ -43,53 +43,14 @@ const RAYS: [Column<RatedRow>; 14] = [
 struct RatedRow(Row, Option<f64>);
 
 /// The trees of a scene: rows of one method share theirs.
-#[derive(Debug, Clone, Copy)]
-pub struct TreeTable<'a>(pub &'a [Row]);
-
-/// The rays of a scene, on a machine with a clock of so many MHz, if that is known.
-#[derive(Debug, Clone, Copy)]
-pub struct RayTable<'a>(pub &'a [Row], pub Option<f64>);
-
-impl TreeTable<'_> {
-    /// In columns.
-    pub fn aligned(&self) -> String {
-        aligned(&TREES, &self.rows())
-    }
-
-    /// In Markdown.
-    pub fn markdown(&self) -> String {
-        markdown(&TREES, &self.rows())
-    }
-
-    /// Cell by cell, titles first.
-    pub fn cells(&self) -> Vec<Vec<String>> {
-        lines(&TREES, &self.rows())
-    }
-
-    fn rows(&self) -> Vec<Row> {
-        self.0.chunk_by(|a, b| a.scene == b.scene && a.method == b.method).map(|rows| rows[0].clone()).collect()
-    }
+pub fn tree_table(rows: &[Row]) -> TextTable {
+    let of_trees = rows.chunk_by(|a, b| a.scene == b.scene && a.method == b.method);
+    TextTable::new(&TREES, of_trees.map(|rows| rows[0].clone()))
 }
 
-impl RayTable<'_> {
-    /// In columns.
-    pub fn aligned(&self) -> String {
-        aligned(&RAYS, &self.rows())
-    }
-
-    /// In Markdown.
-    pub fn markdown(&self) -> String {
-        markdown(&RAYS, &self.rows())
-    }
-
-    /// Cell by cell, titles first.
-    pub fn cells(&self) -> Vec<Vec<String>> {
-        lines(&RAYS, &self.rows())
-    }
-
-    fn rows(&self) -> Vec<RatedRow> {
-        self.0.iter().map(|row| RatedRow(row.clone(), self.1)).collect()
-    }
+/// The rays of a scene, on a machine with a clock of `mhz`, if that is known.
+pub fn ray_table(rows: &[Row], mhz: Option<f64>) -> TextTable {
+    TextTable::new(&RAYS, rows.iter().map(|row| RatedRow(row.clone(), mhz)))
 }
 
 fn mean(value: f64) -> String {
@@ -175,7 +136,7 @@ accel           load ms       build ms   SAH  EPO  depth  tree bytes
 sah    2.00 (1.00-3.00)  461 (415-492)  49.1  3.2     26  34,218,112
 hlbvh  2.00 (1.00-3.00)  461 (415-492)  49.1  3.2     26  34,218,112
 ";
-        assert_eq!(TreeTable(&rows).aligned(), trees);
+        assert_eq!(tree_table(&rows).aligned(), trees);
         let rays = "\
 accel  precision          trace ms  Mrays/s  cycles/ray  nodes/ray  prims/ray      false     missed wrong prim  max ulp  99 %   mean  integers
 sah    exact      50.0 (50.0-53.0)     0.02     250,000       19.9      1,235          1          0          2        3     3  0.750    12,345
@@ -183,13 +144,13 @@ sah    fast       50.0 (50.0-53.0)     0.02     250,000       19.9      1,235  1
 hlbvh  fast       50.0 (50.0-53.0)     0.02     250,000       19.9      1,235          -          -          -        -     -      -         -
 ";
         let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
-        assert_eq!(words(&RayTable(&rows, Some(2500.0)).aligned()), words(rays));
+        assert_eq!(words(&ray_table(&rows, Some(2500.0)).aligned()), words(rays));
     }
 
     #[test]
     fn what_is_no_number_is_a_dash() {
         let [exact, ..] = Kernel::ALL;
         let empty = Row { sah_cost: f64::NAN, overlap: None, ..row(SplitMethod::None, exact, 0) };
-        assert!(TreeTable(&[empty]).aligned().contains("  -    -     26"));
+        assert!(tree_table(&[empty]).aligned().contains("  -    -     26"));
     }
 }

@@ -1,5 +1,6 @@
 //! Pieces of HTML.
 
+use crate::bench::TextTable;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 
@@ -16,16 +17,16 @@ pub(super) fn escaped(text: &str) -> String {
     text.chars().map(escape).collect()
 }
 
-/// A table whose first line is of titles and whose first columns, `names` of them, are of names.
-pub(super) fn table(lines: &[Vec<String>], names: usize) -> String {
+/// A table, whose first line is of titles.
+pub(super) fn table(table: &TextTable) -> String {
     let line = |cells: &Vec<String>, tag: &str| {
-        let cell = |(place, cell): (usize, &String)| {
-            let class = if place < names { " class=\"name\"" } else { "" };
+        let cell = |(column, cell): (usize, &String)| {
+            let class = if table.is_name(column) { " class=\"name\"" } else { "" };
             format!("<{tag}{class}>{}</{tag}>", escaped(cell))
         };
         format!("<tr>{}</tr>\n", cells.iter().enumerate().map(cell).collect::<String>())
     };
-    let [titles, rows @ ..] = lines else { return String::new() };
+    let (titles, rows) = table.lines().split_first().expect("a line of titles");
     let rows: String = rows.iter().map(|cells| line(cells, "td")).collect();
     format!("<div class=\"wide\"><table>\n{}{rows}</table></div>\n", line(titles, "th"))
 }
@@ -47,11 +48,12 @@ pub(super) fn swatch([red, green, blue]: [u8; 3], meaning: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::bench::text_table::{name, number};
 
     #[test]
     fn nothing_from_outside_becomes_a_tag() {
-        let cells = vec![vec!["a".to_owned(), "<b>".to_owned()], vec!["\"c\" & 'd'".to_owned(), "1".to_owned()]];
-        let table = table(&cells, 1);
+        let columns = [name("a", |(name, _): &(&str, u32)| (*name).to_owned()), number("<b>", |(_, n)| n.to_string())];
+        let table = table(&TextTable::new(&columns, [("\"c\" & 'd'", 1)].into_iter()));
         assert!(table.contains("<th class=\"name\">a</th><th>&lt;b&gt;</th>"), "{table}");
         assert!(table.contains("<td class=\"name\">&quot;c&quot; &amp; &#39;d&#39;</td><td>1</td>"), "{table}");
         assert!(figure("\"<", &[0, 1]).contains("alt=\"&quot;&lt;\" src=\"data:image/png;base64,AAE=\""));

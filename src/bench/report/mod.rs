@@ -2,7 +2,7 @@
 
 mod html;
 
-use super::{InputError, Kernel, Machine, PictureFiles, RayTable, Row, TreeTable, to_svg, totals};
+use super::{InputError, Kernel, Machine, PictureFiles, Row, ray_table, to_svg, totals, tree_table};
 use crate::compare::picture;
 use html::{escaped, figure, swatch, table};
 use indicatif::HumanCount;
@@ -50,21 +50,26 @@ overlap of its nodes with what is not theirs.</p>
 fn of_all(machine: &Machine, sections: &[Section]) -> String {
     let rows: Vec<Row> = sections.iter().flat_map(|section| section.rows.iter().cloned()).collect();
     let totals = totals(&rows);
-    let mut text = format!("<h2>All {} scenes</h2>\n{}", sections.len(), to_svg("All scenes together", &totals));
-    text += &table(&RayTable(&totals, machine.mhz).cells(), 2);
+    let mut text = format!(
+        "<h2>All {} scenes</h2>\n{}",
+        sections.len(),
+        to_svg("Error against speed, all scenes together", &totals)
+    );
+    text += &table(&ray_table(&totals, machine.mhz));
     text
 }
 
 fn of_scene(machine: &Machine, section: &Section) -> String {
     let Section { title, rows, pictures } = section;
     let name = rows.first().map_or("", |row| &row.scene);
-    let mut text = format!("<h2>{}</h2>\n<p class=\"quiet\">{}</p>\n", escaped(name), escaped(title));
+    let size = title.strip_prefix(name).map_or(&title[..], |rest| rest.trim_start_matches(": "));
+    let mut text = format!("<h2>{}</h2>\n<p class=\"quiet\">{}</p>\n", escaped(name), escaped(size));
     for note in notes(rows) {
         text += &format!("<p class=\"quiet\">{}</p>\n", escaped(&note));
     }
-    text += &to_svg(name, rows);
-    text += &table(&TreeTable(rows).cells(), 1);
-    text += &table(&RayTable(rows, machine.mhz).cells(), 2);
+    text += &to_svg("Error against speed", rows);
+    text += &table(&tree_table(rows));
+    text += &table(&ray_table(rows, machine.mhz));
     text += &of_pictures(rows, pictures);
     text
 }

@@ -16,8 +16,8 @@ use super::thread_pool::thread_pool;
 use args::Reference;
 use feimos::accel::SplitMethod;
 use feimos::bench::{
-    Bench, Judge, Kernel, Machine, Measured, Plan, RayTable, Rounds, Row, Section, TreeTable, can_be_judged,
-    judged_pixels, notes, timed,
+    Bench, Judge, Kernel, Machine, Measured, Plan, Rounds, Row, Section, can_be_judged, judged_pixels, notes,
+    ray_table, timed, tree_table,
 };
 use feimos::error::{Error, Result};
 use feimos::progress::Progress;
@@ -145,6 +145,6 @@ fn refuse_repeated<T: Copy + PartialEq + std::fmt::Display>(flag: &str, items: O
 fn print_tables(is_first: bool, machine: &Machine, title: &str, rows: &[Row]) -> Result<()> {
     let machine_line = if is_first { format!("{machine}\n") } else { String::new() };
     let notes: String = notes(rows).iter().map(|note| format!("{note}\n")).collect();
-    let tables = format!("{}\n{}", TreeTable(rows).aligned(), RayTable(rows, machine.mhz).aligned());
+    let tables = format!("{}\n{}", tree_table(rows).aligned(), ray_table(rows, machine.mhz).aligned());
     write_to_stdout(Ok(format!("{machine_line}\n{title}\n\n{tables}{notes}").into_bytes()))
 }
