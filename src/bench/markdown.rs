@@ -1,11 +1,15 @@
 //! Rows for pages of text.
 
-use super::{Machine, Row, notes, ray_table, tree_table};
+use super::{Machine, Row, notes, ray_table, totals, tree_table};
 
-/// The machine, and of each scene its notes and its tables.
+/// The machine, all scenes together, if there are several, and of each scene its notes and its tables.
 pub fn to_markdown(machine: &Machine, rows: &[Row]) -> String {
     let mut text = format!("{machine}\n");
-    for rows in rows.chunk_by(|a, b| a.scene == b.scene) {
+    let scenes = rows.chunk_by(|a, b| a.scene == b.scene);
+    if scenes.clone().count() > 1 {
+        text += &format!("\n## All scenes\n\n{}", ray_table(&totals(rows), machine.mhz).markdown());
+    }
+    for rows in scenes {
         text += &format!("\n## {}\n\n", rows[0].scene.replace('\n', " "));
         notes(rows).iter().for_each(|note| text += &format!("- {note}\n"));
         text += &format!("\n{}\n{}", tree_table(rows).markdown(), ray_table(rows, machine.mhz).markdown());
@@ -27,8 +31,8 @@ mod tests {
         let rows = [row(SplitMethod::Sah, exact, 10), row(SplitMethod::Sah, fast, 10), other];
         let text = to_markdown(&Machine::detect("scalar"), &rows);
         let headings: Vec<&str> = text.lines().filter(|line| line.starts_with("## ")).collect();
-        assert_eq!(headings, ["## a.pbrt", "## b.pbrt"]);
-        assert_eq!(text.lines().filter(|line| line.starts_with("| ---")).count(), 4);
+        assert_eq!(headings, ["## All scenes", "## a.pbrt", "## b.pbrt"]);
+        assert_eq!(text.lines().filter(|line| line.starts_with("| ---")).count(), 5);
         assert!(
             text.contains("- errors are those of 10 of 1,000 pixels") && text.contains("- errors were not measured")
         );

@@ -42,10 +42,12 @@ ball.pbrt, pixel 6,3 of 13 x 7
   margin      (b^2 - ac) / b^2 of its equation is 0.04: 0 would be a ray that touches it
   behind      prim 2 of shape 2: trianglemesh, ball.pbrt:8:1, Z about 7.104166666666666: 3.104166666666667 farther
               2 primitives are met in all
-  exact       alone      prim 1, Z 4, t 4
-              in a tile  prim 1, Z 4, t 4
-  fast        alone      prim 1, Z 4, t 4: off by 0 and 0 ulps
-              in a tile  prim 1, Z 4, t 4: off by 0 and 0 ulps
+  exact       alone             prim 1, Z 4, t 4
+              in a tile         prim 1, Z 4, t 4
+  fast        alone             prim 1, Z 4, t 4: off by 0 and 0 ulps
+              in a tile         prim 1, Z 4, t 4: off by 0 and 0 ulps
+  yardsticks  moeller-trumbore  prim 1, Z 4, t 4: off by 0 and 0 ulps
+              watertight        prim 1, Z 4, t 4: off by 0 and 0 ulps
   tested      sah     1 node, 2 primitives
               none    1 node, 2 primitives
               middle  1 node, 2 primitives
@@ -92,7 +94,7 @@ fn json_has_all_of_it() {
     );
     assert_eq!((&found["met"], &found["reference_agrees"]), (&json!(2), &json!(true)));
     let answers = found["answers"].as_array().unwrap();
-    assert_eq!(answers.len(), 4);
+    assert_eq!(answers.len(), 6);
     assert!(answers.iter().all(|answer| answer["hit"] == json!(true) && answer["prim"] == json!(1)), "{answers:?}");
     let methods: Vec<&str> =
         found["costs"].as_array().unwrap().iter().map(|cost| cost["accel"].as_str().unwrap()).collect();
@@ -126,7 +128,10 @@ fn a_miss_tells_what_is_nearest() {
         found.contains("\n              not measured: spheres, cylinders and disks, of which there are 1\n"),
         "{found}"
     );
-    assert!(found.contains("\n  exact       alone      miss\n              in a tile  miss\n"), "{found}");
+    assert!(
+        found.contains("\n  exact       alone             miss\n              in a tile         miss\n"),
+        "{found}"
+    );
 }
 
 #[test]

@@ -33,7 +33,7 @@ impl Outputs {
     pub(super) fn new(args: &OutputArgs) -> Result<Outputs> {
         // First, since other files may go there.
         if let Some(directory) = &args.report {
-            fs::create_dir_all(directory).map_err(|error| Error::writing(directory, &error))?;
+            fs::create_dir_all(directory).map_err(|error| Error::creating(directory, &error))?;
             atomic_file::check(&directory.join(PAGE))?;
         }
         let asked = [

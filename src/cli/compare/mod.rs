@@ -13,7 +13,6 @@ pub(crate) use args::CompareArgs;
 use super::reporter::Reporter;
 use super::stdout::{write_json_line, write_to_stdout};
 use feimos::error::{Diagnostic, Error, ErrorKind, Result};
-
 use feimos::film::ImageFile;
 use serde::Serialize;
 use std::fmt::Display;
