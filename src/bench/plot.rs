@@ -75,11 +75,13 @@ struct Point {
 
 impl Point {
     fn new(row: &Row, quantity: &Quantity) -> Option<Point> {
-        if row.is_sampled() {
+        let speed = row.mrays_per_s();
+        // What took no time that the clock can tell has no place on the axis.
+        if row.is_sampled() || !speed.is_finite() {
             return None;
         }
         let [error, high] = (quantity.of)(row.errors.as_ref()?);
-        Some(Point { method: row.method, kernel: row.kernel, speed: row.mrays_per_s(), error, high })
+        Some(Point { method: row.method, kernel: row.kernel, speed, error, high })
     }
 }
 
@@ -257,6 +259,16 @@ mod tests {
         let svg = to_svg("nothing", &[row(SplitMethod::Sah, Kernel::ExactSingle, 0)]);
         assert!(svg.contains("million rays a second"));
         assert!(!to_svg("none at all", &[]).is_empty());
+    }
+
+    #[test]
+    fn what_takes_no_time_is_left_out() {
+        let exact = Kernel::ExactSingle;
+        let mut instant = row(SplitMethod::Sah, exact, 1000);
+        instant.trace_ms.median = 0.0;
+        let rows = [instant, row(SplitMethod::Equal, exact, 1000)];
+        // It would have an endless axis.
+        assert!(to_svg("quick", &rows).len() < 100_000);
     }
 
     #[test]
