@@ -76,7 +76,8 @@ fn of_world_vertex(rounded: &RoundedTransform, w: Point) -> f64 {
         let moved = inverse.map(|row| (0..3).map(|j| row[j].most() * d[j]).sum::<f64>());
         [0, 1, 2].map(|k| made_up(about[k] + made_up(moved[k])))
     };
-    let guess = bound([0.0; 3]).map(|component| 2.0 * component);
+    // Twice the second step from nothing: the first does not see how far other components move one that is nearly 0.
+    let guess = bound(bound([0.0; 3])).map(|component| 2.0 * component);
     let p = bound(guess);
     let is_proven = (0..3).all(|k| p[k] <= guess[k] && p[k] < f64::INFINITY);
     if is_proven { length(of_vertex(rounded, p)) } else { f64::INFINITY }

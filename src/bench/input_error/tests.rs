@@ -113,3 +113,17 @@ fn of_the_dragon_it_is_far_below_one_unit() {
     assert!(hits.len() > 20 && error.max_ulp > 1e-10 && error.max_ulp < 1e-7, "{error:?}");
     assert!(error.max_pixels < 1e-11, "{error:?}");
 }
+
+#[test]
+fn vertices_with_coordinates_of_zero_are_bounded_under_any_rotation() {
+    for turn in ["Rotate -30 1 2 3", "Rotate 77 3 0 -1", "Rotate 10 1 1 1 Scale 1 0.001 1000"] {
+        let shape = r#"Shape "trianglemesh" "point P" [0 -5 1  0 0 1  5 0 0]"#;
+        let error = error_of(&format!("{turn} {TRIANGLE} {shape}"));
+        assert!(error.max_ulp < 1e-3, "{turn}: {error:?}");
+    }
+    let path = Path::new("tests/hard/a04_grid_rotated.pbrt");
+    let scene = load(path, &LoadOptions { roundings: true, ..LoadOptions::default() }, Progress::SILENT).unwrap();
+    let pixels: Vec<[u32; 2]> = (0..33).map(|k| [k, k]).collect();
+    let error = InputError::of(&scene, &hits(&scene, &pixels)).expect("a pixel is hit");
+    assert!(error.max_ulp < 1e-6 && error.max_pixels < 1e-9, "{error:?}");
+}
