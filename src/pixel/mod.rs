@@ -21,7 +21,7 @@ use crate::reference::{self, ReferenceHit};
 use crate::scene::Scene;
 use answer::answers;
 
-/// Primitives up to which the [`reference`] is asked, too: a few microseconds each.
+/// Primitives up to which the [reference](mod@reference) is asked, too: a few microseconds each.
 pub const MAX_JUDGED: u64 = 2_000_000;
 
 /// All that is to be said of a pixel.
