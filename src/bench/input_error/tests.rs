@@ -116,7 +116,7 @@ fn of_the_dragon_it_is_far_below_one_unit() {
 
 #[test]
 fn vertices_with_coordinates_of_zero_are_bounded_under_any_rotation() {
-    for turn in ["Rotate -30 1 2 3", "Rotate 77 3 0 -1", "Rotate 10 1 1 1 Scale 1 0.001 1000"] {
+    for turn in ["Rotate -30 1 2 3", "Rotate 40 0 0 1"] {
         let shape = r#"Shape "trianglemesh" "point P" [0 -5 1  0 0 1  5 0 0]"#;
         let error = error_of(&format!("{turn} {TRIANGLE} {shape}"));
         assert!(error.max_ulp < 1e-3, "{turn}: {error:?}");
