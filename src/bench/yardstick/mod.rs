@@ -1,5 +1,5 @@
 //! Kernels as they are written elsewhere, in `f32` and without a bound: what exactness costs and what its lack costs is measured
-//! against them. Only the bench has them.
+//! against them. No picture is made by them.
 
 mod moeller_trumbore;
 mod quadric;
