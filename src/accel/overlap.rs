@@ -2,6 +2,7 @@
 
 use super::Aggregate;
 use super::node::Node;
+use super::space::Box32;
 use super::statistics::NODE_COST;
 use super::tree::Tree;
 use crate::geometry::Point;
@@ -12,9 +13,14 @@ impl Aggregate {
     /// surfaces is the end-point overlap (EPO) of Aila, Karras and Laine, "On quality metrics of bounding volume hierarchies"
     /// (2013), section 3. Costs are those of [`super::Statistics::sah_cost`]. Of the primitives that are in no instance.
     pub fn overlap_at(&self, primitive: Primitive, point: Point) -> f64 {
-        let place = self.space.place(&point);
+        let place = box_of(self.space.place(&point));
         self.tree.root.map_or(0.0, |root| overlap(&self.tree, &root, primitive, &place).cost)
     }
+}
+
+/// The box that holds one place.
+fn box_of(place: [f32; 3]) -> Box32 {
+    Box32 { low: place, high: place }
 }
 
 /// What is known of a node and of all below it.
@@ -26,9 +32,8 @@ struct Overlap {
 }
 
 /// As deep as the tree.
-fn overlap(tree: &Tree<Primitive>, node: &Node, primitive: Primitive, place: &[f32; 3]) -> Overlap {
-    let holds = (0..3).all(|k| node.bounds.low[k] <= place[k] && place[k] <= node.bounds.high[k]);
-    if !holds {
+fn overlap(tree: &Tree<Primitive>, node: &Node, primitive: Primitive, place: &Box32) -> Overlap {
+    if !node.bounds.contains(place) {
         return Overlap::default();
     }
     let (below, own_cost) = if node.is_leaf() {
@@ -76,11 +81,8 @@ mod tests {
         // A corner of one beside the others, and a point of the long one that lies in the boxes of others, too.
         let points = [(Primitive::triangle(3), vertices[10]), (Primitive::triangle(8), Point::new(3.1, 0.26, 1.0))];
         let costs = points.map(|(primitive, point)| {
-            let place = aggregate.space.place(&point);
-            let is_around = |node: &Node| {
-                (0..3).all(|k| node.bounds.low[k] <= place[k] && place[k] <= node.bounds.high[k])
-                    && !holds(&aggregate.tree, node, primitive)
-            };
+            let place = box_of(aggregate.space.place(&point));
+            let is_around = |node: &Node| node.bounds.contains(&place) && !holds(&aggregate.tree, node, primitive);
             let around = aggregate.tree.nodes().map(|(node, _)| node).filter(is_around);
             let by_hand: f64 = around.map(|node| if node.is_leaf() { f64::from(node.count) } else { NODE_COST }).sum();
             assert_eq!(aggregate.overlap_at(primitive, point), by_hand);

@@ -2,7 +2,7 @@
 
 use super::pixels::{Answer, TileSample, strip, strip_of};
 use super::{Kernel, Yardstick};
-use crate::accel::{Aggregate, Depth, Precision, TILE, TileOptions, Tiles, Tracer, Work};
+use crate::accel::{Aggregate, Depth, Precision, TILE, Tiles, Tracer, Work};
 use crate::error::Result;
 use crate::film::{ChannelName, Image, Samples};
 use crate::geometry::Ray;
@@ -126,15 +126,7 @@ impl<'a> Caster<'a> {
 
     fn trace_tiles(&self, aggregate: &Aggregate, precision: Precision, sample: &TileSample) -> Cast {
         let Scene { camera, shapes, film, .. } = self.scene;
-        let options = TileOptions {
-            precision,
-            with_z: true,
-            with_t: true,
-            with_primitives: true,
-            miss: f32::INFINITY,
-            level: Level::detect(),
-        };
-        let tiles = Tiles::new(camera, shapes, aggregate, options);
+        let tiles = Tiles::new(camera, shapes, aggregate, self.options(precision).of_tiles());
         let pairs: Vec<(&[u32; 2], &[u32; 2])> = sample.tiles.iter().zip(&sample.pixels).collect();
         let answers = pairs.into_par_iter().map_init(
             || tiles.tracer(),

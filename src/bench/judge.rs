@@ -1,9 +1,10 @@
 //! The exact answers that rows are compared with.
 
+use super::caster::Cast;
 use super::pixels::{Answer, some_pixels, strip, strip_of};
 use super::random::Random;
 use super::{Errors, InputError};
-use crate::compare::{Comparison, Tally};
+use crate::compare::{Comparison, Tally, difference_picture};
 use crate::film::Image;
 use crate::progress::Progress;
 use crate::reference;
@@ -65,16 +66,36 @@ impl Judge {
 
     /// What is wrong with a picture of the scene's crop that has the usual channels.
     pub fn errors(&self, picture: &Image) -> Errors {
-        self.errors_of_strip(&strip_of(picture, &self.pixels))
+        self.verdict_on(strip_of(picture, &self.pixels)).errors
     }
 
-    /// What is wrong with a strip of the same pixels.
-    pub(super) fn errors_of_strip(&self, found: &Image) -> Errors {
-        let tally = Tally::of(&self.comparison(found), 0..self.pixels.len());
-        Errors { tally, of: self.of }
+    /// What is wrong with what came of rays, pixel by pixel and in all.
+    pub(super) fn verdict(&self, cast: &Cast) -> Verdict<'_> {
+        self.verdict_on(cast.strip(&self.pixels))
     }
 
-    pub(super) fn comparison<'a>(&'a self, found: &'a Image) -> Comparison<'a> {
-        Comparison::new(&self.expected, found).expect("strips of the same pixels")
+    /// Of a strip of the same pixels.
+    fn verdict_on(&self, found: Image) -> Verdict<'_> {
+        let comparison = Comparison::new(&self.expected, &found).expect("strips of the same pixels");
+        let tally = Tally::of(&comparison, 0..self.pixels.len());
+        Verdict { judge: self, errors: Errors { tally, of: self.of }, found }
+    }
+}
+
+/// What came of a comparison with the exact answers.
+pub(super) struct Verdict<'a> {
+    judge: &'a Judge,
+    /// Counted.
+    pub(super) errors: Errors,
+    found: Image,
+}
+
+impl Verdict<'_> {
+    /// The colour of each of the pixels in a picture of differences.
+    pub(super) fn colors(&self) -> impl Iterator<Item = ([u32; 2], [u8; 3])> {
+        let comparison = Comparison::new(&self.judge.expected, &self.found).expect("strips of the same pixels");
+        let largest = self.errors.tally.depths.max().unwrap_or(0);
+        let colors = difference_picture(&comparison, self.judge.pixels.len(), largest);
+        self.judge.pixels.iter().copied().zip(colors)
     }
 }

@@ -100,12 +100,12 @@ impl Trial<'_> {
         let mut casts = Vec::new();
         for caster in self.casters {
             let cast = caster.cast(&aggregate, sample.as_ref())?;
-            let judge = judge.as_ref().or(self.bench.judge.as_ref());
+            let judged = judge.as_ref().or(self.bench.judge.as_ref()).map(|judge| judge.verdict(&cast));
             if let Some(pictures) = pictures.as_deref_mut() {
-                pictures.add_row(caster.kernel, &cast, judge);
+                pictures.add_row(caster.kernel, &cast, judged.as_ref());
             }
             casts.push(Trace {
-                errors: judge.map(|judge| judge.errors_of_strip(&cast.strip(&judge.pixels))),
+                errors: judged.map(|verdict| verdict.errors),
                 work: caster.work(&aggregate, &pixels),
                 fallback_rays: caster.kernel.is_exact().then_some(cast.fallback_rays),
                 ms: Vec::new(),

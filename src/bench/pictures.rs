@@ -2,9 +2,9 @@
 
 use super::Kernel;
 use super::caster::Cast;
-use super::judge::Judge;
+use super::judge::Verdict;
 use crate::accel::{Aggregate, Precision, SplitMethod};
-use crate::compare::{difference_picture, picture};
+use crate::compare::picture;
 use crate::error::Result;
 use crate::film::{ChannelName, ColorMap, CostRange, DepthRange, Image, PixelBounds, png_file};
 use crate::progress::Progress;
@@ -47,42 +47,37 @@ impl Pictures {
 
     /// What rays cost in a tree.
     pub(super) fn add_cost(&mut self, method: SplitMethod, scene: &Scene, aggregate: &Aggregate) -> Result<()> {
-        self.costs.push((method, self.render(scene, aggregate, &[ChannelName::Cost])?));
-        Ok(())
-    }
-
-    /// Where a row is wrong; the first that is exact gives the depths.
-    pub(super) fn add_row(&mut self, kernel: Kernel, cast: &Cast, judge: Option<&Judge>) {
-        if kernel == Kernel::Tiles(Precision::Exact) && self.depth.is_none() {
-            self.depth = cast.image().cloned();
-        }
-        self.errors.push(judge.filter(|_| cast.image().is_some()).map(|judge| self.errors_of(cast, judge)));
-    }
-
-    fn render(&self, scene: &Scene, aggregate: &Aggregate, channels: &[ChannelName]) -> Result<Image> {
         let options = RenderOptions {
             data_window: self.window,
-            channels: channels.to_vec(),
+            channels: vec![ChannelName::Cost],
             precision: Precision::Exact,
             miss: f32::INFINITY,
             counted: false,
             level: Level::detect(),
         };
-        Ok(render(&scene.camera, &scene.shapes, aggregate, &options, Progress::SILENT)?.image)
+        let rendering = render(&scene.camera, &scene.shapes, aggregate, &options, Progress::SILENT)?;
+        self.costs.push((method, rendering.image));
+        Ok(())
     }
 
-    fn errors_of(&self, cast: &Cast, judge: &Judge) -> Vec<[u8; 3]> {
-        let strip = cast.strip(&judge.pixels);
-        let largest = judge.errors_of_strip(&strip).tally.depths.max().unwrap_or(0);
-        let colors = difference_picture(&judge.comparison(&strip), judge.pixels.len(), largest);
+    /// Where a row is wrong; the first that is exact gives the depths.
+    pub(super) fn add_row(&mut self, kernel: Kernel, cast: &Cast, verdict: Option<&Verdict>) {
+        if kernel == Kernel::Tiles(Precision::Exact) && self.depth.is_none() {
+            self.depth = cast.image().cloned();
+        }
+        self.errors.push(verdict.filter(|_| cast.image().is_some()).map(|verdict| self.errors_of(verdict)));
+    }
+
+    fn errors_of(&self, verdict: &Verdict) -> Vec<[u8; 3]> {
         let mut pixels = vec![NOT_JUDGED; self.window.area() as usize];
-        for ([x, y], color) in judge.pixels.iter().zip(&colors) {
+        let colors: Vec<([u32; 2], [u8; 3])> = verdict.colors().collect();
+        for ([x, y], color) in &colors {
             pixels[self.place(*x, *y)] = *color;
         }
         // On top of all that is right, and larger, so that a single one of a large picture is seen.
-        for ([x, y], color) in judge.pixels.iter().zip(&colors) {
+        for (pixel, color) in &colors {
             if [picture::FALSE_HIT, picture::MISSED_HIT, picture::WRONG_PRIMITIVE].contains(color) {
-                self.mark([*x, *y], *color, &mut pixels);
+                self.mark(*pixel, *color, &mut pixels);
             }
         }
         pixels

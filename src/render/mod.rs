@@ -40,7 +40,8 @@ impl RenderOptions {
         self.channels.contains(&name)
     }
 
-    fn of_tiles(&self) -> TileOptions {
+    /// What tiles have to find out for it.
+    pub(crate) fn of_tiles(&self) -> TileOptions {
         TileOptions {
             precision: self.precision,
             with_z: self.wants(ChannelName::Z),

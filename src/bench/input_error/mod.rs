@@ -6,6 +6,7 @@ mod view;
 use crate::reference::ReferenceHit;
 use crate::scene::Scene;
 use displacement::{length, of_primitive};
+use rayon::prelude::*;
 use serde::Serialize;
 use view::View;
 
@@ -38,7 +39,7 @@ impl InputError {
     pub fn of(scene: &Scene, hits: &[([u32; 2], ReferenceHit)]) -> Option<InputError> {
         let roundings = scene.roundings.as_ref()?;
         let view = View { camera: &scene.camera, rounded: &roundings.camera };
-        let errors = hits.iter().map(|(pixel, hit)| {
+        let errors = hits.par_iter().map(|(pixel, hit)| {
             let of_ray = view.displacement(*pixel, hit.z);
             let of_surface = of_primitive(&scene.shapes, roundings, hit.primitive);
             let displacement = made_up(of_ray + of_surface);
@@ -47,8 +48,10 @@ impl InputError {
                 max_pixels: view.in_pixels(displacement, *pixel, hit.z),
             }
         });
-        errors
-            .reduce(|a, b| InputError { max_ulp: a.max_ulp.max(b.max_ulp), max_pixels: a.max_pixels.max(b.max_pixels) })
+        errors.reduce_with(|a, b| InputError {
+            max_ulp: a.max_ulp.max(b.max_ulp),
+            max_pixels: a.max_pixels.max(b.max_pixels),
+        })
     }
 }
 

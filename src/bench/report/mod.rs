@@ -6,7 +6,6 @@ use super::{InputError, Kernel, Machine, PictureFiles, Row, ray_table, to_svg, t
 use crate::compare::picture;
 use html::{escaped, figure, swatch, table};
 use indicatif::HumanCount;
-use std::fmt::Write;
 
 /// What the page says of a scene.
 #[derive(Debug)]
@@ -115,8 +114,7 @@ fn of_pictures(rows: &[Row], pictures: &PictureFiles) -> String {
     let [width, height] = pictures.size;
     if let Some(depth) = &pictures.depth {
         text += "<h3>Depth, near in red, and what a ray costs</h3>\n<p class=\"quiet\">";
-        let _ = write!(
-            text,
+        text += &format!(
             "Costs are tests of nodes and primitives, from 0 (dark) to {} (red) and more, on one scale. {width} x {height} \
              pixels.</p>\n<div class=\"pictures\">\n",
             pictures.highest_cost

@@ -105,8 +105,7 @@ fn plot(rows: &[Row]) -> String {
 }
 
 fn write_file(path: &Path, bytes: io::Result<Vec<u8>>) -> Result<()> {
-    let write = |out: &mut dyn Write| bytes.and_then(|bytes| out.write_all(&bytes));
-    atomic_file::write_file(path, Overwrite::Yes, |out| write(out)).map(|_| ())
+    atomic_file::write_file(path, Overwrite::Yes, |out| bytes.and_then(|bytes| out.write_all(&bytes))).map(|_| ())
 }
 
 /// As it was typed, for people; the program without its path.
