@@ -3,6 +3,7 @@
 use super::bench::BenchArgs;
 use super::check::CheckArgs;
 use super::compare::CompareArgs;
+use super::merge::MergeArgs;
 use super::pixel::PixelArgs;
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 use feimos::accel::{Precision, SplitMethod};
@@ -44,6 +45,11 @@ pub(crate) enum Command {
     /// Tells what each precision makes of the ray, what it costs with each accelerator, and what exact arithmetic on every single
     /// primitive says.
     Pixel(PixelArgs),
+    /// Put crops of one film together: the same file, byte for byte, that one process would have written.
+    ///
+    /// Every crop is placed by its data window. Pixels that no crop has are an error, and so are crops that differ where they overlap, or that
+    /// are of different films, scenes or options.
+    Merge(MergeArgs),
 }
 
 #[derive(Debug, Args)]

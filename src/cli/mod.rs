@@ -10,6 +10,7 @@ mod counted;
 mod failures;
 mod job;
 mod manifest;
+mod merge;
 mod output_name;
 mod picture;
 mod pixel;
@@ -41,6 +42,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Check(args) => report(&args.talk, |reporter| check::check(&args, reporter)),
         Command::Compare(args) => report(&args.talk, |reporter| compare::compare(&args, reporter)),
         Command::Bench(args) => report(&args.talk, |reporter| bench::bench(&args, reporter)),
+        Command::Merge(args) => report(&args.talk, |reporter| merge::merge(&args, reporter)),
         Command::Pixel(args) => report(&args.talk, |reporter| pixel::pixel(&args, reporter)),
     }
 }
