@@ -9,9 +9,11 @@ mod compare;
 mod counted;
 mod failures;
 mod job;
+mod loaded_scene;
 mod manifest;
 mod merge;
 mod output_name;
+mod outputs;
 mod picture;
 mod pixel;
 mod plan;
@@ -19,10 +21,13 @@ mod progress_bar;
 mod record;
 mod reporter;
 mod scene_files;
+#[cfg(unix)]
+mod signals;
 mod stdout;
 mod summary;
 mod terminal;
 mod thread_pool;
+mod timing;
 
 use args::{Cli, Command, TalkArgs};
 use clap::Parser;
@@ -50,6 +55,8 @@ pub(crate) fn run() -> ExitCode {
 /// Runs a command and tells of the error that ended it, if one did.
 fn report(talk: &TalkArgs, command: impl FnOnce(&Reporter) -> Result<u8>) -> ExitCode {
     let reporter = Reporter::new(talk);
+    #[cfg(unix)]
+    signals::end_cleanly(&reporter);
     let code = command(&reporter).unwrap_or_else(|error| {
         reporter.error(&error);
         error.kind().exit_code()
