@@ -2,12 +2,16 @@
 
 mod batch;
 mod bench;
+mod cameras;
 mod check;
 mod compare;
 mod cost;
 mod engine;
 mod exit_code;
+mod files;
 mod folder;
+mod formats;
+mod merge;
 mod message;
 mod output;
 mod pixel;
