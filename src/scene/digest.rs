@@ -73,7 +73,7 @@ Shape "trianglemesh" "point3 P" [-2 -1 0  2 -1 0.5  0 2 0] "integer indices" [0 
             ("zmax\" 0.5", "zmax\" 0.25"),
             ("3 0 0\nObjectInstance \"a\"", "3 0 1\nObjectInstance \"a\""),
             ("ObjectInstance \"a\"\n", ""),
-            ("0 2 0] \"integer", "0 2 -0.0] \"integer"),
+            ("0 2 0] \"integer", "0 2 1] \"integer"),
             ("[0 1 2]", "[0 2 1]"),
             ("perspective\" \"float fov\" 40", "orthographic\""),
             ("WorldBegin\n", "WorldBegin\nShape \"cone\"\n"),

@@ -70,7 +70,11 @@ fn skip_existing_renders_the_others() {
         let command = format!("ball.pbrt second.pbrt -o {{stem}}.{extension} --skip-existing -v");
         folder.render(&format!("ball.pbrt -o ball.{extension}")).succeeded();
         let run = folder.render(&command).succeeded();
-        assert!(run.stderr.contains(&format!("ball.pbrt: skipped, ball.{extension} is there already")), "{}", run.stderr);
+        assert!(
+            run.stderr.contains(&format!("ball.pbrt: skipped, ball.{extension} is there already")),
+            "{}",
+            run.stderr
+        );
         assert!(run.stderr.contains(&format!("second.{extension}: 13 x 7 pixels")), "{}", run.stderr);
         let run = folder.render(&command).succeeded();
         assert!(run.stderr.contains("second.pbrt: skipped"), "{}", run.stderr);
@@ -116,7 +120,9 @@ fn skip_existing_leaves_alone_what_is_not_its_own() {
 fn skip_existing_needs_a_format_with_a_header() {
     let folder = Folder::new();
     for file in ["a.npy", "a.pfm"] {
-        folder.render(&format!("ball.pbrt -o {file} --skip-existing")).failed(2, "--skip-existing has no meaning for a.");
+        folder
+            .render(&format!("ball.pbrt -o {file} --skip-existing"))
+            .failed(2, "--skip-existing has no meaning for a.");
     }
 }
 

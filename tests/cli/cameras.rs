@@ -22,7 +22,9 @@ fn folder() -> Folder {
 #[test]
 fn each_camera_makes_the_image_that_a_scene_of_its_own_would() {
     let folder = folder();
-    for options in ["", "--precision fast", "--aov Z,cost", "--aov N,P,uv", "--accel hlbvh --stats", "--pixelbounds 2,9,1,6"] {
+    for options in
+        ["", "--precision fast", "--aov Z,cost", "--aov N,P,uv", "--accel hlbvh --stats", "--pixelbounds 2,9,1,6"]
+    {
         let list = "ball.pbrt --cameras poses.json -o {camera}-of-{stem}.exr --force";
         folder.render(&format!("{list} {options}")).succeeded();
         for camera in ["front", "side", "above"] {
@@ -86,7 +88,10 @@ fn images_of_several_cameras_need_names_of_their_own() {
 
 #[test]
 fn lists_that_are_wrong_are_refused_before_any_work() {
-    let folder = folder().with("bad.json", "[{\"nam\": 1}]").with("one.json", r#"[{"K": [[9,0,1],[0,9,1],[0,0,1]], "R": [[1,0,0],[0,1,0],[0,0,1]], "t": [0,0,5], "resolution": [3, 3]}]"#);
+    let folder = folder().with("bad.json", "[{\"nam\": 1}]").with(
+        "one.json",
+        r#"[{"K": [[9,0,1],[0,9,1],[0,0,1]], "R": [[1,0,0],[0,1,0],[0,0,1]], "t": [0,0,5], "resolution": [3, 3]}]"#,
+    );
     folder.render("ball.pbrt --cameras bad.json -o {camera}.exr").failed(65, "bad.json:1:");
     folder.render("ball.pbrt --cameras gone.json -o {camera}.exr").failed(66, "gone.json: cannot read");
     let run = folder.render("ball.pbrt --cameras one.json -o {camera}.exr --resolution 4x4");

@@ -163,7 +163,10 @@ fn the_normal_view_shows_normals() {
 fn words_in_a_png_tell_what_it_shows() {
     let folder = Folder::new();
     let text = |name: &str, keyword: &str| png_reader::read_text(&folder.path(name), keyword).unwrap();
-    folder.render("ball.pbrt -o a.png --range 3,8.5 --colormap gray").succeeded().said("depth 3 (white) to 8.5 (black)");
+    folder
+        .render("ball.pbrt -o a.png --range 3,8.5 --colormap gray")
+        .succeeded()
+        .said("depth 3 (white) to 8.5 (black)");
     assert_eq!(text("a.png", "Description").unwrap(), "depth 3 (white) to 8.5 (black), misses pale blue");
     assert_eq!([text("a.png", "near"), text("a.png", "far")], [Some("3".to_owned()), Some("8.5".to_owned())]);
     assert!(text("a.png", "Software").unwrap().starts_with("feimos "));

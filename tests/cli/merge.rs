@@ -65,7 +65,9 @@ fn holes_are_an_error_unless_they_are_allowed() {
     let folder = Folder::new();
     folder.render("ball.pbrt -o a.exr --pixelbounds 0,4,0,7").succeeded();
     folder.render("ball.pbrt -o b.exr --pixelbounds 6,13,0,7").succeeded();
-    folder.merge("a.exr b.exr -o merged.exr").failed(65, "14 of the film's 13 x 7 pixels are in no crop, the first is (4, 0)");
+    folder
+        .merge("a.exr b.exr -o merged.exr")
+        .failed(65, "14 of the film's 13 x 7 pixels are in no crop, the first is (4, 0)");
     assert_eq!(folder.images(), ["a.exr", "b.exr"]);
     folder.merge("a.exr b.exr -o merged.exr --partial").succeeded().said("14 pixels in no crop");
     let merged = folder.exr("merged.exr");

@@ -197,7 +197,7 @@ fn a_range_is_stretched_over_the_colours_and_clamps() {
 #[test]
 fn an_image_without_a_hit_is_an_image() {
     let folder = Folder::new().with("empty.pbrt", "WorldBegin");
-    folder.render("empty.pbrt -o a.png --resolution 3x2").succeeded().said("0 hit (");
+    folder.render("empty.pbrt -o a.png --resolution 3x2").succeeded().said("0 hit, misses pale blue (");
     assert!(folder.png("a.png").pixels().all(|pixel| *pixel == folder.png("a.png")[(0, 0)]));
 }
 
