@@ -6,7 +6,7 @@ use super::compare::CompareArgs;
 use super::pixel::PixelArgs;
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 use feimos::accel::{Precision, SplitMethod};
-use feimos::film::{ChannelName, ColorMap, PixelBounds, View};
+use feimos::film::{Aov, ColorMap, PixelBounds, View};
 use std::path::PathBuf;
 
 /// Hit and depth images of PBRT scenes.
@@ -74,9 +74,10 @@ pub(crate) struct OutputArgs {
     /// [default: the file name in the scene's Film; of a bare mesh, {stem}.png]
     #[arg(short, long, alias = "outfile", value_name = "TEMPLATE")]
     pub(crate) output: Option<String>,
-    /// Channels of an EXR; instance and cost have to be asked for [default: Z,t,A,id,prim].
-    #[arg(long, value_name = "CHANNELS", value_delimiter = ',', value_parser = channel)]
-    pub(crate) aov: Option<Vec<ChannelName>>,
+    /// Channels of an EXR; instance, N (N.X, N.Y and N.Z), P (P.X, P.Y and P.Z), uv (u and v) and cost have to be asked for
+    /// [default: Z,t,A,id,prim].
+    #[arg(long, value_name = "CHANNELS", value_delimiter = ',', value_parser = aov)]
+    pub(crate) aov: Option<Vec<Aov>>,
     /// What a PNG shows [default: depth].
     #[arg(long)]
     pub(crate) view: Option<View>,
@@ -234,8 +235,8 @@ impl PbrtArgs {
     }
 }
 
-fn channel(name: &str) -> Result<ChannelName, String> {
-    name.parse().map_err(|_| format!("expected some of {}", ChannelName::ALL.map(ChannelName::as_str).join(", ")))
+fn aov(name: &str) -> Result<Aov, String> {
+    name.parse().map_err(|_| format!("expected some of {}", Aov::ALL.map(Aov::as_str).join(", ")))
 }
 
 fn miss(text: &str) -> Result<f32, String> {

@@ -6,7 +6,7 @@ use super::picture::Picture;
 use super::reporter::Reporter;
 use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::error::{Error, Result};
-use feimos::film::{ChannelName, ColorMap, CostRange, DepthRange, Format, PixelBounds, View};
+use feimos::film::{Aov, ColorMap, CostRange, DepthRange, Format, PixelBounds, View};
 use feimos::scene::{AcceleratorParameters, Film, LoadOptions, spelling};
 
 /// How every scene of the command is rendered.
@@ -20,7 +20,7 @@ pub(crate) struct Plan {
     pub(crate) threads: Option<usize>,
     pub(crate) stats: bool,
     miss: Option<f32>,
-    aov: Option<Vec<ChannelName>>,
+    aov: Option<Vec<Aov>>,
     view: Option<View>,
     colors: Option<ColorMap>,
     /// The values at the two ends of the colours, the smaller one first.
@@ -39,9 +39,15 @@ impl Plan {
         if args.report.json && output.as_deref() == Some("-") {
             return Err(Error::usage("--json and -o - would both write to standard output"));
         }
+        let asks = |wanted| aov.iter().flatten().any(|aov| *aov == wanted);
         let plan = Plan {
             output_name: OutputName::new(output.clone())?,
-            load: LoadOptions { resolution, ..LoadOptions::default() },
+            load: LoadOptions {
+                resolution,
+                orientation: asks(Aov::Normal),
+                uv: asks(Aov::Uv),
+                ..LoadOptions::default()
+            },
             accel: args.engine.accel,
             precision: args.engine.precision,
             threads: args.engine.threads,
@@ -92,7 +98,8 @@ impl Plan {
         let of_png =
             [("--view", self.view.is_some()), ("--colormap", self.colors.is_some()), ("--range", self.range.is_some())];
         refuse(&of_png, destination, "an EXR, which holds the values themselves")?;
-        let channels = self.aov.clone().unwrap_or_else(|| ChannelName::USUAL.to_vec());
+        let aov = self.aov.as_deref().unwrap_or(&Aov::USUAL);
+        let channels = aov.iter().flat_map(|aov| aov.channels()).collect();
         Ok(Picture::Exr { channels, miss: self.miss.unwrap_or(f32::INFINITY), within_instances: false })
     }
 

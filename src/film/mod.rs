@@ -4,6 +4,7 @@
 //! the writer from the file's extension; [`atomic_file`] brings its bytes to the disk, whole or not at all. [`exr_reader`] reads
 //! images back, also those of others; [`png_reader`] reads colours.
 
+mod aov;
 pub mod atomic_file;
 mod channel;
 mod color_map;
@@ -20,6 +21,7 @@ pub mod png_reader;
 mod raster;
 mod run_deflate;
 
+pub use aov::Aov;
 pub use channel::{Channel, ChannelName, Samples};
 pub use color_map::ColorMap;
 pub use cost_range::CostRange;

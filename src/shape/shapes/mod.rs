@@ -1,11 +1,15 @@
 //! All geometry of a scene, in the order of the file.
 
+mod attributes;
 mod instances;
 mod order;
+
+pub use attributes::CornerUv;
 
 use crate::geometry::{Matrix, Point};
 use crate::shape::object::{Instance, Object};
 use crate::shape::{Cut, Form, Primitive, Quadric, Surface, Triangle};
+use attributes::Attributes;
 use rayon::prelude::*;
 use std::fmt;
 
@@ -31,6 +35,8 @@ pub struct Shapes {
     instances: Vec<Instance>,
     /// Primitives of all instances.
     instanced: u64,
+    /// Of surfaces, where anybody wants to know.
+    attributes: Option<Box<Attributes>>,
 }
 
 /// The triangles of one shape: they and their primitive numbers follow each other.
@@ -270,6 +276,7 @@ impl Shapes {
             + size_of_val(&self.forms[..])
             + size_of_val(&self.transforms[..])
             + size_of_val(&self.instances[..])
+            + self.attributes.as_ref().map_or(0, |attributes| attributes.bytes())
             + self.objects.iter().map(|object| size_of::<Object>() + object.shapes().bytes()).sum::<usize>()
     }
 
