@@ -3,6 +3,8 @@
 use super::bench::BenchArgs;
 use super::check::CheckArgs;
 use super::compare::CompareArgs;
+use super::completions::CompletionsArgs;
+use super::man::ManArgs;
 use super::pixel::PixelArgs;
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 use feimos::accel::{Precision, SplitMethod};
@@ -44,6 +46,10 @@ pub(crate) enum Command {
     /// Tells what each precision makes of the ray, what it costs with each accelerator, and what exact arithmetic on every single
     /// primitive says.
     Pixel(PixelArgs),
+    /// Print a script that completes what is typed in a shell.
+    Completions(CompletionsArgs),
+    /// Write the manual: a page for feimos and one for each command.
+    Man(ManArgs),
 }
 
 #[derive(Debug, Args)]

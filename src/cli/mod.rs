@@ -6,9 +6,11 @@ mod bench;
 mod check;
 mod columns;
 mod compare;
+mod completions;
 mod counted;
 mod failures;
 mod job;
+mod man;
 mod manifest;
 mod output_name;
 mod picture;
@@ -22,9 +24,10 @@ mod stdout;
 mod summary;
 mod terminal;
 mod thread_pool;
+mod version;
 
 use args::{Cli, Command, TalkArgs};
-use clap::Parser;
+use clap::{CommandFactory, FromArgMatches};
 use feimos::error::Result;
 use reporter::Reporter;
 use std::process::ExitCode;
@@ -35,20 +38,28 @@ const WARNED: u8 = 1;
 /// Runs the command that was typed and returns the exit code for it.
 pub(crate) fn run() -> ExitCode {
     // clap prints help, version and its own errors, and leaves with 0 or 2.
-    let cli = Cli::parse();
+    let matches = Cli::command().long_version(version::long_version()).get_matches();
+    let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
     match cli.command {
         Command::Render(args) => report(&args.talk, |reporter| batch::render(&args, reporter)),
         Command::Check(args) => report(&args.talk, |reporter| check::check(&args, reporter)),
         Command::Compare(args) => report(&args.talk, |reporter| compare::compare(&args, reporter)),
         Command::Bench(args) => report(&args.talk, |reporter| bench::bench(&args, reporter)),
         Command::Pixel(args) => report(&args.talk, |reporter| pixel::pixel(&args, reporter)),
+        Command::Completions(args) => exit_code(completions::completions(&args), &Reporter::silent()),
+        Command::Man(args) => exit_code(man::man(&args), &Reporter::silent()),
     }
 }
 
-/// Runs a command and tells of the error that ended it, if one did.
+/// Runs a command that talks.
 fn report(talk: &TalkArgs, command: impl FnOnce(&Reporter) -> Result<u8>) -> ExitCode {
     let reporter = Reporter::new(talk);
-    let code = command(&reporter).unwrap_or_else(|error| {
+    exit_code(command(&reporter), &reporter)
+}
+
+/// Tells of the error that ended a command, if one did.
+fn exit_code(result: Result<u8>, reporter: &Reporter) -> ExitCode {
+    let code = result.unwrap_or_else(|error| {
         reporter.error(&error);
         error.kind().exit_code()
     });
