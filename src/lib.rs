@@ -47,6 +47,7 @@ pub mod exact;
 pub mod film;
 pub mod geometry;
 mod input;
+pub mod merge;
 pub mod mesh;
 pub mod pixel;
 pub mod progress;

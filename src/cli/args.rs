@@ -5,6 +5,7 @@ use super::check::CheckArgs;
 use super::compare::CompareArgs;
 use super::completions::CompletionsArgs;
 use super::man::ManArgs;
+use super::merge::MergeArgs;
 use super::pixel::PixelArgs;
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 use feimos::accel::{Precision, SplitMethod};
@@ -46,6 +47,11 @@ pub(crate) enum Command {
     /// Tells what each precision makes of the ray, what it costs with each accelerator, and what exact arithmetic on every single
     /// primitive says.
     Pixel(PixelArgs),
+    /// Put crops of one film together: the same file, byte for byte, that one process would have written.
+    ///
+    /// Every crop is placed by its data window. Pixels that no crop has are an error, and so are crops that differ where they overlap, or that
+    /// are of different films, scenes or options.
+    Merge(MergeArgs),
     /// Print a script that completes what is typed in a shell.
     Completions(CompletionsArgs),
     /// Write the manual: a page for feimos and one for each command.

@@ -12,6 +12,7 @@ mod failures;
 mod job;
 mod man;
 mod manifest;
+mod merge;
 mod output_name;
 mod picture;
 mod pixel;
@@ -45,6 +46,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Check(args) => report(&args.talk, |reporter| check::check(&args, reporter)),
         Command::Compare(args) => report(&args.talk, |reporter| compare::compare(&args, reporter)),
         Command::Bench(args) => report(&args.talk, |reporter| bench::bench(&args, reporter)),
+        Command::Merge(args) => report(&args.talk, |reporter| merge::merge(&args, reporter)),
         Command::Pixel(args) => report(&args.talk, |reporter| pixel::pixel(&args, reporter)),
         Command::Completions(args) => exit_code(completions::completions(&args), &Reporter::silent()),
         Command::Man(args) => exit_code(man::man(&args), &Reporter::silent()),

@@ -15,6 +15,11 @@ pub(crate) enum Destination {
 }
 
 impl Destination {
+    /// The file of that name, or standard output for `-`.
+    pub(crate) fn of_name(name: &Path) -> Destination {
+        if name == Path::new("-") { Destination::Stdout } else { Destination::File(name.to_path_buf()) }
+    }
+
     /// The same place by the one name that all its spellings share, as far as its directory exists.
     pub(crate) fn resolved(&self) -> Destination {
         let Destination::File(path) = self else { return self.clone() };

@@ -5,7 +5,7 @@ use super::reporter::Reporter;
 use super::stdout::write_to_stdout;
 use feimos::error::Result;
 use feimos::film::atomic_file::{self, Overwrite};
-use feimos::film::{ChannelName, ColorMap, CostRange, DepthRange, Image, View, exr_file, png_file};
+use feimos::film::{ChannelName, ColorMap, CostRange, DepthRange, Image, Metadata, View, exr_file, png_file};
 use feimos::shape::Shapes;
 use std::io::{self, Cursor, Seek, Write};
 
@@ -108,7 +108,7 @@ impl Picture {
     fn encode(&self, image: &Image, out: &mut (impl Write + Seek)) -> io::Result<()> {
         match self {
             Picture::Exr { miss, within_instances, .. } => {
-                exr_file::write(image, &exr_header(image, *miss, *within_instances), out)
+                exr_file::write(image, &Metadata::of_json(exr_header(image, *miss, *within_instances)), out)
             }
             Picture::Hit => png_file::write_hit(image, out),
             Picture::Depth { colors, range } => {

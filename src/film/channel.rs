@@ -52,6 +52,11 @@ impl ChannelName {
         self.is_number_of_hit() || self == ChannelName::Cost
     }
 
+    /// Whether the samples are depths, which hold at a miss what was asked for.
+    pub fn is_depth(self) -> bool {
+        matches!(self, ChannelName::Z | ChannelName::T)
+    }
+
     /// Whether the samples are numbers of what was hit, 0 for a miss.
     pub fn is_number_of_hit(self) -> bool {
         matches!(self, ChannelName::Id | ChannelName::Prim | ChannelName::Instance)

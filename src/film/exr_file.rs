@@ -18,7 +18,7 @@ use exr::meta::header::{Header, ImageAttributes, LayerAttributes};
 use rayon::prelude::*;
 
 use super::exr_zip::Zipper;
-use super::{Channel, Image, PixelBounds, Samples};
+use super::{CameraAttributes, Channel, Image, Metadata, PixelBounds, Samples};
 
 /// The name of the attribute that holds what the caller says about the image. There is only this one, because
 /// the `exr` crate keeps custom attributes in a hash table and writes several of them in a random order.
@@ -28,11 +28,11 @@ pub const ATTRIBUTE: &str = "feimos";
 /// compressed image never lies in memory as a whole.
 const BATCH: u32 = 256;
 
-/// Writes `image` as an OpenEXR file with `json` in its [`ATTRIBUTE`].
-pub fn write(image: &Image, json: &str, out: &mut (impl Write + Seek)) -> io::Result<()> {
+/// Writes `image` as an OpenEXR file with what `metadata` says: its JSON in the [`ATTRIBUTE`], and the standard attributes of a camera.
+pub fn write(image: &Image, metadata: &Metadata, out: &mut (impl Write + Seek)) -> io::Result<()> {
     image.validate().map_err(|problem| io::Error::new(io::ErrorKind::InvalidInput, problem))?;
-    let channels = sorted_channels(image);
-    let header = header(image, &channels, json).map_err(into_io)?;
+    let channels = sorted_channels(image, metadata);
+    let header = header(image, &channels, metadata).map_err(into_io)?;
     let window = image.data_window;
     let batches = (0..window.height()).step_by(BATCH as usize).map(|first| first..window.height().min(first + BATCH));
     exr::block::write(out, [header].into_iter().collect(), true, |_, writer| {
@@ -47,38 +47,50 @@ pub fn write(image: &Image, json: &str, out: &mut (impl Write + Seek)) -> io::Re
     .map_err(into_io)
 }
 
-/// The channels by name, byte for byte: the order that the format demands.
-fn sorted_channels(image: &Image) -> Vec<&Channel> {
+/// The channels by their names in the file, byte for byte: the order that the format demands.
+fn sorted_channels<'a>(image: &'a Image, metadata: &Metadata) -> Vec<&'a Channel> {
     let mut channels: Vec<&Channel> = image.channels.iter().collect();
-    channels.sort_by_key(|channel| channel.name.as_str());
+    channels.sort_by_key(|channel| metadata.name_in_file(channel.name));
     channels
 }
 
-fn header(image: &Image, channels: &[&Channel], json: &str) -> Result<Header, ExrError> {
+fn header(image: &Image, channels: &[&Channel], metadata: &Metadata) -> Result<Header, ExrError> {
     let bounds = integer_bounds(image.data_window)?;
     let (width, height) = image.display_window;
     let display_window = integer_bounds(PixelBounds::of_film(width, height))?;
     // Bytes, since `Text::from` panics where a character of a file name is beyond Latin-1. Readers expect UTF-8.
-    let text = AttributeValue::Text(Text::from_slice_unchecked(json.as_bytes()));
+    let text = AttributeValue::Text(Text::from_slice_unchecked(metadata.json.as_bytes()));
     let attributes = LayerAttributes {
         layer_position: bounds.position,
         other: [(Text::from(ATTRIBUTE), text)].into_iter().collect(),
-        ..LayerAttributes::default()
+        ..metadata.camera.as_ref().map_or_else(LayerAttributes::default, layer_attributes)
     };
-    let descriptions = channels.iter().map(|channel| describe(channel)).collect();
+    let descriptions = channels.iter().map(|channel| describe(channel, metadata.name_in_file(channel.name))).collect();
+    let pixel_aspect = metadata.camera.map_or(1.0, |camera| camera.pixel_aspect);
     Ok(Header::new(Text::from(""), bounds.size, descriptions)
         .with_encoding(exr::compression::Compression::ZIP1, BlockDescription::ScanLines, LineOrder::Increasing)
-        .with_shared_attributes(ImageAttributes::new(display_window))
+        .with_shared_attributes(ImageAttributes { pixel_aspect, ..ImageAttributes::new(display_window) })
         .with_attributes(attributes))
 }
 
-fn describe(channel: &Channel) -> ChannelDescription {
+fn layer_attributes(camera: &CameraAttributes) -> LayerAttributes {
+    let [x, y] = camera.screen_window_center;
+    LayerAttributes {
+        screen_window_center: Vec2(x, y),
+        screen_window_width: camera.screen_window_width,
+        world_to_camera: Some(camera.world_to_camera),
+        world_to_normalized_device: Some(camera.world_to_ndc),
+        ..LayerAttributes::default()
+    }
+}
+
+fn describe(channel: &Channel, name: &str) -> ChannelDescription {
     let sample_type = match channel.samples {
         Samples::F32(_) => SampleType::F32,
         Samples::U32(_) => SampleType::U32,
     };
     // The last argument guides lossy compressions alone; true is what holds for anything but colours.
-    ChannelDescription::new(channel.name.as_str(), sample_type, true)
+    ChannelDescription::new(name, sample_type, true)
 }
 
 fn integer_bounds(bounds: PixelBounds) -> Result<IntegerBounds, ExrError> {
@@ -133,9 +145,17 @@ mod tests {
         Image { display_window: film, data_window, channels }
     }
 
+    fn metadata(json: &str) -> Metadata {
+        Metadata::of_json(json.to_owned())
+    }
+
     fn encoded(image: &Image, json: &str) -> Vec<u8> {
+        encoded_with(image, &metadata(json))
+    }
+
+    fn encoded_with(image: &Image, metadata: &Metadata) -> Vec<u8> {
         let mut out = Cursor::new(Vec::new());
-        write(image, json, &mut out).unwrap();
+        write(image, metadata, &mut out).unwrap();
         out.into_inner()
     }
 
@@ -171,7 +191,7 @@ mod tests {
         assert_eq!(layer.size, Vec2(window.width() as usize, window.height() as usize));
         assert_eq!(layer.attributes.layer_position, Vec2(window.x0 as i32, window.y0 as i32));
         assert_eq!(layer.channel_data.list.len(), image.channels.len());
-        for (found, expected) in layer.channel_data.list.iter().zip(sorted_channels(image)) {
+        for (found, expected) in layer.channel_data.list.iter().zip(sorted_channels(image, &Metadata::default())) {
             assert_eq!(found.name.to_string(), expected.name.as_str());
             let samples = decoded_bits(&found.sample_data);
             assert_eq!(std::mem::discriminant(&samples), std::mem::discriminant(&expected.samples));
@@ -241,7 +261,7 @@ mod tests {
         let channels = vec![Channel { name: ChannelName::Id, samples: Samples::U32(values) }];
         let image = Image { display_window: (64, 2), data_window: PixelBounds::of_film(64, 2), channels };
         let lines = stored_lines(&encoded(&image, "{}"));
-        assert_eq!(lines[0], exr_zip::bytes_of_row(&sorted_channels(&image), 0..64));
+        assert_eq!(lines[0], exr_zip::bytes_of_row(&sorted_channels(&image, &Metadata::default()), 0..64));
         assert!(lines[1].len() < 30, "{}", lines[1].len());
         assert_survives(&image);
     }
@@ -262,6 +282,33 @@ mod tests {
         let other: Vec<_> = file.layer_data[0].attributes.other.iter().collect();
         let [(name, AttributeValue::Text(text))] = other[..] else { panic!("{other:?}") };
         assert_eq!((name.to_string().as_str(), text.as_slice()), (ATTRIBUTE, json.as_bytes()));
+    }
+
+    #[test]
+    fn the_depth_channel_may_have_another_name_and_stands_where_that_belongs() {
+        let image = picture((4, 3), PixelBounds::of_film(4, 3), &[ChannelName::Z, ChannelName::A, ChannelName::T]);
+        let file = decoded(&encoded(&image, r#"{"depth_channel":"Y"}"#));
+        let channels: Vec<_> = file.layer_data[0].channel_data.list.iter().collect();
+        assert_eq!(channels.iter().map(|channel| channel.name.to_string()).collect::<Vec<_>>(), ["A", "Y", "t"]);
+        assert_eq!(bits(&decoded_bits(&channels[1].sample_data)), bits(&image.channels[0].samples));
+    }
+
+    #[test]
+    fn the_camera_is_in_the_standard_attributes() {
+        let camera = CameraAttributes {
+            pixel_aspect: 2.0,
+            screen_window_center: [0.5, -0.25],
+            screen_window_width: 3.0,
+            world_to_camera: std::array::from_fn(|at| at as f32),
+            world_to_ndc: std::array::from_fn(|at| -(at as f32)),
+        };
+        let image = picture((2, 2), PixelBounds::of_film(2, 2), &[ChannelName::Z]);
+        let file = decoded(&encoded_with(&image, &Metadata { camera: Some(camera), ..Metadata::default() }));
+        let attributes = &file.layer_data[0].attributes;
+        assert_eq!(file.attributes.pixel_aspect, 2.0);
+        assert_eq!((attributes.screen_window_center, attributes.screen_window_width), (Vec2(0.5, -0.25), 3.0));
+        assert_eq!(attributes.world_to_camera, Some(camera.world_to_camera));
+        assert_eq!(attributes.world_to_normalized_device, Some(camera.world_to_ndc));
     }
 
     #[test]
@@ -287,10 +334,10 @@ mod tests {
     #[test]
     fn what_the_format_cannot_hold_is_an_error() {
         let none = picture((1, 1), PixelBounds::of_film(1, 1), &[]);
-        assert!(write(&none, "{}", &mut Cursor::new(Vec::new())).is_err());
+        assert!(write(&none, &metadata("{}"), &mut Cursor::new(Vec::new())).is_err());
         let far = PixelBounds { x0: u32::MAX - 1, x1: u32::MAX, y0: 0, y1: 1 };
         let far = picture((u32::MAX, 1), far, &[ChannelName::Z]);
-        assert!(write(&far, "{}", &mut Cursor::new(Vec::new())).is_err());
+        assert!(write(&far, &metadata("{}"), &mut Cursor::new(Vec::new())).is_err());
     }
 
     proptest! {

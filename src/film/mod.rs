@@ -5,6 +5,7 @@
 //! images back, also those of others; [`png_reader`] reads colours.
 
 pub mod atomic_file;
+mod camera_attributes;
 mod channel;
 mod color_map;
 mod cost_range;
@@ -14,18 +15,21 @@ pub mod exr_reader;
 mod exr_zip;
 mod format;
 mod image_file;
+mod metadata;
 mod pixel_bounds;
 pub mod png_file;
 pub mod png_reader;
 mod raster;
 mod run_deflate;
 
+pub use camera_attributes::CameraAttributes;
 pub use channel::{Channel, ChannelName, Samples};
 pub use color_map::ColorMap;
 pub use cost_range::CostRange;
 pub use depth_range::DepthRange;
 pub use format::Format;
 pub use image_file::ImageFile;
+pub use metadata::{DEPTH_CHANNEL, MISS, Metadata};
 pub use pixel_bounds::PixelBounds;
 pub use png_file::View;
 pub use raster::Image;

@@ -86,7 +86,7 @@ pub fn render(
 /// Where it is larger than memory can hold.
 pub fn blank_image(camera: &Camera, options: &RenderOptions) -> Result<Image> {
     let [width, height] = camera.resolution;
-    let channels = allocate(options)?;
+    let channels = allocate(&options.channels, &options.data_window)?;
     Ok(Image { display_window: (width, height), data_window: options.data_window, channels })
 }
 
@@ -149,8 +149,11 @@ pub fn render_into(
     Traced { work, ..by_tiles.or(by_cost).unwrap_or_default() }
 }
 
-fn allocate(options: &RenderOptions) -> Result<Vec<Channel>> {
-    let window = &options.data_window;
+/// Channels of zeros over the pixels of `window`.
+///
+/// # Errors
+/// Where they are larger than memory can hold.
+pub(crate) fn allocate(names: &[ChannelName], window: &PixelBounds) -> Result<Vec<Channel>> {
     let too_large = || {
         let (width, height) = (window.width(), window.height());
         let message = format!("an image of {width} x {height} pixels is too large for this machine's memory");
@@ -166,7 +169,7 @@ fn allocate(options: &RenderOptions) -> Result<Vec<Channel>> {
             if name.is_integer() { reserved(count).map(Samples::U32) } else { reserved(count).map(Samples::F32) };
         Ok(Channel { name: *name, samples: samples.map_err(|_| too_large())? })
     };
-    let mut channels = options.channels.iter().map(reserve).collect::<Result<Vec<Channel>>>()?;
+    let mut channels = names.iter().map(reserve).collect::<Result<Vec<Channel>>>()?;
     // Now that there is room, memory that the system clears when it is first touched: by the threads, then.
     for channel in &mut channels {
         match &mut channel.samples {

@@ -42,13 +42,8 @@ impl Outputs {
             (Content::Markdown, &args.markdown),
             (Content::Plot, &args.plot),
         ];
-        let destination = |(content, path): (Content, &Option<PathBuf>)| {
-            let destination = match path.as_deref()? {
-                path if path == Path::new("-") => Destination::Stdout,
-                path => Destination::File(path.to_path_buf()),
-            };
-            Some((content, destination))
-        };
+        let destination =
+            |(content, path): (Content, &Option<PathBuf>)| Some((content, Destination::of_name(path.as_deref()?)));
         let files: Vec<(Content, Destination)> = asked.into_iter().filter_map(destination).collect();
         for (place, (_, destination)) in files.iter().enumerate() {
             if files[..place].iter().any(|(_, other)| other.resolved() == destination.resolved()) {

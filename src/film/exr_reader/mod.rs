@@ -10,14 +10,15 @@ mod part;
 #[cfg(test)]
 mod tests;
 
-use super::{Channel, Image, Samples};
+use super::{Channel, ChannelName, Image, Metadata, PixelBounds, Samples};
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::input;
 use blocks::{Block, blocks};
 use exr::meta::MetaData;
 use part::Part;
 use rayon::prelude::*;
-use std::io::Cursor;
+use std::fs::File;
+use std::io::{self, BufRead, BufReader, Cursor};
 use std::path::Path;
 
 /// The first bytes of any OpenEXR file.
@@ -39,6 +40,43 @@ pub fn read(path: &Path) -> Result<Image> {
     decode(path, &input::read(path)?)
 }
 
+/// What the header of a file tells.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outline {
+    /// Width and height of the whole film.
+    pub film: (u32, u32),
+    /// The pixels of it that the file holds.
+    pub window: PixelBounds,
+    /// The channels that feimos knows, by the order of the file.
+    pub channels: Vec<ChannelName>,
+    /// All that is said beside.
+    pub metadata: Metadata,
+}
+
+/// Reads the header of the file `path`, and no pixel.
+///
+/// # Errors
+/// As [`read`], as far as a header tells.
+pub fn read_outline(path: &Path) -> Result<Outline> {
+    let reading = |error: io::Error| Error::reading(path, &error);
+    let mut file = BufReader::new(File::open(path).map_err(reading)?);
+    file.fill_buf().map_err(reading)?;
+    let mut outline = || {
+        let meta = meta_data(&mut file)?;
+        let Part { film, window, channels, metadata, .. } = Part::find(&meta)?;
+        Ok(Outline { film, window, channels: channels.iter().map(|channel| channel.name).collect(), metadata })
+    };
+    outline().map_err(|error: Error| error.or_at(|| SourceLocation::file(path)))
+}
+
+/// The image in the file `path`, and what the file says of it beside: feimos's attribute and the camera's.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_with_metadata(path: &Path) -> Result<(Image, Metadata)> {
+    decoded(&input::read(path)?).map_err(|error| error.or_at(|| SourceLocation::file(path)))
+}
+
 /// The image in `bytes`, the content of the file `path`: the channels that feimos knows of the first part that has any, each in
 /// the type that it has in feimos. Other types are taken where they hold the same numbers. Of several resolutions the
 /// largest is read. The origin of the display window becomes that of the film.
@@ -47,23 +85,31 @@ pub fn read(path: &Path) -> Result<Image> {
 /// What is no such file, is damaged or cut off; deep data, subsampled channels, DWA and B44; a data window that reaches out of the display window
 /// or is too large; numbers that are none of a channel's type. Memory is taken only for what the file can hold.
 pub fn decode(path: &Path, bytes: &[u8]) -> Result<Image> {
-    decoded(bytes).map_err(|error| error.or_at(|| SourceLocation::file(path)))
+    let decoded = decoded(bytes).map_err(|error| error.or_at(|| SourceLocation::file(path)));
+    decoded.map(|(image, _)| image)
 }
 
-fn decoded(bytes: &[u8]) -> Result<Image> {
+fn decoded(bytes: &[u8]) -> Result<(Image, Metadata)> {
     let mut file = Cursor::new(bytes);
-    if !recognises(bytes) {
+    let meta = meta_data(&mut file)?;
+    let part = Part::find(&meta)?;
+    let blocks = blocks(bytes, file.position(), &meta, &part)?;
+    let image = fill(&meta, &part, &blocks)?;
+    Ok((image, part.metadata))
+}
+
+/// The headers of a file, checked; what follows them is not read.
+fn meta_data(file: &mut impl BufRead) -> Result<MetaData> {
+    if !file.fill_buf().is_ok_and(recognises) {
         return Err(wrong("this is no OpenEXR file", "its first bytes to be 76 2f 31 01"));
     }
-    let meta = MetaData::read_from_buffered(&mut file, false).map_err(|error| damaged("header", &error))?;
+    let meta = MetaData::read_from_buffered(file, false).map_err(|error| damaged("header", &error))?;
     if meta.headers.iter().any(|header| header.deep) {
         let expected = "one sample a pixel: flatten the image first";
         return Err(wrong("the file holds deep data, several samples a pixel", expected));
     }
     MetaData::validate(&meta.headers, false).map_err(|error| damaged("header", &error))?;
-    let part = Part::find(&meta)?;
-    let blocks = blocks(bytes, file.position(), &meta, &part)?;
-    fill(&meta, &part, &blocks)
+    Ok(meta)
 }
 
 /// The image of these blocks, which are all there are.

@@ -2,11 +2,11 @@
 
 use super::wrong;
 use crate::error::{Error, Result};
-use crate::film::{ChannelName, PixelBounds};
+use crate::film::{CameraAttributes, ChannelName, Metadata, PixelBounds, exr_file};
 use exr::compression::Compression;
 use exr::math::Vec2;
 use exr::meta::MetaData;
-use exr::meta::attribute::{ChannelDescription, IntegerBounds, SampleType};
+use exr::meta::attribute::{AttributeValue, ChannelDescription, IntegerBounds, SampleType, Text};
 use exr::meta::header::Header;
 
 /// Pixels of an image at most.
@@ -16,6 +16,7 @@ const MAX_AREA: u64 = 1 << 30;
 pub(super) struct Part<'a> {
     pub(super) index: usize,
     pub(super) header: &'a Header,
+    pub(super) metadata: Metadata,
     /// Width and height of the display window.
     pub(super) film: (u32, u32),
     /// The data window, relative to the display window.
@@ -41,8 +42,12 @@ impl FileChannel {
 impl<'a> Part<'a> {
     /// The first part of the file with a channel that feimos knows.
     pub(super) fn find(meta: &'a MetaData) -> Result<Part<'a>> {
-        let mut parts = meta.headers.iter().enumerate().map(|(index, header)| (index, header, known_channels(header)));
-        let Some((index, header, channels)) = parts.find(|(_, _, channels)| !channels.is_empty()) else {
+        let mut parts = meta.headers.iter().enumerate().map(|(index, header)| {
+            let metadata = metadata(header);
+            let channels = known_channels(header, &metadata);
+            (index, header, metadata, channels)
+        });
+        let Some((index, header, metadata, channels)) = parts.find(|(.., channels)| !channels.is_empty()) else {
             return Err(unknown_channels(meta));
         };
         if let Some(channel) = header.channels.list.iter().find(|channel| channel.sampling != Vec2(1, 1)) {
@@ -51,7 +56,7 @@ impl<'a> Part<'a> {
         }
         refuse_compression(header.compression)?;
         let (film, window) = windows(header)?;
-        Ok(Part { index, header, film, window, channels })
+        Ok(Part { index, header, metadata, film, window, channels })
     }
 
     /// Bytes of all channels of a pixel.
@@ -60,11 +65,30 @@ impl<'a> Part<'a> {
     }
 }
 
-fn known_channels(header: &Header) -> Vec<FileChannel> {
+/// What the header says in feimos's attribute and of the camera.
+fn metadata(header: &Header) -> Metadata {
+    let attributes = &header.own_attributes;
+    let json = match attributes.other.get(&Text::from(exr_file::ATTRIBUTE)) {
+        Some(AttributeValue::Text(text)) => String::from_utf8_lossy(text.as_slice()).into_owned(),
+        _ => String::new(),
+    };
+    let matrices = attributes.world_to_camera.zip(attributes.world_to_normalized_device);
+    let camera = matrices.map(|(world_to_camera, world_to_ndc)| CameraAttributes {
+        pixel_aspect: header.shared_attributes.pixel_aspect,
+        screen_window_center: [attributes.screen_window_center.x(), attributes.screen_window_center.y()],
+        screen_window_width: attributes.screen_window_width,
+        world_to_camera,
+        world_to_ndc,
+    });
+    Metadata { camera, ..Metadata::of_json(json) }
+}
+
+fn known_channels(header: &Header, metadata: &Metadata) -> Vec<FileChannel> {
     let mut channels: Vec<FileChannel> = Vec::new();
     let mut offset = 0;
     for ChannelDescription { name, sample_type, .. } in &header.channels.list {
-        let known = ChannelName::ALL.into_iter().find(|known| name.as_slice() == known.as_str().as_bytes());
+        let known =
+            ChannelName::ALL.into_iter().find(|known| name.as_slice() == metadata.name_in_file(*known).as_bytes());
         if let Some(name) = known.filter(|known| channels.iter().all(|channel| channel.name != *known)) {
             channels.push(FileChannel { name, sample_type: *sample_type, offset });
         }

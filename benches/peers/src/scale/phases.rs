@@ -4,7 +4,7 @@ use crate::args::PhaseOptions;
 use crate::{Result, memory};
 use feimos::accel::{Aggregate, BuildOptions, Precision, SplitMethod};
 use feimos::film::atomic_file::{Overwrite, write_file};
-use feimos::film::{ChannelName, exr_file};
+use feimos::film::{ChannelName, Metadata, exr_file};
 use feimos::progress::Progress;
 use feimos::render::{RenderOptions, render};
 use feimos::scene::{LoadOptions, load};
@@ -67,7 +67,7 @@ pub(crate) fn print_phases(options: &PhaseOptions) -> Result<()> {
     let rendering = measured(&mut costs, || render(camera, shapes, &aggregate, &render_options, Progress::SILENT))??;
     let folder = tempfile::tempdir()?;
     let file = folder.path().join("sphere.exr");
-    let write = || write_file(&file, Overwrite::No, |out| exr_file::write(&rendering.image, "{}", out));
+    let write = || write_file(&file, Overwrite::No, |out| exr_file::write(&rendering.image, &Metadata::default(), out));
     measured(&mut costs, write)??;
     let phases = Phases { triangles: shapes.triangle_count() as u64, pixels: u64::from(SIDE * SIDE), costs };
     println!("{}", serde_json::to_string(&phases)?);

@@ -97,6 +97,6 @@ fn strange(film: (u32, u32), data_window: PixelBounds) -> Image {
 
 fn of_our_writer(image: &Image) -> Vec<u8> {
     let mut file = Cursor::new(Vec::new());
-    exr_file::write(image, "{}", &mut file).unwrap();
+    exr_file::write(image, &Metadata::default(), &mut file).unwrap();
     file.into_inner()
 }

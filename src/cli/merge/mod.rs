@@ -1,0 +1,63 @@
+//! `feimos merge`: crops of one film to the whole.
+
+mod args;
+
+pub(crate) use args::MergeArgs;
+
+use super::counted::counted;
+use super::output_name::Destination;
+use super::reporter::Reporter;
+use super::stdout::write_to_stdout;
+use super::thread_pool::thread_pool;
+use feimos::error::{Error, Result};
+use feimos::film::atomic_file::{self, Overwrite};
+use feimos::film::{Format, exr_file};
+use feimos::merge::{self, Merged};
+use std::io::Cursor;
+use std::path::Path;
+
+/// Puts the crops together and writes the whole.
+pub(crate) fn merge(args: &MergeArgs, reporter: &Reporter) -> Result<u8> {
+    let destination = Destination::of_name(&args.output);
+    if let Destination::File(path) = &destination {
+        check_output(path)?;
+    }
+    thread_pool(args.threads)?.install(|| {
+        let merged = merge::merge(&args.crops, args.partial)?;
+        write(&merged, &destination)?;
+        let window = &merged.image.data_window;
+        let holes = match merged.holes {
+            0 => String::new(),
+            holes => format!(", {} in no crop", counted(holes, "pixel")),
+        };
+        let crops = counted(args.crops.len() as u64, "crop");
+        reporter.result(format_args!(
+            "{destination}: {} x {} pixels of {crops}{holes}",
+            window.width(),
+            window.height()
+        ));
+        Ok(0)
+    })
+}
+
+fn check_output(path: &Path) -> Result<()> {
+    if Format::of_path(path)? != Format::Exr {
+        let error = Error::usage(format!("{}: the whole is an EXR, as its crops are", path.display()));
+        return Err(error.note("expected a name that ends in .exr"));
+    }
+    atomic_file::check(path)
+}
+
+fn write(merged: &Merged, destination: &Destination) -> Result<()> {
+    let Merged { image, metadata, .. } = merged;
+    match destination {
+        Destination::File(path) => {
+            atomic_file::write_file(path, Overwrite::Yes, |out| exr_file::write(image, metadata, out)).map(|_| ())
+        }
+        Destination::Stdout => {
+            let mut bytes = Cursor::new(Vec::new());
+            let encoded = exr_file::write(image, metadata, &mut bytes);
+            write_to_stdout(encoded.map(|()| bytes.into_inner()))
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! What rectangles leave uncovered of a rectangle.
+
+use crate::film::PixelBounds;
+
+/// The pixels of a window that are in none of some others.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Holes {
+    pub(super) count: u64,
+    /// The topmost, and of those the leftmost.
+    pub(super) first: Option<[u32; 2]>,
+}
+
+impl Holes {
+    /// Those that `parts` leave of `window`. Looks at bands of rows in which the same parts are, so at no pixel by itself.
+    pub(super) fn of(window: &PixelBounds, parts: &[PixelBounds]) -> Holes {
+        let mut parts: Vec<PixelBounds> = parts.iter().map(|part| part.intersection(window)).collect();
+        parts.retain(|part| !part.is_empty());
+        parts.sort_unstable_by_key(|part| part.x0);
+        let mut cuts: Vec<u32> = parts.iter().flat_map(|part| [part.y0, part.y1]).collect();
+        cuts.extend([window.y0, window.y1]);
+        cuts.sort_unstable();
+        cuts.dedup();
+        let mut holes = Holes { count: 0, first: None };
+        for band in cuts.windows(2) {
+            let in_band = parts.iter().filter(|part| part.y0 <= band[0] && band[1] <= part.y1);
+            let mut covered = window.x0;
+            for part in in_band.map(|part| [part.x0, part.x1]).chain([[window.x1, window.x1]]) {
+                if part[0] > covered {
+                    holes.count += u64::from(part[0] - covered) * u64::from(band[1] - band[0]);
+                    holes.first = holes.first.or(Some([covered, band[0]]));
+                }
+                covered = covered.max(part[1]);
+            }
+        }
+        holes
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn bounds(x0: u32, width: u32, y0: u32, height: u32) -> PixelBounds {
+        PixelBounds { x0, x1: x0 + width, y0, y1: y0 + height }
+    }
+
+    #[test]
+    fn a_window_without_parts_is_one_hole() {
+        assert_eq!(Holes::of(&bounds(3, 4, 5, 6), &[]), Holes { count: 24, first: Some([3, 5]) });
+        assert_eq!(Holes::of(&bounds(3, 4, 5, 6), &[bounds(0, 9, 0, 20)]), Holes { count: 0, first: None });
+    }
+
+    proptest! {
+        #[test]
+        fn are_the_pixels_in_no_part(parts in prop::collection::vec((0u32..12, 0u32..8, 0u32..12, 0u32..8), 0..9)) {
+            let window = bounds(2, 11, 1, 12);
+            let parts: Vec<PixelBounds> = parts.into_iter().map(|(x, w, y, h)| bounds(x, w, y, h)).collect();
+            let pixels = (window.y0..window.y1).flat_map(|y| (window.x0..window.x1).map(move |x| [x, y]));
+            let holes: Vec<[u32; 2]> = pixels.filter(|[x, y]| parts.iter().all(|part| !part.contains(*x, *y))).collect();
+            let expected = Holes { count: holes.len() as u64, first: holes.first().copied() };
+            prop_assert_eq!(Holes::of(&window, &parts), expected);
+        }
+    }
+}
