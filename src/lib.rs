@@ -42,6 +42,7 @@ pub mod bench;
 pub mod camera;
 pub mod compare;
 pub mod decimal;
+pub mod digest;
 pub mod error;
 pub mod exact;
 pub mod film;

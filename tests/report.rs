@@ -2,7 +2,7 @@
 //!
 //! `FEIMOS_BROWSER=chromium cargo test --test report -- --ignored`; the screenshot stays in the folder for build results.
 
-use feimos::film::png_file::MISS_IN_DEPTH;
+use feimos::film::view::MISS_IN_DEPTH;
 use image::RgbImage;
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -6,7 +6,7 @@ use super::judge::Verdict;
 use crate::accel::{Aggregate, Precision, SplitMethod};
 use crate::compare::picture;
 use crate::error::Result;
-use crate::film::{ChannelName, ColorMap, CostRange, DepthRange, Image, PixelBounds, png_file};
+use crate::film::{ChannelName, ColorMap, CostRange, DepthRange, Image, PixelBounds, png_file, view};
 use crate::progress::Progress;
 use crate::render::{RenderOptions, render};
 use crate::scene::Scene;
@@ -105,15 +105,15 @@ impl Pictures {
         let range =
             CostRange { low: 0.0, high: self.costs.iter().map(|(_, image)| high_cost(image)).fold(0.0, f32::max) };
         let cost = |(method, image): &(SplitMethod, Image)| {
-            Ok((*method, file(|out| png_file::write_cost(image, ColorMap::Turbo, range, out))?))
+            Ok((*method, file(size, &view::cost(image, ColorMap::Turbo, range)?)?))
         };
         let errors = |pixels: &Option<Vec<[u8; 3]>>| {
             let pixels = pixels.as_ref();
-            pixels.map(|pixels| file(|out| png_file::write_rgb(size[0], size[1], pixels, out))).transpose()
+            pixels.map(|pixels| file(size, pixels)).transpose()
         };
         let depth = |image: &Image| {
             let range = DepthRange::of_hits(image).unwrap_or(DepthRange { near: 0.0, far: 1.0 });
-            file(|out| png_file::write_depth(image, ColorMap::Turbo, range, out))
+            file(size, &view::depth(image, ColorMap::Turbo, range)?)
         };
         Ok(PictureFiles {
             depth: self.depth.as_ref().map(depth).transpose()?,
@@ -125,9 +125,9 @@ impl Pictures {
     }
 }
 
-fn file(write: impl FnOnce(&mut Vec<u8>) -> io::Result<()>) -> io::Result<Vec<u8>> {
+fn file(size: [u32; 2], pixels: &[[u8; 3]]) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    write(&mut bytes).map(|()| bytes)
+    png_file::write_rgb(size, pixels, &[], &mut bytes).map(|()| bytes)
 }
 
 /// What 999 of 1000 rays do not exceed: a few that graze everything should not make all others look cheap.

@@ -9,7 +9,8 @@ use super::merge::MergeArgs;
 use super::pixel::PixelArgs;
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 use feimos::accel::{Precision, SplitMethod};
-use feimos::film::{ChannelName, ColorMap, PixelBounds, View};
+use feimos::film::view::Depth16;
+use feimos::film::{Aov, ChannelName, ColorMap, PixelBounds, View};
 use std::path::PathBuf;
 
 /// Hit and depth images of PBRT scenes.
@@ -69,6 +70,8 @@ pub(crate) struct RenderArgs {
     pub(crate) region: RegionArgs,
     #[command(flatten, next_help_heading = "Engine")]
     pub(crate) engine: EngineArgs,
+    #[command(flatten, next_help_heading = "Cameras")]
+    pub(crate) cameras: CameraArgs,
     #[command(flatten, next_help_heading = "Batch")]
     pub(crate) batch: BatchArgs,
     #[command(flatten, next_help_heading = "Talk")]
@@ -81,14 +84,17 @@ pub(crate) struct RenderArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct OutputArgs {
-    /// Where the image goes; the extension (.png, .exr) tells the format, and {stem} and {accel} stand for the scene's
-    /// name and the accelerator. `-` writes to standard output: an EXR, with --view a PNG.
+    /// Where the image goes; the extension (.png, .exr, .pfm, .npy) tells the format; {stem}, {accel} and {camera} stand for the
+    /// scene's name, the accelerator and the camera's name. `-` writes to standard output: an EXR, with --view a PNG.
     /// [default: the file name in the scene's Film; of a bare mesh, {stem}.png]
     #[arg(short, long, alias = "outfile", value_name = "TEMPLATE")]
     pub(crate) output: Option<String>,
-    /// Channels of an EXR; instance and cost have to be asked for [default: Z,t,A,id,prim].
-    #[arg(long, value_name = "CHANNELS", value_delimiter = ',', value_parser = channel)]
-    pub(crate) aov: Option<Vec<ChannelName>>,
+    /// What an .exr, .pfm or .npy holds, of Z, t, A, id, prim, instance, N, P, uv and cost [default: Z,t,A,id,prim; of .pfm and .npy: Z].
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = aov)]
+    pub(crate) aov: Option<Vec<Aov>>,
+    /// What the channel Z of an EXR is called, for programs that know depth by another name, such as Y or R [default: Z].
+    #[arg(long, value_name = "NAME", value_parser = depth_channel)]
+    pub(crate) depth_channel: Option<String>,
     /// What a PNG shows [default: depth].
     #[arg(long)]
     pub(crate) view: Option<View>,
@@ -99,7 +105,10 @@ pub(crate) struct OutputArgs {
     /// [default: from 0 to the largest].
     #[arg(long, value_name = "NEAR,FAR", value_parser = numbers::<2>, allow_hyphen_values = true)]
     pub(crate) range: Option<[f64; 2]>,
-    /// What Z and t of an EXR hold where nothing is hit: inf, nan, 0 or any number [default: inf].
+    /// Steps a scene unit in a depth16 view [default: 1000].
+    #[arg(long, value_name = "STEPS", value_parser = scale, allow_hyphen_values = true)]
+    pub(crate) scale: Option<f64>,
+    /// What Z and t hold where nothing is hit: inf, nan, 0 or any number [default: inf; in a depth16 view 0].
     #[arg(long, value_name = "VALUE", value_parser = miss, allow_hyphen_values = true)]
     pub(crate) miss: Option<f32>,
 }
@@ -133,17 +142,25 @@ pub(crate) struct EngineArgs {
 }
 
 #[derive(Debug, Args)]
+pub(crate) struct CameraArgs {
+    /// Render each scene from every camera that this file lists, in place of its own: JSON, a list of objects with a `name` and with
+    /// `lookat`, `transform`, or `K`, `R`, `t` and `resolution`. Name them in the output by {camera} [default: the scene's camera].
+    #[arg(long, value_name = "POSES.json")]
+    pub(crate) cameras: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct BatchArgs {
-    /// With several scenes: overwrite images that exist.
+    /// With several images: overwrite those that exist [default: they are an error; a single one is overwritten].
     #[arg(long, conflicts_with = "skip_existing")]
     pub(crate) force: bool,
-    /// Leave out scenes whose image exists.
+    /// Leave out images that exist already, if scene and options are still the same: an .exr and a .png tell [default: off].
     #[arg(long)]
     pub(crate) skip_existing: bool,
-    /// Stop at the first scene that fails.
+    /// Stop at the first image that fails [default: go on, and report at the end].
     #[arg(long)]
     pub(crate) fail_fast: bool,
-    /// Append a line of JSON for each scene to this file.
+    /// Append a line of JSON for each image to this file [default: none].
     #[arg(long, value_name = "FILE.jsonl")]
     pub(crate) manifest: Option<PathBuf>,
 }
@@ -246,8 +263,26 @@ impl PbrtArgs {
     }
 }
 
-fn channel(name: &str) -> Result<ChannelName, String> {
-    name.parse().map_err(|_| format!("expected some of {}", ChannelName::ALL.map(ChannelName::as_str).join(", ")))
+fn aov(name: &str) -> Result<Aov, String> {
+    name.parse().map_err(|_| format!("expected some of {}", Aov::ALL.map(Aov::as_str).join(", ")))
+}
+
+/// Longer names are not read by older programs.
+const MAX_CHANNEL_NAME: usize = 31;
+
+fn depth_channel(name: &str) -> Result<String, String> {
+    if name.is_empty() || name.len() > MAX_CHANNEL_NAME || !name.chars().all(|c| c.is_ascii_graphic()) {
+        return Err(format!("expected 1 to {MAX_CHANNEL_NAME} letters, digits or signs of ASCII"));
+    }
+    if name != "Z" && ChannelName::ALL.iter().any(|known| known.as_str() == name) {
+        return Err("it is the name of another channel".to_owned());
+    }
+    Ok(name.to_owned())
+}
+
+fn scale(text: &str) -> Result<f64, String> {
+    let scale = text.parse().ok().filter(|scale: &f64| *scale > 0.0 && scale.is_finite());
+    scale.ok_or_else(|| format!("expected a number above 0, such as {}", Depth16::SCALE))
 }
 
 fn miss(text: &str) -> Result<f32, String> {

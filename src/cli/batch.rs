@@ -1,32 +1,30 @@
-//! Scenes, one after the other.
+//! Scenes, one after the other, and the views of each.
 
 use super::WARNED;
 use super::args::{BatchArgs, RenderArgs};
 use super::failures::Failures;
 use super::job::{Outcome, Renderer};
 use super::manifest::{Entry, Manifest, Status};
-use super::output_name::Destination;
+use super::outputs::{ImageName, Outputs};
 use super::plan::Plan;
 use super::progress_bar::ProgressBars;
 use super::record::Record;
 use super::reporter::Reporter;
 use super::thread_pool::thread_pool;
-use feimos::accel::SplitMethod;
-use feimos::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
+use feimos::error::Result;
 use feimos::film::atomic_file::Overwrite;
-use feimos::scene::{self, SceneOptions};
-use std::collections::HashMap;
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
-/// Renders all scenes and returns the exit code: the highest of any scene.
+/// Renders all images and returns the exit code: the highest of any of them.
 pub(crate) fn render(args: &RenderArgs, reporter: &Reporter) -> Result<u8> {
     let plan = Plan::new(args)?;
     for flag in args.pbrt.given() {
         reporter.note(format_args!("{flag} has no meaning here and is ignored"));
     }
-    let several = args.scenes.len() > 1;
-    let outputs = if several { distinct_outputs(&args.scenes, &plan)? } else { vec![None; args.scenes.len()] };
-    let overwrite = if several && !args.batch.force { Overwrite::No } else { Overwrite::Yes };
+    let outputs = Outputs::new(&args.scenes, &plan)?;
+    let may_replace = outputs.count() == 1 || args.batch.force || args.batch.skip_existing;
+    let overwrite = if may_replace { Overwrite::Yes } else { Overwrite::No };
     let batch = Batch {
         renderer: Renderer { plan: &plan, reporter, bars: ProgressBars::new(&args.talk), overwrite },
         manifest: args.batch.manifest.as_deref().map(Manifest::open).transpose()?,
@@ -35,8 +33,11 @@ pub(crate) fn render(args: &RenderArgs, reporter: &Reporter) -> Result<u8> {
         json: args.report.json,
         strict: args.report.strict,
         failures: Failures::default(),
+        outputs,
+        tried: 0,
+        code: 0,
     };
-    batch.run(&args.scenes, &outputs)
+    batch.run(&args.scenes)
 }
 
 struct Batch<'a> {
@@ -47,120 +48,96 @@ struct Batch<'a> {
     json: bool,
     strict: bool,
     failures: Failures,
+    outputs: Outputs,
+    /// Images whose turn it has been.
+    tried: usize,
+    /// The highest exit code so far.
+    code: u8,
 }
 
 impl Batch<'_> {
-    /// `outputs` are the places of the images as far as they are known.
-    fn run(mut self, scenes: &[PathBuf], outputs: &[Option<Destination>]) -> Result<u8> {
-        let mut code = 0;
-        let mut tried = 0;
-        for (path, output) in scenes.iter().zip(outputs) {
-            let result = self.try_one(path, output.as_ref());
-            code = code.max(self.take_note(path, result)?);
-            tried += 1;
-            if self.args.fail_fast && !self.failures.is_empty() {
+    fn run(mut self, scenes: &[PathBuf]) -> Result<u8> {
+        for (number, path) in scenes.iter().enumerate() {
+            self.render_scene(number, path)?;
+            if self.is_over() {
                 break;
             }
         }
-        self.failures.report(scenes.len(), scenes.len() - tried, self.renderer.reporter);
-        Ok(code)
+        let count = self.outputs.count();
+        let things = if self.outputs.of_scene() > 1 { "images" } else { "scenes" };
+        self.failures.report(things, count, count.saturating_sub(self.tried), self.renderer.reporter);
+        Ok(self.code)
     }
 
-    /// `None` where the scene is skipped.
-    fn try_one(&self, path: &Path, output: Option<&Destination>) -> Result<Option<Outcome>> {
-        let keep_existing = self.args.skip_existing || self.renderer.overwrite == Overwrite::No;
-        let existing = if keep_existing { existing_output(path, output, self.renderer.plan) } else { None };
-        match existing {
-            Some(_) if self.args.skip_existing => return Ok(None),
-            Some(existing) => return Err(exists(&existing)),
-            None => {}
-        }
-        let outcome = self.pool.install(|| self.renderer.render(path))?;
-        if self.json {
-            outcome.print_json()?;
-        }
-        Ok(Some(outcome))
+    fn is_over(&self) -> bool {
+        self.args.fail_fast && !self.failures.is_empty()
     }
 
-    /// Tells the user and the manifest how it went; returns the scene's exit code.
-    fn take_note(&mut self, path: &Path, result: Result<Option<Outcome>>) -> Result<u8> {
-        let name = path.display().to_string();
-        match result {
-            Ok(None) => {
-                self.renderer.reporter.detail(format_args!("{name}: skipped, its image exists"));
-                self.record(&name, Status::Skipped, 0, None, None)
+    /// All images of scene `number`; a scene that cannot be read is a failure of all of them, told once.
+    fn render_scene(&mut self, number: usize, path: &Path) -> Result<()> {
+        let mut start = Instant::now();
+        // Nobody should wait for a scene whose image must not be written.
+        let in_the_way = match self.renderer.overwrite {
+            Overwrite::No => self.outputs.check_free(number, path, self.renderer.plan),
+            Overwrite::Yes => Ok(()),
+        };
+        let loaded = in_the_way.and_then(|()| self.pool.install(|| self.renderer.load(path)));
+        let (loaded, mut load) = match loaded {
+            Ok(loaded) => loaded,
+            Err(error) => {
+                self.tried += self.outputs.of_scene();
+                return self.take_note(&ImageName { scene: path, camera: None }, Err(error));
             }
-            Ok(Some(Outcome { record, warned })) => {
+        };
+        for view in &loaded.views {
+            let outcome = self.pool.install(|| self.renderer.render(&loaded, view, start, load));
+            let outcome = outcome.and_then(|outcome| {
+                if self.json {
+                    outcome.print_json()?;
+                }
+                Ok(outcome)
+            });
+            self.tried += 1;
+            self.take_note(&ImageName { scene: path, camera: view.name.as_deref() }, outcome)?;
+            if self.is_over() {
+                break;
+            }
+            (start, load) = (Instant::now(), 0.0);
+        }
+        Ok(())
+    }
+
+    /// Tells the user and the manifest how it went.
+    fn take_note(&mut self, name: &ImageName, result: Result<Outcome>) -> Result<()> {
+        match result {
+            Ok(Outcome::Skipped(destination)) => {
+                self.renderer.reporter.detail(format_args!("{name}: skipped, {destination} is there already"));
+                self.record(name, Status::Skipped, 0, None, None)
+            }
+            Ok(Outcome::Made { record, warned }) => {
                 let exit_code = if warned && self.strict { WARNED } else { 0 };
-                self.record(&name, Status::Done, exit_code, None, Some(&record))
+                self.record(name, Status::Done, exit_code, None, Some(&record))
             }
             Err(error) => {
-                let exit_code = self.failures.add(path, &error, self.renderer.reporter);
-                self.record(&name, Status::Failed, exit_code, Some(error.to_string()), None)
+                let exit_code = self.failures.add(name, &error, self.renderer.reporter);
+                self.record(name, Status::Failed, exit_code, Some(error.to_string()), None)
             }
         }
     }
 
     fn record(
         &mut self,
-        scene: &str,
+        name: &ImageName,
         status: Status,
         exit_code: u8,
         error: Option<String>,
         image: Option<&Record>,
-    ) -> Result<u8> {
+    ) -> Result<()> {
+        self.code = self.code.max(exit_code);
         if let Some(manifest) = &mut self.manifest {
-            manifest.add(&Entry { scene, status, exit_code, error, image })?;
+            let scene = name.scene.display().to_string();
+            manifest.add(&Entry { scene: &scene, camera: name.camera, status, exit_code, error, image })?;
         }
-        Ok(exit_code)
+        Ok(())
     }
-}
-
-/// Where each scene's image goes, as far as the files can be read; two scenes for one image are an error.
-fn distinct_outputs(scenes: &[PathBuf], plan: &Plan) -> Result<Vec<Option<Destination>>> {
-    let mut taken: HashMap<Destination, &Path> = HashMap::new();
-    let mut outputs = Vec::with_capacity(scenes.len());
-    for path in scenes {
-        let output = output_of(path, plan);
-        if let Some(output) = &output
-            && let Some(other) = taken.insert(output.resolved(), path)
-        {
-            let message = format!("{} and {} would both be written to {output}", other.display(), path.display());
-            return Err(Error::usage(message).note(match plan.output_name.has_stem() {
-                true => "scenes of the same name need a command each",
-                false => "use -o with {stem} in the name, such as -o 'out/{stem}.png'",
-            }));
-        }
-        outputs.push(output);
-    }
-    Ok(outputs)
-}
-
-/// Where a scene's image goes; `None` where the scene cannot be read, which its rendering will report.
-fn output_of(path: &Path, plan: &Plan) -> Option<Destination> {
-    if !plan.output_name.needs_scene(plan.accel) {
-        let accel = plan.accel.unwrap_or(SplitMethod::Sah);
-        return Some(plan.output_name.destination(path, None, accel));
-    }
-    if path == Path::new("-") {
-        return None;
-    }
-    let SceneOptions { film_filename, accelerator } = scene::read_options(path).ok()?;
-    let method = plan.build_options(&accelerator, &Reporter::silent()).method;
-    Some(plan.output_name.destination(path, film_filename.as_deref(), method))
-}
-
-/// The file that is in the way of a scene's image, if there is one.
-fn existing_output(path: &Path, known: Option<&Destination>, plan: &Plan) -> Option<PathBuf> {
-    let destination = known.cloned().or_else(|| output_of(path, plan))?;
-    match destination {
-        Destination::File(file) if file.is_file() => Some(file),
-        _ => None,
-    }
-}
-
-fn exists(output: &Path) -> Error {
-    let diagnostic = Diagnostic::new("exists already").at(SourceLocation::file(output));
-    let diagnostic = diagnostic.note("use --force to overwrite it, or --skip-existing to leave the scene out");
-    Error::new(ErrorKind::Output, diagnostic)
 }

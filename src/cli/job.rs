@@ -1,20 +1,21 @@
-//! One scene: load, build, trace, write.
+//! One image: build, trace, write.
 
+use super::loaded_scene::{LoadedScene, Viewpoint};
 use super::output_name::Destination;
-use super::picture::Picture;
+use super::picture::{Caption, Existing, Origin, Picture};
 use super::plan::Plan;
 use super::progress_bar::{Phase, ProgressBars};
 use super::record::{Milliseconds, Record, peak_bytes};
 use super::reporter::Reporter;
 use super::stdout::write_json_line;
 use super::summary;
-use feimos::accel::{Aggregate, BuildOptions, Precision, SplitMethod, Statistics};
-use feimos::error::{Error, Result};
-use feimos::film::PixelBounds;
+use super::timing::{milliseconds_since, timed};
+use feimos::accel::{Aggregate, Precision, SplitMethod, Statistics};
+use feimos::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
 use feimos::film::atomic_file::{self, Overwrite};
+use feimos::film::{CameraAttributes, PixelBounds};
 use feimos::progress::Progress;
 use feimos::render::{RenderOptions, Rendering, render};
-use feimos::scene::{self, Scene};
 use feimos::simd::Level;
 use std::path::Path;
 use std::time::Instant;
@@ -27,18 +28,25 @@ pub(crate) struct Renderer<'a> {
     pub(crate) overwrite: Overwrite,
 }
 
-/// How one scene went.
-pub(crate) struct Outcome {
-    pub(crate) record: Record,
-    pub(crate) warned: bool,
+/// How it went with one image.
+pub(crate) enum Outcome {
+    /// It was written.
+    Made {
+        record: Box<Record>,
+        /// Something about the scene is not as it may have been meant.
+        warned: bool,
+    },
+    /// It was there already.
+    Skipped(Destination),
 }
 
-/// What is to be made of one scene.
+/// What is to be made of one view.
 struct Target {
     destination: Destination,
     picture: Picture,
     window: PixelBounds,
-    build: BuildOptions,
+    /// The header of the file, where the format has one.
+    header: Option<String>,
 }
 
 /// What was made of it.
@@ -48,81 +56,98 @@ pub(super) struct Finished {
     pub(super) precision: Precision,
     pub(super) statistics: Statistics,
     pub(super) rendering: Rendering,
-    /// Of the values in a view, in words.
-    pub(super) range: Option<String>,
+    /// What the colours of a view mean.
+    pub(super) legend: Option<String>,
     pub(super) ms: Milliseconds,
 }
 
-/// Runs a phase and tells how many milliseconds it took.
-fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
-    let start = Instant::now();
-    let result = work();
-    (result, milliseconds_since(start))
+/// An aggregate of one view, or of all.
+enum Tree<'a> {
+    Own(Box<Aggregate>),
+    Shared(&'a Aggregate),
 }
 
-/// In thousandths: more digits would be noise.
-fn milliseconds_since(start: Instant) -> f64 {
-    (start.elapsed().as_secs_f64() * 1e6).round() / 1e3
+impl Tree<'_> {
+    fn aggregate(&self) -> &Aggregate {
+        match self {
+            Tree::Own(aggregate) => aggregate,
+            Tree::Shared(aggregate) => aggregate,
+        }
+    }
 }
 
 impl Renderer<'_> {
-    /// Renders `path`, on the threads of the current pool.
-    pub(crate) fn render(&self, path: &Path) -> Result<Outcome> {
-        let start = Instant::now();
-        let load_scene = |progress: Progress<'_>| scene::load(path, &self.plan.load, progress);
-        let (scene, load) = timed(|| self.bars.during(Phase::Loading, load_scene));
-        let scene = scene?;
-        summary::report_scene(&scene, self.reporter);
-        let target = self.target(path, &scene)?;
-        let mut finished = self.make(&scene, target)?;
+    /// Reads a scene, on the threads of the current pool; also returns how many milliseconds that took.
+    pub(crate) fn load<'a>(&self, path: &'a Path) -> Result<(LoadedScene<'a>, f64)> {
+        LoadedScene::load(path, self.plan, &self.bars, self.reporter)
+    }
+
+    /// Renders one of the scene's views, on the threads of the current pool. It was begun at `start`, and `load` milliseconds of it were
+    /// spent on reading the scene.
+    pub(crate) fn render(&self, loaded: &LoadedScene, view: &Viewpoint, start: Instant, load: f64) -> Result<Outcome> {
+        let Some(target) = self.target(loaded, view)? else {
+            return Ok(Outcome::Skipped(self.destination(loaded, view)));
+        };
+        let mut finished = self.make(loaded, view, target)?;
         finished.ms.load = load;
         finished.ms.total = milliseconds_since(start);
         summary::report_image(&finished, self.reporter);
         if self.plan.stats {
-            summary::report_statistics(&scene, &finished, self.reporter);
+            summary::report_statistics(&loaded.scene, &finished, self.reporter);
         }
-        Ok(Outcome { warned: !scene.warnings.is_empty(), record: record(path, &scene, &finished) })
+        let record = Box::new(record(loaded, view, &finished));
+        Ok(Outcome::Made { record, warned: !loaded.scene.warnings.is_empty() })
     }
 
-    /// Finds out what to do, and what cannot be done, before the work that takes long.
-    fn target(&self, path: &Path, scene: &Scene) -> Result<Target> {
-        let build = self.plan.build_options(&scene.accelerator, self.reporter);
-        let destination = self.plan.output_name.destination(path, scene.film.filename.as_deref(), build.method);
+    fn destination(&self, loaded: &LoadedScene, view: &Viewpoint) -> Destination {
+        let filename = view.film.filename.as_deref();
+        self.plan.output_name.destination(loaded.path, filename, loaded.build.method, view.name.as_deref())
+    }
+
+    /// Finds out what to do, and what cannot be done, before the work that takes long. `None` where the image is there already.
+    fn target(&self, loaded: &LoadedScene, view: &Viewpoint) -> Result<Option<Target>> {
+        let destination = self.destination(loaded, view);
         let picture = self.plan.picture(&destination).map_err(|error| match self.plan.output_name.is_given() {
             true => error,
             false => error.note("this name comes from the scene; -o gives another one"),
         })?;
-        let picture = picture.for_scene(&scene.shapes, self.reporter);
-        let window = self.plan.data_window(&scene.film)?;
-        let whole = [window.width(), window.height()] == scene.film.resolution;
+        let picture = picture.for_scene(&loaded.scene.shapes, self.reporter);
+        let window = self.plan.data_window(&view.film)?;
+        let whole = [window.width(), window.height()] == view.film.resolution;
         if let (false, Some((view, ends))) = (whole, picture.lacks_range()) {
             let error = Error::usage(format!("a {view} PNG of a part of the film needs --range {ends}"));
             return Err(error.note("else every part would have colours of its own; or write an .exr"));
         }
+        let origin = Origin {
+            scene: loaded.digest(view),
+            precision: self.plan.precision,
+            accel: loaded.build.method,
+            film: view.film.resolution,
+            window,
+        };
+        let header = picture.header(&origin);
         if let Destination::File(path) = &destination {
             atomic_file::check(path)?;
+            if self.plan.skip_existing && path.is_file() {
+                match header
+                    .as_deref()
+                    .map_or(Ok(Existing::Foreign), |header| picture.existing(path, header, &origin))?
+                {
+                    Existing::Same => return Ok(None),
+                    Existing::Stale => self.reporter.detail(format_args!("{destination}: of other options, made anew")),
+                    Existing::Foreign => return Err(foreign(path)),
+                }
+            }
         }
-        Ok(Target { destination, picture, window, build })
+        Ok(Some(Target { destination, picture, window, header }))
     }
 
     /// Builds, traces and writes.
-    fn make(&self, scene: &Scene, target: Target) -> Result<Finished> {
-        let Target { destination, picture, window, build } = target;
-        let primitives = scene.shapes.primitive_count();
-        let Scene { shapes, camera, .. } = scene;
-        // Statistics and costs are those of the whole tree; other pictures alone need only what they show.
-        let build_aggregate = |progress: Progress<'_>| match self.plan.stats || picture.needs_whole_tree() {
-            true => Aggregate::build(shapes, camera.anchor(), build, progress),
-            false => Aggregate::build_for_view(shapes, camera, &window, build, progress),
-        };
-        let (aggregate, build_ms) =
-            timed(|| self.bars.during(Phase::Building(Aggregate::work(shapes)), build_aggregate));
-        let statistics = aggregate.statistics(shapes);
-        let (nodes, method) = (statistics.nodes, build.method);
-        let built = aggregate.primitive_count(shapes);
-        self.reporter.detail(format_args!("built {nodes} nodes by {method} over {built} of {primitives} primitives"));
-        summary::note_dead(aggregate.never_hit(), shapes.own_count(), self.reporter);
-
+    fn make(&self, loaded: &LoadedScene, view: &Viewpoint, target: Target) -> Result<Finished> {
+        let Target { destination, picture, window, header } = target;
+        let shapes = &loaded.scene.shapes;
+        let (tree, build_ms) = self.tree(loaded, view, &picture, &window);
+        let aggregate = tree.aggregate();
         let options = RenderOptions {
             data_window: window,
             channels: picture.channels(),
@@ -131,25 +156,60 @@ impl Renderer<'_> {
             level: Level::detect(),
             precision: self.plan.precision,
         };
-        let trace = |progress: Progress<'_>| render(&scene.camera, &scene.shapes, &aggregate, &options, progress);
+        let trace = |progress: Progress<'_>| render(&view.camera, shapes, aggregate, &options, progress);
         let (rendering, trace_ms) = timed(|| self.bars.during(Phase::Rendering(window.area()), trace));
         let rendering = rendering?;
 
         let (written, write_ms) = timed(|| {
             let picture = picture.with_range_of(&rendering.image);
-            picture.write(&rendering.image, &destination, self.overwrite).map(|()| picture.range())
+            let caption = Caption { header, camera: CameraAttributes::of(&view.camera) };
+            picture.write(&rendering.image, caption, &destination, self.overwrite).map(|()| picture.legend())
         });
-        let range = written?;
+        let legend = written?;
         let ms = Milliseconds { build: build_ms, trace: trace_ms, write: write_ms, ..Milliseconds::default() };
-        let precision = self.plan.precision;
-        Ok(Finished { destination, method, precision, statistics, rendering, range, ms })
+        let (statistics, precision) = (aggregate.statistics(shapes), self.plan.precision);
+        Ok(Finished { destination, method: loaded.build.method, precision, statistics, rendering, legend, ms })
+    }
+
+    /// The aggregate for a picture, and the milliseconds that it took now.
+    fn tree<'a>(
+        &self,
+        loaded: &'a LoadedScene,
+        view: &Viewpoint,
+        picture: &Picture,
+        window: &PixelBounds,
+    ) -> (Tree<'a>, f64) {
+        let (shapes, build) = (&loaded.scene.shapes, loaded.build);
+        // Answers of f32, and costs, depend on where boxes are the most precise: each view has a tree of its own, as if it were alone.
+        let depends_on_view = self.plan.precision == Precision::Fast || picture.needs_whole_tree();
+        let is_shared = loaded.views.len() > 1 && !depends_on_view;
+        if is_shared && loaded.has_shared() {
+            return (Tree::Shared(loaded.shared(Progress::SILENT)), 0.0);
+        }
+        // Statistics and costs are those of the whole tree; other pictures alone need only what they show.
+        let make = |progress: Progress<'_>| match self.plan.stats || picture.needs_whole_tree() {
+            _ if is_shared => Tree::Shared(loaded.shared(progress)),
+            true => Tree::Own(Box::new(Aggregate::build(shapes, view.camera.anchor(), build, progress))),
+            false => Tree::Own(Box::new(Aggregate::build_for_view(shapes, &view.camera, window, build, progress))),
+        };
+        let (tree, ms) = timed(|| self.bars.during(Phase::Building(Aggregate::work(shapes)), make));
+        let aggregate = tree.aggregate();
+        summary::report_tree(aggregate, shapes, build.method, self.reporter);
+        (tree, ms)
     }
 }
 
-fn record(path: &Path, scene: &Scene, finished: &Finished) -> Record {
+fn foreign(path: &Path) -> Error {
+    let diagnostic = Diagnostic::new("exists already, and is no image of feimos").at(SourceLocation::file(path));
+    Error::new(ErrorKind::Output, diagnostic.note("move it away, or use --force to overwrite it"))
+}
+
+fn record(loaded: &LoadedScene, view: &Viewpoint, finished: &Finished) -> Record {
     let window = finished.rendering.image.data_window;
+    let shapes = &loaded.scene.shapes;
     Record {
-        scene: path.display().to_string(),
+        scene: loaded.path.display().to_string(),
+        camera: view.name.clone(),
         output: finished.destination.to_string(),
         accel: finished.method.name(),
         precision: finished.precision.name(),
@@ -159,11 +219,11 @@ fn record(path: &Path, scene: &Scene, finished: &Finished) -> Record {
         height: window.height(),
         rays: window.area(),
         hits: finished.rendering.traced.hits,
-        shapes: scene.shape_count,
-        triangles: scene.shapes.stored_triangles(),
-        spheres: scene.shapes.stored_spheres(),
-        instances: scene.shapes.instances().len(),
-        primitives: scene.shapes.primitive_count(),
+        shapes: loaded.scene.shape_count,
+        triangles: shapes.stored_triangles(),
+        spheres: shapes.stored_spheres(),
+        instances: shapes.instances().len(),
+        primitives: shapes.primitive_count(),
         ms: finished.ms,
         bvh: finished.statistics.into(),
         exact: (finished.precision == Precision::Exact).then(|| finished.rendering.traced.fallbacks.into()),
@@ -172,8 +232,11 @@ fn record(path: &Path, scene: &Scene, finished: &Finished) -> Record {
 }
 
 impl Outcome {
-    /// Prints the line of `--json`.
+    /// Prints the line of `--json`, of an image that was made.
     pub(crate) fn print_json(&self) -> Result<()> {
-        write_json_line(&self.record)
+        match self {
+            Outcome::Made { record, .. } => write_json_line(record),
+            Outcome::Skipped(_) => Ok(()),
+        }
     }
 }

@@ -1,4 +1,4 @@
-//! The batch's own record: a line of JSON for each scene.
+//! The batch's own record: a line of JSON for each image.
 
 use super::record::Record;
 use feimos::error::{Error, Result};
@@ -7,7 +7,7 @@ use std::fs::{File, OpenOptions};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-/// How it went with a scene.
+/// How it went with an image.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Status {
@@ -23,6 +23,9 @@ pub(crate) enum Status {
 #[derive(Debug, Serialize)]
 pub(crate) struct Entry<'a> {
     pub(crate) scene: &'a str,
+    /// Where there is a list of cameras; none where the scene could not be read.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) camera: Option<&'a str>,
     pub(crate) status: Status,
     pub(crate) exit_code: u8,
     pub(crate) error: Option<String>,

@@ -10,10 +10,12 @@ mod completions;
 mod counted;
 mod failures;
 mod job;
+mod loaded_scene;
 mod man;
 mod manifest;
 mod merge;
 mod output_name;
+mod outputs;
 mod picture;
 mod pixel;
 mod plan;
@@ -21,10 +23,13 @@ mod progress_bar;
 mod record;
 mod reporter;
 mod scene_files;
+#[cfg(unix)]
+mod signals;
 mod stdout;
 mod summary;
 mod terminal;
 mod thread_pool;
+mod timing;
 mod version;
 
 use args::{Cli, Command, TalkArgs};
@@ -48,20 +53,21 @@ pub(crate) fn run() -> ExitCode {
         Command::Bench(args) => report(&args.talk, |reporter| bench::bench(&args, reporter)),
         Command::Merge(args) => report(&args.talk, |reporter| merge::merge(&args, reporter)),
         Command::Pixel(args) => report(&args.talk, |reporter| pixel::pixel(&args, reporter)),
-        Command::Completions(args) => exit_code(completions::completions(&args), &Reporter::silent()),
-        Command::Man(args) => exit_code(man::man(&args), &Reporter::silent()),
+        Command::Completions(args) => conclude(&Reporter::silent(), |_| completions::completions(&args)),
+        Command::Man(args) => conclude(&Reporter::silent(), |_| man::man(&args)),
     }
 }
 
-/// Runs a command that talks.
+/// Runs a command that is told how to talk.
 fn report(talk: &TalkArgs, command: impl FnOnce(&Reporter) -> Result<u8>) -> ExitCode {
-    let reporter = Reporter::new(talk);
-    exit_code(command(&reporter), &reporter)
+    conclude(&Reporter::new(talk), command)
 }
 
-/// Tells of the error that ended a command, if one did.
-fn exit_code(result: Result<u8>, reporter: &Reporter) -> ExitCode {
-    let code = result.unwrap_or_else(|error| {
+/// Runs a command and tells of the error that ended it, if one did.
+fn conclude(reporter: &Reporter, command: impl FnOnce(&Reporter) -> Result<u8>) -> ExitCode {
+    #[cfg(unix)]
+    signals::end_cleanly(reporter);
+    let code = command(reporter).unwrap_or_else(|error| {
         reporter.error(&error);
         error.kind().exit_code()
     });

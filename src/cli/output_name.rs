@@ -50,13 +50,17 @@ const PBRT_DEFAULT: &str = "pbrt.exr";
 
 impl OutputName {
     /// # Errors
-    /// A placeholder that does not exist.
-    pub(crate) fn new(template: Option<String>) -> Result<OutputName> {
+    /// A placeholder that does not exist, or is about cameras where there is no list of them.
+    pub(crate) fn new(template: Option<String>, has_cameras: bool) -> Result<OutputName> {
         if let Some(unknown) = template.as_deref().and_then(unknown_placeholder) {
             let error = Error::usage(format!("the output name has an unknown placeholder `{unknown}`"));
-            return Err(error.note("known are {stem} and {accel}"));
+            return Err(error.note(format!("known are {}", PLACEHOLDERS.join(", "))));
         }
-        Ok(OutputName { template })
+        let output_name = OutputName { template };
+        if output_name.has("{camera}") && !has_cameras {
+            return Err(Error::usage("the output name has {camera}, and there is no --cameras"));
+        }
+        Ok(output_name)
     }
 
     /// Whether the name depends on what the scene file says.
@@ -83,18 +87,24 @@ impl OutputName {
         self.template.is_some()
     }
 
-    /// Whether the template tells scenes apart by their names.
-    pub(crate) fn has_stem(&self) -> bool {
-        self.template.as_ref().is_some_and(|template| template.contains("{stem}"))
+    /// Whether the template has this placeholder.
+    pub(crate) fn has(&self, placeholder: &str) -> bool {
+        self.template.as_ref().is_some_and(|template| template.contains(placeholder))
     }
 
-    /// The name for `scene`, whose film is called `film_filename`.
-    pub(crate) fn destination(&self, scene: &Path, film_filename: Option<&str>, accel: SplitMethod) -> Destination {
+    /// The name for `scene`, whose film is called `film_filename`, seen by the camera of that name.
+    pub(crate) fn destination(
+        &self,
+        scene: &Path,
+        film_filename: Option<&str>,
+        accel: SplitMethod,
+        camera: Option<&str>,
+    ) -> Destination {
         let stem = stem(scene);
         match &self.template {
             Some(template) if template == "-" => Destination::Stdout,
             Some(template) => {
-                Destination::File(template.replace("{stem}", &stem).replace("{accel}", accel.name()).into())
+                Destination::File(filled(template, [&stem, accel.name(), camera.unwrap_or_default()]).into())
             }
             None => Destination::File(match film_filename {
                 Some(name) => name.into(),
@@ -117,12 +127,30 @@ fn stem(scene: &Path) -> String {
     stem.to_string_lossy().into_owned()
 }
 
+/// What may stand in a template.
+const PLACEHOLDERS: [&str; 3] = ["{stem}", "{accel}", "{camera}"];
+
+/// The template with each placeholder replaced; in one pass, since names may look like placeholders.
+fn filled(template: &str, values: [&str; 3]) -> String {
+    let mut name = String::new();
+    let mut rest = template;
+    while let Some(open) = rest.find('{') {
+        let (before, after) = rest.split_at(open);
+        name.push_str(before);
+        let known = PLACEHOLDERS.iter().zip(values).find(|(placeholder, _)| after.starts_with(**placeholder));
+        let (value, length) = known.map_or(("{", 1), |(placeholder, value)| (value, placeholder.len()));
+        name.push_str(value);
+        rest = &after[length..];
+    }
+    name + rest
+}
+
 fn unknown_placeholder(template: &str) -> Option<&str> {
     let mut rest = template;
     while let Some(open) = rest.find('{') {
         let close = open + rest[open..].find('}')? + 1;
         let placeholder = &rest[open..close];
-        if !["{stem}", "{accel}"].contains(&placeholder) {
+        if !PLACEHOLDERS.contains(&placeholder) {
             return Some(placeholder);
         }
         rest = &rest[close..];
@@ -135,8 +163,8 @@ mod tests {
     use super::*;
 
     fn name(template: Option<&str>, scene: &str, film: Option<&str>) -> String {
-        let output = OutputName::new(template.map(str::to_owned)).unwrap();
-        output.destination(Path::new(scene), film, SplitMethod::Sah).to_string()
+        let output = OutputName::new(template.map(str::to_owned), true).unwrap();
+        output.destination(Path::new(scene), film, SplitMethod::Sah, Some("left")).to_string()
     }
 
     #[test]
@@ -145,6 +173,7 @@ mod tests {
         assert_eq!(name(Some("{stem}.exr"), "a/dragon.ply.gz", None), "dragon.exr");
         assert_eq!(name(Some("{stem}.exr"), "-", None), "stdin.exr");
         assert_eq!(name(Some("-"), "a.pbrt", None), "-");
+        assert_eq!(name(Some("{camera}/{stem}{.exr"), "{accel}.pbrt", None), "left/{accel}{.exr");
     }
 
     #[test]
@@ -156,17 +185,18 @@ mod tests {
 
     #[test]
     fn an_example_is_known_where_the_format_is() {
-        let example = |template: &str| OutputName::new(Some(template.into())).unwrap().example();
+        let example = |template: &str| OutputName::new(Some(template.into()), false).unwrap().example();
         assert_eq!(example("-"), Some(Destination::Stdout));
         assert_eq!(example("{stem}.jpg"), Some(Destination::File("{stem}.jpg".into())));
         assert_eq!(example("a"), Some(Destination::File("a".into())));
         assert_eq!(example("out.d/{stem}"), None, "of a.exr.pbrt that is an EXR");
-        assert_eq!(OutputName::new(None).unwrap().example(), None);
+        assert_eq!(OutputName::new(None, false).unwrap().example(), None);
     }
 
     #[test]
     fn unknown_placeholders_are_refused() {
-        assert!(OutputName::new(Some("{stem}-{camera}.png".into())).is_err());
-        assert!(OutputName::new(Some("{stem.png".into())).is_ok(), "an open brace is a name like any other");
+        assert!(OutputName::new(Some("{stem}-{name}.png".into()), true).is_err());
+        assert!(OutputName::new(Some("{stem}-{camera}.png".into()), false).is_err());
+        assert!(OutputName::new(Some("{stem.png".into()), false).is_ok(), "an open brace is a name like any other");
     }
 }

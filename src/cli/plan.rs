@@ -2,12 +2,13 @@
 
 use super::args::{OutputArgs, RegionArgs, RenderArgs};
 use super::output_name::{Destination, OutputName};
-use super::picture::Picture;
+use super::picture::{Data, DataFormat, Picture, Shown};
 use super::reporter::Reporter;
 use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::error::{Error, Result};
-use feimos::film::{ChannelName, ColorMap, CostRange, DepthRange, Format, PixelBounds, View};
-use feimos::scene::{AcceleratorParameters, Film, LoadOptions, spelling};
+use feimos::film::view::Depth16;
+use feimos::film::{Aov, ChannelName, ColorMap, CostRange, DepthRange, Format, PixelBounds, View};
+use feimos::scene::{self, AcceleratorParameters, Film, LoadOptions, Pose, spelling};
 
 /// How every scene of the command is rendered.
 #[derive(Debug)]
@@ -19,8 +20,14 @@ pub(crate) struct Plan {
     /// All that the process may use, where nothing is said.
     pub(crate) threads: Option<usize>,
     pub(crate) stats: bool,
+    /// The cameras to see each scene from, in place of its own.
+    pub(crate) poses: Option<Vec<Pose>>,
+    /// Leave out images that are there.
+    pub(crate) skip_existing: bool,
     miss: Option<f32>,
-    aov: Option<Vec<ChannelName>>,
+    aov: Option<Vec<Aov>>,
+    depth_channel: Option<String>,
+    scale: Option<f64>,
     view: Option<View>,
     colors: Option<ColorMap>,
     /// The values at the two ends of the colours, the smaller one first.
@@ -31,7 +38,7 @@ pub(crate) struct Plan {
 
 impl Plan {
     pub(crate) fn new(args: &RenderArgs) -> Result<Plan> {
-        let OutputArgs { output, aov, view, colormap, range, miss } = &args.output;
+        let OutputArgs { output, aov, depth_channel, view, colormap, range, scale, miss } = &args.output;
         let RegionArgs { cropwindow, pixelbounds, resolution } = args.region;
         if let Some(repeated) = aov.as_deref().and_then(first_repeated) {
             return Err(Error::usage(format!("--aov names `{}` twice", repeated.as_str())));
@@ -39,15 +46,24 @@ impl Plan {
         if args.report.json && output.as_deref() == Some("-") {
             return Err(Error::usage("--json and -o - would both write to standard output"));
         }
+        let poses = args.cameras.cameras.as_deref().map(scene::read_poses).transpose()?;
+        if let (Some(_), Some(pose)) = (resolution, poses.iter().flatten().find(|pose| pose.has_resolution())) {
+            let error = Error::usage(format!("--resolution and the resolution of camera `{}` contradict", pose.name()));
+            return Err(error.note("leave out --resolution: `K` is about images of one size"));
+        }
         let plan = Plan {
-            output_name: OutputName::new(output.clone())?,
+            output_name: OutputName::new(output.clone(), poses.is_some())?,
             load: LoadOptions { resolution, ..LoadOptions::default() },
             accel: args.engine.accel,
             precision: args.engine.precision,
             threads: args.engine.threads,
+            poses,
+            skip_existing: args.batch.skip_existing,
             miss: *miss,
             stats: args.report.stats,
             aov: aov.clone(),
+            depth_channel: depth_channel.clone(),
+            scale: *scale,
             view: *view,
             colors: *colormap,
             range: range.map(color_range).transpose()?,
@@ -84,36 +100,74 @@ impl Plan {
         };
         match format {
             Format::Exr => self.exr(destination),
+            Format::Npy => self.data(destination, DataFormat::Npy),
+            Format::Pfm => self.pfm(destination),
             Format::Png => self.png(destination),
         }
     }
 
     fn exr(&self, destination: &Destination) -> Result<Picture> {
-        let of_png =
-            [("--view", self.view.is_some()), ("--colormap", self.colors.is_some()), ("--range", self.range.is_some())];
-        refuse(&of_png, destination, "an EXR, which holds the values themselves")?;
-        let channels = self.aov.clone().unwrap_or_else(|| ChannelName::USUAL.to_vec());
-        Ok(Picture::Exr { channels, miss: self.miss.unwrap_or(f32::INFINITY), within_instances: false })
+        let aovs = self.aov.clone().unwrap_or_else(|| Aov::USUAL.to_vec());
+        if self.depth_channel.is_some() && !aovs.contains(&Aov::Lone(ChannelName::Z)) {
+            return Err(Error::usage("--depth-channel has no meaning without Z").note("add Z to --aov"));
+        }
+        // Its own name is no other name.
+        let depth_channel = self.depth_channel.clone().filter(|name| name != ChannelName::Z.as_str());
+        self.holding(aovs, destination, DataFormat::Exr { depth_channel })
+    }
+
+    fn pfm(&self, destination: &Destination) -> Result<Picture> {
+        let picture = self.data(destination, DataFormat::Pfm)?;
+        let channels = picture.channels();
+        if !matches!(channels.len(), 1 | 3) || channels.iter().any(|channel| channel.is_integer()) {
+            let error = Error::usage(format!("{destination}: a PFM holds one of Z, t, A, N and P"));
+            return Err(error.note("for more, or for whole numbers, give the output the extension .exr or .npy"));
+        }
+        Ok(picture)
+    }
+
+    /// Formats that have no place for words.
+    fn data(&self, destination: &Destination, format: DataFormat) -> Result<Picture> {
+        let of_headers = [("--depth-channel", self.depth_channel.is_some()), ("--skip-existing", self.skip_existing)];
+        refuse(&of_headers, destination, "a file without a header for it; an .exr has one")?;
+        self.holding(self.aov.clone().unwrap_or_else(|| vec![Aov::Lone(ChannelName::Z)]), destination, format)
+    }
+
+    fn holding(&self, aovs: Vec<Aov>, destination: &Destination, format: DataFormat) -> Result<Picture> {
+        let of_png = [
+            ("--view", self.view.is_some()),
+            ("--colormap", self.colors.is_some()),
+            ("--range", self.range.is_some()),
+            ("--scale", self.scale.is_some()),
+        ];
+        refuse(&of_png, destination, "a file that holds the values themselves")?;
+        Ok(Picture::Data(Data { format, aovs, miss: self.miss.unwrap_or(f32::INFINITY), within_instances: false }))
     }
 
     fn png(&self, destination: &Destination) -> Result<Picture> {
-        let of_exr = [("--aov", self.aov.is_some()), ("--miss", self.miss.is_some())];
-        refuse(&of_exr, destination, "a PNG; for channels give the output the extension .exr")?;
-        match self.view.unwrap_or_default() {
-            View::Hit => {
-                let of_colors = [("--colormap", self.colors.is_some()), ("--range", self.range.is_some())];
-                refuse(&of_colors, destination, "a hit view, which has two colours")?;
-                Ok(Picture::Hit)
-            }
-            View::Depth => {
-                let range = self.range.map(|[near, far]| DepthRange { near, far });
-                Ok(Picture::Depth { colors: self.colors.unwrap_or_default(), range })
-            }
-            View::Cost => {
-                let range = self.range.map(|[low, high]| CostRange { low, high });
-                Ok(Picture::Cost { colors: self.colors.unwrap_or_default(), range })
-            }
+        let of_data = [("--aov", self.aov.is_some()), ("--depth-channel", self.depth_channel.is_some())];
+        refuse(&of_data, destination, "a PNG; for channels give the output the extension .exr")?;
+        let view = self.view.unwrap_or_default();
+        let of_colors = [("--colormap", self.colors.is_some()), ("--range", self.range.is_some())];
+        if !matches!(view, View::Depth | View::Cost) {
+            refuse(&of_colors, destination, &format!("a PNG of the view {}, whose colours are fixed", view.as_str()))?;
         }
+        let of_depth16 = [("--scale", self.scale.is_some()), ("--miss", self.miss.is_some())];
+        if view != View::Depth16 {
+            refuse(&of_depth16, destination, "a PNG, and not of the view depth16")?;
+        }
+        let colors = self.colors.unwrap_or_default();
+        Ok(Picture::View(match view {
+            View::Hit => Shown::Hit,
+            View::Normal => Shown::Normal,
+            View::Id => Shown::Id,
+            View::Depth => Shown::Depth { colors, range: self.range.map(|[near, far]| DepthRange { near, far }) },
+            View::Cost => Shown::Cost { colors, range: self.range.map(|[low, high]| CostRange { low, high }) },
+            View::Depth16 => {
+                let miss = self.miss.map_or(Ok(0), whole_miss)?;
+                Shown::Depth16(Depth16 { scale: self.scale.unwrap_or(Depth16::SCALE), miss })
+            }
+        }))
     }
 
     /// How to build: by the command line's method, else the scene's, else `sah`.
@@ -161,6 +215,16 @@ fn refuse(flags: &[(&str, bool)], destination: &Destination, reason: &str) -> Re
 /// The first item of a list from the command line that stands there before.
 pub(super) fn first_repeated<T: Copy + PartialEq>(items: &[T]) -> Option<T> {
     items.iter().enumerate().find(|(place, item)| items[..*place].contains(item)).map(|(_, item)| *item)
+}
+
+/// What stands for a miss among numbers of 16 bits.
+fn whole_miss(miss: f32) -> Result<u16> {
+    let whole = miss as u16;
+    if f32::from(whole) == miss {
+        return Ok(whole);
+    }
+    Err(Error::usage(format!("--miss {miss} is no number of a depth16 view"))
+        .note("expected an integer from 0 to 65535"))
 }
 
 fn color_range([near, far]: [f64; 2]) -> Result<[f32; 2]> {

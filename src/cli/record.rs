@@ -6,6 +6,9 @@ use serde::Serialize;
 #[derive(Debug, Clone, Serialize)]
 pub(crate) struct Record {
     pub(crate) scene: String,
+    /// Where there is a list of cameras.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) camera: Option<String>,
     pub(crate) output: String,
     pub(crate) accel: &'static str,
     pub(crate) precision: &'static str,

@@ -4,7 +4,7 @@ use super::counted::counted;
 use super::job::Finished;
 use super::record::Milliseconds;
 use super::reporter::Reporter;
-use feimos::accel::{Fallbacks, Precision};
+use feimos::accel::{Aggregate, Fallbacks, Precision, SplitMethod};
 use feimos::scene::Scene;
 use feimos::shape::Shapes;
 use indicatif::HumanCount;
@@ -44,8 +44,12 @@ pub(super) fn geometry(shapes: &Shapes) -> String {
     }
 }
 
-/// A note on primitives that no ray can hit.
-pub(super) fn note_dead(dead: usize, of: usize, reporter: &Reporter) {
+/// What was built, and a note on primitives that no ray can hit.
+pub(super) fn report_tree(aggregate: &Aggregate, shapes: &Shapes, method: SplitMethod, reporter: &Reporter) {
+    let (nodes, built) = (aggregate.statistics(shapes).nodes, aggregate.primitive_count(shapes));
+    let primitives = shapes.primitive_count();
+    reporter.detail(format_args!("built {nodes} nodes by {method} over {built} of {primitives} primitives"));
+    let (dead, of) = (aggregate.never_hit(), shapes.own_count());
     if dead > 0 {
         reporter.note(format_args!("{dead} of {of} primitives can never be hit: no area, or not finite"));
     }
@@ -57,10 +61,10 @@ pub(super) fn report_image(finished: &Finished, reporter: &Reporter) {
         reporter.note("no ray hits anything");
     }
     let window = &finished.rendering.image.data_window;
-    let range = finished.range.as_ref().map_or(String::new(), |range| format!(", {range}"));
+    let legend = finished.legend.as_ref().map_or(String::new(), |legend| format!(", {legend}"));
     let Milliseconds { load, build, trace, write, .. } = finished.ms;
     reporter.result(format_args!(
-        "{}: {} x {} pixels, {} hit{range} (load {load:.0}, build {build:.0}, trace {trace:.0}, write {write:.0} ms)",
+        "{}: {} x {} pixels, {} hit{legend} (load {load:.0}, build {build:.0}, trace {trace:.0}, write {write:.0} ms)",
         finished.destination,
         window.width(),
         window.height(),

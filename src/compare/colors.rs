@@ -1,7 +1,7 @@
 //! Two pictures, colour by colour, and what can be told of hits from them.
 
-use crate::film::png_file::{HIT, MISS, MISS_IN_DEPTH};
 use crate::film::png_reader::Picture;
+use crate::film::view::{HIT, MISS, MISS_IN_DEPTH};
 use rayon::prelude::*;
 
 /// What is different in a pixel of two pictures.

@@ -7,9 +7,10 @@ use std::fs::{self, File, Metadata};
 use std::io::{self, BufWriter, Seek, Write};
 use std::path::{Path, PathBuf};
 
-use tempfile::TempPath;
-
+use super::unfinished::Unfinished;
 use crate::error::{Error, Result};
+
+pub use super::unfinished::abandon;
 
 /// Whether a file that exists may be replaced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -87,10 +88,10 @@ fn replace(
     write: impl FnOnce(&mut Out) -> io::Result<()>,
 ) -> Result<u64> {
     let target = follow_links(path).map_err(|error| Error::creating(path, &error))?;
-    let (file, temporary) = create_beside(&target).map_err(|error| creating(path, &target, &error))?;
-    // From here on, dropping `temporary` removes the file, by an error or a panic.
+    let (file, unfinished) = Unfinished::beside(&target).map_err(|error| creating(path, &target, &error))?;
+    // From here on, dropping `unfinished` removes the file, by an error or a panic.
     let size = fill(file, replaced, write).map_err(|error| Error::writing(path, &error))?;
-    rename(temporary, &target, overwrite).map_err(|error| match error.kind() {
+    unfinished.rename(&target, overwrite).map_err(|error| match error.kind() {
         io::ErrorKind::AlreadyExists => exists(path),
         _ => Error::writing(path, &error),
     })?;
@@ -117,16 +118,7 @@ pub fn directory_of(path: &Path) -> &Path {
     }
 }
 
-/// A new file in the directory of `target`. It is opened as any file is, so that the umask decides who may read
-/// it: `tempfile` would by itself make it private. The name is short whatever the target's, because names have a
-/// greatest length.
-fn create_beside(target: &Path) -> io::Result<(File, TempPath)> {
-    let create = |path: &Path| File::options().write(true).create_new(true).open(path);
-    let named = tempfile::Builder::new().prefix(".feimos-").suffix(".tmp").make_in(directory_of(target), create)?;
-    Ok(named.into_parts())
-}
-
-/// The error of [`create_beside`], with advice where only the directory is missing.
+/// The error of [`Unfinished::beside`], with advice where only the directory is missing.
 fn creating(path: &Path, target: &Path, error: &io::Error) -> Error {
     let directory = directory_of(target);
     let creating = Error::creating(path, error);
@@ -149,14 +141,6 @@ fn fill(file: File, replaced: Option<Metadata>, write: impl FnOnce(&mut Out) -> 
     // reached the disk: without this, a short file could stand under the final name after all.
     file.sync_data()?;
     Ok(file.metadata()?.len())
-}
-
-fn rename(temporary: TempPath, target: &Path, overwrite: Overwrite) -> io::Result<()> {
-    let renamed = match overwrite {
-        Overwrite::Yes => temporary.persist(target),
-        Overwrite::No => temporary.persist_noclobber(target),
-    };
-    renamed.map_err(|refused| refused.error)
 }
 
 /// Writes to a device or a pipe. Formats seek, and a pipe cannot, so the content is made in an unnamed file.

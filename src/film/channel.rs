@@ -1,9 +1,5 @@
 //! The channels of an image: what they are called and what they hold.
 
-use std::str::FromStr;
-
-use crate::error::Error;
-
 /// What a channel says about each pixel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum ChannelName {
@@ -21,20 +17,50 @@ pub enum ChannelName {
     Instance,
     /// Boxes of nodes and primitives that the pixel's ray is tested against when it goes alone through the whole tree, `u32`.
     Cost,
+    /// The geometric normal, a unit vector in world space, to the side that [pbrt takes for the front](crate::shape::SurfacePoint);
+    /// its first component; `f32`, and 0 for a miss, as are those that follow.
+    Nx,
+    /// Its second component.
+    Ny,
+    /// Its third component.
+    Nz,
+    /// The point where the ray meets the surface, in world space: its first coordinate.
+    Px,
+    /// Its second coordinate.
+    Py,
+    /// Its third coordinate.
+    Pz,
+    /// The first of the surface's own coordinates there, as pbrt has them.
+    U,
+    /// The second one.
+    V,
 }
 
 impl ChannelName {
     /// Every channel there is.
-    pub const ALL: [ChannelName; 7] = {
+    pub const ALL: [ChannelName; 15] = {
         let [z, t, a, id, prim] = ChannelName::USUAL;
-        [z, t, a, id, prim, ChannelName::Instance, ChannelName::Cost]
+        let [nx, ny, nz, px, py, pz, u, v] = ChannelName::SURFACE;
+        [z, t, a, id, prim, ChannelName::Instance, ChannelName::Cost, nx, ny, nz, px, py, pz, u, v]
     };
 
     /// Those of an image of which nothing else was said.
     pub const USUAL: [ChannelName; 5] =
         [ChannelName::Z, ChannelName::T, ChannelName::A, ChannelName::Id, ChannelName::Prim];
 
-    /// The name on the command line and in files; capitals count.
+    /// Those that say what the surface is like where it is hit.
+    pub const SURFACE: [ChannelName; 8] = [
+        ChannelName::Nx,
+        ChannelName::Ny,
+        ChannelName::Nz,
+        ChannelName::Px,
+        ChannelName::Py,
+        ChannelName::Pz,
+        ChannelName::U,
+        ChannelName::V,
+    ];
+
+    /// The name in files; capitals count.
     pub fn as_str(self) -> &'static str {
         match self {
             ChannelName::Z => "Z",
@@ -44,6 +70,14 @@ impl ChannelName {
             ChannelName::Prim => "prim",
             ChannelName::Instance => "instance",
             ChannelName::Cost => "cost",
+            ChannelName::Nx => "N.X",
+            ChannelName::Ny => "N.Y",
+            ChannelName::Nz => "N.Z",
+            ChannelName::Px => "P.X",
+            ChannelName::Py => "P.Y",
+            ChannelName::Pz => "P.Z",
+            ChannelName::U => "u",
+            ChannelName::V => "v",
         }
     }
 
@@ -61,16 +95,10 @@ impl ChannelName {
     pub fn is_number_of_hit(self) -> bool {
         matches!(self, ChannelName::Id | ChannelName::Prim | ChannelName::Instance)
     }
-}
 
-impl FromStr for ChannelName {
-    type Err = Error;
-
-    fn from_str(name: &str) -> Result<ChannelName, Error> {
-        ChannelName::ALL.into_iter().find(|known| known.as_str() == name).ok_or_else(|| {
-            let known = ChannelName::ALL.map(ChannelName::as_str).join(", ");
-            Error::usage(format!("unknown channel `{name}`")).note(format!("known channels: {known}"))
-        })
+    /// Whether it is one of [`ChannelName::SURFACE`].
+    pub fn is_of_surface(self) -> bool {
+        ChannelName::SURFACE.contains(&self)
     }
 }
 
@@ -105,22 +133,4 @@ pub struct Channel {
     pub name: ChannelName,
     /// One sample per pixel of the data window.
     pub samples: Samples,
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn names_are_read_as_they_are_written() {
-        for name in ChannelName::ALL {
-            assert_eq!(name.as_str().parse::<ChannelName>().unwrap(), name);
-        }
-    }
-
-    #[test]
-    fn an_unknown_name_is_answered_with_the_known_ones() {
-        let error = "z".parse::<ChannelName>().unwrap_err().to_string();
-        assert_eq!(error, "unknown channel `z`\n   = known channels: Z, t, A, id, prim, instance, cost");
-    }
 }

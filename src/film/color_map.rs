@@ -31,6 +31,15 @@ impl ColorMap {
         }
     }
 
+    /// What the near and the far end are called.
+    pub fn ends(self) -> [&'static str; 2] {
+        match self {
+            ColorMap::Turbo => ["red", "dark violet"],
+            ColorMap::Viridis => ["yellow", "dark violet"],
+            ColorMap::Gray => ["white", "black"],
+        }
+    }
+
     /// Tells the colour at a position between near (0) and far (1), quickly, as one of many equal steps.
     pub(super) fn steps(self) -> impl Fn(f64) -> Rgb {
         let table = self.table();

@@ -11,17 +11,23 @@ pub enum Format {
     Exr,
     /// PNG: a picture for people.
     Png,
+    /// PFM: one or three channels of floats.
+    Pfm,
+    /// NumPy's format: an array of some channels.
+    Npy,
 }
 
 impl Format {
     /// Every format there is.
-    pub const ALL: [Format; 2] = [Format::Exr, Format::Png];
+    pub const ALL: [Format; 4] = [Format::Exr, Format::Png, Format::Pfm, Format::Npy];
 
     /// The extension of the format's files, without the point.
     pub fn extension(self) -> &'static str {
         match self {
             Format::Exr => "exr",
             Format::Png => "png",
+            Format::Pfm => "pfm",
+            Format::Npy => "npy",
         }
     }
 
@@ -57,7 +63,7 @@ mod tests {
         for path in ["a.jpg", "a", ".png", "a.", "a.png/..", ""] {
             let error = Format::of_path(Path::new(path)).unwrap_err();
             assert_eq!(error.kind(), ErrorKind::Usage);
-            assert!(error.to_string().ends_with("known formats: .exr, .png"), "{error}");
+            assert!(error.to_string().ends_with("known formats: .exr, .png, .pfm, .npy"), "{error}");
         }
     }
 }

@@ -3,7 +3,9 @@
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::film::PixelBounds;
 use image::{ColorType, DynamicImage, ImageFormat, ImageReader, Limits};
-use std::io::Cursor;
+use std::fmt::Display;
+use std::fs::File;
+use std::io::{BufReader, Cursor};
 use std::path::Path;
 
 /// The first bytes of any PNG file.
@@ -36,11 +38,27 @@ pub fn decode(path: &Path, bytes: &[u8]) -> Result<Picture> {
     let mut limits = Limits::default();
     (limits.max_image_width, limits.max_image_height) = (Some(PixelBounds::MAX_SIDE), Some(PixelBounds::MAX_SIDE));
     reader.limits(limits);
-    let decoded = reader.decode().map_err(|error| {
-        let found = Diagnostic::new(format!("this PNG file cannot be read: {error}")).at(SourceLocation::file(path));
-        Error::bad_input(found.note("expected a whole file: it may be damaged or cut off"))
-    })?;
-    Ok(Picture::of(decoded))
+    reader.decode().map(Picture::of).map_err(|error| refused(path, &error))
+}
+
+/// The words that the file `path` has under `keyword`, where it has some; pixels are not read.
+///
+/// # Errors
+/// What is no PNG file, damaged, or cannot be read.
+pub fn read_text(path: &Path, keyword: &str) -> Result<Option<String>> {
+    let file = File::open(path).map_err(|error| Error::reading(path, &error))?;
+    let reader = png::Decoder::new(BufReader::new(file)).read_info().map_err(|error| refused(path, &error))?;
+    let info = reader.info();
+    if let Some(chunk) = info.uncompressed_latin1_text.iter().find(|chunk| chunk.keyword == keyword) {
+        return Ok(Some(chunk.text.clone()));
+    }
+    let utf8 = info.utf8_text.iter().find(|chunk| chunk.keyword == keyword);
+    utf8.map(|chunk| chunk.get_text()).transpose().map_err(|error| refused(path, &error))
+}
+
+fn refused(path: &Path, error: &impl Display) -> Error {
+    let found = Diagnostic::new(format!("this PNG file cannot be read: {error}")).at(SourceLocation::file(path));
+    Error::bad_input(found.note("expected a whole file: it may be damaged or cut off"))
 }
 
 impl Picture {

@@ -6,6 +6,7 @@ mod builder;
 mod camera_parameters;
 mod census;
 mod declared_type;
+mod digest;
 mod entity_directives;
 mod film;
 mod graphics_state;
@@ -15,6 +16,7 @@ mod objects;
 mod parameters;
 pub mod parser;
 mod places;
+mod poses;
 mod roundings;
 mod shape_defaults;
 mod shape_statement;
@@ -27,9 +29,11 @@ mod warnings;
 
 pub use accelerator::AcceleratorParameters;
 pub use census::{Census, ShapeCount};
+pub use digest::SceneDigest;
 pub use film::Film;
 pub use load::{SceneOptions, is_bare_mesh, is_top_level, load, parse, read_options};
 pub use places::{Place, Places};
+pub use poses::{Pose, parse_poses, read_poses};
 pub use roundings::Roundings;
 pub use warnings::{Warning, Warnings};
 

@@ -65,17 +65,65 @@ fn force_overwrites() {
 
 #[test]
 fn skip_existing_renders_the_others() {
-    let folder = three().with("second.exr", "old");
-    folder.render("ball.pbrt second.pbrt -o {stem}.exr --skip-existing -v").succeeded().said("second.pbrt: skipped");
-    assert_eq!(folder.text("second.exr"), "old");
-    assert_eq!(folder.images(), ["ball.exr", "second.exr"]);
+    let folder = three();
+    for extension in ["exr", "png"] {
+        let command = format!("ball.pbrt second.pbrt -o {{stem}}.{extension} --skip-existing -v");
+        folder.render(&format!("ball.pbrt -o ball.{extension}")).succeeded();
+        let run = folder.render(&command).succeeded();
+        assert!(
+            run.stderr.contains(&format!("ball.pbrt: skipped, ball.{extension} is there already")),
+            "{}",
+            run.stderr
+        );
+        assert!(run.stderr.contains(&format!("second.{extension}: 13 x 7 pixels")), "{}", run.stderr);
+        let run = folder.render(&command).succeeded();
+        assert!(run.stderr.contains("second.pbrt: skipped"), "{}", run.stderr);
+    }
 }
 
 #[test]
-fn skip_existing_works_for_one_scene() {
-    let folder = Folder::new().with("film.exr", "old");
-    folder.render("ball.pbrt --skip-existing").succeeded();
-    assert_eq!(folder.text("film.exr"), "old");
+fn skip_existing_looks_at_scene_and_options_and_not_at_names() {
+    let folder = Folder::new();
+    let made = |arguments: &str| {
+        let run = folder.render(&format!("{arguments} --skip-existing -v")).succeeded();
+        !run.stderr.contains(": skipped, ")
+    };
+    for file in ["a.exr", "a.png"] {
+        assert!(made(&format!("ball.pbrt -o {file}")));
+        // What does not change a pixel is no reason to render again.
+        assert!(!made(&format!("ball.pbrt -o {file} --accel middle --threads 1")));
+        for other in ["--resolution 14x7", "--precision fast", "--pixelbounds 0,9,0,7 --range 1,2"] {
+            let other = if file == "a.exr" { other.replace("--range 1,2", "") } else { other.to_owned() };
+            assert!(made(&format!("ball.pbrt -o {file} {other}")), "{other}");
+            assert!(!made(&format!("ball.pbrt -o {file} {other}")), "{other}");
+        }
+    }
+    assert!(made("ball.pbrt -o a.exr --miss 0") && made("ball.pbrt -o a.exr --aov Z,t"));
+    assert!(made("ball.pbrt -o a.png --view id") && made("ball.pbrt -o a.png --colormap gray"));
+    let folder = folder.with("ball.pbrt", BALL.replace("radius\" 1", "radius\" 1.5"));
+    let run = folder.render("ball.pbrt -o a.png --colormap gray --skip-existing -v").succeeded();
+    run.said("a.png: of other options, made anew").did_not_say("skipped");
+}
+
+#[test]
+fn skip_existing_leaves_alone_what_is_not_its_own() {
+    let folder = Folder::new().with("film.exr", "old").with("a.png", "old");
+    for file in ["film.exr", "a.png"] {
+        let run = folder.render(&format!("ball.pbrt -o {file} --skip-existing")).exited(73);
+        let expected = format!("error: {file}: exists already, and is no image of feimos\n");
+        assert!(run.stderr.starts_with(&expected), "{}", run.stderr);
+        assert_eq!(folder.text(file), "old");
+    }
+}
+
+#[test]
+fn skip_existing_needs_a_format_with_a_header() {
+    let folder = Folder::new();
+    for file in ["a.npy", "a.pfm"] {
+        folder
+            .render(&format!("ball.pbrt -o {file} --skip-existing"))
+            .failed(2, "--skip-existing has no meaning for a.");
+    }
 }
 
 #[test]
@@ -122,7 +170,8 @@ fn scenes_of_one_name_are_not_told_to_use_what_they_use() {
 
 #[test]
 fn the_manifest_has_a_line_for_each_scene() {
-    let folder = three().with("warned.pbrt", WARNED).with("second.exr", "old");
+    let folder = three().with("warned.pbrt", WARNED);
+    folder.render("second.pbrt -o second.exr --resolution 3x3").succeeded();
     let arguments = "ball.pbrt broken.pbrt second.pbrt warned.pbrt -o {stem}.exr --skip-existing --strict \
                      --resolution 3x3 --manifest all.jsonl";
     folder.render(arguments).exited(65);

@@ -84,6 +84,11 @@ impl Folder {
         self.run("compare", arguments)
     }
 
+    /// Runs `feimos merge` with `arguments` and an empty standard input.
+    pub(crate) fn merge(&self, arguments: &str) -> Run {
+        Run::of(assert_cmd::Command::from_std(self.subcommand("merge", arguments)))
+    }
+
     /// Runs `feimos pixel` with `arguments` and an empty standard input.
     pub(crate) fn pixel(&self, arguments: &str) -> Run {
         self.run("pixel", arguments)
@@ -104,12 +109,12 @@ impl Folder {
         run
     }
 
-    /// Names of all files but scenes and meshes, in order.
+    /// Names of all files but scenes, meshes and lists of cameras, in order.
     pub(crate) fn images(&self) -> Vec<String> {
         let entries = fs::read_dir(self.0.path()).unwrap();
         let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
         let mut images: Vec<String> = names.filter(|name| !name.contains(".pbrt") && !name.contains(".ply")).collect();
-        images.retain(|name| !name.ends_with(".obj"));
+        images.retain(|name| !name.ends_with(".obj") && !name.ends_with(".json"));
         images.sort();
         images
     }

@@ -2,14 +2,18 @@
 
 mod batch;
 mod bench;
+mod cameras;
 mod check;
 mod compare;
 mod completions;
 mod cost;
 mod engine;
 mod exit_code;
+mod files;
 mod folder;
+mod formats;
 mod man;
+mod merge;
 mod message;
 mod offered;
 mod output;

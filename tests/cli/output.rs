@@ -96,7 +96,7 @@ fn the_channels_asked_for_are_written_and_no_others() {
 #[test]
 fn channels_that_do_not_exist_or_are_named_twice_are_refused() {
     let folder = Folder::new();
-    folder.render("ball.pbrt --aov Z,depth").failed(2, "invalid value 'depth' for '--aov <CHANNELS>'");
+    folder.render("ball.pbrt --aov Z,depth").failed(2, "invalid value 'depth' for '--aov <NAMES>'");
     folder.render("ball.pbrt --aov Z,t,Z").failed(2, "--aov names `Z` twice");
     assert!(folder.images().is_empty());
 }
@@ -150,7 +150,7 @@ fn the_hit_view_is_red_and_yellow() {
 fn the_depth_view_is_the_default_and_tells_its_range() {
     let folder = Folder::new();
     let run = folder.render("ball.pbrt -o a.png").succeeded();
-    assert!(run.stderr.contains("depth 4 to "), "{}", run.stderr);
+    assert!(run.stderr.contains("depth 4 (red) to "), "{}", run.stderr);
     folder.render("ball.pbrt -o b.png --view depth --colormap turbo").succeeded();
     assert!(folder.bytes("a.png") == folder.bytes("b.png"));
 }

@@ -40,7 +40,7 @@ pub(crate) fn bench(args: &BenchArgs, reporter: &Reporter) -> Result<u8> {
         let (title, measured) = match pool.install(|| runner.measure(path)) {
             Ok(measured) => measured,
             Err(error) => {
-                code = code.max(failures.add(path, &error, reporter));
+                code = code.max(failures.add(&path.display(), &error, reporter));
                 continue;
             }
         };
@@ -53,7 +53,7 @@ pub(crate) fn bench(args: &BenchArgs, reporter: &Reporter) -> Result<u8> {
             sections.push(Section { title, rows: measured.rows, pictures });
         }
     }
-    failures.report(args.scenes.len(), 0, reporter);
+    failures.report("scenes", args.scenes.len(), 0, reporter);
     outputs.write(&machine, &rows, &sections)?;
     Ok(code)
 }

@@ -43,7 +43,7 @@ pub(crate) fn check(args: &CheckArgs, reporter: &Reporter) -> Result<u8> {
             }
         }
     }
-    check.failures.report(count, count - check.tried, reporter);
+    check.failures.report("scenes", count, count - check.tried, reporter);
     Ok(code)
 }
 
@@ -79,7 +79,7 @@ impl Check<'_> {
         }
         match &result {
             Ok(scene) => self.tell_of_scene(path, scene)?,
-            Err(error) => _ = self.failures.add(path, error, self.reporter),
+            Err(error) => _ = self.failures.add(&path.display(), error, self.reporter),
         }
         Ok(exit_code)
     }

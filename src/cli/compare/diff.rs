@@ -25,5 +25,6 @@ pub(super) fn check(diff: &Path, inputs: [&Path; 2]) -> Result<()> {
 
 /// Writes the picture.
 pub(super) fn write(diff: &Path, width: u32, height: u32, pixels: &[[u8; 3]]) -> Result<()> {
-    atomic_file::write_file(diff, Overwrite::Yes, |out| png_file::write_rgb(width, height, pixels, out)).map(|_| ())
+    atomic_file::write_file(diff, Overwrite::Yes, |out| png_file::write_rgb([width, height], pixels, &[], out))
+        .map(|_| ())
 }

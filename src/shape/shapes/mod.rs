@@ -1,5 +1,6 @@
 //! All geometry of a scene, in the order of the file.
 
+mod digest;
 mod instances;
 mod order;
 

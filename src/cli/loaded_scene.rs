@@ -1,0 +1,86 @@
+//! A scene with all that its images share.
+
+use super::plan::Plan;
+use super::progress_bar::{Phase, ProgressBars};
+use super::reporter::Reporter;
+use super::summary;
+use super::timing::timed;
+use feimos::accel::{Aggregate, BuildOptions};
+use feimos::camera::Camera;
+use feimos::digest::Digest;
+use feimos::error::Result;
+use feimos::geometry::Point;
+use feimos::progress::Progress;
+use feimos::scene::{self, Film, Scene, SceneDigest};
+use std::path::Path;
+use std::sync::OnceLock;
+
+/// Geometry, and where it is to be seen from.
+pub(super) struct LoadedScene<'a> {
+    pub(super) path: &'a Path,
+    pub(super) scene: Scene,
+    /// How to build.
+    pub(super) build: BuildOptions,
+    /// One image each.
+    pub(super) views: Vec<Viewpoint>,
+    digest: OnceLock<SceneDigest>,
+    /// Over everything, for all views.
+    shared: OnceLock<Aggregate>,
+}
+
+/// A place that an image is seen from.
+pub(super) struct Viewpoint {
+    /// In the list of cameras, if there is one.
+    pub(super) name: Option<String>,
+    pub(super) camera: Camera,
+    pub(super) film: Film,
+}
+
+impl<'a> LoadedScene<'a> {
+    /// Reads the scene `path`, and tells of what is odd about it; also returns how many milliseconds reading took.
+    pub(super) fn load(
+        path: &'a Path,
+        plan: &Plan,
+        bars: &ProgressBars,
+        reporter: &Reporter,
+    ) -> Result<(LoadedScene<'a>, f64)> {
+        let load = |progress: Progress<'_>| scene::load(path, &plan.load, progress);
+        let (scene, ms) = timed(|| bars.during(Phase::Loading, load));
+        let scene = scene?;
+        summary::report_scene(&scene, reporter);
+        let build = plan.build_options(&scene.accelerator, reporter);
+        let views = match &plan.poses {
+            None => vec![Viewpoint { name: None, camera: scene.camera.clone(), film: scene.film.clone() }],
+            Some(poses) => {
+                let view = |pose: &scene::Pose| {
+                    let (camera, film) = pose.place(&scene);
+                    Viewpoint { name: Some(pose.name().to_owned()), camera, film }
+                };
+                poses.iter().map(view).collect()
+            }
+        };
+        Ok((LoadedScene { path, scene, build, views, digest: OnceLock::new(), shared: OnceLock::new() }, ms))
+    }
+
+    /// What stands for the scene as `view` sees it.
+    pub(super) fn digest(&self, view: &Viewpoint) -> Digest {
+        self.digest.get_or_init(|| SceneDigest::of(&self.scene.shapes)).seen_by(&view.camera)
+    }
+
+    /// The aggregate that all views share, built when it is first asked for.
+    pub(super) fn shared(&self, progress: Progress) -> &Aggregate {
+        self.shared.get_or_init(|| Aggregate::build(&self.scene.shapes, self.middle(), self.build, progress))
+    }
+
+    /// Whether there is a shared aggregate already.
+    pub(super) fn has_shared(&self) -> bool {
+        self.shared.get().is_some()
+    }
+
+    /// Where boxes are the most precise if no view is better than another.
+    fn middle(&self) -> Point {
+        let extent = self.scene.shapes.extent();
+        let middle = extent.low + (extent.high - extent.low) * 0.5;
+        if !extent.is_empty() && middle.is_finite() { middle } else { self.views[0].camera.anchor() }
+    }
+}

@@ -1,0 +1,65 @@
+//! Channels as they were computed, in a format for programs.
+
+use super::Caption;
+use crate::cli::reporter::Reporter;
+use feimos::film::npy_file::{self, Field};
+use feimos::film::{Aov, ChannelName, Image, Metadata, exr_file, pfm_file};
+use feimos::shape::Shapes;
+use std::io::{self, Seek, Write};
+
+/// What is written of an image, and how.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Data {
+    pub(crate) format: DataFormat,
+    pub(crate) aovs: Vec<Aov>,
+    /// What `Z` and `t` hold where nothing is hit.
+    pub(crate) miss: f32,
+    /// How `prim` counts.
+    pub(crate) within_instances: bool,
+}
+
+/// A format that holds what was computed.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum DataFormat {
+    Exr {
+        /// What `Z` is called in the file, where that is another name.
+        depth_channel: Option<String>,
+    },
+    Npy,
+    Pfm,
+}
+
+impl Data {
+    pub(super) fn channels(&self) -> Vec<ChannelName> {
+        self.aovs.iter().flat_map(|aov| aov.channels()).collect()
+    }
+
+    pub(super) fn for_scene(mut self, shapes: &Shapes, reporter: &Reporter) -> Data {
+        self.within_instances = shapes.counts_within_instances();
+        let has = |name| self.aovs.contains(&Aov::Lone(name));
+        if self.within_instances && has(ChannelName::Prim) && !has(ChannelName::Instance) {
+            self.aovs.push(Aov::Lone(ChannelName::Instance));
+            reporter.note(format_args!(
+                "{} primitives are more than `prim` can count: it counts within the instance, and the channel `instance` \
+                 tells which",
+                shapes.primitive_count()
+            ));
+        }
+        self
+    }
+
+    pub(super) fn encode(&self, image: &Image, caption: &Caption, out: &mut (impl Write + Seek)) -> io::Result<()> {
+        match &self.format {
+            DataFormat::Exr { depth_channel } => {
+                let json = caption.header.clone().unwrap_or_default();
+                let metadata = Metadata { json, camera: caption.camera, depth_channel: depth_channel.clone() };
+                exr_file::write(image, &metadata, out)
+            }
+            DataFormat::Npy => {
+                let field = |aov: &Aov| Field { name: aov.as_str(), channels: aov.channels() };
+                npy_file::write(image, &self.aovs.iter().map(field).collect::<Vec<Field>>(), out)
+            }
+            DataFormat::Pfm => pfm_file::write(image, &self.channels(), out),
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! Numbers that stand for contents: equal for equal ones, and for no others that anybody will meet.
+//!
+//! XXH3 in 128 bits (Collet, <https://xxhash.com>). It keeps chance away, not malice: whoever wants two scenes of one digest can make them.
+
+use rayon::prelude::*;
+use std::fmt;
+use twox_hash::XxHash3_128;
+
+/// 128 bits that stand for a content.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Digest(u128);
+
+impl Digest {
+    /// All there is to it.
+    pub fn words(self) -> [u64; 2] {
+        [(self.0 >> 64) as u64, self.0 as u64]
+    }
+}
+
+impl fmt::Display for Digest {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:032x}", self.0)
+    }
+}
+
+/// Takes a content in, piece by piece.
+#[derive(Default)]
+pub struct Digester(XxHash3_128);
+
+/// Items of a list that a thread takes at a time. The digest depends on it.
+const PART: usize = 1 << 14;
+
+impl Digester {
+    /// Takes one number in.
+    pub fn word(&mut self, word: u64) {
+        self.0.write(&word.to_le_bytes());
+    }
+
+    /// Takes numbers in by their bits: the two zeros are different.
+    pub fn measures(&mut self, measures: &[f64]) {
+        measures.iter().for_each(|measure| self.word(measure.to_bits()));
+    }
+
+    /// Takes a list in, on all threads: how long it is, and each item as the words that `words` makes of it.
+    pub fn list<T: Sync, const N: usize>(&mut self, items: &[T], words: impl Fn(&T) -> [u64; N] + Sync) {
+        self.word(items.len() as u64);
+        let of_part = |bytes: &mut Vec<u8>, part: &[T]| {
+            bytes.clear();
+            bytes.extend(part.iter().flat_map(&words).flat_map(u64::to_le_bytes));
+            XxHash3_128::oneshot(bytes)
+        };
+        let parts: Vec<u128> = items.par_chunks(PART).map_init(Vec::new, of_part).collect();
+        parts.iter().for_each(|part| self.0.write(&part.to_le_bytes()));
+    }
+
+    /// What stands for all that was taken in.
+    pub fn finish(&self) -> Digest {
+        Digest(self.0.finish_128())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of_list(items: &[u64]) -> Digest {
+        let mut digester = Digester::default();
+        digester.list(items, |item| [*item]);
+        digester.finish()
+    }
+
+    #[test]
+    fn every_item_and_its_place_count() {
+        let items: Vec<u64> = (0..3 * PART as u64).collect();
+        let mut digests = vec![of_list(&items), of_list(&items[1..]), of_list(&items[..PART]), of_list(&[])];
+        for place in [0, PART - 1, PART, 3 * PART - 1] {
+            let mut changed = items.clone();
+            changed[place] += 1;
+            digests.push(of_list(&changed));
+        }
+        let mut turned = items.clone();
+        turned.swap(0, PART);
+        digests.push(of_list(&turned));
+        let different: std::collections::HashSet<Digest> = digests.iter().copied().collect();
+        assert_eq!(different.len(), digests.len());
+    }
+
+    #[test]
+    fn equal_contents_have_one_digest_on_any_number_of_threads() {
+        let items: Vec<u64> = (0..5 * PART as u64 / 2).map(|x| x * x).collect();
+        for threads in [1, 3] {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            assert_eq!(pool.install(|| of_list(&items)), of_list(&items));
+        }
+    }
+
+    #[test]
+    fn is_the_same_in_every_version() {
+        let mut digester = Digester::default();
+        digester.measures(&[0.0, 1.5]);
+        digester.list(&[7, 8], |item| [*item, 1]);
+        assert_eq!(digester.finish().to_string(), "TO BE SET");
+    }
+}

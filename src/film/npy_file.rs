@@ -1,0 +1,148 @@
+//! NumPy's `.npy`: an array, rows from the top.
+//!
+//! One field makes a plain array, height x width, with a last axis where the field has several components; several fields make a structured
+//! array, with a name each. Format version 1.0 (NumPy Enhancement Proposal 1), little-endian, C order.
+
+use super::{Channel, ChannelName, Image, Samples};
+use std::io::{self, Write};
+
+/// Channels that belong together, and what they are called.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Field {
+    /// The name in a structured array.
+    pub name: &'static str,
+    /// Its components, of one type.
+    pub channels: Vec<ChannelName>,
+}
+
+/// Writes the `fields` of `image`.
+///
+/// # Errors
+/// An image that lacks a channel, or writing.
+pub fn write(image: &Image, fields: &[Field], out: &mut impl Write) -> io::Result<()> {
+    let invalid = |problem: String| io::Error::new(io::ErrorKind::InvalidInput, problem);
+    image.validate().map_err(invalid)?;
+    let channel = |name: &ChannelName| {
+        let found = image.channels.iter().find(|channel| channel.name == *name);
+        found.ok_or_else(|| invalid(format!("no channel {}", name.as_str())))
+    };
+    let names = fields.iter().flat_map(|field| &field.channels);
+    let channels = names.map(channel).collect::<io::Result<Vec<&Channel>>>()?;
+    out.write_all(&header(image, fields))?;
+    let mut row = Vec::new();
+    let width = image.data_window.width() as usize;
+    for first in (0..image.data_window.height() as usize).map(|y| y * width) {
+        row.clear();
+        for at in first..first + width {
+            for channel in &channels {
+                match &channel.samples {
+                    Samples::F32(values) => row.extend(values[at].to_le_bytes()),
+                    Samples::U32(values) => row.extend(values[at].to_le_bytes()),
+                }
+            }
+        }
+        out.write_all(&row)?;
+    }
+    Ok(())
+}
+
+/// All before the samples: a Python dictionary, blanks until the length is a multiple of 64, and an end of line.
+fn header(image: &Image, fields: &[Field]) -> Vec<u8> {
+    const BEFORE: usize = 10;
+    let (width, height) = (image.data_window.width(), image.data_window.height());
+    let (descr, shape) = match fields {
+        [field] => {
+            let components = match field.channels.len() {
+                1 => String::new(),
+                count => format!(", {count}"),
+            };
+            (format!("'{}'", type_of(field)), format!("({height}, {width}{components})"))
+        }
+        fields => {
+            let descr: Vec<String> = fields.iter().map(describe).collect();
+            (format!("[{}]", descr.join(", ")), format!("({height}, {width})"))
+        }
+    };
+    let mut text = format!("{{'descr': {descr}, 'fortran_order': False, 'shape': {shape}, }}");
+    let end = (BEFORE + text.len() + 1).next_multiple_of(64);
+    text.push_str(&" ".repeat(end - BEFORE - text.len() - 1));
+    text.push('\n');
+    let length = u16::try_from(text.len()).expect("some twenty short names");
+    [&b"\x93NUMPY\x01\x00"[..], &length.to_le_bytes(), text.as_bytes()].concat()
+}
+
+fn describe(field: &Field) -> String {
+    let components = match field.channels.len() {
+        1 => String::new(),
+        count => format!(", ({count},)"),
+    };
+    format!("('{}', '{}'{components})", field.name, type_of(field))
+}
+
+fn type_of(field: &Field) -> &'static str {
+    if field.channels.iter().any(|channel| channel.is_integer()) { "<u4" } else { "<f4" }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::film::PixelBounds;
+
+    fn image() -> Image {
+        let f32s =
+            |name, start: f32| Channel { name, samples: Samples::F32((0..6).map(|i| start + i as f32).collect()) };
+        Image {
+            display_window: (9, 9),
+            data_window: PixelBounds { x0: 1, x1: 4, y0: 2, y1: 4 },
+            channels: vec![
+                f32s(ChannelName::Z, 0.5),
+                f32s(ChannelName::T, 10.0),
+                Channel { name: ChannelName::Id, samples: Samples::U32(vec![0, 1, u32::MAX, 3, 4, 5]) },
+            ],
+        }
+    }
+
+    fn field(name: &'static str, channels: &[ChannelName]) -> Field {
+        Field { name, channels: channels.to_vec() }
+    }
+
+    /// The header's dictionary, and the samples.
+    fn written(fields: &[Field]) -> (String, Vec<u8>) {
+        let mut file = Vec::new();
+        write(&image(), fields, &mut file).unwrap();
+        assert_eq!(file[..8], *b"\x93NUMPY\x01\x00");
+        let end = 10 + usize::from(u16::from_le_bytes([file[8], file[9]]));
+        assert!(end.is_multiple_of(64) && file[end - 1] == b'\n');
+        (String::from_utf8(file[10..end].to_vec()).unwrap().trim_end().to_owned(), file[end..].to_vec())
+    }
+
+    #[test]
+    fn one_channel_is_an_array_of_two_axes() {
+        let (header, samples) = written(&[field("id", &[ChannelName::Id])]);
+        assert_eq!(header, "{'descr': '<u4', 'fortran_order': False, 'shape': (2, 3), }");
+        assert_eq!(samples, [0, 1, u32::MAX, 3, 4, 5].map(u32::to_le_bytes).concat());
+    }
+
+    #[test]
+    fn components_are_a_third_axis() {
+        let (header, samples) = written(&[field("both", &[ChannelName::Z, ChannelName::T])]);
+        assert_eq!(header, "{'descr': '<f4', 'fortran_order': False, 'shape': (2, 3, 2), }");
+        assert_eq!(samples[..16], [0.5f32, 10.0, 1.5, 11.0].map(f32::to_le_bytes).concat());
+    }
+
+    #[test]
+    fn several_fields_have_names() {
+        let (header, samples) =
+            written(&[field("id", &[ChannelName::Id]), field("both", &[ChannelName::Z, ChannelName::T])]);
+        let expected = "{'descr': [('id', '<u4'), ('both', '<f4', (2,))], 'fortran_order': False, 'shape': (2, 3), }";
+        assert_eq!(header, expected);
+        let second = [1u32.to_le_bytes(), 1.5f32.to_le_bytes(), 11f32.to_le_bytes()].concat();
+        assert_eq!((samples.len(), &samples[12..24]), (6 * 12, &second[..]));
+    }
+
+    #[test]
+    fn what_is_not_there_is_an_error() {
+        let error = write(&image(), &[field("A", &[ChannelName::A])], &mut Vec::new()).unwrap_err();
+        assert_eq!(error.to_string(), "no channel A");
+    }
+}

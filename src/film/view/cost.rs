@@ -1,0 +1,39 @@
+//! The cost view: what each ray costs, in colours.
+
+use super::numbers;
+use crate::film::color_map::Rgb;
+use crate::film::{ChannelName, ColorMap, CostRange, Image};
+use rayon::prelude::*;
+use std::io;
+
+/// The colours of `image`, row by row from the top; `range` is stretched over `colors`, the other way round than
+/// depths are: what costs most has the colour of what is near.
+///
+/// # Errors
+/// An image without the channel `cost`.
+pub fn cost(image: &Image, colors: ColorMap, range: CostRange) -> io::Result<Vec<Rgb>> {
+    let color = colors.steps();
+    Ok(numbers(image, ChannelName::Cost)?.par_iter().map(|cost| color(range.position(*cost))).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::film::{Channel, PixelBounds, Samples};
+
+    #[test]
+    fn costs_go_from_dark_to_bright() {
+        let costs = vec![0, 10, 20, 30, u32::MAX];
+        let image = Image {
+            display_window: (5, 1),
+            data_window: PixelBounds::of_film(5, 1),
+            channels: vec![Channel { name: ChannelName::Cost, samples: Samples::U32(costs) }],
+        };
+        let row = |colors| cost(&image, colors, CostRange { low: 10.0, high: 30.0 }).unwrap();
+        let gray = row(ColorMap::Gray);
+        assert_eq!([gray[0], gray[1], gray[3], gray[4]], [[0; 3], [0; 3], [255; 3], [255; 3]]);
+        assert!((127..=128).contains(&gray[2][0]));
+        assert_eq!(row(ColorMap::Viridis)[..2], [[68, 1, 84]; 2]);
+        assert_eq!(row(ColorMap::Viridis)[3..], [[253, 231, 37]; 2]);
+    }
+}

@@ -1,0 +1,35 @@
+//! The hit view: the classic picture of a course on ray tracing.
+
+use super::measures;
+use crate::film::color_map::Rgb;
+use crate::film::{ChannelName, Image};
+use rayon::prelude::*;
+use std::io;
+
+/// A hit.
+pub const HIT: Rgb = [255, 0, 0];
+/// A miss.
+pub const MISS: Rgb = [255, 255, 0];
+
+/// The colours of `image`, row by row from the top.
+///
+/// # Errors
+/// An image without the channel `A`.
+pub fn hit(image: &Image) -> io::Result<Vec<Rgb>> {
+    let a = measures(image, ChannelName::A)?;
+    Ok(a.par_iter().map(|a| if *a != 0.0 { HIT } else { MISS }).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::film::{Channel, PixelBounds, Samples};
+
+    #[test]
+    fn hits_are_red_and_misses_yellow() {
+        let channels =
+            vec![Channel { name: ChannelName::A, samples: Samples::F32(vec![1.0, 0.0, 0.0, 0.0, 1.0, 0.0]) }];
+        let image = Image { display_window: (3, 2), data_window: PixelBounds::of_film(3, 2), channels };
+        assert_eq!(hit(&image).unwrap(), [HIT, MISS, MISS, MISS, HIT, MISS]);
+    }
+}

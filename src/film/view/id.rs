@@ -1,0 +1,61 @@
+//! The id view: a colour for each shape.
+
+use super::{NOTHING, numbers};
+use crate::film::color_map::Rgb;
+use crate::film::{ChannelName, Image};
+use rayon::prelude::*;
+use std::io;
+
+/// The colours of `image`, row by row from the top: black where nothing is hit. The same number has the same colour in every picture; two
+/// numbers that follow each other never look alike, and some that are far apart do.
+///
+/// # Errors
+/// An image without the channel `id`.
+pub fn id(image: &Image) -> io::Result<Vec<Rgb>> {
+    Ok(numbers(image, ChannelName::Id)?.par_iter().map(|number| color_of(*number)).collect())
+}
+
+/// The golden ratio as a fraction of 2^32: its multiples spread evenly over a circle, however many there are.
+const GOLDEN: u32 = 0x9e37_79b9;
+
+/// A full colour of the circle of hues, in one of three brightnesses by turns.
+fn color_of(number: u32) -> Rgb {
+    if number == 0 {
+        return NOTHING;
+    }
+    let hue = f64::from(number.wrapping_mul(GOLDEN)) / f64::from(u32::MAX) * 6.0;
+    let brightness = [255.0, 200.0, 150.0][number as usize % 3];
+    // Each component is a trapezium along the circle, a third of a turn after the one before.
+    [0.0, 2.0, 4.0].map(|shift| {
+        let distance = (hue - shift).rem_euclid(6.0);
+        let distance = distance.min(6.0 - distance);
+        let full = (2.0 - distance).clamp(0.0, 1.0);
+        (brightness * (0.15 + 0.85 * full)).round() as u8
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::film::{Channel, PixelBounds, Samples};
+
+    #[test]
+    fn a_miss_is_black_and_nothing_else_is() {
+        let channels = vec![Channel { name: ChannelName::Id, samples: Samples::U32(vec![0, 1, 7, 1]) }];
+        let image = Image { display_window: (2, 2), data_window: PixelBounds::of_film(2, 2), channels };
+        let colors = id(&image).unwrap();
+        assert_eq!((colors[0], colors[1]), (NOTHING, colors[3]));
+        assert!(colors[1] != colors[2]);
+        assert!((1..100_000).all(|number| color_of(number).iter().any(|component| *component >= 120)));
+    }
+
+    #[test]
+    fn numbers_close_to_each_other_do_not_look_alike() {
+        let distance = |a: Rgb, b: Rgb| (0..3).map(|i| a[i].abs_diff(b[i])).max().unwrap();
+        for number in 1..10_000 {
+            for next in number + 1..number + 5 {
+                assert!(distance(color_of(number), color_of(next)) > 30, "{number} and {next}");
+            }
+        }
+    }
+}

@@ -1,0 +1,103 @@
+//! What stands for a scene, and for a view of it.
+
+use crate::camera::{Camera, Projection, ScreenWindow};
+use crate::digest::{Digest, Digester};
+use crate::shape::Shapes;
+
+/// A scene's geometry, taken in once for all of its views.
+pub struct SceneDigest(Digest);
+
+impl SceneDigest {
+    /// Of the geometry alone.
+    pub fn of(shapes: &Shapes) -> SceneDigest {
+        let mut digester = Digester::default();
+        shapes.digest(&mut digester);
+        SceneDigest(digester.finish())
+    }
+
+    /// Of everything in a scene that decides pixels as `camera` sees it: geometry, camera and film, but not which part of the film is
+    /// wanted. What does not show does not count: comments, materials, or how the same numbers are written.
+    pub fn seen_by(&self, camera: &Camera) -> Digest {
+        let Camera { world_from_camera, projection, screen_window, resolution } = camera;
+        let ScreenWindow { x0, x1, y0, y1 } = screen_window;
+        let mut digester = Digester::default();
+        digester.list(&[self.0], |digest| digest.words());
+        digester.measures(world_from_camera.rows.as_flattened());
+        digester.measures(&match projection {
+            Projection::Perspective { tangent } => [0.0, *tangent],
+            Projection::Orthographic => [1.0, 0.0],
+        });
+        digester.measures(&[*x0, *x1, *y0, *y1]);
+        resolution.iter().for_each(|side| digester.word((*side).into()));
+        digester.finish()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{LoadOptions, parse};
+    use std::path::Path;
+
+    fn digest(text: &str) -> Digest {
+        let scene = parse(Path::new("a.pbrt"), text.into(), &LoadOptions::default()).unwrap();
+        SceneDigest::of(&scene.shapes).seen_by(&scene.camera)
+    }
+
+    const SCENE: &str = r#"LookAt 0 0 -5  0 0 0  0 1 0
+Camera "perspective" "float fov" 40
+Film "rgb" "integer xresolution" 13 "integer yresolution" 7
+WorldBegin
+Shape "sphere" "float radius" 2
+Shape "cylinder" "float zmin" -1 "float phimax" 90
+Shape "disk" "float height" 1
+ObjectBegin "a"
+Shape "sphere" "float zmax" 0.5
+Shape "trianglemesh" "point3 P" [-2 -1 0  2 -1 0.5  0 2 0]
+ObjectEnd
+Translate 3 0 0
+ObjectInstance "a"
+Shape "trianglemesh" "point3 P" [-2 -1 0  2 -1 0.5  0 2 0] "integer indices" [0 1 2]
+"#;
+
+    #[test]
+    fn whatever_shows_changes_it() {
+        let changes = [
+            ("-5  0 0 0", "-6  0 0 0"),
+            ("fov\" 40", "fov\" 41"),
+            ("xresolution\" 13", "xresolution\" 14"),
+            ("radius\" 2", "radius\" 3"),
+            ("zmin\" -1", "zmin\" -2"),
+            ("phimax\" 90", "phimax\" 91"),
+            ("height\" 1", "height\" 2"),
+            ("zmax\" 0.5", "zmax\" 0.25"),
+            ("3 0 0\nObjectInstance \"a\"", "3 0 1\nObjectInstance \"a\""),
+            ("ObjectInstance \"a\"\n", ""),
+            ("0 2 0] \"integer", "0 2 -0.0] \"integer"),
+            ("[0 1 2]", "[0 2 1]"),
+            ("perspective\" \"float fov\" 40", "orthographic\""),
+            ("WorldBegin\n", "WorldBegin\nShape \"cone\"\n"),
+        ];
+        let mut digests = vec![digest(SCENE)];
+        digests.extend(changes.iter().map(|(from, to)| {
+            assert!(SCENE.contains(from), "{from}");
+            digest(&SCENE.replace(from, to))
+        }));
+        let different: std::collections::HashSet<Digest> = digests.iter().copied().collect();
+        assert_eq!(different.len(), digests.len());
+    }
+
+    #[test]
+    fn what_does_not_show_does_not_change_it() {
+        let changes = [
+            ("WorldBegin\n", "WorldBegin # a comment\nMaterial \"diffuse\"\n"),
+            ("fov\" 40", "fov\" 4e1"),
+            ("yresolution\" 7", "yresolution\" 7 \"float cropwindow\" [0 0.5 0 0.5]"),
+            ("yresolution\" 7", "yresolution\" 7 \"string filename\" \"other.exr\""),
+            ("WorldBegin\n", "Accelerator \"bvh\" \"string splitmethod\" \"hlbvh\"\nWorldBegin\n"),
+        ];
+        for (from, to) in changes {
+            assert_eq!(digest(&SCENE.replace(from, to)), digest(SCENE), "{to}");
+        }
+    }
+}
