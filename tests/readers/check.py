@@ -20,6 +20,7 @@ from images import by_openexr, by_openimageio, pfm, png_texts
 
 REPOSITORY = Path(__file__).resolve().parents[2]
 WHOLE_NUMBERS = {"id", "prim", "instance", "cost"}
+ATTRIBUTES = ["feimos", "screenWindowWidth", "screenWindowCenter", "worldToCamera", "worldToNDC"]
 MEANINGS = {"Z", "t", "A", "id", "prim"}
 
 checks = Checks()
@@ -50,14 +51,9 @@ class Renderer:
         for field in ["film", "window", "compression", "increasing"]:
             checks.equal(f"{name}: {field}", getattr(other, field), getattr(image, field))
         checks.equal(f"{name}: compression and order", (image.compression, image.increasing), ("zips", True))
-        for ours, theirs in [
-            ("feimos", "feimos"),
-            ("screenWindowWidth", "screenWindowWidth"),
-            ("worldToCamera", "worldtocamera"),
-            ("worldToNDC", "worldtoNDC"),
-        ]:
-            same = np.array_equal(np.ravel(image.attributes.get(ours)), np.ravel(other.attributes.get(theirs)))
-            checks.that(f"{name}: {ours} in OpenImageIO and OpenEXR", same)
+        for attribute in ATTRIBUTES:
+            found, expected = (np.ravel(read.attributes.get(attribute)) for read in [other, image])
+            checks.that(f"{name}: {attribute} in OpenImageIO and OpenEXR", np.array_equal(found, expected), f"{found}, {expected}")
         return image
 
 
@@ -111,7 +107,7 @@ def crops(render):
     checks.equal("crop: window", crop.window, (100, 50, 299, 249))
     for name, pixels in whole.channels.items():
         checks.same_bits(f"crop: {name}", crop.channels[name], pixels[50:250, 100:300])
-    for name in ["feimos", "screenWindowWidth", "worldToCamera", "worldToNDC"]:
+    for name in ATTRIBUTES:
         same = np.array_equal(crop.attributes.get(name), whole.attributes.get(name))
         checks.that(f"crop: {name} is that of the whole", same)
 
@@ -167,21 +163,33 @@ def cameras(render):
 
 
 def projections(what, image):
-    """Points of hits go where the matrices say."""
+    """Points of hits go where the matrices say, and pixels come from there."""
     hit = image.channels["A"] == 1
-    z = image.channels["Z"][hit].astype(np.float64)
-    points = np.stack([image.channels[f"P.{axis}"][hit] for axis in "XYZ"] + [np.ones_like(z)], axis=1)
-    matrices = {name: np.asarray(image.attributes[name], np.float64).reshape(4, 4) for name in ["worldToCamera", "worldToNDC"]}
-    in_camera = points @ matrices["worldToCamera"]
-    checks.close(f"{what}: worldToCamera gives Z", in_camera[:, 2], z, 1e-5)
-    in_film = points @ matrices["worldToNDC"]
-    in_film = in_film[:, :3] / in_film[:, 3:]
+    z, t = (image.channels[name][hit].astype(np.float64) for name in ["Z", "t"])
+    points = np.stack([image.channels[f"P.{axis}"][hit] for axis in "XYZ"], axis=1).astype(np.float64)
+    camera, film = (np.asarray(image.attributes[name], np.float64).reshape(4, 4) for name in ["worldToCamera", "worldToNDC"])
+    depth = z if what == "orthographic" else 1 / z
     height, width = hit.shape
     rows, columns = np.nonzero(hit)
-    checks.close(f"{what}: worldToNDC gives the column", in_film[:, 0] * width, columns + 0.5, 1e-4)
-    checks.close(f"{what}: worldToNDC gives the row", in_film[:, 1] * height, rows + 0.5, 1e-4)
-    depth = z if what == "orthographic" else 1 / z
-    checks.close(f"{what}: worldToNDC gives the depth", in_film[:, 2], depth, 1e-5)
+    in_film = np.stack([(columns + 0.5) / width, (rows + 0.5) / height, depth], axis=1)
+
+    from_pixels = transformed(in_film, np.linalg.inv(film))
+    checks.close(f"{what}: worldToCamera gives Z of pixels", transformed(from_pixels, camera)[:, 2], z, 1e-5)
+    if what == "perspective":
+        eye = np.linalg.inv(camera)[3, :3]
+        checks.close(f"{what}: pixels are t away from the eye", np.linalg.norm(from_pixels - eye, axis=1), t, 1e-5)
+    on_ball = image.channels["id"][hit] == 1
+    checks.close(f"{what}: pixels are on the sphere", np.linalg.norm(from_pixels[on_ball], axis=1), np.full(on_ball.sum(), 0.8), 1e-5)
+
+    checks.close(f"{what}: P is where pixels come from", points, from_pixels, 1e-5)
+    checks.close(f"{what}: worldToCamera gives Z of P", transformed(points, camera)[:, 2], z, 1e-5)
+    checks.close(f"{what}: worldToNDC gives the pixel and the depth of P", transformed(points, film), in_film, 1e-5)
+
+
+def transformed(points, matrix):
+    """Points as rows, each with a 1 behind it, times the matrix, and back."""
+    rows = np.hstack([points, np.ones((len(points), 1))]) @ matrix
+    return rows[:, :3] / rows[:, 3:]
 
 
 def opencv_depth(render):
@@ -220,8 +228,10 @@ def pngs(render):
         path = render(scene, "view.png", "--view", view)
         colors = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
         checks.equal(f"{view}: size and type", (colors.shape, colors.dtype), ((360, 640, 3), np.dtype(np.uint8)))
-        missed, seen = (len(np.unique(colors[part].reshape(-1, 3), axis=0)) for part in [~hit, hit])
-        checks.that(f"{view}: one colour for misses of depths and ids, many for hits", (missed == 1 or view == "cost") and seen > 5)
+        missed, seen = (len(np.unique(colors[part], axis=0)) for part in [~hit, hit])
+        checks.that(f"{view}: one colour for misses, but of costs", missed == 1 or view == "cost", f"{missed}")
+        ids = len(np.unique(whole["id"][hit]))
+        checks.that(f"{view}: colours of hits", seen == ids if view == "id" else seen > 5, f"{seen}")
         texts = png_texts(path)
         checks.that(f"{view}: texts", texts.get("Software", "").startswith("feimos") and "Description" in texts, str(texts))
         checks.equal(f"{view}: header", json.loads(texts["feimos"]).get("view"), view)
