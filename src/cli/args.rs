@@ -3,6 +3,8 @@
 use super::bench::BenchArgs;
 use super::check::CheckArgs;
 use super::compare::CompareArgs;
+use super::completions::CompletionsArgs;
+use super::man::ManArgs;
 use super::merge::MergeArgs;
 use super::pixel::PixelArgs;
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
@@ -51,6 +53,10 @@ pub(crate) enum Command {
     /// Every crop is placed by its data window. Pixels that no crop has are an error, and so are crops that differ where they overlap, or that
     /// are of different films, scenes or options.
     Merge(MergeArgs),
+    /// Print a script that completes what is typed in a shell.
+    Completions(CompletionsArgs),
+    /// Write the manual: a page for feimos and one for each command.
+    Man(ManArgs),
 }
 
 #[derive(Debug, Args)]

@@ -57,26 +57,31 @@ impl Folder {
         self.subcommand("render", arguments)
     }
 
-    fn subcommand(&self, name: &str, arguments: &str) -> std::process::Command {
+    pub(crate) fn subcommand(&self, name: &str, arguments: &str) -> std::process::Command {
         let mut command = std::process::Command::new(cargo_bin!("feimos"));
         command.current_dir(self.0.path()).env_remove("NO_COLOR").env_remove("CLICOLOR_FORCE");
         command.arg(name).args(arguments.split_whitespace());
         command
     }
 
+    /// Runs `feimos` with the command `name`, or a flag, and `arguments`, and an empty standard input.
+    pub(crate) fn run(&self, name: &str, arguments: &str) -> Run {
+        Run::of(assert_cmd::Command::from_std(self.subcommand(name, arguments)))
+    }
+
     /// Runs `feimos bench` with `arguments` and an empty standard input.
     pub(crate) fn bench(&self, arguments: &str) -> Run {
-        Run::of(assert_cmd::Command::from_std(self.subcommand("bench", arguments)))
+        self.run("bench", arguments)
     }
 
     /// Runs `feimos check` with `arguments` and an empty standard input.
     pub(crate) fn check(&self, arguments: &str) -> Run {
-        Run::of(assert_cmd::Command::from_std(self.subcommand("check", arguments)))
+        self.run("check", arguments)
     }
 
     /// Runs `feimos compare` with `arguments` and an empty standard input.
     pub(crate) fn compare(&self, arguments: &str) -> Run {
-        Run::of(assert_cmd::Command::from_std(self.subcommand("compare", arguments)))
+        self.run("compare", arguments)
     }
 
     /// Runs `feimos merge` with `arguments` and an empty standard input.
@@ -86,7 +91,7 @@ impl Folder {
 
     /// Runs `feimos pixel` with `arguments` and an empty standard input.
     pub(crate) fn pixel(&self, arguments: &str) -> Run {
-        Run::of(assert_cmd::Command::from_std(self.subcommand("pixel", arguments)))
+        self.run("pixel", arguments)
     }
 
     /// Runs [`Folder::command`] with an empty standard input.
