@@ -149,7 +149,7 @@ proptest! {
         prop_assert_eq!(details.tally.false_hits, count(&expected, |kind| kind == Difference::FalseHit));
         prop_assert_eq!(details.tally.missed_hits, count(&expected, |kind| kind == Difference::MissedHit));
         prop_assert_eq!(details.tally.wrong_primitives, count(&expected, |kind| kind == Difference::WrongPrimitive));
-        for (channel, ulps) in &details.depths {
+        for (channel, ulps) in &details.measures {
             let errors = errors_of(*channel, &faults);
             prop_assert_eq!(ulps.total(), errors.len() as u64);
             for percent in [50.0, 99.0, 99.9, 100.0] {
@@ -192,6 +192,7 @@ proptest! {
                 Difference::MissedHit => ("missed hit", None),
                 Difference::WrongPrimitive => ("wrong primitive", None),
                 Difference::Depth(ulps) => ("wrong depth", Some(*ulps)),
+                Difference::Surface(_) => panic!("no such fault is put in"),
                 Difference::None => panic!("listed"),
             };
             prop_assert_eq!((&pixel["kind"], &pixel["ulps"]), (&json!(kind), &json!(ulps)));

@@ -114,9 +114,10 @@ fn camera(eye: Matrix, orthographic: bool, size: u32) -> Camera {
     }
 }
 
-/// All but the channel that only instances have.
+/// All but the channel that only instances have, and the normals, whose side depends on whether the shape or the instance is mirrored.
 fn without_instance(mut image: Image) -> Image {
-    image.channels.retain(|channel| channel.name != ChannelName::Instance);
+    use ChannelName::{Instance, Nx, Ny, Nz};
+    image.channels.retain(|channel| ![Instance, Nx, Ny, Nz].contains(&channel.name));
     image
 }
 

@@ -103,7 +103,8 @@ pub(super) mod tests {
     pub(in crate::bench) fn row(method: SplitMethod, kernel: Kernel, judged: u64) -> Row {
         let mut depths = Ulps::default();
         [0, 0, 0, 3].iter().for_each(|error| depths.add(*error));
-        let tally = Tally { pixels: judged, false_hits: 1, missed_hits: 0, wrong_primitives: 2, depths };
+        let tally =
+            Tally { pixels: judged, false_hits: 1, missed_hits: 0, wrong_primitives: 2, depths, ..Tally::default() };
         Row {
             scene: "a.pbrt".into(),
             method,

@@ -115,14 +115,14 @@ pub(crate) struct OutputArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct RegionArgs {
-    /// Render only this part of the film, in fractions of it, y downwards, rounded as pbrt does.
+    /// Render only this part of the film, in fractions of it, y downwards, rounded as pbrt does [default: as the scene says, else all].
     #[arg(long, value_name = "X0,X1,Y0,Y1", value_parser = numbers::<4>, allow_hyphen_values = true)]
     pub(crate) cropwindow: Option<[f64; 4]>,
-    /// Render only this part of the film, in pixels, upper ends exclusive.
+    /// Render only this part of the film, in pixels, upper ends exclusive [default: as the scene says, else all].
     #[arg(long, value_name = "X0,X1,Y0,Y1", value_parser = pixel_bounds, allow_hyphen_values = true)]
     #[arg(conflicts_with = "cropwindow")]
     pub(crate) pixelbounds: Option<[u32; 4]>,
-    /// Width and height of the film, in place of the scene's.
+    /// Width and height of the film [default: the scene's].
     #[arg(long, value_name = "WxH", value_parser = resolution)]
     pub(crate) resolution: Option<[u32; 2]>,
 }
@@ -167,10 +167,10 @@ pub(crate) struct BatchArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct TalkArgs {
-    /// Print errors only.
+    /// Print errors only [default: results and warnings, too].
     #[arg(short, long, conflicts_with = "verbose")]
     pub(crate) quiet: bool,
-    /// Print more: what each phase found.
+    /// Print more: what each phase found [default: off].
     #[arg(short, long)]
     pub(crate) verbose: bool,
     /// Progress bars.
@@ -183,13 +183,13 @@ pub(crate) struct TalkArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct ReportArgs {
-    /// Print counts and costs of the aggregate and of the rays.
+    /// Print counts and costs of the aggregate and of the rays [default: off].
     #[arg(long)]
     pub(crate) stats: bool,
-    /// Print a line of JSON for each image on standard output.
+    /// Print a line of JSON for each image on standard output [default: off].
     #[arg(long)]
     pub(crate) json: bool,
-    /// Take warnings for errors: exit with 1.
+    /// Take warnings for errors: exit with 1 [default: off].
     #[arg(long)]
     pub(crate) strict: bool,
 }

@@ -51,9 +51,16 @@ impl Plan {
             let error = Error::usage(format!("--resolution and the resolution of camera `{}` contradict", pose.name()));
             return Err(error.note("leave out --resolution: `K` is about images of one size"));
         }
+        let asks = |wanted| aov.iter().flatten().any(|aov| *aov == wanted);
+        let load = LoadOptions {
+            resolution,
+            orientation: asks(Aov::Normal) || *view == Some(View::Normal),
+            uv: asks(Aov::Uv),
+            ..LoadOptions::default()
+        };
         let plan = Plan {
             output_name: OutputName::new(output.clone(), poses.is_some())?,
-            load: LoadOptions { resolution, ..LoadOptions::default() },
+            load,
             accel: args.engine.accel,
             precision: args.engine.precision,
             threads: args.engine.threads,

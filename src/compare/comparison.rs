@@ -23,15 +23,17 @@ pub enum Difference {
     WrongPrimitive,
     /// A hit of the right primitive whose depth is off by so many units in the last place; of `Z` and `t`, the larger error.
     Depth(u32),
+    /// A hit of the right primitive of which something else is farther off than its depth: the largest error of `N.X` to `v`.
+    Surface(u32),
 }
 
 impl Difference {
-    /// Whether it is one where depths may be off by `max_ulp` units in the last place.
+    /// Whether it is one where depths, and what surfaces are like, may be off by `max_ulp` units in the last place.
     pub fn is_beyond(self, max_ulp: u32) -> bool {
         match self {
             Difference::None => false,
             Difference::FalseHit | Difference::MissedHit | Difference::WrongPrimitive => true,
-            Difference::Depth(ulps) => ulps > max_ulp,
+            Difference::Depth(ulps) | Difference::Surface(ulps) => ulps > max_ulp,
         }
     }
 }
@@ -62,14 +64,15 @@ impl std::error::Error for Incomparable {}
 /// An image with the right answers, and another one.
 ///
 /// Hits are told by `A`, where an image lacks it by the numbers of what was hit, and where it lacks these too, by depths
-/// that are finite. Numbers and depths are compared as far as both images have them, and depths only where the numbers are
-/// right.
+/// that are finite. Numbers, depths and what surfaces are like are compared as far as both images have them, and the latter two only
+/// where the numbers are right.
 #[derive(Debug, Clone)]
 pub struct Comparison<'a> {
     expected: Hits<'a>,
     found: Hits<'a>,
     numbers: Vec<Pair<'a, u32>>,
     depths: Vec<Pair<'a, f32>>,
+    surfaces: Vec<Pair<'a, f32>>,
 }
 
 /// The samples of a channel that both images have.
@@ -93,12 +96,13 @@ impl<'a> Comparison<'a> {
             return Err(Incomparable::Windows(expected.data_window, found.data_window));
         }
         let numbers = |name| Some(Pair { name, expected: expected.numbers(name)?, found: found.numbers(name)? });
-        let depths = |name| Some(Pair { name, expected: expected.measures(name)?, found: found.measures(name)? });
+        let measures = |name| Some(Pair { name, expected: expected.measures(name)?, found: found.measures(name)? });
         Ok(Comparison {
             expected: Hits::of(expected).ok_or(Incomparable::NoHits)?,
             found: Hits::of(found).ok_or(Incomparable::NoHits)?,
             numbers: NUMBERS.into_iter().filter_map(numbers).collect(),
-            depths: DEPTHS.into_iter().filter_map(depths).collect(),
+            depths: DEPTHS.into_iter().filter_map(measures).collect(),
+            surfaces: ChannelName::SURFACE.into_iter().filter_map(measures).collect(),
         })
     }
 
@@ -112,10 +116,13 @@ impl<'a> Comparison<'a> {
                 Difference::WrongPrimitive
             }
             (true, true) => {
-                let ulps = self.depths.iter().map(|pair| ulps_between(pair.expected[pixel], pair.found[pixel]));
-                match ulps.max().unwrap_or(0) {
-                    0 => Difference::None,
-                    ulps => Difference::Depth(ulps),
+                let ulps = |pair: &Pair<f32>| ulps_between(pair.expected[pixel], pair.found[pixel]);
+                let [depth, surface] =
+                    [&self.depths, &self.surfaces].map(|pairs| pairs.iter().map(ulps).max().unwrap_or(0));
+                match (depth, surface) {
+                    (0, 0) => Difference::None,
+                    _ if surface > depth => Difference::Surface(surface),
+                    _ => Difference::Depth(depth),
                 }
             }
         }
@@ -139,6 +146,11 @@ impl<'a> Comparison<'a> {
     /// The channels of depths that are compared.
     pub fn depths(&self) -> &[Pair<'a, f32>] {
         &self.depths
+    }
+
+    /// The channels that say what surfaces are like and are compared.
+    pub fn surfaces(&self) -> &[Pair<'a, f32>] {
+        &self.surfaces
     }
 }
 
@@ -203,6 +215,21 @@ mod tests {
         ]);
         use Difference::{Depth, FalseHit, MissedHit, None, WrongPrimitive};
         assert_eq!(differences(&expected, &found), [None, FalseHit, MissedHit, WrongPrimitive, Depth(2)]);
+    }
+
+    #[test]
+    fn surfaces_count_where_they_are_farther_off_than_depths() {
+        let next = 1f32.next_up();
+        let measures = |z: [f32; 4], normal: [f32; 4]| {
+            let channel = |name, values: [f32; 4]| (name, Samples::F32(values.to_vec()));
+            let a = channel(ChannelName::A, [0.0, 1.0, 1.0, 1.0]);
+            image(vec![a, channel(ChannelName::Z, z), channel(ChannelName::Nx, normal)])
+        };
+        let expected = measures([1.0; 4], [1.0; 4]);
+        let found = measures([1.0, 1.0, next, next.next_up()], [9.0, next, next.next_up(), next]);
+        use Difference::{Depth, None, Surface};
+        assert_eq!(differences(&expected, &found), [None, Surface(1), Surface(2), Depth(2)]);
+        assert!(Surface(2).is_beyond(1) && !Surface(1).is_beyond(1));
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! What is different in each channel, and where.
 
-use super::{Comparison, Difference, Tally, Ulps};
+use super::{Comparison, Difference, Pair, Tally, Ulps};
 use crate::film::ChannelName;
 use rayon::prelude::*;
 
@@ -13,8 +13,9 @@ pub struct Details {
     pub hits: u64,
     /// Of each channel of numbers that both images have, the hits of both whose number is another one.
     pub numbers: Vec<(ChannelName, u64)>,
-    /// Of each channel of depths that both images have, the errors of those hits of both whose numbers are right.
-    pub depths: Vec<(ChannelName, Ulps)>,
+    /// Of each channel of depths that both images have, and then of each that says what surfaces are like, the errors of those hits of
+    /// both whose numbers are right.
+    pub measures: Vec<(ChannelName, Ulps)>,
     /// The first pixels that differ, by their numbers from the upper left corner, row by row.
     pub first: Vec<usize>,
 }
@@ -23,7 +24,7 @@ pub struct Details {
 const PART: usize = 1 << 16;
 
 impl Details {
-    /// Of the first `pixels` of a comparison, which are all of an image of so many; depths may be off by `max_ulp`, and of the
+    /// Of the first `pixels` of a comparison, which are all of an image of so many; measures may be off by `max_ulp`, and of the
     /// pixels that differ no more than `listed` are listed.
     pub fn of(comparison: &Comparison, pixels: usize, max_ulp: u32, listed: usize) -> Details {
         let starts = (0..pixels).into_par_iter().step_by(PART);
@@ -40,7 +41,7 @@ impl Details {
     fn none(comparison: &Comparison) -> Details {
         Details {
             numbers: comparison.numbers().iter().map(|pair| (pair.name, 0)).collect(),
-            depths: comparison.depths().iter().map(|pair| (pair.name, Ulps::default())).collect(),
+            measures: measures(comparison).map(|pair| (pair.name, Ulps::default())).collect(),
             ..Details::default()
         }
     }
@@ -60,12 +61,12 @@ impl Details {
                         *wrong += u64::from(pair.expected[pixel] != pair.found[pixel]);
                     }
                 }
-                Difference::None | Difference::Depth(_) if comparison.is_hit(pixel) => {
-                    for (pair, (_, ulps)) in comparison.depths().iter().zip(&mut part.depths) {
+                Difference::None | Difference::Depth(_) | Difference::Surface(_) if comparison.is_hit(pixel) => {
+                    for (pair, (_, ulps)) in measures(comparison).zip(&mut part.measures) {
                         ulps.add(super::ulps_between(pair.expected[pixel], pair.found[pixel]));
                     }
                 }
-                Difference::None | Difference::Depth(_) => {}
+                Difference::None | Difference::Depth(_) | Difference::Surface(_) => {}
             }
         }
         part
@@ -76,9 +77,13 @@ impl Details {
         self.tally.merge(&next.tally);
         self.hits += next.hits;
         self.numbers.iter_mut().zip(next.numbers).for_each(|((_, wrong), (_, more))| *wrong += more);
-        self.depths.iter_mut().zip(&next.depths).for_each(|((_, ulps), (_, more))| ulps.merge(more));
+        self.measures.iter_mut().zip(&next.measures).for_each(|((_, ulps), (_, more))| ulps.merge(more));
         self.first.extend(next.first.into_iter().take(listed - self.first.len()));
     }
+}
+
+fn measures<'a, 'b>(comparison: &'b Comparison<'a>) -> impl Iterator<Item = &'b Pair<'a, f32>> {
+    comparison.depths().iter().chain(comparison.surfaces())
 }
 
 #[cfg(test)]
@@ -107,7 +112,7 @@ mod tests {
         assert_eq!(details.tally, Tally::of(&comparison, 0..width as usize));
         assert_eq!(details.tally.different(1), 4);
         assert_eq!((details.hits, &details.numbers[..]), (width.into(), &[(ChannelName::Prim, 2)][..]));
-        let [(ChannelName::Z, ulps)] = &details.depths[..] else { panic!("{:?}", details.depths) };
+        let [(ChannelName::Z, ulps)] = &details.measures[..] else { panic!("{:?}", details.measures) };
         assert_eq!((ulps.total(), ulps.max(), ulps.above(0)), (u64::from(width) - 3, Some(2), 2));
     }
 }

@@ -20,7 +20,7 @@ pub const WRONG_PRIMITIVE: Rgb = [204, 121, 167];
 /// The ends of the ramp of depth errors: from a dark green to yellow.
 pub const DEPTH: [Rgb; 2] = [[0, 84, 62], [240, 228, 66]];
 
-/// A colour for each of `pixels` pixels, which are all of the images compared. Errors of depths are shown by the logarithm of one more
+/// A colour for each of `pixels` pixels, which are all of the images compared. Errors of depths, and of what surfaces are like, are shown by the logarithm of one more
 /// than their units in the last place; those of `max_ulp` and beyond get the brightest colour.
 pub fn difference_picture(comparison: &Comparison, pixels: usize, max_ulp: u32) -> Vec<[u8; 3]> {
     let color = |pixel: usize| match comparison.difference(pixel) {
@@ -29,7 +29,7 @@ pub fn difference_picture(comparison: &Comparison, pixels: usize, max_ulp: u32) 
         Difference::FalseHit => FALSE_HIT,
         Difference::MissedHit => MISSED_HIT,
         Difference::WrongPrimitive => WRONG_PRIMITIVE,
-        Difference::Depth(ulps) => ramp(ulps, max_ulp),
+        Difference::Depth(ulps) | Difference::Surface(ulps) => ramp(ulps, max_ulp),
     };
     (0..pixels).into_par_iter().map(color).collect()
 }

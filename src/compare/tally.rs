@@ -13,8 +13,10 @@ pub struct Tally {
     pub missed_hits: u64,
     /// Hits of something else.
     pub wrong_primitives: u64,
-    /// Errors of the depths of all other hits.
+    /// Errors of the depths of all other hits, but for these:
     pub depths: Ulps,
+    /// Errors of what surfaces are like, of hits where that is farther off than their depth.
+    pub surfaces: Ulps,
 }
 
 impl Tally {
@@ -28,6 +30,7 @@ impl Tally {
                 Difference::MissedHit => tally.missed_hits += 1,
                 Difference::WrongPrimitive => tally.wrong_primitives += 1,
                 Difference::Depth(ulps) => tally.depths.add(ulps),
+                Difference::Surface(ulps) => tally.surfaces.add(ulps),
                 Difference::None if comparison.is_hit(pixel) && comparison.has_depths() => tally.depths.add(0),
                 Difference::None => {}
             }
@@ -45,9 +48,14 @@ impl Tally {
         self.wrong_hits() + self.wrong_primitives
     }
 
-    /// Pixels that differ, where depths may be off by `max_ulp` units in the last place.
+    /// Pixels that differ, where depths and surfaces may be off by `max_ulp` units in the last place.
     pub fn different(&self, max_ulp: u32) -> u64 {
-        self.wrong_decisions() + self.depths.above(max_ulp)
+        self.wrong_decisions() + self.depths.above(max_ulp) + self.surfaces.above(max_ulp)
+    }
+
+    /// The largest error of a depth, or of what a surface is like.
+    pub fn max_ulps(&self) -> u32 {
+        self.depths.max().max(self.surfaces.max()).unwrap_or(0)
     }
 
     /// Adds the counts of other pixels.
@@ -57,5 +65,6 @@ impl Tally {
         self.missed_hits += other.missed_hits;
         self.wrong_primitives += other.wrong_primitives;
         self.depths.merge(&other.depths);
+        self.surfaces.merge(&other.surfaces);
     }
 }

@@ -2,6 +2,7 @@
 
 use super::{Point, Vector};
 use crate::exact::{Dyadic, ExactVector, UNIT_ROUNDOFF, may_underflow_below};
+use std::cmp::Ordering;
 
 /// The upper three rows of a 4x4 matrix whose last row is `0 0 0 1`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -98,13 +99,22 @@ impl Matrix {
 
     /// Whether the determinant of the 3x3 part is exactly 0. The matrix must be finite.
     pub fn is_singular(&self) -> bool {
+        self.sign_of_determinant() == Ordering::Equal
+    }
+
+    /// Whether it mirrors: whether the determinant of the 3x3 part is below 0, exactly. A matrix that is not finite does not.
+    pub fn swaps_handedness(&self) -> bool {
+        self.is_finite() && self.sign_of_determinant() == Ordering::Less
+    }
+
+    fn sign_of_determinant(&self) -> Ordering {
         let column = |j| Vector::from(self.column(j));
         let (x, y, z) = (column(0), column(1), column(2));
         let magnitude = x.absolute().dot(y.absolute_cross(z));
         let determinant = x.dot(y.cross(z));
         // Two roundings of products, one of a difference, two of sums: less than the 8 units of 2^-53.
         let sure = magnitude > may_underflow_below(x.largest()) && determinant.abs() > 8.0 * UNIT_ROUNDOFF * magnitude;
-        !sure && self.exact_adjugate().1.is_zero()
+        if sure { determinant.total_cmp(&0.0) } else { self.exact_adjugate().1.sign() }
     }
 
     /// The rows of the adjugate of the 3x3 part, which must be finite, and its determinant: exactly.
@@ -162,6 +172,22 @@ mod tests {
         assert!(lost.is_singular());
         let nearly = Matrix { rows: [[0.1, 0.2, 0.3, 0.0], [0.3, 0.6, 0.9, 0.0], [1.0, 3.0, 5.0, 0.0]] };
         assert!(!nearly.is_singular(), "3 * 0.1 is not 0.3 in binary");
+    }
+
+    #[test]
+    fn an_odd_number_of_mirrors_swaps_handedness() {
+        for (factors, swaps) in [
+            ([1.0, 1.0, 1.0], false),
+            ([-1.0, 1.0, 1.0], true),
+            ([-1.0, -2.0, 1e-200], false),
+            ([-1e-200, -1e-200, -1e-200], true),
+            ([-1.0, 0.0, 1.0], false),
+            ([-1.0, f64::INFINITY, 1.0], false),
+        ] {
+            assert_eq!(Matrix::scale(factors).swaps_handedness(), swaps, "{factors:?}");
+        }
+        let exchanged = Matrix { rows: [[0.0, 1.0, 0.0, 5.0], [1.0, 0.0, 0.0, 5.0], [0.0, 0.0, 1.0, 5.0]] };
+        assert!(exchanged.swaps_handedness());
     }
 
     #[test]

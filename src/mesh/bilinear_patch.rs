@@ -6,12 +6,16 @@
 
 use crate::exact::{ExactVector, UNIT_ROUNDOFF};
 use crate::geometry::Point;
+use crate::shape::CornerUv;
 use std::cmp::Ordering;
 
 /// The two triangles of a patch with the corners p00, p10, p01 and p11, in this order (rule R7).
 pub fn triangles([p00, p10, p01, p11]: [u32; 4]) -> [[u32; 3]; 2] {
     [[p00, p10, p11], [p00, p11, p01]]
 }
+
+/// u and v at the corners of these triangles.
+pub const UV: [CornerUv; 2] = [[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]], [[0.0, 0.0], [1.0, 1.0], [0.0, 1.0]]];
 
 /// Whether the patch with the corners p00, p10, p01 and p11 is flat and convex, exactly: whether its two triangles are the same
 /// set of points. One with a corner that is not finite counts as flat, since it is never hit.

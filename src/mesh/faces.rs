@@ -12,6 +12,8 @@ pub(super) struct Faces<'a> {
     vertices: &'a [Point],
     triangles: Vec<[u32; 3]>,
     clipper: Clipper,
+    /// Which corners of their faces the corners of the triangles are, if somebody wants to know.
+    places: Option<Vec<[u32; 3]>>,
     /// Faces of fewer than three corners, which give no triangle.
     small: Tally,
 }
@@ -20,7 +22,17 @@ impl<'a> Faces<'a> {
     /// No faces yet, over `vertices`, and memory for `triangles`.
     pub(super) fn new(vertices: &'a [Point], triangles: usize) -> Faces<'a> {
         let triangles = Vec::with_capacity(triangles);
-        Faces { vertices, triangles, clipper: Clipper::default(), small: Tally::default() }
+        Faces { vertices, triangles, clipper: Clipper::default(), places: None, small: Tally::default() }
+    }
+
+    /// The same, to [tell](Faces::take_places) which corner of a face is which corner of a triangle.
+    pub(super) fn with_places(vertices: &'a [Point], triangles: usize) -> Faces<'a> {
+        Faces { places: Some(Vec::with_capacity(triangles)), ..Faces::new(vertices, triangles) }
+    }
+
+    /// Of the triangles of all faces that were [added](Faces::push), which corners of their faces their corners are, from 0.
+    pub(super) fn take_places(&mut self) -> Vec<[u32; 3]> {
+        self.places.take().unwrap_or_default()
     }
 
     /// Takes memory for `triangles` more.
@@ -43,6 +55,12 @@ impl<'a> Faces<'a> {
     /// Adds the face found at `span`; its corners are places in the vertices.
     #[inline]
     pub(super) fn push(&mut self, corners: &[u32], span: impl FnOnce() -> Range<usize>) -> Result<()> {
+        if let Some(places) = &mut self.places {
+            // A face may name a vertex twice: its triangles are those of its corners, each by itself.
+            let points: Vec<Point> = corners.iter().map(|corner| self.vertices[*corner as usize]).collect();
+            let numbers: Vec<u32> = (0..corners.len() as u32).collect();
+            polygon::triangulate(&numbers, &points, &mut self.clipper, places)?;
+        }
         match *corners {
             [a, b, c] => self.triangles.push([a, b, c]),
             [a, b, c, d] => self.triangles.extend([[a, b, c], [a, c, d]]),

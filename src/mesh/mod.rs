@@ -24,6 +24,7 @@ use rayon::prelude::*;
 use crate::error::{Diagnostic, Result, SourceLocation};
 use crate::geometry::Point;
 use crate::input;
+use crate::shape::CornerUv;
 
 pub use obj::parse_obj;
 pub use ply::parse_ply;
@@ -35,6 +36,8 @@ pub struct TriangleMesh {
     pub vertices: Vec<Point>,
     /// Three places in `vertices` each, in the order of the file.
     pub triangles: Vec<[u32; 3]>,
+    /// u and v at the corners of each, where they were wanted and the file has some.
+    pub uv: Option<Vec<CornerUv>>,
 }
 
 /// A mesh, and what is odd about the file without making it unusable.
@@ -44,6 +47,35 @@ pub struct Loaded {
     pub mesh: TriangleMesh,
     /// To be shown to the user; a repeated oddity is counted and told once, at its first place.
     pub warnings: Vec<Diagnostic>,
+}
+
+/// The formats of mesh files.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MeshFormat {
+    /// By the Stanford 3D Scanning Repository.
+    Ply,
+    /// By Wavefront.
+    Obj,
+}
+
+/// Reads the mesh file `path`. Where `with_uv` says so, that is with the coordinates of the surface, if it has some: these take the
+/// slower readers.
+pub fn read(path: &Path, format: MeshFormat, with_uv: bool) -> Result<Loaded> {
+    match (format, with_uv) {
+        (MeshFormat::Ply, false) => read_ply(path),
+        (MeshFormat::Obj, false) => read_obj(path),
+        (_, true) => parse(path, &input::read(path)?, format, true),
+    }
+}
+
+/// As [`read`], of the bytes of a file; `path` is for messages only.
+pub fn parse(path: &Path, bytes: &[u8], format: MeshFormat, with_uv: bool) -> Result<Loaded> {
+    match (format, with_uv) {
+        (MeshFormat::Ply, false) => parse_ply(path, bytes),
+        (MeshFormat::Obj, false) => parse_obj(path, bytes),
+        (MeshFormat::Ply, true) => ply::parse_with_uv(path, bytes),
+        (MeshFormat::Obj, true) => obj::parse_with_uv(path, bytes),
+    }
 }
 
 /// Reads the PLY file `path`.
@@ -71,6 +103,11 @@ impl Loaded {
         }
         Loaded { mesh, warnings }
     }
+}
+
+/// What the corners of `triangles` have where vertices have `uv`.
+pub fn uv_of_corners(triangles: &[[u32; 3]], uv: &[[f32; 2]]) -> Vec<CornerUv> {
+    triangles.par_iter().map(|corners| corners.map(|corner| uv[corner as usize])).collect()
 }
 
 fn empty(path: &Path, vertices: usize) -> Diagnostic {

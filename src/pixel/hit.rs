@@ -5,7 +5,7 @@ use crate::accel::Depth;
 use crate::exact::{Bracket, ExactVector};
 use crate::geometry::{Point, Ray, Vector};
 use crate::scene::Scene;
-use crate::shape::{Form, Placed, Quadric, Surface, Triangle};
+use crate::shape::{Placed, Surface, Triangle};
 use std::cmp::Ordering;
 
 /// A hit in numbers.
@@ -36,7 +36,8 @@ impl HitDetails {
         let shapes = &scene.shapes;
         let surface = shapes.surface(primitive);
         let z = surface.exact_t(ray).bracket();
-        let point = ray.origin + ray.direction * (z.low + (z.high - z.low) / 2.0);
+        let t = z.low + (z.high - z.low) / 2.0;
+        let point = ray.origin + ray.direction * t;
         HitDetails {
             primitive,
             prim: shapes.image_number(primitive),
@@ -44,42 +45,26 @@ impl HitDetails {
             depth,
             z,
             point,
-            normal: normal(&surface, ray, point).filter(|normal| normal.is_finite()),
+            normal: normal(&surface, ray, t).filter(|normal| normal.is_finite()),
             margin: Margin::new(&scene.camera, pixel, ray, &surface),
             surface,
         }
     }
 }
 
-fn normal(surface: &Surface, ray: &Ray, point: Point) -> Option<Vector> {
+fn normal(surface: &Surface, ray: &Ray, t: f64) -> Option<Vector> {
     match surface {
         Surface::Triangle(triangle) => normal_of_triangle(triangle, ray),
         Surface::Quadric(quadric) => {
-            let normal = normal_of_quadric(quadric, point);
-            Some(if normal.dot(ray.direction) > 0.0 { normal * -1.0 } else { normal })
+            let normal = quadric.normal_at(ray, t);
+            Some(if normal.dot(ray.direction) > 0.0 { -normal } else { normal })
         }
     }
 }
 
 /// Made exactly and then rounded: slivers have normals, too.
 fn normal_of_triangle(triangle: &Triangle, ray: &Ray) -> Option<Vector> {
-    let [a, b, c] = triangle.0.map(ExactVector::from);
-    let normal = b.minus(&a).cross(&c.minus(&a));
-    let largest = (0..3).map(|k| normal[k].clone().abs()).max().filter(|largest| !largest.is_zero())?;
-    let unit = Vector::from([0, 1, 2].map(|k| normal[k].quotient_to_f64(&largest))).normalized();
-    let is_away = normal.dot(&ExactVector::from(ray.direction)).sign() == Ordering::Greater;
-    Some(if is_away { unit * -1.0 } else { unit })
-}
-
-/// The gradient of the equation in object space, taken to the world by the transposed inverse.
-fn normal_of_quadric(quadric: &Quadric, point: Point) -> Vector {
-    let object_from_world = quadric.world_from_object.inverse();
-    let Point { x, y, z } = object_from_world.apply(point);
-    let gradient = match quadric.form {
-        Form::Sphere(_) => [x, y, z],
-        Form::Cylinder(_) => [x, y, 0.0],
-        Form::Disk(_) => [0.0, 0.0, 1.0],
-    };
-    let component = |j: usize| (0..3).map(|i| object_from_world.rows[i][j] * gradient[i]).sum();
-    Vector::from([component(0), component(1), component(2)]).normalized()
+    let unit = triangle.exact_normal()?;
+    let is_away = triangle.exact_cross().dot(&ExactVector::from(ray.direction)).sign() == Ordering::Greater;
+    Some(if is_away { -unit } else { unit })
 }

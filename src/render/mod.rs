@@ -2,6 +2,7 @@
 
 mod alone;
 mod segment;
+mod surface_tile;
 
 use crate::accel::{Aggregate, Fallbacks, Precision, TILE, TileOptions, TileTracer, Tiles, Work};
 use crate::camera::Camera;
@@ -13,6 +14,7 @@ use crate::simd::Level;
 use alone::Alone;
 use rayon::prelude::*;
 use segment::{Segment, segments_of};
+use surface_tile::SurfaceTile;
 
 /// Pixels that can be rendered at once: more take more memory than a machine has.
 const MAX_PIXELS: u64 = 1 << 30;
@@ -46,7 +48,7 @@ impl RenderOptions {
             precision: self.precision,
             with_z: self.wants(ChannelName::Z),
             with_t: self.wants(ChannelName::T),
-            with_primitives: self.channels.iter().any(|channel| channel.is_number_of_hit()),
+            with_primitives: self.channels.iter().any(|channel| channel.is_number_of_hit() || channel.is_of_surface()),
             miss: self.miss,
             level: self.level,
         }
@@ -131,7 +133,7 @@ pub fn render_into(
     // Hits are known on the way: whoever wants nothing but costs needs no tiles.
     let by_tiles = (!channels.is_empty() || costs.is_empty()).then(|| {
         let tiles = Tiles::new(camera, shapes, aggregate, options.of_tiles());
-        let renderer = Renderer { shapes, options, progress };
+        let renderer = Renderer { camera, shapes, options, progress };
         renderer.fill_all(&tiles, segments_of(channels, &options.data_window))
     });
     let by_cost = costs.into_iter().find_map(|channel| match &mut channel.samples {
@@ -188,6 +190,7 @@ fn reserved<T>(count: usize) -> std::result::Result<Vec<T>, std::collections::Tr
 }
 
 struct Renderer<'a> {
+    camera: &'a Camera,
     shapes: &'a Shapes,
     options: &'a RenderOptions,
     progress: Progress<'a>,
@@ -206,12 +209,17 @@ impl Renderer<'_> {
         let PixelBounds { x0, x1, y0, y1 } = segment.bounds;
         let before = tracer.fallbacks();
         let first_row = y0 / TILE * TILE;
+        let mut surface = SurfaceTile::of_channels(&self.options.channels, self.camera, self.shapes);
         let mut hits = 0;
         for first_column in (x0 / TILE * TILE..x1).step_by(TILE as usize) {
             let traced = tracer.trace([first_column, first_row], &self.options.data_window);
             let columns = [x0.max(first_column), x1.min(first_column + TILE)];
-            hits += traced.hits_within(columns.map(|x| x - first_column), [y0 - first_row, y1 - first_row]);
-            segment.put(traced, [first_column, first_row], columns, self.shapes);
+            let (within, rows) = (columns.map(|x| x - first_column), [y0 - first_row, y1 - first_row]);
+            hits += traced.hits_within(within, rows);
+            if let Some(surface) = &mut surface {
+                surface.fill(traced, [first_column, first_row], within, rows);
+            }
+            segment.put(traced, surface.as_ref(), [first_column, first_row], columns, self.shapes);
         }
         self.progress.advance(segment.bounds.area() as usize);
         Traced { hits, work: None, fallbacks: tracer.fallbacks().since(&before) }

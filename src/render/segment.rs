@@ -1,5 +1,6 @@
 //! Parts of an image that threads fill independently.
 
+use super::surface_tile::SurfaceTile;
 use crate::accel::{TILE, TracedTile};
 use crate::film::{Channel, ChannelName, PixelBounds, Samples};
 use crate::shape::{Numbers, Placed, Shapes};
@@ -73,15 +74,29 @@ fn divide<'a, T>(
 }
 
 impl Segment<'_> {
-    /// Takes over the columns of a tile, the first pixel of which is `first`, both in film pixels.
-    pub(super) fn put(&mut self, tile: &TracedTile, first: [u32; 2], columns: [u32; 2], shapes: &Shapes) {
+    /// Takes over the columns of a tile, the first pixel of which is `first`, both in film pixels. `surface` is there where a channel
+    /// wants it.
+    pub(super) fn put(
+        &mut self,
+        tile: &TracedTile,
+        surface: Option<&SurfaceTile>,
+        first: [u32; 2],
+        columns: [u32; 2],
+        shapes: &Shapes,
+    ) {
         let part = Part { tile, first, columns, bounds: self.bounds };
         let mut numbers = Numbers::new(shapes);
         for (name, rows) in &mut self.channels {
             match (rows, name) {
                 (Rows::F32(rows), ChannelName::Z) => part.put_depths(rows, TracedTile::z_of_row),
                 (Rows::F32(rows), ChannelName::T) => part.put_depths(rows, TracedTile::t_of_row),
-                (Rows::F32(rows), _) => part.put_hits(rows, |_| 1.0),
+                (Rows::F32(rows), ChannelName::A) => part.put_hits(rows, |_| 1.0),
+                (Rows::F32(rows), name) => {
+                    let place = ChannelName::SURFACE.iter().position(|channel| channel == name);
+                    if let (Some(surface), Some(place)) = (surface, place) {
+                        part.put_surface(rows, surface, place);
+                    }
+                }
                 (Rows::U32(rows), ChannelName::Id) => part.put_hits(rows, |hit| shapes.shape_number(hit)),
                 (Rows::U32(rows), ChannelName::Instance) => {
                     part.put_hits(rows, |hit| hit.instance().map_or(0, |instance| instance as u32 + 1));
@@ -114,6 +129,14 @@ impl Part<'_> {
         let [first, end] = self.columns.map(|x| (x - self.first[0]) as usize);
         for (y, to) in self.rows(rows) {
             to.copy_from_slice(&of_row(self.tile, y)[first..end]);
+        }
+    }
+
+    /// Puts what is at `place` among the samples of surfaces.
+    fn put_surface(&self, rows: &mut [&mut [f32]], surface: &SurfaceTile, place: usize) {
+        let [first, end] = self.columns.map(|x| (x - self.first[0]) as usize);
+        for (y, to) in self.rows(rows) {
+            to.iter_mut().zip(&surface.row(y)[first..end]).for_each(|(to, samples)| *to = samples[place]);
         }
     }
 

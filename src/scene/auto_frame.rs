@@ -36,6 +36,7 @@ pub(super) fn scene_of_mesh(path: &Path, shape: &str, loaded: Loaded, options: &
     let mut shapes = Shapes::default();
     let added = shapes.add_mesh(loaded.mesh.vertices, loaded.mesh.triangles, &Matrix::IDENTITY, 1);
     added.map_err(|error| Error::bad_input(Diagnostic::new(error.to_string()).at(SourceLocation::file(path))))?;
+    loaded.mesh.uv.into_iter().for_each(|uv| shapes.add_uv(uv));
     let mut census = Census::default();
     census.count_shape(shape, Some(shapes.own_count()));
     let aspect = f64::from(resolution[0]) / f64::from(resolution[1]);

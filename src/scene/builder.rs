@@ -52,6 +52,8 @@ pub(super) struct Builder<'a> {
     pub(super) places: Option<Places>,
     /// Filled where roundings are followed.
     pub(super) roundings: Option<Roundings>,
+    keeps_orientation: bool,
+    keeps_uv: bool,
 }
 
 impl<'a> Builder<'a> {
@@ -78,15 +80,18 @@ impl<'a> Builder<'a> {
             includes: Includes::default(),
             places: None,
             roundings: None,
+            keeps_orientation: false,
+            keeps_uv: false,
         }
     }
 
-    /// The same, keeping the places of statements and following roundings from the first directive on, where that is wanted.
+    /// The same, keeping what is wanted from the first directive on.
     pub(super) fn with_options(path: &Path, options: &LoadOptions, progress: Progress<'a>) -> Builder<'a> {
         let mut builder = Builder::new(path, progress);
         builder.places = options.places.then(Places::default);
         builder.state.rounded = options.roundings.then(|| Arc::new(RoundedTransform::IDENTITY));
         builder.roundings = options.roundings.then(Roundings::default);
+        (builder.keeps_orientation, builder.keeps_uv) = (options.orientation, options.uv);
         builder
     }
 
@@ -156,7 +161,8 @@ impl<'a> Builder<'a> {
             Statement::ActiveTransform(active) => self.state.active = *active,
             Statement::CoordinateSystem(name) => self.state.name(&name.text),
             Statement::CoordSysTransform(name) => self.recall(name, source),
-            Statement::ReverseOrientation | Statement::TransformTimes(_) | Statement::Ignored(_) => {}
+            Statement::ReverseOrientation => self.state.reverses_orientation ^= true,
+            Statement::TransformTimes(_) | Statement::Ignored(_) => {}
             Statement::AttributeBegin => self.state.begin(Block::Attribute, Place::new(source, keyword)),
             Statement::AttributeEnd => self.end(Block::Attribute, keyword, source)?,
             Statement::TransformBegin => self.state.begin(Block::Transform, Place::new(source, keyword)),
@@ -246,14 +252,18 @@ impl<'a> Builder<'a> {
             Some(Definition { shapes, transforms, .. }) => (shapes, transforms),
             None => (&mut self.shapes, &mut self.transforms),
         };
+        let world_from_object = self.state.current.matrix;
+        let is_turned = || self.state.reverses_orientation != world_from_object.swaps_handedness();
         let mut target = ShapeTarget {
             shapes,
             transforms,
             warnings: &mut self.warnings,
             directory: &self.directory,
             number,
-            world_from_object: self.state.current.matrix,
+            world_from_object,
             is_in_object,
+            is_turned: self.keeps_orientation && is_turned(),
+            keeps_uv: self.keeps_uv,
         };
         let before = target.shapes.own_count();
         let is_added = target.add(Parameters::of_shape(entity, source, &self.state.defaults)?)?;

@@ -11,6 +11,7 @@ pub(super) struct DeclaredType(&'static [&'static str]);
 impl DeclaredType {
     pub(super) const FLOAT: DeclaredType = DeclaredType(&["float"]);
     pub(super) const INTEGER: DeclaredType = DeclaredType(&["integer"]);
+    pub(super) const POINT2: DeclaredType = DeclaredType(&["point2", "float"]);
     pub(super) const POINT: DeclaredType = DeclaredType(&["point3", "point"]);
     pub(super) const STRING: DeclaredType = DeclaredType(&["string"]);
 

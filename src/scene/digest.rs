@@ -40,7 +40,8 @@ mod tests {
     use std::path::Path;
 
     fn digest(text: &str) -> Digest {
-        let scene = parse(Path::new("a.pbrt"), text.into(), &LoadOptions::default()).unwrap();
+        let options = LoadOptions { orientation: true, uv: true, ..LoadOptions::default() };
+        let scene = parse(Path::new("a.pbrt"), text.into(), &options).unwrap();
         SceneDigest::of(&scene.shapes).seen_by(&scene.camera)
     }
 
@@ -73,10 +74,13 @@ Shape "trianglemesh" "point3 P" [-2 -1 0  2 -1 0.5  0 2 0] "integer indices" [0 
             ("zmax\" 0.5", "zmax\" 0.25"),
             ("3 0 0\nObjectInstance \"a\"", "3 0 1\nObjectInstance \"a\""),
             ("ObjectInstance \"a\"\n", ""),
-            ("0 2 0] \"integer", "0 2 -0.0] \"integer"),
+            ("0 2 0] \"integer", "0 2 1] \"integer"),
             ("[0 1 2]", "[0 2 1]"),
             ("perspective\" \"float fov\" 40", "orthographic\""),
             ("WorldBegin\n", "WorldBegin\nShape \"cone\"\n"),
+            ("WorldBegin\n", "WorldBegin\nReverseOrientation\n"),
+            ("[0 1 2]", "[0 1 2] \"point2 uv\" [0 0 1 0 0 1]"),
+            ("[0 1 2]", "[0 1 2] \"point2 uv\" [0 0 1 0 0 2]"),
         ];
         let mut digests = vec![digest(SCENE)];
         digests.extend(changes.iter().map(|(from, to)| {
@@ -93,6 +97,7 @@ Shape "trianglemesh" "point3 P" [-2 -1 0  2 -1 0.5  0 2 0] "integer indices" [0 
             ("WorldBegin\n", "WorldBegin # a comment\nMaterial \"diffuse\"\n"),
             ("fov\" 40", "fov\" 4e1"),
             ("yresolution\" 7", "yresolution\" 7 \"float cropwindow\" [0 0.5 0 0.5]"),
+            ("0 2 0] \"integer", "0 2 -0.0] \"integer"),
             ("yresolution\" 7", "yresolution\" 7 \"string filename\" \"other.exr\""),
             ("WorldBegin\n", "Accelerator \"bvh\" \"string splitmethod\" \"hlbvh\"\nWorldBegin\n"),
         ];

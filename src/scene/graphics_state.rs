@@ -49,6 +49,7 @@ pub(super) struct OpenBlock {
     pub(super) place: Place,
     outer: Transforms,
     active: ActiveTransform,
+    reverses_orientation: bool,
     /// How many defaults of shapes there were.
     defaults: usize,
 }
@@ -63,7 +64,8 @@ struct Transforms {
 
 /// The current transform with what surrounds it.
 ///
-/// As in pbrt-v4 every kind of block holds all of the state; in v3, which has nothing but transforms here, that is the same.
+/// As in pbrt-v4 every kind of block holds all of the state. In v3 a block of transforms does not hold `ReverseOrientation`; the rest of what
+/// is here are transforms there.
 pub(super) struct GraphicsState {
     /// The current transform and its tracked inverse (rule R3), at the start time.
     pub(super) current: Transform,
@@ -73,6 +75,8 @@ pub(super) struct GraphicsState {
     end: Option<Box<Transform>>,
     /// Which of the two the directives change.
     pub(super) active: ActiveTransform,
+    /// Whether `ReverseOrientation` was there an odd number of times.
+    pub(super) reverses_orientation: bool,
     /// What `Attribute "shape"` has set.
     pub(super) defaults: ShapeDefaults,
     open: Vec<OpenBlock>,
@@ -86,15 +90,17 @@ impl GraphicsState {
             rounded: None,
             end: None,
             active: ActiveTransform::All,
+            reverses_orientation: false,
             defaults: ShapeDefaults::default(),
             open: Vec::new(),
             named: HashMap::new(),
         }
     }
 
-    /// The world's own transform: nothing of the camera's is left.
+    /// The world's own transform: nothing of the camera's is left, nor what else has no meaning before the world.
     pub(super) fn begin_world(&mut self) {
         (self.current, self.end, self.active) = (Transform::IDENTITY, None, ActiveTransform::All);
+        self.reverses_orientation = false;
         self.rounded = self.rounded.as_ref().map(|_| Arc::new(RoundedTransform::IDENTITY));
         self.name("world");
     }
@@ -147,7 +153,8 @@ impl GraphicsState {
     /// Opens a block.
     pub(super) fn begin(&mut self, block: Block, place: Place) {
         let (outer, active, defaults) = (self.transforms(), self.active, self.defaults.len());
-        self.open.push(OpenBlock { block, place, outer, active, defaults });
+        let reverses_orientation = self.reverses_orientation;
+        self.open.push(OpenBlock { block, place, outer, active, reverses_orientation, defaults });
     }
 
     /// Closes the innermost block, which must be a `block`.
@@ -159,6 +166,7 @@ impl GraphicsState {
             Some(open) => {
                 self.restore(open.outer);
                 self.active = open.active;
+                self.reverses_orientation = open.reverses_orientation;
                 self.defaults.truncate(open.defaults);
                 Ok(())
             }

@@ -7,7 +7,7 @@ use super::parser;
 use super::source::Source;
 use super::{LoadOptions, Scene};
 use crate::error::Result;
-use crate::mesh;
+use crate::mesh::{self, MeshFormat};
 use crate::progress::Progress;
 use std::path::Path;
 
@@ -15,8 +15,8 @@ use std::path::Path;
 ///
 /// `progress` counts bytes of scene files.
 pub fn load(path: &Path, options: &LoadOptions, progress: Progress) -> Result<Scene> {
-    match bare_mesh_reader(path) {
-        Some((shape, read)) => scene_of_mesh(path, shape, read(path)?, options),
+    match bare_mesh(path) {
+        Some((shape, format)) => scene_of_mesh(path, shape, mesh::read(path, format, options.uv)?, options),
         None => {
             let mut builder = Builder::with_options(path, options, progress);
             builder.read_top_level()?;
@@ -51,7 +51,7 @@ pub fn read_options(path: &Path) -> Result<SceneOptions> {
 
 /// Whether a path names a mesh and not a scene: by its extension, `.gz` left aside.
 pub fn is_bare_mesh(path: &Path) -> bool {
-    bare_mesh_reader(path).is_some()
+    bare_mesh(path).is_some()
 }
 
 /// Whether the file `path` is a scene by itself: it begins a world, or cannot be read to find out.
@@ -59,16 +59,14 @@ pub fn is_top_level(path: &Path) -> bool {
     Source::read(path).map_or(true, |source| parser::begins_world(&source.text))
 }
 
-/// What a scene would call the mesh, and how it is read.
-type MeshReader = (&'static str, fn(&Path) -> Result<mesh::Loaded>);
-
-fn bare_mesh_reader(path: &Path) -> Option<MeshReader> {
+/// What a scene would call the mesh, and its format.
+fn bare_mesh(path: &Path) -> Option<(&'static str, MeshFormat)> {
     let name = path.file_name()?.to_str()?.to_ascii_lowercase();
     let name = name.strip_suffix(".gz").unwrap_or(&name);
     if name.ends_with(".ply") {
-        Some(("plymesh", mesh::read_ply))
+        Some(("plymesh", MeshFormat::Ply))
     } else if name.ends_with(".obj") {
-        Some(("objmesh", mesh::read_obj))
+        Some(("objmesh", MeshFormat::Obj))
     } else {
         None
     }

@@ -74,4 +74,8 @@ pub struct LoadOptions {
     pub places: bool,
     /// Whether to follow how far transforms are rounded; the picture does not depend on it.
     pub roundings: bool,
+    /// Whether to keep which normals are turned round, for the channels `N.X`, `N.Y` and `N.Z`.
+    pub orientation: bool,
+    /// Whether to keep the coordinates that meshes give to their surface, for the channels `u` and `v`.
+    pub uv: bool,
 }

@@ -4,8 +4,8 @@ use super::parameters::Parameters;
 use super::transform_cache::TransformCache;
 use super::warnings::Warnings;
 use crate::error::{Diagnostic, Error, Result};
-use crate::geometry::{Matrix, Point};
-use crate::mesh;
+use crate::geometry::Matrix;
+use crate::mesh::{MeshFormat, TriangleMesh};
 use crate::shape::{Broken, CapacityError, Shapes};
 use std::path::Path;
 
@@ -21,6 +21,10 @@ pub(super) struct ShapeTarget<'a> {
     /// Within an object definition this leads to the space of its instances only, and meshes stay as they are in their files.
     pub(super) world_from_object: Matrix,
     pub(super) is_in_object: bool,
+    /// Whether its normals are turned round, and somebody wants to know.
+    pub(super) is_turned: bool,
+    /// Whether to keep what meshes say of u and v.
+    pub(super) keeps_uv: bool,
 }
 
 /// Shapes of pbrt that feimos has, and its own.
@@ -44,12 +48,15 @@ impl ShapeTarget<'_> {
             "trianglemesh" => self.add_triangle_mesh(&mut parameters)?,
             "loopsubdiv" => self.add_subdivision_surface(&mut parameters)?,
             "bilinearmesh" => self.add_bilinear_mesh(&mut parameters)?,
-            "plymesh" => self.add_mesh_file(&mut parameters, mesh::read_ply)?,
-            "objmesh" => self.add_mesh_file(&mut parameters, mesh::read_obj)?,
+            "plymesh" => self.add_mesh_file(&mut parameters, MeshFormat::Ply)?,
+            "objmesh" => self.add_mesh_file(&mut parameters, MeshFormat::Obj)?,
             other => {
                 self.warn_unsupported(&parameters, other);
                 return Ok(false);
             }
+        }
+        if self.is_turned {
+            self.shapes.turn_normals(self.number);
         }
         self.warn_of_moved_and_cut(&mut parameters);
         parameters.finish(self.warnings);
@@ -78,12 +85,8 @@ impl ShapeTarget<'_> {
     }
 
     /// Adds a mesh of triangles in object space, with indices in range.
-    pub(super) fn add_mesh(
-        &mut self,
-        parameters: &Parameters,
-        vertices: Vec<Point>,
-        triangles: Vec<[u32; 3]>,
-    ) -> Result<()> {
+    pub(super) fn add_mesh(&mut self, parameters: &Parameters, mesh: TriangleMesh) -> Result<()> {
+        let TriangleMesh { vertices, triangles, uv } = mesh;
         let transform = self.transforms.intern(&self.world_from_object, self.shapes);
         let added = if self.is_in_object {
             let broken = Broken::of(&vertices, &self.world_from_object);
@@ -92,6 +95,7 @@ impl ShapeTarget<'_> {
             self.shapes.add_mesh(vertices, triangles, &self.world_from_object, self.number)
         };
         let broken = added.map_err(|error| too_many(parameters, error))?;
+        uv.into_iter().for_each(|uv| self.shapes.add_uv(uv));
         let lost = broken.in_world_space;
         if lost > 0 && broken.in_object_space > 0 && matches!(parameters.entity_name(), "plymesh" | "objmesh") {
             // The file's reader has counted them already.

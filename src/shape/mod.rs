@@ -12,6 +12,7 @@ mod primitive;
 mod quadric;
 mod shapes;
 mod surface;
+mod surface_point;
 mod triangle;
 pub(crate) mod vector32;
 mod verdict;
@@ -22,8 +23,9 @@ pub use object::{Instance, Object, Pose};
 pub use placed::Placed;
 pub use primitive::Primitive;
 pub use quadric::{Cut, Disk, Form, Quadric, Sector};
-pub use shapes::{Broken, CapacityError, Shapes};
+pub use shapes::{Broken, CapacityError, CornerUv, Shapes};
 pub use surface::Surface;
+pub use surface_point::{SurfacePoint, SurfacePoints, SurfaceWants};
 pub use triangle::Triangle;
 pub use verdict::Verdict;
 

@@ -20,7 +20,7 @@ fn the_channel_is_written_when_it_is_asked_for() {
 fn the_view_is_bright_where_rays_are_dear() {
     let folder = Folder::new();
     let run = folder.render("ball.pbrt -o a.png --view cost --colormap gray --accel none").succeeded();
-    run.said("a.png: 13 x 7 pixels, 13 hit, cost 0 (dark violet) to 3 (red) (");
+    run.said("a.png: 13 x 7 pixels, 13 hit, cost 0 (black) to 3 (white) (");
     let costs = folder.rendered("ball.pbrt --aov cost --accel none").bits["cost"].clone();
     let expected: Vec<u8> = costs.iter().map(|cost| if *cost == 3 { 255 } else { 85 }).collect();
     assert_eq!(folder.png("a.png").pixels().map(|pixel| pixel.0[0]).collect::<Vec<_>>(), expected);

@@ -64,7 +64,7 @@ fn index_out_of_range() {
 #[test]
 fn unknown_extension() {
     let expected = "error: {stem}.jpg: unknown image format `.jpg`
-   = known formats: .exr, .png
+   = known formats: .exr, .png, .pfm, .npy
 ";
     assert_eq!(Folder::new().render("ball.pbrt -o {stem}.jpg").exited(2).stderr, expected);
 }

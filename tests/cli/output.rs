@@ -94,6 +94,19 @@ fn the_channels_asked_for_are_written_and_no_others() {
 }
 
 #[test]
+fn what_surfaces_are_like_is_eight_channels() {
+    let exr = Folder::new().rendered("ball.pbrt --aov N,P,uv");
+    assert_eq!(exr.channels(), ["N.X", "N.Y", "N.Z", "P.X", "P.Y", "P.Z", "u", "v"]);
+    assert!(exr.integers.is_empty());
+    let centre = (CENTRE.1 * SIZE.0 + CENTRE.0) as usize;
+    let normal = ["N.X", "N.Y", "N.Z"].map(|name| exr.measures(name)[centre]);
+    let point = ["P.X", "P.Y", "P.Z"].map(|name| exr.measures(name)[centre]);
+    assert_eq!((normal, point), ([0.0, 0.0, -1.0], [0.0, 0.0, -1.0]));
+    assert!(["u", "v"].iter().all(|name| exr.measures(name).iter().all(|value| (0.0..=1.0).contains(value))));
+    assert_eq!(exr.measures("N.Z")[0], 0.0, "a miss");
+}
+
+#[test]
 fn channels_that_do_not_exist_or_are_named_twice_are_refused() {
     let folder = Folder::new();
     folder.render("ball.pbrt --aov Z,depth").failed(2, "invalid value 'depth' for '--aov <NAMES>'");
@@ -197,7 +210,7 @@ fn a_range_is_stretched_over_the_colours_and_clamps() {
 #[test]
 fn an_image_without_a_hit_is_an_image() {
     let folder = Folder::new().with("empty.pbrt", "WorldBegin");
-    folder.render("empty.pbrt -o a.png --resolution 3x2").succeeded().said("0 hit (");
+    folder.render("empty.pbrt -o a.png --resolution 3x2").succeeded().said("0 hit, misses pale blue (");
     assert!(folder.png("a.png").pixels().all(|pixel| *pixel == folder.png("a.png")[(0, 0)]));
 }
 

@@ -10,7 +10,7 @@
 mod dense;
 mod mutate;
 
-use feimos::mesh::{parse_obj, parse_ply};
+use feimos::mesh::{self, MeshFormat, parse_obj, parse_ply};
 use feimos::scene::parser::Directives;
 use feimos::scene::{LoadOptions, parse};
 use mutate::{Random, mutate};
@@ -95,10 +95,17 @@ impl Original {
         match self.format {
             Format::Scene => {
                 Directives::new(&path, bytes).for_each(drop);
-                drop(parse(&path, bytes.to_vec(), &LoadOptions::default()));
+                let options = LoadOptions { orientation: true, uv: true, ..LoadOptions::default() };
+                drop(parse(&path, bytes.to_vec(), &options));
             }
-            Format::Ply => drop(parse_ply(&path, bytes)),
-            Format::Obj => drop(parse_obj(&path, bytes)),
+            Format::Ply => {
+                drop(parse_ply(&path, bytes));
+                drop(mesh::parse(&path, bytes, MeshFormat::Ply, true));
+            }
+            Format::Obj => {
+                drop(parse_obj(&path, bytes));
+                drop(mesh::parse(&path, bytes, MeshFormat::Obj, true));
+            }
         }
     }
 

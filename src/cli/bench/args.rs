@@ -60,19 +60,19 @@ pub(crate) enum Reference {
 /// Where results go besides the table. `-` is standard output, in place of the table.
 #[derive(Debug, Args)]
 pub(crate) struct OutputArgs {
-    /// Write the rows as JSON; `-` writes them to standard output, in place of the tables, as it does below.
+    /// Write the rows as JSON; `-` writes them to standard output, in place of the tables, as it does below [default: none].
     #[arg(long, value_name = "FILE")]
     pub(crate) json: Option<PathBuf>,
-    /// Write the rows as comma-separated values.
+    /// Write the rows as comma-separated values [default: none].
     #[arg(long, value_name = "FILE")]
     pub(crate) csv: Option<PathBuf>,
-    /// Write the tables in Markdown.
+    /// Write the tables in Markdown [default: none].
     #[arg(long, value_name = "FILE")]
     pub(crate) markdown: Option<PathBuf>,
-    /// Write a plot of error against speed, of several scenes together.
+    /// Write a plot of error against speed, of several scenes together [default: none].
     #[arg(long, value_name = "FILE.svg")]
     pub(crate) plot: Option<PathBuf>,
-    /// Write a page with all of it, and pictures of depths, costs and errors, to index.html in this directory.
+    /// Write a page with all of it, and pictures of depths, costs and errors, to index.html in this directory [default: none].
     #[arg(long, value_name = "DIR")]
     pub(crate) report: Option<PathBuf>,
 }

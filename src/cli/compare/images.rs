@@ -1,4 +1,4 @@
-//! Two EXR files: hits, numbers and depths.
+//! Two EXR files: hits, numbers, depths, and what surfaces are like.
 
 use super::pixel::Pixel;
 use super::verdict::Verdict;
@@ -27,7 +27,7 @@ pub(super) fn compare(args: &CompareArgs, expected: &Image, found: &Image, repor
     let pixels = expected.data_window.area() as usize;
     let max_ulp = args.max_ulp.unwrap_or(0);
     let details = Details::of(&comparison, pixels, max_ulp, listed(args));
-    let max_error = details.tally.depths.max().unwrap_or(0);
+    let max_error = details.tally.max_ulps();
     let first = details.first.iter().map(|pixel| Pixel::new(expected, found, *pixel, comparison.difference(*pixel)));
     let report = Report {
         args,
@@ -43,11 +43,16 @@ pub(super) fn compare(args: &CompareArgs, expected: &Image, found: &Image, repor
         diff::write(path, expected.data_window.width(), expected.data_window.height(), &picture)?;
         let ramp = match max_error {
             0 => "no depth error".to_owned(),
-            error => format!("depth errors from green to yellow, up to {}", counted(error.into(), "ulp")),
+            error if comparison.surfaces().is_empty() => ramp_of("depth", error),
+            error => ramp_of("depth and surface", error),
         };
         reporter.result(format_args!("{}: differences; {ramp}", path.display()));
     }
     Ok(report.verdict.exit_code())
+}
+
+fn ramp_of(what: &str, largest: u32) -> String {
+    format!("{what} errors from green to yellow, up to {}", counted(largest.into(), "ulp"))
 }
 
 /// The channels that one of the images has alone, and which.
@@ -79,7 +84,7 @@ impl Report<'_> {
 
 impl Display for Report<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let Details { tally, hits, numbers, depths, .. } = &self.details;
+        let Details { tally, hits, numbers, measures, .. } = &self.details;
         line(f, "A", &self.args.expected.display().to_string())?;
         line(f, "B", &self.args.found.display().to_string())?;
         line(f, "pixels", &HumanCount(tally.pixels).to_string())?;
@@ -91,7 +96,7 @@ impl Display for Report<'_> {
                 numbers.iter().map(|(name, wrong)| format!("{} {}", HumanCount(*wrong), name.as_str())).collect();
             line(f, "wrong", &wrong.join(", "))?;
         }
-        depth_table(f, depths, self.max_ulp)?;
+        measure_table(f, measures, self.max_ulp)?;
         let alone: Vec<String> =
             self.alone.iter().map(|(name, image)| format!("{} (only in {image})", name.as_str())).collect();
         if !alone.is_empty() {
@@ -105,14 +110,14 @@ impl Display for Report<'_> {
 }
 
 /// A line a channel, below a heading.
-fn depth_table(f: &mut Formatter<'_>, depths: &[(ChannelName, Ulps)], max_ulp: u32) -> fmt::Result {
-    if depths.is_empty() {
+fn measure_table(f: &mut Formatter<'_>, measures: &[(ChannelName, Ulps)], max_ulp: u32) -> fmt::Result {
+    if measures.is_empty() {
         return Ok(());
     }
     let heading = ["", "compared", "largest", "mean", "50 %", "99 %", "99.9 %", &format!("above {max_ulp}")];
     let mut rows = vec![heading.map(str::to_owned)];
-    for (name, ulps) in depths {
-        let Depth { compared, largest, mean, p50, p99, p99_9, above } = Depth::of(ulps, max_ulp);
+    for (name, ulps) in measures {
+        let Measure { compared, largest, mean, p50, p99, p99_9, above } = Measure::of(ulps, max_ulp);
         let ulps = |ulps: Option<u32>| ulps.map_or("-".to_owned(), |ulps| HumanCount(ulps.into()).to_string());
         let mean = mean.map_or("-".to_owned(), |mean| format!("{mean:.3}"));
         let [compared, above] = [compared, above].map(|count| HumanCount(count).to_string());
@@ -127,9 +132,9 @@ fn depth_table(f: &mut Formatter<'_>, depths: &[(ChannelName, Ulps)], max_ulp: u
     Ok(())
 }
 
-/// Errors of a channel of depths, in units in the last place.
+/// Errors of a channel of measures, in units in the last place.
 #[derive(Debug, Serialize)]
-struct Depth {
+struct Measure {
     compared: u64,
     largest: Option<u32>,
     mean: Option<f64>,
@@ -140,9 +145,9 @@ struct Depth {
     above: u64,
 }
 
-impl Depth {
-    fn of(ulps: &Ulps, max_ulp: u32) -> Depth {
-        Depth {
+impl Measure {
+    fn of(ulps: &Ulps, max_ulp: u32) -> Measure {
+        Measure {
             compared: ulps.total(),
             largest: ulps.max(),
             mean: ulps.mean(),
@@ -170,7 +175,7 @@ struct Record<'a> {
     missed_hits: u64,
     wrong_primitives: u64,
     wrong: BTreeMap<&'static str, u64>,
-    ulps: BTreeMap<&'static str, Depth>,
+    ulps: BTreeMap<&'static str, Measure>,
     not_compared: BTreeMap<&'static str, char>,
     first: &'a [Pixel],
 }
@@ -178,7 +183,7 @@ struct Record<'a> {
 impl<'a> Record<'a> {
     fn new(report: &'a Report) -> Record<'a> {
         let Report { args, max_ulp, details, first, alone, verdict } = report;
-        let depths = details.depths.iter().map(|(name, ulps)| (name.as_str(), Depth::of(ulps, *max_ulp)));
+        let measures = details.measures.iter().map(|(name, ulps)| (name.as_str(), Measure::of(ulps, *max_ulp)));
         Record {
             expected: args.expected.display().to_string(),
             found: args.found.display().to_string(),
@@ -193,7 +198,7 @@ impl<'a> Record<'a> {
             missed_hits: details.tally.missed_hits,
             wrong_primitives: details.tally.wrong_primitives,
             wrong: details.numbers.iter().map(|(name, wrong)| (name.as_str(), *wrong)).collect(),
-            ulps: depths.collect(),
+            ulps: measures.collect(),
             not_compared: alone.iter().map(|(name, image)| (name.as_str(), *image)).collect(),
             first,
         }

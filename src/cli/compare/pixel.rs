@@ -15,7 +15,7 @@ pub(super) struct Pixel {
     x: u32,
     y: u32,
     kind: &'static str,
-    /// Of a depth error, its size.
+    /// Of an error of a depth or of a surface, its size.
     ulps: Option<u32>,
     expected: Values,
     found: Values,
@@ -46,6 +46,7 @@ impl Pixel {
             Difference::MissedHit => (MISSED_HIT, None),
             Difference::WrongPrimitive => ("wrong primitive", None),
             Difference::Depth(ulps) => ("wrong depth", Some(ulps)),
+            Difference::Surface(ulps) => ("wrong surface", Some(ulps)),
         };
         let (x, y) = (window.x0 + column as u32, window.y0 + row as u32);
         Pixel { x, y, kind, ulps, expected: Values::of(expected, pixel), found: Values::of(found, pixel) }

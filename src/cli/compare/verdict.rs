@@ -10,7 +10,7 @@ use std::fmt::{self, Display, Formatter};
 pub(super) struct Verdict {
     pub(super) different: u64,
     pub(super) max_pixels: u64,
-    /// How far depths are off at most, where no pixel differs.
+    /// How far depths and surfaces are off at most, where no pixel differs.
     max_error: u32,
 }
 
@@ -28,7 +28,7 @@ impl Display for Verdict {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match (self.different, self.max_error) {
             (0, 0) => f.write_str("equal"),
-            (0, error) => write!(f, "equal, but for depths that are off by up to {}", counted(error.into(), "ulp")),
+            (0, error) => write!(f, "equal, but for values that are off by up to {}", counted(error.into(), "ulp")),
             (1, _) => write!(f, "1 pixel differs, {} may", HumanCount(self.max_pixels)),
             (different, _) => write!(f, "{} differ, {} may", counted(different, "pixel"), HumanCount(self.max_pixels)),
         }

@@ -12,7 +12,7 @@ pub(crate) struct MergeArgs {
     /// Where the whole goes: an .exr, or `-` for standard output.
     #[arg(short, long, alias = "outfile", value_name = "OUT", help_heading = "Output")]
     pub(crate) output: PathBuf,
-    /// Allow pixels that no crop has: they become misses, and the image ends where the crops do.
+    /// Allow pixels that no crop has: they become misses, and the image ends where the crops do [default: they are an error].
     #[arg(long, help_heading = "Output")]
     pub(crate) partial: bool,
     /// Threads to use [default: all that the process may use].

@@ -50,7 +50,7 @@ pub fn subdivide(vertices: Vec<Point>, faces: &[[u32; 3]], levels: u32) -> Resul
     }
     let vertices = surface.limit();
     let triangles = surface.faces.iter().map(|face| face.corners).collect();
-    Ok(TriangleMesh { vertices, triangles })
+    Ok(TriangleMesh { vertices, triangles, uv: None })
 }
 
 /// Each level gives a vertex for each edge, of which faces have three at most: so all vertices are numbered with 32 bits.

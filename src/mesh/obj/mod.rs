@@ -10,10 +10,12 @@ mod simple;
 mod statements;
 #[cfg(test)]
 mod tests;
+mod texture;
 
 use std::path::Path;
 
 use self::plain::Plain;
+use self::texture::Texture;
 use super::faces::{Faces, check_count};
 use super::{Loaded, TriangleMesh, signature};
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
@@ -29,6 +31,22 @@ pub fn parse_obj(path: &Path, bytes: &[u8]) -> Result<Loaded> {
     gzip::parsed(path, bytes, |content| parse(path, signature::without_utf8_mark(content)))
 }
 
+/// As [`parse_obj`], with u and v of the corners, if the file has them.
+pub(super) fn parse_with_uv(path: &Path, bytes: &[u8]) -> Result<Loaded> {
+    gzip::parsed(path, bytes, |content| {
+        let text = signature::without_utf8_mark(content);
+        if signature::describe(text).is_some() || !Texture::is_in(text) {
+            return parse(path, text);
+        }
+        let mut uv = Vec::new();
+        let mut loaded = read(path, text, Some(&mut uv))?;
+        let texture = Texture::read(path, text)?;
+        loaded.mesh.uv = texture.uv(&uv);
+        loaded.warnings.extend(texture.warning);
+        Ok(loaded)
+    })
+}
+
 fn parse(path: &Path, text: &[u8]) -> Result<Loaded> {
     if let Some(found) = signature::describe(text) {
         let diagnostic = Diagnostic::new(format!("not an OBJ mesh: this is {found}"));
@@ -42,6 +60,11 @@ fn parse(path: &Path, text: &[u8]) -> Result<Loaded> {
 
 /// Reads any OBJ file.
 fn parse_odd(path: &Path, text: &[u8]) -> Result<Loaded> {
+    read(path, text, None)
+}
+
+/// Reads any OBJ file. Where `corners` are wanted, they become those of the triangles, numbered through all faces.
+fn read(path: &Path, text: &[u8], corners: Option<&mut Vec<[u32; 3]>>) -> Result<Loaded> {
     let mut plain = Plain::new(text);
     let models = tobj::load_obj_buf(&mut plain, &OPTIONS, |_| Ok(Default::default()));
     let (models, _) = models.map_err(|error| refused(path, text, &error))?;
@@ -49,11 +72,11 @@ fn parse_odd(path: &Path, text: &[u8]) -> Result<Loaded> {
     check_count(plain.vertices, "vertices").map_err(at_file)?;
     let mut faces = models.into_iter().next().map(|model| model.mesh).unwrap_or_default();
     let vertices = points(std::mem::take(&mut faces.positions));
-    let triangles = triangles(&faces, &vertices, |face| blame::face(path, text, face)).map_err(at_file)?;
+    let triangles = triangles(&faces, &vertices, |face| blame::face(path, text, face), corners).map_err(at_file)?;
     let small = plain.small.in_text(path, text, "face of fewer than 3 corners, left out");
     let unknown = plain.unknown.in_text(path, text, "statement that OBJ does not know, left out");
     let warnings = small.into_iter().chain(unknown).collect();
-    Ok(Loaded::new(path, TriangleMesh { vertices, triangles }, warnings))
+    Ok(Loaded::new(path, TriangleMesh { vertices, triangles, uv: None }, warnings))
 }
 
 fn points(coordinates: Vec<f64>) -> Vec<Point> {
@@ -64,11 +87,16 @@ fn triangles(
     mesh: &tobj::Mesh,
     vertices: &[Point],
     location: impl Fn(usize) -> SourceLocation,
+    corners_wanted: Option<&mut Vec<[u32; 3]>>,
 ) -> Result<Vec<[u32; 3]>> {
     let arities = &mesh.face_arities;
     // No arities at all mean that all faces are triangles.
     let count = if arities.is_empty() { mesh.indices.len() / 3 } else { arities.len() };
-    let mut faces = Faces::new(vertices, mesh.indices.len() - 2 * count);
+    let triangles = mesh.indices.len() - 2 * count;
+    let mut faces = match corners_wanted {
+        Some(_) => Faces::with_places(vertices, triangles),
+        None => Faces::new(vertices, triangles),
+    };
     let mut rest = mesh.indices.as_slice();
     for face in 0..count {
         let (corners, others) = rest.split_at(arities.get(face).map_or(3, |arity| *arity as usize));
@@ -76,7 +104,22 @@ fn triangles(
         faces.push(corners, || 0..0).map_err(|error| error.or_at(|| location(face)))?;
         rest = others;
     }
+    if let Some(wanted) = corners_wanted {
+        check_count(mesh.indices.len() as u64, "corners")?;
+        *wanted = faces.take_places();
+        number_through(wanted, (0..count).map(|face| arities.get(face).map_or(3, |arity| *arity)));
+    }
     Ok(faces.finish()?.0)
+}
+
+/// Makes numbers of corners within their faces, which have so many, numbers through all faces.
+fn number_through(triangles: &mut [[u32; 3]], sizes: impl Iterator<Item = u32>) {
+    let (mut rest, mut first) = (triangles, 0);
+    for size in sizes {
+        let (own, others) = rest.split_at_mut(size as usize - 2);
+        own.iter_mut().for_each(|corners| *corners = corners.map(|corner| corner + first));
+        (rest, first) = (others, first + size);
+    }
 }
 
 fn refused(path: &Path, text: &[u8], error: &tobj::LoadError) -> Error {

@@ -34,7 +34,7 @@ pub(super) fn read_in_blocks(text: &[u8], block: usize) -> Option<TriangleMesh> 
     }
     let triangles = faces.finish().ok()?.0;
     // What is to be said about a mesh without faces is said elsewhere.
-    (!triangles.is_empty()).then_some(TriangleMesh { vertices, triangles })
+    (!triangles.is_empty()).then_some(TriangleMesh { vertices, triangles, uv: None })
 }
 
 /// Whole lines of about `size` bytes.

@@ -8,12 +8,13 @@ use super::values::{Fault, Run, Values};
 use crate::error::{Diagnostic, Result, SourceLocation};
 use crate::mesh::faces::Faces;
 use crate::mesh::tally::counted;
-use crate::mesh::{Loaded, TriangleMesh};
+use crate::mesh::{Loaded, TriangleMesh, uv_of_corners};
 
-/// Reads the `values` of all elements that `header` promises; they follow it in `content`.
-pub(super) fn read<V: Values>(path: &Path, content: &[u8], values: V, header: Header) -> Result<Loaded> {
+/// Reads the `values` of all elements that `header` promises; they follow it in `content`. Coordinates of the surface are read where
+/// `with_uv` says so and there are some.
+pub(super) fn read<V: Values>(path: &Path, content: &[u8], values: V, header: Header, with_uv: bool) -> Result<Loaded> {
     let elements = &header.elements;
-    let mut body = Body { path, content, values, warnings: header.warnings };
+    let mut body = Body { path, content, values, with_uv, uv: Vec::new(), warnings: header.warnings };
     let vertex = body.vertex(elements)?.ok_or_else(|| body.no_vertex(elements, header.end))?;
     let mesh = body.mesh(elements, vertex)?;
     body.note_rest();
@@ -34,6 +35,9 @@ pub(super) struct Body<'a, V> {
     pub(super) path: &'a Path,
     pub(super) content: &'a [u8],
     pub(super) values: V,
+    pub(super) with_uv: bool,
+    /// Of the vertices, where they are wanted and there are some.
+    pub(super) uv: Vec<[f32; 2]>,
     pub(super) warnings: Vec<Diagnostic>,
 }
 
@@ -66,7 +70,8 @@ impl<V: Values> Body<'_, V> {
             self.visit(element, |body, element| body.any_faces(element, &mut faces))?;
         }
         let triangles = self.finish(faces)?;
-        Ok(TriangleMesh { vertices, triangles })
+        let uv = (!self.uv.is_empty()).then(|| uv_of_corners(&triangles, &std::mem::take(&mut self.uv)));
+        Ok(TriangleMesh { vertices, triangles, uv })
     }
 
     /// Reads an element for which the file must have room.
@@ -109,7 +114,7 @@ impl<V: Values> Body<'_, V> {
                 let length = self.length(count, item)?;
                 self.values.skip(Run::of(item, length))
             }
-            Step::Coordinate(_, kind) => self.values.skip(Run::of(kind, 1)),
+            Step::Coordinate(_, kind) | Step::Uv(_, kind) => self.values.skip(Run::of(kind, 1)),
         }
     }
 

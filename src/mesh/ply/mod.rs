@@ -1,7 +1,7 @@
 //! PLY: a header that describes elements and their properties, and their values as text or bytes.
 //!
 //! Read are the properties x, y and z of the element `vertex`, and the list `vertex_indices` or `vertex_index` of the
-//! elements `face` and `tristrips`; all else is skipped, whatever it is. A header may list faces and strips several times and in
+//! elements `face` and `tristrips`, and u and v of vertices where they are wanted; all else is skipped, whatever it is. A header may list faces and strips several times and in
 //! any order: triangles come in the order of the file.
 
 mod ascii;
@@ -22,6 +22,7 @@ use std::path::Path;
 use self::ascii::Ascii;
 use self::binary::{BigEndian, Binary, LittleEndian};
 use self::header::{Encoding, Header};
+use self::vertex::names_of_uv;
 use super::Loaded;
 use crate::error::Result;
 use crate::input::{Storage, gzip};
@@ -50,12 +51,30 @@ pub(super) fn parse_odd(path: &Path, bytes: &[u8]) -> Result<Loaded> {
     })
 }
 
+/// As [`parse_ply`], with u and v of the vertices, if the file has them.
+pub(super) fn parse_with_uv(path: &Path, bytes: &[u8]) -> Result<Loaded> {
+    gzip::parsed(path, bytes, |content| {
+        let header = Header::parse(path, content)?;
+        if header.elements.iter().any(|element| element.name == "vertex" && names_of_uv(element).is_some()) {
+            return read(path, content, header, true);
+        }
+        plain::read(path, &Storage::Memory(content)).map_or_else(|| read(path, content, header, false), Ok)
+    })
+}
+
 fn parse(path: &Path, content: &[u8]) -> Result<Loaded> {
-    let header = Header::parse(path, content)?;
+    read(path, content, Header::parse(path, content)?, false)
+}
+
+fn read(path: &Path, content: &[u8], header: Header, with_uv: bool) -> Result<Loaded> {
     let start = header.size;
     match header.encoding {
-        Encoding::Ascii => body::read(path, content, Ascii::new(path, content, start), header),
-        Encoding::LittleEndian => body::read(path, content, Binary::<LittleEndian>::new(path, content, start), header),
-        Encoding::BigEndian => body::read(path, content, Binary::<BigEndian>::new(path, content, start), header),
+        Encoding::Ascii => body::read(path, content, Ascii::new(path, content, start), header, with_uv),
+        Encoding::LittleEndian => {
+            body::read(path, content, Binary::<LittleEndian>::new(path, content, start), header, with_uv)
+        }
+        Encoding::BigEndian => {
+            body::read(path, content, Binary::<BigEndian>::new(path, content, start), header, with_uv)
+        }
     }
 }

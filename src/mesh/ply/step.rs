@@ -7,6 +7,7 @@ use super::values::Run;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Step {
     Coordinate(usize, Scalar),
+    Uv(usize, Scalar),
     Corners { count: Scalar, item: Scalar },
     Skip(Run),
     SkipList { count: Scalar, item: Scalar },

@@ -8,52 +8,74 @@ use crate::error::Result;
 use crate::geometry::Point;
 use crate::mesh::faces::check_count;
 
+/// What u and v are called, in the order in which pbrt-v3 looks for them.
+const UV: [[&str; 2]; 4] = [["u", "v"], ["s", "t"], ["texture_u", "texture_v"], ["texture_s", "texture_t"]];
+
+/// What they are called in this element, if it has them.
+pub(super) fn names_of_uv(element: &Element) -> Option<[&'static str; 2]> {
+    let has = |name: &str| element.properties.iter().any(|property| property.name == name);
+    UV.into_iter().find(|names| names.iter().all(|name| has(name)))
+}
+
 impl<V: Values> Body<'_, V> {
     /// All vertices; the values stand at the first one.
     pub(super) fn vertices(&mut self, element: &Element) -> Result<Vec<Point>> {
         let axes = self.axes(element)?;
         check_count(element.count, "vertices").map_err(|error| error.or_at(|| self.in_header(element.span.clone())))?;
-        if let Some(points) = self.fixed_points(element, axes) {
+        let uv = names_of_uv(element).filter(|_| self.with_uv);
+        let uv = uv.map(|names| self.places_of(element, names)).transpose()?;
+        if uv.is_none()
+            && let Some(points) = self.fixed_points(element, axes)
+        {
             return Ok(points);
         }
-        let axis = |property: usize| axes.iter().position(|at| *at == property);
-        let plan = plan(&element.properties, |at, shape| match (axis(at), shape) {
-            (Some(axis), Shape::One(kind)) => Some(Step::Coordinate(axis, kind)),
-            _ => None,
+        let place = |places: &[usize], property: usize| places.iter().position(|at| *at == property);
+        let plan = plan(&element.properties, |at, shape| {
+            let Shape::One(kind) = shape else { return None };
+            let coordinate = place(&axes, at).map(|axis| Step::Coordinate(axis, kind));
+            coordinate.or_else(|| Some(Step::Uv(place(&uv?, at)?, kind)))
         });
         let mut points = Vec::with_capacity(element.count as usize);
         for number in 0..element.count {
-            let point = self.point(&plan).map_err(|fault| self.error(fault, element, number))?;
+            let (point, of_surface) = self.point(&plan).map_err(|fault| self.error(fault, element, number))?;
             points.push(point);
+            self.uv.extend(uv.map(|_| of_surface));
         }
         Ok(points)
     }
 
+    /// A vertex, and its u and v.
     #[inline]
-    fn point(&mut self, plan: &[Step]) -> std::result::Result<Point, Fault> {
-        let mut point = [0.0; 3];
+    fn point(&mut self, plan: &[Step]) -> std::result::Result<(Point, [f32; 2]), Fault> {
+        let (mut point, mut uv) = ([0.0; 3], [0.0; 2]);
         for step in plan {
             match *step {
                 Step::Coordinate(axis, kind) => point[axis] = self.values.real(kind)?,
+                Step::Uv(axis, kind) => uv[axis] = self.values.real(kind)? as f32,
                 step => self.leave_out(step)?,
             }
         }
-        Ok(Point::from(point))
+        Ok((Point::from(point), uv))
     }
 
     /// Where x, y and z are among the properties.
     fn axes(&self, element: &Element) -> Result<[usize; 3]> {
-        let mut axes = [0; 3];
-        for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
+        self.places_of(element, ["x", "y", "z"])
+    }
+
+    /// Where the properties of these names are, each of which has to be there once.
+    fn places_of<const N: usize>(&self, element: &Element, names: [&str; N]) -> Result<[usize; N]> {
+        let mut places = [0; N];
+        for (place, name) in places.iter_mut().zip(names) {
             let mut found = element.properties.iter().enumerate().filter(|(_, property)| property.name == name);
-            axes[axis] = match (found.next(), found.next()) {
+            *place = match (found.next(), found.next()) {
                 (Some((at, Property { shape: Shape::One(_), .. })), None) => at,
                 (Some(_), Some(_)) => return Err(self.wrong_header(format!("a second property `{name}`"), element)),
                 (Some(_), None) => return Err(self.wrong_header(format!("property `{name}` is a list"), element)),
                 (None, _) => return Err(self.missing(element, &format!("property `{name}`"))),
             };
         }
-        Ok(axes)
+        Ok(places)
     }
 
     /// The fast way for records without lists.

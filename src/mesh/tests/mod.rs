@@ -4,6 +4,7 @@ mod damage;
 mod obj;
 mod ply;
 mod polygon;
+mod uv;
 
 use std::io::Write;
 use std::path::Path;

@@ -178,7 +178,8 @@ impl Entry {
 fn look_at(numbers: &[f64; 9]) -> std::result::Result<Transform, Refusal> {
     let [ex, ey, ez, lx, ly, lz, ux, uy, uz] = *numbers;
     let transform = Transform::look_at(Point::new(ex, ey, ez), Point::new(lx, ly, lz), Vector::new(ux, uy, uz));
-    transform.ok_or_else(|| {
+    // As a directive would have it, to the sign of zeros: it is multiplied to the transform that stands there.
+    transform.map(|transform| Transform::IDENTITY.times(&transform)).ok_or_else(|| {
         let expected = "an eye, another point to look at, and a direction upwards that is not along the view";
         ("a `lookat` without a direction".to_owned(), expected.to_owned())
     })

@@ -1,4 +1,4 @@
-//! The arrays that meshes are given by: `P` and `indices`.
+//! The arrays that meshes are given by: `P`, `indices`, and `uv`.
 
 use crate::error::Result;
 use crate::geometry::Point;
@@ -45,6 +45,21 @@ pub(super) fn faces_of<const N: usize>(
     }
     let face = |corners: &[f64]| std::array::from_fn(|k| corners[k] as u32);
     Ok(Some(indices.par_chunks_exact(N).map(face).collect()))
+}
+
+/// The two coordinates of each vertex in `uv`, which pbrt-v3 also calls `st`, or `None` where there are none.
+pub(super) fn uv_of(parameters: &mut Parameters, vertex_count: usize) -> Result<Option<Vec<[f32; 2]>>> {
+    for name in ["uv", "st"] {
+        let Some(numbers) = parameters.numbers(name, DeclaredType::POINT2)? else { continue };
+        if numbers.len() != 2 * vertex_count {
+            let message =
+                format!("`{name}` has {} numbers, expected two a vertex: {}", numbers.len(), 2 * vertex_count);
+            return Err(parameters.error_at(name, message));
+        }
+        let uv = numbers.par_chunks_exact(2).map(|uv| [uv[0] as f32, uv[1] as f32]);
+        return Ok(Some(uv.collect()));
+    }
+    Ok(None)
 }
 
 /// Whether `index` is a whole number below `vertex_count` that 32 bits can hold: only such a one survives the way there and

@@ -1,8 +1,8 @@
 //! `Shape "bilinearmesh"` of pbrt-v4.
 
-use super::arrays::{faces_of, vertices_of};
+use super::arrays::{faces_of, uv_of, vertices_of};
 use crate::error::{Diagnostic, Result};
-use crate::mesh::bilinear_patch;
+use crate::mesh::{TriangleMesh, bilinear_patch, uv_of_corners};
 use crate::scene::parameters::Parameters;
 use crate::scene::shape_statement::{SURFACE, ShapeTarget};
 use rayon::prelude::*;
@@ -30,6 +30,12 @@ impl ShapeTarget<'_> {
             parameters.warn_at_name("curved patches", Diagnostic::new(message).note(note), self.warnings);
         }
         let triangles: Vec<[[u32; 3]; 2]> = patches.par_iter().map(|patch| bilinear_patch::triangles(*patch)).collect();
-        self.add_mesh(parameters, vertices, triangles.into_flattened())
+        let triangles = triangles.into_flattened();
+        let uv = self.keeps_uv.then(|| uv_of(parameters, vertices.len())).transpose()?;
+        let uv = uv.map(|uv| match uv {
+            Some(uv) => uv_of_corners(&triangles, &uv),
+            None => vec![bilinear_patch::UV; triangles.len() / 2].into_flattened(),
+        });
+        self.add_mesh(parameters, TriangleMesh { vertices, triangles, uv })
     }
 }

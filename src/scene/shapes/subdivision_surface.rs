@@ -31,6 +31,6 @@ impl ShapeTarget<'_> {
             };
             error.note(advice)
         })?;
-        self.add_mesh(parameters, mesh.vertices, mesh.triangles)
+        self.add_mesh(parameters, mesh)
     }
 }

@@ -1,12 +1,13 @@
 //! `Shape "trianglemesh"`.
 
-use super::arrays::{faces_of, vertices_of};
+use super::arrays::{faces_of, uv_of, vertices_of};
 use crate::error::Result;
+use crate::mesh::{TriangleMesh, uv_of_corners};
 use crate::scene::parameters::Parameters;
 use crate::scene::shape_statement::{SURFACE, ShapeTarget};
 
 impl ShapeTarget<'_> {
-    /// Adds the triangles of `P` and `indices`.
+    /// Adds the triangles of `P` and `indices`, with `uv` or `st` where that is wanted.
     pub(in crate::scene) fn add_triangle_mesh(&mut self, parameters: &mut Parameters) -> Result<()> {
         parameters.ignore(&SURFACE);
         let vertices = vertices_of(parameters, "a triangle mesh")?;
@@ -18,6 +19,8 @@ impl ShapeTarget<'_> {
                 return Err(parameters.missing("indices", message).note("only a mesh of 3 vertices needs none"));
             }
         };
-        self.add_mesh(parameters, vertices, triangles)
+        let uv = if self.keeps_uv { uv_of(parameters, vertices.len())? } else { None };
+        let uv = uv.map(|uv| uv_of_corners(&triangles, &uv));
+        self.add_mesh(parameters, TriangleMesh { vertices, triangles, uv })
     }
 }

@@ -9,12 +9,14 @@ mod sector;
 mod single;
 #[cfg(test)]
 mod tests;
+mod unit_space;
 
 pub(crate) use bounds::Ellipsoid;
 pub use cut::Cut;
 pub use disk::Disk;
 pub use sector::Sector;
 pub(crate) use single::SingleQuadric;
+pub(in crate::shape) use unit_space::UnitSpace;
 
 use crate::exact::{exponent_of, power_of_two};
 use crate::geometry::Matrix;
@@ -65,6 +67,18 @@ impl Quadric {
             Form::Cylinder(cut) => cut.z_min.is_finite() && cut.z_max.is_finite(),
             Form::Disk(disk) => disk.height.is_finite() && disk.inner_radius <= self.radius,
         }
+    }
+
+    /// The same without what cuts it: a disk without its rims.
+    pub(in crate::shape) fn uncut(&self) -> Quadric {
+        let form = match &self.form {
+            Form::Sphere(_) => Form::Sphere(None),
+            Form::Cylinder(_) => Form::Cylinder(Cut::of_cylinder(f64::MIN, f64::MAX, 360.0)),
+            Form::Disk(disk) => {
+                return Quadric { radius: f64::MAX, form: Form::Disk(Disk::new(disk.height, 0.0, 360.0)), ..*self };
+            }
+        };
+        Quadric { form, ..*self }
     }
 
     /// A power of two near the largest entry of the linear part of the matrix.

@@ -23,6 +23,8 @@ impl Shapes {
         });
         digester.list(&self.forms, |(sphere, form)| words_of_form(*sphere, form));
         digester.list(&self.transforms, |transform| transform.bits());
+        digester.word(self.attributes.is_some().into());
+        self.attributes.iter().for_each(|attributes| attributes.digest(digester));
         digester.word(self.objects.len() as u64);
         self.objects.iter().for_each(|object| object.shapes().digest(digester));
         digester.list(&self.instances, |instance| {

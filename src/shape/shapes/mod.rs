@@ -1,12 +1,16 @@
 //! All geometry of a scene, in the order of the file.
 
+mod attributes;
 mod digest;
 mod instances;
 mod order;
 
+pub use attributes::CornerUv;
+
 use crate::geometry::{Matrix, Point};
 use crate::shape::object::{Instance, Object};
 use crate::shape::{Cut, Form, Primitive, Quadric, Surface, Triangle};
+use attributes::Attributes;
 use rayon::prelude::*;
 use std::fmt;
 
@@ -32,6 +36,8 @@ pub struct Shapes {
     instances: Vec<Instance>,
     /// Primitives of all instances.
     instanced: u64,
+    /// Of surfaces, where anybody wants to know.
+    attributes: Option<Box<Attributes>>,
 }
 
 /// The triangles of one shape: they and their primitive numbers follow each other.
@@ -271,6 +277,7 @@ impl Shapes {
             + size_of_val(&self.forms[..])
             + size_of_val(&self.transforms[..])
             + size_of_val(&self.instances[..])
+            + self.attributes.as_ref().map_or(0, |attributes| attributes.bytes())
             + self.objects.iter().map(|object| size_of::<Object>() + object.shapes().bytes()).sum::<usize>()
     }
 

@@ -48,9 +48,14 @@ impl Triangle {
     /// The `t` at which `ray` crosses the triangle, which it is known to do: n . (a - o) / (n . d) with n = ab x ac. This takes
     /// less than half of the work of [`Triangle::exact`].
     pub fn exact_t(&self, ray: &Ray) -> Root {
-        let [a, b, c] = self.0.map(ExactVector::from);
-        let normal = b.minus(&a).cross(&c.minus(&a));
-        let to_corner = a.minus(&ExactVector::from(ray.origin));
-        Root::ratio(normal.dot(&to_corner), normal.dot(&ExactVector::from(ray.direction)))
+        self.exact_crossing(ray).expect("the ray is known to cross it")
+    }
+
+    /// The `t` at which `ray` crosses the triangle's plane, if it does.
+    pub(crate) fn exact_crossing(&self, ray: &Ray) -> Option<Root> {
+        let normal = self.exact_cross();
+        let slope = normal.dot(&ExactVector::from(ray.direction));
+        let to_corner = ExactVector::from(self.0[0]).minus(&ExactVector::from(ray.origin));
+        (!slope.is_zero()).then(|| Root::ratio(normal.dot(&to_corner), slope))
     }
 }

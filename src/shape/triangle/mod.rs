@@ -2,7 +2,9 @@
 
 mod exact;
 mod filter;
+mod normal;
 mod single;
+mod weights;
 
 pub(crate) use single::intersect_single;
 

@@ -61,6 +61,6 @@ fn windows_of_no_pixel_or_of_too_many_are_refused() {
 fn other_channels_are_named() {
     let file = one_layer((1, 1), vec![("R", as_f16(&[0.0])), ("z", as_f16(&[0.0]))], Encoding::default());
     let expected = "a.exr: no channel of this image is one of feimos's; it has R, z
-   = expected one or more of Z, t, A, id, prim, instance, cost";
+   = expected one or more of Z, t, A, id, prim, instance, cost, N.X, N.Y, N.Z, P.X, P.Y, P.Z, u, v";
     assert_eq!(refused(&file), expected);
 }

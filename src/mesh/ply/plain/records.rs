@@ -28,7 +28,7 @@ pub(super) fn read<Order: ByteOrder>(storage: &Storage, start: u64, form: &Form,
         (4, Scalar::U32) => triangles::<Order, 4, 2>(&records, form, limit),
         _ => None,
     }?;
-    Some(TriangleMesh { vertices, triangles })
+    Some(TriangleMesh { vertices, triangles, uv: None })
 }
 
 /// Records of one size.

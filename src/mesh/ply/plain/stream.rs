@@ -95,7 +95,7 @@ impl<'a> GrowingMesh<'a> {
         self.vertices.shrink_to_fit();
         let is_complete = self.vertices.len() == self.form.vertices && self.faces == self.form.faces;
         let is_complete = is_complete && u32::try_from(self.triangles.len()).is_ok();
-        is_complete.then_some(TriangleMesh { vertices: self.vertices, triangles: self.triangles })
+        is_complete.then_some(TriangleMesh { vertices: self.vertices, triangles: self.triangles, uv: None })
     }
 }
 

@@ -30,7 +30,7 @@ pub(super) fn read(storage: &Storage, start: u64, form: &Form, block: u64) -> Op
     let mut triangles = defaults(room);
     let read_faces = |text: &[u8], places: &mut [[u32; 3]]| face_lines::read(text, form, &vertices, places);
     fill(storage, &face_blocks, &mut triangles, |block| block.tally.triangles(), read_faces)?;
-    Some(TriangleMesh { vertices, triangles })
+    Some(TriangleMesh { vertices, triangles, uv: None })
 }
 
 /// The end of the last line, without blanks and empty lines.

@@ -1,0 +1,154 @@
+//! What a surface is like where a ray meets it.
+
+use super::quadric::UnitSpace;
+use super::{FilterRay, Placed, Quadric, Shapes, Surface, Triangle};
+use crate::exact::Bracket;
+use crate::geometry::{Point, Ray, Vector};
+
+/// What a surface is like where a ray meets it, in world space.
+///
+/// All of it is made in `f64` from the primitive and the ray, and from nothing else, so that it depends on no accelerator.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct SurfacePoint {
+    /// The geometric normal, a unit vector, as pbrt orients it.
+    ///
+    /// Of a triangle it is (b - a) x (c - a), of the corners in the order of the file and in world space; of a sphere, a cylinder
+    /// or a disk it is dp/du x dp/dv in object space, taken to the world by the transposed inverse: away from the middle or the
+    /// axis, of a disk along its z axis. It is turned round where either `ReverseOrientation` holds or the current transform swaps
+    /// handedness, but not where both do. So a mesh that is mirrored shows the same side as before, and a sphere that is mirrored
+    /// the other one, as in pbrt-v3. In an instance the normal is that of the object, as it was defined, taken to the world by the
+    /// transposed inverse of the instance's transform: there both show the same side as before.
+    ///
+    /// Vertex normals (`N`) are not looked at, though pbrt turns the normals of triangles to their side.
+    pub normal: Vector,
+    /// Where the ray meets the surface.
+    pub point: Point,
+    /// u and v, as in pbrt-v3: of a triangle the mean of those at the corners, which are (0, 0), (1, 0) and (1, 1) where its mesh has
+    /// none; of a sphere, a cylinder or a disk from 0 to 1.
+    pub uv: [f64; 2],
+}
+
+/// What of a [`SurfacePoint`] is wanted; the rest is 0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SurfaceWants {
+    /// [`SurfacePoint::normal`]; on the right side where the shapes know which are turned.
+    pub normal: bool,
+    /// [`SurfacePoint::point`].
+    pub point: bool,
+    /// [`SurfacePoint::uv`]; as the file has it, where the shapes have kept it.
+    pub uv: bool,
+}
+
+/// Tells of points of many surfaces, more quickly where the next is of the same one as the last.
+pub struct SurfacePoints<'a> {
+    shapes: &'a Shapes,
+    wants: SurfaceWants,
+    /// Of the last quadric.
+    space: Option<(Placed, UnitSpace)>,
+}
+
+/// pbrt's u and v at the corners of a triangle that has none.
+const DEFAULT_UV: [[f32; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]];
+
+impl<'a> SurfacePoints<'a> {
+    /// Those of `shapes`.
+    pub fn new(shapes: &'a Shapes, wants: SurfaceWants) -> SurfacePoints<'a> {
+        SurfacePoints { shapes, wants, space: None }
+    }
+
+    /// What `placed` is like where `ray` meets it first. Where it does not quite, as `f32` may have it, that is the point where the
+    /// ray meets the whole of a surface that is cut off, or the plane of a triangle, or else where it comes nearest.
+    pub fn of(&mut self, placed: Placed, ray: &Ray) -> SurfacePoint {
+        let surface = self.shapes.surface(placed);
+        if !ray.can_hit() || !surface.can_be_hit() {
+            return SurfacePoint::default();
+        }
+        match surface {
+            Surface::Triangle(triangle) => self.of_triangle(placed, &triangle, ray),
+            Surface::Quadric(quadric) => self.of_quadric(placed, &quadric, ray),
+        }
+    }
+
+    fn of_triangle(&self, placed: Placed, triangle: &Triangle, ray: &Ray) -> SurfacePoint {
+        let mut found = SurfacePoint::default();
+        if self.wants.normal {
+            // What an instance mirrors has mirrored corners, but not a mirrored normal.
+            let is_mirrored = placed
+                .instance()
+                .is_some_and(|number| self.shapes.instances()[number].world_from_instance().swaps_handedness());
+            let normal = triangle.normal();
+            found.normal = if self.shapes.turns_normal_of(placed) != is_mirrored { -normal } else { normal };
+        }
+        if self.wants.point {
+            found.point = ray.origin + ray.direction * t_on_triangle(triangle, ray);
+        }
+        if self.wants.uv {
+            let corners = self.shapes.uv_of(placed).unwrap_or(&DEFAULT_UV);
+            let weights = triangle.weights(ray);
+            let corner = |k: usize, axis: usize| weights[k] * f64::from(corners[k][axis]);
+            found.uv = [0, 1].map(|axis| (corner(0, axis) + corner(1, axis)) + corner(2, axis));
+        }
+        found
+    }
+
+    fn of_quadric(&mut self, placed: Placed, quadric: &Quadric, ray: &Ray) -> SurfacePoint {
+        let wants = self.wants;
+        let is_turned = wants.normal && self.shapes.turns_normal_of(placed);
+        let t = t_on_quadric(quadric, ray).unwrap_or_else(|| self.space(placed, quadric).nearest(ray));
+        let mut found = SurfacePoint::default();
+        if wants.point {
+            found.point = ray.origin + ray.direction * t;
+        }
+        if wants.normal || wants.uv {
+            let space = self.space(placed, quadric);
+            let point = space.point(ray, t);
+            if wants.normal {
+                let normal = space.normal(point);
+                found.normal = if is_turned { -normal } else { normal };
+            }
+            if wants.uv {
+                found.uv = space.uv(point);
+            }
+        }
+        found
+    }
+
+    /// The space of `quadric`, which is `placed`.
+    fn space(&mut self, placed: Placed, quadric: &Quadric) -> &UnitSpace {
+        if self.space.as_ref().is_none_or(|(last, _)| *last != placed) {
+            self.space = Some((placed, UnitSpace::new(quadric)));
+        }
+        let (_, space) = self.space.as_ref().expect("made above");
+        space
+    }
+}
+
+impl Quadric {
+    /// The unit normal at `t` on `ray`, where it meets the surface: as [`SurfacePoint::normal`], never turned round.
+    pub fn normal_at(&self, ray: &Ray, t: f64) -> Vector {
+        let space = UnitSpace::new(self);
+        space.normal(space.point(ray, t))
+    }
+}
+
+fn t_on_triangle(triangle: &Triangle, ray: &Ray) -> f64 {
+    let exact = || triangle.exact_crossing(ray).map(|t| t.bracket());
+    let t = triangle.t_of_hit(&FilterRay::new(ray)).filter(is_narrow).or_else(exact).filter(|t| t.high > 0.0);
+    let d = ray.direction;
+    t.map_or_else(|| (triangle.0[0] - ray.origin).dot(d) / d.dot(d), middle)
+}
+
+fn t_on_quadric(quadric: &Quadric, ray: &Ray) -> Option<f64> {
+    let narrow = Surface::Quadric(*quadric).t_of_hit(&FilterRay::new(ray)).filter(is_narrow);
+    let exact = || quadric.exact(ray).or_else(|| quadric.uncut().exact(ray)).map(|t| t.bracket());
+    narrow.or_else(exact).map(middle)
+}
+
+/// Whether the middle is off by 2^-45 of the number at most: below that the ray itself, rounded as it is, says no more.
+fn is_narrow(t: &Bracket) -> bool {
+    t.low > 0.0 && t.high - t.low <= t.low / (1u64 << 44) as f64
+}
+
+fn middle(t: Bracket) -> f64 {
+    t.low + (t.high - t.low) / 2.0
+}
