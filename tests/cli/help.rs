@@ -17,7 +17,8 @@ fn blocks(folder: &Folder, command: &str) -> Vec<String> {
     let help = folder.run(command, "--help").succeeded();
     let mut blocks: Vec<String> = Vec::new();
     for line in help.text().lines() {
-        let names_a_flag = line.starts_with("  ") && line.trim_start().starts_with('-');
+        // Values are listed behind a dash and a blank.
+        let names_a_flag = line.starts_with("  ") && line.trim_start().starts_with('-') && !line.contains(" - ");
         if names_a_flag {
             blocks.push(line.to_owned());
         } else if let Some(block) = blocks.last_mut() {
