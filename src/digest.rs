@@ -44,10 +44,11 @@ impl Digester {
     /// Takes a list in, on all threads: how long it is, and each item as the words that `words` makes of it.
     pub fn list<T: Sync, const N: usize>(&mut self, items: &[T], words: impl Fn(&T) -> [u64; N] + Sync) {
         self.word(items.len() as u64);
-        let of_part = |bytes: &mut Vec<u8>, part: &[T]| {
+        let of_part = |bytes: &mut Vec<[[u8; 8]; N]>, part: &[T]| {
             bytes.clear();
-            bytes.extend(part.iter().flat_map(&words).flat_map(u64::to_le_bytes));
-            XxHash3_128::oneshot(bytes)
+            // One item as one value: compilers make wide moves of it.
+            bytes.extend(part.iter().map(|item| words(item).map(u64::to_le_bytes)));
+            XxHash3_128::oneshot(bytes.as_flattened().as_flattened())
         };
         let parts: Vec<u128> = items.par_chunks(PART).map_init(Vec::new, of_part).collect();
         parts.iter().for_each(|part| self.0.write(&part.to_le_bytes()));

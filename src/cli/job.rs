@@ -118,21 +118,19 @@ impl Renderer<'_> {
             let error = Error::usage(format!("a {view} PNG of a part of the film needs --range {ends}"));
             return Err(error.note("else every part would have colours of its own; or write an .exr"));
         }
-        let origin = Origin {
+        // Made where it is asked for: it takes the whole geometry in.
+        let origin = picture.has_header().then(|| Origin {
             scene: loaded.digest(view),
             precision: self.plan.precision,
             accel: loaded.build.method,
             film: view.film.resolution,
             window,
-        };
-        let header = picture.header(&origin);
+        });
+        let header = origin.map(|origin| picture.header(&origin));
         if let Destination::File(path) = &destination {
             atomic_file::check(path)?;
-            if self.plan.skip_existing && path.is_file() {
-                match header
-                    .as_deref()
-                    .map_or(Ok(Existing::Foreign), |header| picture.existing(path, header, &origin))?
-                {
+            if let (true, Some(origin), Some(header)) = (self.plan.skip_existing && path.is_file(), &origin, &header) {
+                match picture.existing(path, header, origin)? {
                     Existing::Same => return Ok(None),
                     Existing::Stale => self.reporter.detail(format_args!("{destination}: of other options, made anew")),
                     Existing::Foreign => return Err(foreign(path)),

@@ -11,15 +11,27 @@ fn parallel() -> String {
 const GRID: [u32; 2] = [7, 5];
 const FILM: [u32; 2] = [37, 23];
 
-/// Renders the crops of the grid and returns their names.
-fn grid(folder: &Folder, scene: &str, options: &str) -> Vec<String> {
+/// How a crop is given: from one place in the grid to another, along both axes.
+type Region = fn([u32; 2], [u32; 2]) -> String;
+
+fn in_pixels([x0, x1]: [u32; 2], [y0, y1]: [u32; 2]) -> String {
     let cut = |at: u32, axis: usize| at * FILM[axis] / GRID[axis];
+    format!("--pixelbounds {},{},{},{}", cut(x0, 0), cut(x1, 0), cut(y0, 1), cut(y1, 1))
+}
+
+fn in_fractions([x0, x1]: [u32; 2], [y0, y1]: [u32; 2]) -> String {
+    let fraction = |at: u32, axis: usize| f64::from(at) / f64::from(GRID[axis]);
+    format!("--cropwindow {},{},{},{}", fraction(x0, 0), fraction(x1, 0), fraction(y0, 1), fraction(y1, 1))
+}
+
+/// Renders the crops of the grid and returns their names.
+fn grid(folder: &Folder, scene: &str, region: Region, options: &str) -> Vec<String> {
     let mut names = Vec::new();
     for (y, x) in (0..GRID[1]).flat_map(|y| (0..GRID[0]).map(move |x| (y, x))) {
-        let bounds = [cut(x, 0), cut(x + 1, 0), cut(y, 1), cut(y + 1, 1)].map(|cut| cut.to_string()).join(",");
-        names.push(format!("{scene}-{x}-{y}.exr"));
-        let name = &names[names.len() - 1];
-        folder.render(&format!("{scene} --resolution 37x23 --pixelbounds {bounds} -o {name} {options}")).succeeded();
+        let region = region([x, x + 1], [y, y + 1]);
+        let name = format!("{scene}-{x}-{y}.exr");
+        folder.render(&format!("{scene} --resolution 37x23 {region} -o {name} {options}")).succeeded();
+        names.push(name);
     }
     names
 }
@@ -28,8 +40,8 @@ fn grid(folder: &Folder, scene: &str, options: &str) -> Vec<String> {
 fn a_grid_of_crops_is_the_whole_byte_for_byte() {
     let folder = Folder::new().with("parallel.pbrt", parallel());
     let options = "--aov Z,t,A,id,prim,N,P,uv,cost --miss -1";
-    for scene in ["ball.pbrt", "parallel.pbrt"] {
-        let crops = grid(&folder, scene, options);
+    for (scene, region) in [("ball.pbrt", in_pixels as Region), ("parallel.pbrt", in_fractions)] {
+        let crops = grid(&folder, scene, region, options);
         folder.render(&format!("{scene} --resolution 37x23 -o whole.exr {options}")).succeeded();
         folder.merge(&format!("{} -o merged.exr", crops.join(" "))).succeeded().said("37 x 23 pixels of 35 crops");
         assert!(folder.bytes("merged.exr") == folder.bytes("whole.exr"), "{scene}");

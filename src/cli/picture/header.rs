@@ -22,8 +22,13 @@ pub(crate) struct Origin {
 }
 
 impl Picture {
+    /// Whether the format has a place for a header.
+    pub(crate) fn has_header(&self) -> bool {
+        !matches!(self, Picture::Data(Data { format: DataFormat::Npy | DataFormat::Pfm, .. }))
+    }
+
     /// The header of a file that has a place for it.
-    pub(crate) fn header(&self, origin: &Origin) -> Option<String> {
+    pub(crate) fn header(&self, origin: &Origin) -> String {
         let mut header = Map::new();
         header.insert("version".into(), env!("CARGO_PKG_VERSION").into());
         header.insert("scene".into(), origin.scene.to_string().into());
@@ -32,24 +37,22 @@ impl Picture {
             header.insert("accelerator".into(), origin.accel.name().into());
         }
         match self {
-            Picture::Data(data) => of_data(data, &mut header)?,
+            Picture::Data(data) => of_data(data, &mut header),
             Picture::View(shown) => of_view(shown, origin, &mut header),
         }
-        Some(Value::Object(header).to_string())
+        Value::Object(header).to_string()
     }
 }
 
-/// Windows are in attributes of their own; `None` where a format has no place for a header.
-fn of_data(data: &Data, header: &mut Map<String, Value>) -> Option<()> {
-    let DataFormat::Exr { depth_channel } = &data.format else { return None };
+/// Windows are in attributes of their own.
+fn of_data(data: &Data, header: &mut Map<String, Value>) {
     header.insert(MISS.into(), number(data.miss));
     for aov in &data.aovs {
         header.insert(aov.as_str().into(), meaning(aov, data.within_instances).into());
     }
-    if let Some(name) = depth_channel {
+    if let DataFormat::Exr { depth_channel: Some(name) } = &data.format {
         header.insert(DEPTH_CHANNEL.into(), name.as_str().into());
     }
-    Some(())
 }
 
 /// A number, or a string where JSON has no number for it.
