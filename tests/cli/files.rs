@@ -167,7 +167,7 @@ impl Drop for Mounted<'_> {
 fn a_full_disk_leaves_no_short_file_and_may_be_tried_again() {
     let folder = Folder::new();
     let disk = Mounted::new(&folder, "size=64k");
-    for name in ["a.exr", "a.png --view id", "a.npy", "a.pfm"] {
+    for name in ["a.exr", "a.png --view normal", "a.npy", "a.pfm"] {
         let run = folder.render(&format!("ball.pbrt --resolution 1200x1200 -o disk/{name}")).exited(75);
         assert!(run.stderr.contains("cannot write: No space left on device"), "{}", run.stderr);
         assert_eq!(disk.files(), 0, "{name}");

@@ -12,6 +12,7 @@ mod exit_code;
 mod files;
 mod folder;
 mod formats;
+mod help;
 mod man;
 mod merge;
 mod message;

@@ -10,13 +10,13 @@ pub(crate) struct CheckArgs {
     /// WorldBegin.
     #[arg(required = true, value_name = "SCENE")]
     pub(crate) scenes: Vec<PathBuf>,
-    /// Print a line of JSON for each scene.
+    /// Print a line of JSON for each scene [default: a block for people].
     #[arg(long, help_heading = "Output")]
     pub(crate) json: bool,
-    /// Take warnings for errors: exit with 1.
+    /// Take warnings for errors: exit with 1 [default: off].
     #[arg(long, help_heading = "Checking")]
     pub(crate) strict: bool,
-    /// Stop at the first scene that fails.
+    /// Stop at the first scene that fails [default: go on, and report at the end].
     #[arg(long, help_heading = "Checking")]
     pub(crate) fail_fast: bool,
     /// Threads to use [default: all that the process may use].

@@ -19,10 +19,10 @@ pub(crate) struct CompareArgs {
     #[arg(long, value_name = "N", default_value_t = 0, help_heading = "Tolerance")]
     pub(crate) max_pixels: u64,
     /// Write a picture of the differences: false hits orange, missed hits blue, wrong primitives pink, errors of depths
-    /// and surfaces from green to yellow.
+    /// and surfaces from green to yellow [default: none].
     #[arg(long, value_name = "OUT.png", help_heading = "Output")]
     pub(crate) diff: Option<PathBuf>,
-    /// Print a line of JSON.
+    /// Print a line of JSON [default: a block for people].
     #[arg(long, help_heading = "Output")]
     pub(crate) json: bool,
     #[command(flatten, next_help_heading = "Talk")]

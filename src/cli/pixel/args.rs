@@ -13,10 +13,10 @@ pub(crate) struct PixelArgs {
     /// Column and row of the pixel, counted from 0 at the upper left corner of the film.
     #[arg(value_name = "X,Y", value_parser = pixel, allow_hyphen_values = true)]
     pub(crate) pixel: [u32; 2],
-    /// Print one JSON object.
+    /// Print one JSON object [default: a block for people].
     #[arg(long, help_heading = "Output")]
     pub(crate) json: bool,
-    /// Width and height of the film, in place of the scene's.
+    /// Width and height of the film [default: the scene's].
     #[arg(long, value_name = "WxH", value_parser = resolution, help_heading = "Region")]
     pub(crate) resolution: Option<[u32; 2]>,
     /// Count the cost with this accelerator alone: none, middle, equal, sah or hlbvh [default: all].
