@@ -1,6 +1,6 @@
 //! One image: build, trace, write.
 
-use super::loaded_scene::{LoadedScene, Viewpoint};
+use super::loaded_scene::{Built, LoadedScene, Viewpoint};
 use super::output_name::Destination;
 use super::picture::{Caption, Existing, Origin, Picture};
 use super::plan::Plan;
@@ -63,15 +63,15 @@ pub(super) struct Finished {
 
 /// An aggregate of one view, or of all.
 enum Tree<'a> {
-    Own(Box<Aggregate>),
-    Shared(&'a Aggregate),
+    Own(Box<Built>),
+    Shared(&'a Built),
 }
 
 impl Tree<'_> {
-    fn aggregate(&self) -> &Aggregate {
+    fn built(&self) -> &Built {
         match self {
-            Tree::Own(aggregate) => aggregate,
-            Tree::Shared(aggregate) => aggregate,
+            Tree::Own(built) => built,
+            Tree::Shared(built) => built,
         }
     }
 }
@@ -145,7 +145,7 @@ impl Renderer<'_> {
         let Target { destination, picture, window, header } = target;
         let shapes = &loaded.scene.shapes;
         let (tree, build_ms) = self.tree(loaded, view, &picture, &window);
-        let aggregate = tree.aggregate();
+        let Built { aggregate, statistics } = tree.built();
         let options = RenderOptions {
             data_window: window,
             channels: picture.channels(),
@@ -165,7 +165,7 @@ impl Renderer<'_> {
         });
         let legend = written?;
         let ms = Milliseconds { build: build_ms, trace: trace_ms, write: write_ms, ..Milliseconds::default() };
-        let (statistics, precision) = (aggregate.statistics(shapes), self.plan.precision);
+        let (statistics, precision) = (*statistics, self.plan.precision);
         Ok(Finished { destination, method: loaded.build.method, precision, statistics, rendering, legend, ms })
     }
 
@@ -181,18 +181,19 @@ impl Renderer<'_> {
         // Answers of f32, and costs, depend on where boxes are the most precise: each view has a tree of its own, as if it were alone.
         let depends_on_view = self.plan.precision == Precision::Fast || picture.needs_whole_tree();
         let is_shared = loaded.views.len() > 1 && !depends_on_view;
-        if is_shared && loaded.has_shared() {
-            return (Tree::Shared(loaded.shared(Progress::SILENT)), 0.0);
+        if let (true, Some(built)) = (is_shared, loaded.shared()) {
+            return (Tree::Shared(built), 0.0);
         }
         // Statistics and costs are those of the whole tree; other pictures alone need only what they show.
         let make = |progress: Progress<'_>| match self.plan.stats || picture.needs_whole_tree() {
-            _ if is_shared => Tree::Shared(loaded.shared(progress)),
-            true => Tree::Own(Box::new(Aggregate::build(shapes, view.camera.anchor(), build, progress))),
-            false => Tree::Own(Box::new(Aggregate::build_for_view(shapes, &view.camera, window, build, progress))),
+            _ if is_shared => Aggregate::build(shapes, loaded.middle(), build, progress),
+            true => Aggregate::build(shapes, view.camera.anchor(), build, progress),
+            false => Aggregate::build_for_view(shapes, &view.camera, window, build, progress),
         };
-        let (tree, ms) = timed(|| self.bars.during(Phase::Building(Aggregate::work(shapes)), make));
-        let aggregate = tree.aggregate();
-        summary::report_tree(aggregate, shapes, build.method, self.reporter);
+        let (aggregate, ms) = timed(|| self.bars.during(Phase::Building(Aggregate::work(shapes)), make));
+        let built = Built::new(aggregate, shapes);
+        summary::report_tree(&built, shapes, build.method, self.reporter);
+        let tree = if is_shared { Tree::Shared(loaded.share(built)) } else { Tree::Own(Box::new(built)) };
         (tree, ms)
     }
 }

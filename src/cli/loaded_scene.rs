@@ -5,13 +5,14 @@ use super::progress_bar::{Phase, ProgressBars};
 use super::reporter::Reporter;
 use super::summary;
 use super::timing::timed;
-use feimos::accel::{Aggregate, BuildOptions};
+use feimos::accel::{Aggregate, BuildOptions, Statistics};
 use feimos::camera::Camera;
 use feimos::digest::Digest;
 use feimos::error::Result;
 use feimos::geometry::Point;
 use feimos::progress::Progress;
 use feimos::scene::{self, Film, Scene, SceneDigest};
+use feimos::shape::Shapes;
 use std::path::Path;
 use std::sync::OnceLock;
 
@@ -25,7 +26,19 @@ pub(super) struct LoadedScene<'a> {
     pub(super) views: Vec<Viewpoint>,
     digest: OnceLock<SceneDigest>,
     /// Over everything, for all views.
-    shared: OnceLock<Aggregate>,
+    shared: OnceLock<Built>,
+}
+
+/// An aggregate, and what it is like, which takes a walk through it to know.
+pub(super) struct Built {
+    pub(super) aggregate: Aggregate,
+    pub(super) statistics: Statistics,
+}
+
+impl Built {
+    pub(super) fn new(aggregate: Aggregate, shapes: &Shapes) -> Built {
+        Built { statistics: aggregate.statistics(shapes), aggregate }
+    }
 }
 
 /// A place that an image is seen from.
@@ -67,18 +80,18 @@ impl<'a> LoadedScene<'a> {
         self.digest.get_or_init(|| SceneDigest::of(&self.scene.shapes)).seen_by(&view.camera)
     }
 
-    /// The aggregate that all views share, built when it is first asked for.
-    pub(super) fn shared(&self, progress: Progress) -> &Aggregate {
-        self.shared.get_or_init(|| Aggregate::build(&self.scene.shapes, self.middle(), self.build, progress))
+    /// The aggregate that all views share, once there is one.
+    pub(super) fn shared(&self) -> Option<&Built> {
+        self.shared.get()
     }
 
-    /// Whether there is a shared aggregate already.
-    pub(super) fn has_shared(&self) -> bool {
-        self.shared.get().is_some()
+    /// From now on all views share this aggregate, which is over everything.
+    pub(super) fn share(&self, built: Built) -> &Built {
+        self.shared.get_or_init(|| built)
     }
 
     /// Where boxes are the most precise if no view is better than another.
-    fn middle(&self) -> Point {
+    pub(super) fn middle(&self) -> Point {
         let extent = self.scene.shapes.extent();
         let middle = extent.low + (extent.high - extent.low) * 0.5;
         if !extent.is_empty() && middle.is_finite() { middle } else { self.views[0].camera.anchor() }

@@ -2,9 +2,10 @@
 
 use super::counted::counted;
 use super::job::Finished;
+use super::loaded_scene::Built;
 use super::record::Milliseconds;
 use super::reporter::Reporter;
-use feimos::accel::{Aggregate, Fallbacks, Precision, SplitMethod};
+use feimos::accel::{Fallbacks, Precision, SplitMethod};
 use feimos::scene::Scene;
 use feimos::shape::Shapes;
 use indicatif::HumanCount;
@@ -45,8 +46,9 @@ pub(super) fn geometry(shapes: &Shapes) -> String {
 }
 
 /// What was built, and a note on primitives that no ray can hit.
-pub(super) fn report_tree(aggregate: &Aggregate, shapes: &Shapes, method: SplitMethod, reporter: &Reporter) {
-    let (nodes, built) = (aggregate.statistics(shapes).nodes, aggregate.primitive_count(shapes));
+pub(super) fn report_tree(built: &Built, shapes: &Shapes, method: SplitMethod, reporter: &Reporter) {
+    let Built { aggregate, statistics } = built;
+    let (nodes, built) = (statistics.nodes, aggregate.primitive_count(shapes));
     let primitives = shapes.primitive_count();
     reporter.detail(format_args!("built {nodes} nodes by {method} over {built} of {primitives} primitives"));
     let (dead, of) = (aggregate.never_hit(), shapes.own_count());
