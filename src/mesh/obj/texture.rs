@@ -50,7 +50,9 @@ impl Texture {
 
     /// The coordinates at the corners of triangles, which are numbers of corners; `None` where no corner has any.
     pub(super) fn uv(&self, triangles: &[[u32; 3]]) -> Option<Vec<CornerUv>> {
-        let uv = |corner: u32| self.corners[corner as usize].map_or([0.0; 2], |place| self.coordinates[place as usize]);
+        // The faces were read by another reader: should it see more of them, it is no reason to end the program.
+        let place = |corner: u32| self.corners.get(corner as usize).copied().flatten();
+        let uv = |corner: u32| place(corner).map_or([0.0; 2], |place| self.coordinates[place as usize]);
         self.has_any().then(|| triangles.par_iter().map(|corners| corners.map(uv)).collect())
     }
 }
