@@ -9,7 +9,7 @@
 
 mod common;
 
-use common::{Way, assert_same, picture_by};
+use common::{Tree, Way, assert_same, picture_by};
 use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::film::PixelBounds;
 use feimos::progress::Progress;
@@ -45,7 +45,7 @@ fn hits(scene: &Scene, path: &Path) -> u64 {
     let window = PixelBounds::of_film(RESOLUTION[0], RESOLUTION[1]);
     let by = |method: SplitMethod| {
         let build = BuildOptions::new(method);
-        let way = Way { build, threads: 2, level: Level::detect(), for_view: true };
+        let way = Way { build, threads: 2, level: Level::detect(), tree: Tree::OfView };
         picture_by(&scene.camera, &scene.shapes, way, Precision::Exact, window)
     };
     let rendering = by(SplitMethod::Sah);

@@ -283,6 +283,6 @@ fn an_instance_takes_less_than_200_bytes() {
 
 /// Without the check of the tree, which would look at every primitive of every instance.
 fn picture_of(camera: &Camera, shapes: &Shapes, build: BuildOptions) -> Image {
-    let way = common::Way { build, threads: 2, level: feimos::simd::Level::detect(), for_view: true };
+    let way = common::Way { build, threads: 2, level: feimos::simd::Level::detect(), tree: common::Tree::OfView };
     common::picture_by(camera, shapes, way, Precision::Exact, whole(camera)).image
 }

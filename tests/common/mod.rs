@@ -32,8 +32,18 @@ pub(crate) struct Way {
     pub(crate) build: BuildOptions,
     pub(crate) threads: usize,
     pub(crate) level: Level,
-    /// Whether the tree holds only what the picture shows.
-    pub(crate) for_view: bool,
+    pub(crate) tree: Tree,
+}
+
+/// What a tree holds, and where its boxes are the most precise.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Tree {
+    /// Only what the picture shows, at the eye.
+    OfView,
+    /// Everything, at the eye.
+    OfAll,
+    /// Everything, in the middle of the scene: for many views. Answers of `f32` are others with it.
+    Shared,
 }
 
 /// Builds, checks the tree, and renders every channel of `window` that is the same with every accelerator, on `threads` threads.
@@ -45,7 +55,7 @@ pub(crate) fn picture(
     threads: usize,
     window: PixelBounds,
 ) -> Rendering {
-    picture_by(camera, shapes, Way { build, threads, level: Level::detect(), for_view: false }, precision, window)
+    picture_by(camera, shapes, Way { build, threads, level: Level::detect(), tree: Tree::OfAll }, precision, window)
 }
 
 /// As [`picture`], some given way.
@@ -58,12 +68,15 @@ pub(crate) fn picture_by(
 ) -> Rendering {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(way.threads).build().unwrap();
     pool.install(|| {
-        let aggregate = if way.for_view {
-            Aggregate::build_for_view(shapes, camera, &window, way.build, Progress::SILENT)
-        } else {
-            let aggregate = Aggregate::build(shapes, camera.anchor(), way.build, Progress::SILENT);
+        let of_all = |anchor: Point| {
+            let aggregate = Aggregate::build(shapes, anchor, way.build, Progress::SILENT);
             aggregate.validate(shapes).unwrap_or_else(|wrong| panic!("{way:?}: {wrong}"));
             aggregate
+        };
+        let aggregate = match way.tree {
+            Tree::OfView => Aggregate::build_for_view(shapes, camera, &window, way.build, Progress::SILENT),
+            Tree::OfAll => of_all(camera.anchor()),
+            Tree::Shared => of_all(middle(shapes)),
         };
         let channels = ChannelName::ALL.into_iter().filter(|name| *name != ChannelName::Cost).collect();
         let (miss, counted, level) = (f32::INFINITY, false, way.level);
@@ -78,6 +91,13 @@ pub(crate) fn picture_by(
     })
 }
 
+/// The middle of the box around everything, or the origin where there is none.
+fn middle(shapes: &Shapes) -> Point {
+    let extent = shapes.extent();
+    let middle = extent.low + (extent.high - extent.low) * 0.5;
+    if middle.is_finite() { middle } else { Point::default() }
+}
+
 /// All pixels of the film.
 pub(crate) fn whole(camera: &Camera) -> PixelBounds {
     let [width, height] = camera.resolution;
@@ -85,19 +105,24 @@ pub(crate) fn whole(camera: &Camera) -> PixelBounds {
 }
 
 /// Renders with every accelerator, three leaf sizes, several numbers of threads, all instructions that the machine has, with
-/// trees of all and of what is seen, and asserts that no bit differs from the plain list on one thread, which is returned.
+/// trees of all, for one view or many, and of what is seen, and asserts that no bit differs from the plain list on one thread, which is returned.
 pub(crate) fn agreed_picture(camera: &Camera, shapes: &Shapes, precision: Precision) -> Rendering {
     let window = whole(camera);
     let levels: Vec<Level> = Level::ALL.iter().copied().filter(|level| level.is_available()).collect();
-    let way = Way { build: BuildOptions::new(SplitMethod::None), threads: 1, level: Level::Portable, for_view: false };
+    let way =
+        Way { build: BuildOptions::new(SplitMethod::None), threads: 1, level: Level::Portable, tree: Tree::OfAll };
     let reference = picture_by(camera, shapes, way, precision, window);
+    let trees: &[Tree] = match precision {
+        Precision::Exact => &[Tree::OfView, Tree::Shared, Tree::OfAll],
+        Precision::Fast => &[Tree::OfView, Tree::OfAll],
+    };
     let mut turn = 0;
     for method in SplitMethod::ALL {
         for (max_leaf, threads) in [(4, 2), (1, 1), (16, 3)] {
             // Every level meets every accelerator, leaf size and kind of tree in some order.
-            let (level, for_view) = (levels[turn % levels.len()], (turn / levels.len()).is_multiple_of(2));
+            let (level, tree) = (levels[turn % levels.len()], trees[turn / levels.len() % trees.len()]);
             turn += 1;
-            let way = Way { build: BuildOptions { method, max_leaf }, threads, level, for_view };
+            let way = Way { build: BuildOptions { method, max_leaf }, threads, level, tree };
             let other = picture_by(camera, shapes, way, precision, window);
             assert_same(&reference.image, &other.image, &format!("{way:?}"));
             assert_eq!(reference.traced.hits, other.traced.hits);

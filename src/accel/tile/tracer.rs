@@ -59,7 +59,10 @@ struct Together {
 impl<'a> Tiles<'a> {
     /// For the rays of `camera` through `aggregate`, which was built over `shapes`.
     pub fn new(camera: &'a Camera, shapes: &'a Shapes, aggregate: &'a Aggregate, options: TileOptions) -> Tiles<'a> {
-        let together = View::new(camera, &aggregate.space).map(|view| {
+        // Answers of f32 depend on where boxes are the most precise: those of a ray alone are asked for where that is elsewhere.
+        let is_for_view = aggregate.space.anchor() == camera.anchor();
+        let view = View::new(camera, &aggregate.space).filter(|_| is_for_view || options.precision == Precision::Exact);
+        let together = view.map(|view| {
             let nodes = project_all(&aggregate.wide.nodes, &view, options.level);
             let instances = project_all(&aggregate.instances.wide.nodes, &view, options.level);
             Together { view, nodes, instances }

@@ -10,7 +10,7 @@
 use crate::accel::space::AnchorSpace;
 use crate::camera::{Camera, Projection};
 use crate::exact::UNIT_ROUNDOFF as U;
-use crate::geometry::Point;
+use crate::geometry::{Point, Vector};
 
 /// Units of the last place that K's entries, their products with a ray, and a shift to a tile are off by at most, together.
 const ROUNDINGS: f64 = 32.0;
@@ -39,6 +39,8 @@ pub(in crate::accel) struct View {
     pub(super) tolerance: f32,
     /// Anchor space is this times as large as the world.
     pub(super) units: f64,
+    /// The origin of anchor space, relative to the eye: nothing where the tree was built for this view.
+    pub(super) anchor: Vector,
 }
 
 /// Of the nearness that is compared: small enough that hardly two surfaces lie so close, large enough for `f32`.
@@ -57,7 +59,7 @@ pub(super) const UNDERFLOW: f32 = 1.0 / (1u128 << 70) as f32;
 const MAX_RAY_ERROR: f64 = 1.0 / (1u64 << 24) as f64;
 
 impl View {
-    /// `None` where the tree was built for another eye, where numbers are so large or small, or the camera is so skewed, that the bounds would not hold or be of
+    /// `None` where numbers are so large or small, or the camera is so skewed, that the bounds would not hold or be of
     /// no use: then rays travel alone.
     pub(in crate::accel) fn new(camera: &Camera, space: &AnchorSpace) -> Option<View> {
         let eye = camera.anchor();
@@ -82,7 +84,8 @@ impl View {
         let offset = if is_perspective { [0.0; 2] } else { [0, 1].map(|k| -first[k] / step[k]) };
 
         let units = space.units();
-        let reach = 2.0 * space.reach();
+        let anchor = space.anchor() - eye;
+        let reach = 2.0 * (space.reach() + anchor.largest());
         // The sum of the absolute terms of a row of K times what a ray may be made of.
         let sum_of_terms = |k: usize, of: &dyn Fn(usize) -> f64| -> f64 {
             let entry = |axis: usize| match k {
@@ -113,8 +116,7 @@ impl View {
         let largest_error = ray_error(0).max(ray_error(1)).max(ray_error(2));
         let largest =
             sum_of_terms(0, &|_| reach).max(sum_of_terms(1, &|_| reach)).max(farthest) + offsets[0] + offsets[1];
-        let fits = space.anchor() == eye
-            && largest_error < MAX_RAY_ERROR
+        let fits = largest_error < MAX_RAY_ERROR
             && largest < LARGEST
             && farthest > LEAST_DEPTH
             && reach > LEAST_REACH
@@ -132,6 +134,7 @@ impl View {
             forward,
             tolerance: if is_perspective { TOLERANCE } else { TOLERANCE * farthest as f32 },
             units,
+            anchor,
         })
     }
 

@@ -4,6 +4,7 @@ use super::view::{UNDERFLOW, View};
 use super::wide_tree::{Child, WideNode};
 use crate::accel::instance::Placement;
 use crate::accel::space::AnchorSpace;
+use crate::exact::UNIT_ROUNDOFF;
 use crate::simd::{F32s, Kernel, LANES, Lanes, Mask};
 
 /// Up to sixteen children on the film.
@@ -44,10 +45,13 @@ pub(super) struct FilmFromTree {
 }
 
 impl FilmFromTree {
-    /// For the tree whose anchor is the eye.
+    /// For the tree of the world.
     pub(super) fn of_world(view: &View) -> FilmFromTree {
         let row = |k: usize| view.film_from_world[k].map(|entry| (entry / view.units) as f32);
-        FilmFromTree::new(view, row, |_| 0.0, |_| 0.0)
+        let terms = |k: usize| [0, 1, 2].map(|axis| view.film_from_world[k][axis] * view.anchor[axis]);
+        // One rounding of the anchor relative to the eye, one of a product and two of sums, where they may cancel out.
+        let slack = |k: usize| 16.0 * UNIT_ROUNDOFF * terms(k).iter().map(|term| term.abs()).sum::<f64>();
+        FilmFromTree::new(view, row, |k| terms(k).iter().sum(), slack)
     }
 
     /// For the tree of an object, with boxes in `space`, where an instance places it.
