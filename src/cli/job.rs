@@ -2,6 +2,7 @@
 
 use super::loaded_scene::{Built, LoadedScene, Viewpoint};
 use super::output_name::Destination;
+use super::outputs;
 use super::picture::{Caption, Existing, Origin, Picture};
 use super::plan::Plan;
 use super::progress_bar::{Phase, ProgressBars};
@@ -107,6 +108,9 @@ impl Renderer<'_> {
     /// Finds out what to do, and what cannot be done, before the work that takes long. `None` where the image is there already.
     fn target(&self, loaded: &LoadedScene, view: &Viewpoint) -> Result<Option<Target>> {
         let destination = self.destination(loaded, view);
+        if self.overwrite == Overwrite::No {
+            outputs::check_free(&destination)?;
+        }
         let picture = self.plan.picture(&destination).map_err(|error| match self.plan.output_name.is_given() {
             true => error,
             false => error.note("this name comes from the scene; -o gives another one"),

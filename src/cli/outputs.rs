@@ -66,14 +66,12 @@ impl Outputs {
     }
 
     /// # Errors
-    /// A file in the place of one of the images of scene `number`, which is `path`.
+    /// Files in the places of all images of scene `number`, which is `path`: then there is nothing to read it for.
     pub(super) fn check_free(&self, number: usize, path: &Path, plan: &Plan) -> Result<()> {
-        let destinations = self.known[number].clone().or_else(|| destinations(path, plan));
-        let existing = destinations.into_iter().flatten().find_map(|destination| match destination {
-            Destination::File(file) if file.is_file() => Some(file),
-            _ => None,
-        });
-        existing.map_or(Ok(()), |existing| Err(exists(&existing)))
+        let destinations = self.known[number].clone().or_else(|| destinations(path, plan)).unwrap_or_default();
+        let mut problems = destinations.iter().map(|destination| check_free(destination).err());
+        let first = problems.next().flatten();
+        if problems.all(|problem| problem.is_some()) { first.map_or(Ok(()), Err) } else { Ok(()) }
     }
 }
 
@@ -108,8 +106,15 @@ fn twice(one: &ImageName, other: &ImageName, destination: &Destination, plan: &P
     })
 }
 
-fn exists(output: &Path) -> Error {
-    let diagnostic = Diagnostic::new("exists already").at(SourceLocation::file(output));
-    let diagnostic = diagnostic.note("use --force to overwrite it, or --skip-existing to leave the image out");
-    Error::new(ErrorKind::Output, diagnostic)
+/// # Errors
+/// A file that is there.
+pub(super) fn check_free(destination: &Destination) -> Result<()> {
+    match destination {
+        Destination::File(file) if file.is_file() => {
+            let diagnostic = Diagnostic::new("exists already").at(SourceLocation::file(file));
+            let diagnostic = diagnostic.note("use --force to overwrite it, or --skip-existing to leave the image out");
+            Err(Error::new(ErrorKind::Output, diagnostic))
+        }
+        _ => Ok(()),
+    }
 }

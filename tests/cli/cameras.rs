@@ -110,6 +110,18 @@ fn cameras_that_are_done_are_left_out() {
 }
 
 #[test]
+fn an_image_that_exists_does_not_keep_the_others_away() {
+    let folder = folder().with("side.exr", "old");
+    let command = "ball.pbrt --cameras poses.json -o {camera}.exr";
+    let run = folder.render(command).failed(73, "side.exr: exists already");
+    assert!(run.stderr.ends_with("1 of 3 images failed:\n  ball.pbrt, camera side (exit code 73)\n"), "{}", run.stderr);
+    assert!(folder.path("front.exr").is_file() && folder.path("above.exr").is_file());
+    assert_eq!(folder.text("side.exr"), "old");
+    // Where all are there, the scene is not even read.
+    folder.render(command).failed(73, "front.exr: exists already").did_not_say("side.exr");
+}
+
+#[test]
 fn a_failing_camera_does_not_stop_the_others() {
     let folder = folder();
     std::fs::create_dir(folder.path("side.exr")).unwrap();
