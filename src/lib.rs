@@ -1,7 +1,7 @@
 //! Hit and depth images of PBRT scenes: exact about geometry, and about nothing else.
 //!
 //! ```text
-//! scene.pbrt -> directives -> Scene -> Aggregate -> tiles -> Image -> out.{png,exr}
+//! scene.pbrt -> directives -> Scene -> Aggregate -> tiles -> Image -> out.{exr,png,npy,pfm}
 //!               scene::parser scene    accel        render   film
 //! ```
 //!
