@@ -20,6 +20,8 @@ pub(crate) enum Phase {
     Judging(u64),
     /// This many runs of `bench`.
     Measuring(usize),
+    /// This many crops into one image.
+    Merging(usize),
 }
 
 /// Whether and where bars are drawn.
@@ -62,6 +64,7 @@ fn bar(phase: Phase, target: ProgressDrawTarget) -> ProgressBar {
         Phase::Rendering(pixels) => (Some(pixels), "  rendering [{bar:40}] {human_pos}/{human_len} pixels {eta}"),
         Phase::Judging(pixels) => (Some(pixels), "  judging   [{bar:40}] {human_pos}/{human_len} pixels {eta}"),
         Phase::Measuring(runs) => (Some(runs as u64), "  measuring [{bar:40}] {human_pos}/{human_len} runs {eta}"),
+        Phase::Merging(crops) => (Some(crops as u64), "  merging   [{bar:40}] {human_pos}/{human_len} crops {eta}"),
     };
     let style = ProgressStyle::with_template(template).expect("a template written above").progress_chars("=> ");
     let bar = ProgressBar::with_draw_target(length, target).with_style(style);

@@ -10,6 +10,7 @@ mod tests;
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::film::exr_reader::{self, Outline};
 use crate::film::{Channel, Image, Metadata, PixelBounds, Samples};
+use crate::progress::Progress;
 use crate::render;
 use holes::Holes;
 use std::path::{Path, PathBuf};
@@ -31,9 +32,11 @@ pub struct Merged {
 /// Puts the EXR files `crops` together by their data windows. Pixels that several crops have must be the same in all of them.
 /// Without `partial` every pixel of the film must be in one; with it, the image ends where the crops do, and may have holes.
 ///
+/// `progress` counts crops.
+///
 /// # Errors
 /// Files that cannot be read, or are not of one film, scene and set of options; pixels that are missing, or differ.
-pub fn merge(crops: &[PathBuf], partial: bool) -> Result<Merged> {
+pub fn merge(crops: &[PathBuf], partial: bool, progress: Progress) -> Result<Merged> {
     let outlines = crops.iter().map(|path| exr_reader::read_outline(path)).collect::<Result<Vec<Outline>>>()?;
     let Some(first) = outlines.first() else { return Err(Error::usage("no crop to merge")) };
     for (path, outline) in crops.iter().zip(&outlines).skip(1) {
@@ -57,6 +60,7 @@ pub fn merge(crops: &[PathBuf], partial: bool) -> Result<Merged> {
                 .map_err(|difference| differing(&crops[other], path, &difference))?;
         }
         put(&mut image, crop);
+        progress.advance(1);
     }
     let mut metadata = first.metadata.clone();
     if holes.count > 0 {

@@ -123,6 +123,14 @@ fn what_is_no_crop_is_refused() {
 }
 
 #[test]
+fn progress_is_shown_where_it_is_wanted() {
+    let folder = Folder::new();
+    folder.render("ball.pbrt -o a.exr").succeeded();
+    folder.merge("a.exr -o b.exr --progress always").succeeded().said("/1 crops");
+    folder.merge("a.exr -o b.exr").succeeded().did_not_say("/1 crops");
+}
+
+#[test]
 fn the_whole_may_take_the_place_of_a_crop() {
     let folder = Folder::new();
     folder.render("ball.pbrt -o a.exr --pixelbounds 0,6,0,7").succeeded();

@@ -6,6 +6,7 @@ pub(crate) use args::MergeArgs;
 
 use super::counted::counted;
 use super::output_name::Destination;
+use super::progress_bar::{Phase, ProgressBars};
 use super::reporter::Reporter;
 use super::stdout::write_to_stdout;
 use super::thread_pool::thread_pool;
@@ -13,6 +14,7 @@ use feimos::error::{Error, Result};
 use feimos::film::atomic_file::{self, Overwrite};
 use feimos::film::{Format, exr_file};
 use feimos::merge::{self, Merged};
+use feimos::progress::Progress;
 use std::io::Cursor;
 use std::path::Path;
 
@@ -23,7 +25,8 @@ pub(crate) fn merge(args: &MergeArgs, reporter: &Reporter) -> Result<u8> {
         check_output(path)?;
     }
     thread_pool(args.threads)?.install(|| {
-        let merged = merge::merge(&args.crops, args.partial)?;
+        let put_together = |progress: Progress<'_>| merge::merge(&args.crops, args.partial, progress);
+        let merged = ProgressBars::new(&args.talk).during(Phase::Merging(args.crops.len()), put_together)?;
         write(&merged, &destination)?;
         let window = &merged.image.data_window;
         let holes = match merged.holes {
