@@ -126,8 +126,8 @@ fn what_is_no_crop_is_refused() {
 fn progress_is_shown_where_it_is_wanted() {
     let folder = Folder::new();
     folder.render("ball.pbrt -o a.exr").succeeded();
-    folder.merge("a.exr -o b.exr --progress always").succeeded().said("/1 crops");
-    folder.merge("a.exr -o b.exr").succeeded().did_not_say("/1 crops");
+    folder.merge("a.exr -o b.exr --progress always").succeeded().said("merging   [");
+    folder.merge("a.exr -o b.exr").succeeded().did_not_say("merging");
 }
 
 #[test]
