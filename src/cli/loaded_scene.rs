@@ -92,8 +92,7 @@ impl<'a> LoadedScene<'a> {
 
     /// Where boxes are the most precise if no view is better than another.
     pub(super) fn middle(&self) -> Point {
-        let extent = self.scene.shapes.extent();
-        let middle = extent.low + (extent.high - extent.low) * 0.5;
-        if !extent.is_empty() && middle.is_finite() { middle } else { self.views[0].camera.anchor() }
+        let middle = self.scene.shapes.extent().centre();
+        if middle.is_finite() { middle } else { self.views[0].camera.anchor() }
     }
 }

@@ -1,8 +1,10 @@
 //! Names of images: templates, and where they lead.
 
+use super::stdout::write_to_stdout;
 use feimos::accel::SplitMethod;
 use feimos::error::{Error, Result};
-use feimos::film::atomic_file::directory_of;
+use feimos::film::atomic_file::{self, Overwrite, directory_of};
+use std::io::{self, Cursor, Seek, Write};
 use std::path::{Path, PathBuf};
 
 /// Where an image goes.
@@ -14,10 +16,34 @@ pub(crate) enum Destination {
     File(PathBuf),
 }
 
+/// The content of a file.
+pub(crate) trait Encode {
+    /// Writes it, to a file or to memory.
+    fn encode(&self, out: &mut (impl Write + Seek)) -> io::Result<()>;
+}
+
 impl Destination {
     /// The file of that name, or standard output for `-`.
     pub(crate) fn of_name(name: &Path) -> Destination {
         if name == Path::new("-") { Destination::Stdout } else { Destination::File(name.to_path_buf()) }
+    }
+
+    /// Writes all of `content`; a file appears whole or not at all.
+    ///
+    /// # Errors
+    /// A place where no file can be made, or exists and must not be replaced; a disk that is full, a reader that has gone.
+    pub(crate) fn write(&self, overwrite: Overwrite, content: &impl Encode) -> Result<()> {
+        match self {
+            Destination::File(path) => {
+                atomic_file::write_file(path, overwrite, |out| content.encode(out))?;
+                Ok(())
+            }
+            Destination::Stdout => {
+                let mut bytes = Cursor::new(Vec::new());
+                let encoded = content.encode(&mut bytes);
+                write_to_stdout(encoded.map(|()| bytes.into_inner()))
+            }
+        }
     }
 
     /// The same place by the one name that all its spellings share, as far as its directory exists.

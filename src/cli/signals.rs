@@ -10,7 +10,8 @@ use std::thread;
 ///
 /// What the caller has the program ignore stays ignored: a shell does so with SIGINT for what it runs in the background.
 pub(super) fn end_cleanly(reporter: &Reporter) {
-    let caught: Vec<i32> = [SIGINT, SIGTERM].into_iter().filter(|signal| !is_ignored(*signal)).collect();
+    let ignored = ignored();
+    let caught = [SIGINT, SIGTERM].into_iter().filter(|signal| ignored >> (signal - 1) & 1 == 0);
     // Where there can be no handler signals end the program all the same.
     let Ok(mut signals) = Signals::new(caught) else { return };
     let reporter = *reporter;
@@ -25,10 +26,9 @@ pub(super) fn end_cleanly(reporter: &Reporter) {
     });
 }
 
-/// Whether the program was started with this signal ignored, as far as the system tells.
-fn is_ignored(signal: i32) -> bool {
+/// The signals that the program was started with ignored, as far as the system tells: signal k is bit k - 1.
+fn ignored() -> u64 {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
-    let mask = mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).unwrap_or(0);
-    mask >> (signal - 1) & 1 == 1
+    mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).unwrap_or(0)
 }

@@ -93,8 +93,7 @@ pub(crate) fn picture_by(
 
 /// The middle of the box around everything, or the origin where there is none.
 fn middle(shapes: &Shapes) -> Point {
-    let extent = shapes.extent();
-    let middle = extent.low + (extent.high - extent.low) * 0.5;
+    let middle = shapes.extent().centre();
     if middle.is_finite() { middle } else { Point::default() }
 }
 

@@ -5,17 +5,16 @@ mod args;
 pub(crate) use args::MergeArgs;
 
 use super::counted::counted;
-use super::output_name::Destination;
+use super::output_name::{Destination, Encode};
 use super::progress_bar::{Phase, ProgressBars};
 use super::reporter::Reporter;
-use super::stdout::write_to_stdout;
 use super::thread_pool::thread_pool;
 use feimos::error::{Error, Result};
 use feimos::film::atomic_file::{self, Overwrite};
 use feimos::film::{Format, exr_file};
 use feimos::merge::{self, Merged};
 use feimos::progress::Progress;
-use std::io::Cursor;
+use std::io::{self, Seek, Write};
 use std::path::Path;
 
 /// Puts the crops together and writes the whole.
@@ -27,7 +26,7 @@ pub(crate) fn merge(args: &MergeArgs, reporter: &Reporter) -> Result<u8> {
     thread_pool(args.threads)?.install(|| {
         let put_together = |progress: Progress<'_>| merge::merge(&args.crops, args.partial, progress);
         let merged = ProgressBars::new(&args.talk).during(Phase::Merging(args.crops.len()), put_together)?;
-        write(&merged, &destination)?;
+        destination.write(Overwrite::Yes, &merged)?;
         let window = &merged.image.data_window;
         let holes = match merged.holes {
             0 => String::new(),
@@ -51,16 +50,8 @@ fn check_output(path: &Path) -> Result<()> {
     atomic_file::check(path)
 }
 
-fn write(merged: &Merged, destination: &Destination) -> Result<()> {
-    let Merged { image, metadata, .. } = merged;
-    match destination {
-        Destination::File(path) => {
-            atomic_file::write_file(path, Overwrite::Yes, |out| exr_file::write(image, metadata, out)).map(|_| ())
-        }
-        Destination::Stdout => {
-            let mut bytes = Cursor::new(Vec::new());
-            let encoded = exr_file::write(image, metadata, &mut bytes);
-            write_to_stdout(encoded.map(|()| bytes.into_inner()))
-        }
+impl Encode for Merged {
+    fn encode(&self, out: &mut (impl Write + Seek)) -> io::Result<()> {
+        exr_file::write(&self.image, &self.metadata, out)
     }
 }

@@ -50,9 +50,10 @@ impl Data {
 
     pub(super) fn encode(&self, image: &Image, caption: &Caption, out: &mut (impl Write + Seek)) -> io::Result<()> {
         match &self.format {
-            DataFormat::Exr { depth_channel } => {
-                let json = caption.header.clone().unwrap_or_default();
-                let metadata = Metadata { json, camera: caption.camera, depth_channel: depth_channel.clone() };
+            DataFormat::Exr { .. } => {
+                // The header says what the depth channel is called.
+                let header = caption.header.clone().unwrap_or_default();
+                let metadata = Metadata { camera: caption.camera, ..Metadata::of_json(header) };
                 exr_file::write(image, &metadata, out)
             }
             DataFormat::Npy => {

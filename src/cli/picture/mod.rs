@@ -10,15 +10,14 @@ pub(crate) use existing::Existing;
 pub(crate) use header::Origin;
 pub(crate) use shown::Shown;
 
-use super::output_name::Destination;
+use super::output_name::{Destination, Encode};
 use super::reporter::Reporter;
-use super::stdout::write_to_stdout;
 use feimos::error::Result;
-use feimos::film::atomic_file::{self, Overwrite};
+use feimos::film::atomic_file::Overwrite;
 use feimos::film::{CameraAttributes, ChannelName, Image};
 use feimos::shape::Shapes;
 use shown::Pixels;
-use std::io::{self, Cursor, Seek, Write};
+use std::io::{self, Seek, Write};
 
 /// A file's content, as far as the command line decides it.
 #[derive(Debug, Clone, PartialEq)]
@@ -107,17 +106,7 @@ impl Picture {
             Picture::Data(data) => Content::Data(data, image, caption),
             Picture::View(shown) => Content::View(shown, shown.pixels(image)?, image, caption),
         };
-        match destination {
-            Destination::File(path) => {
-                atomic_file::write_file(path, overwrite, |out| content.encode(out))?;
-                Ok(())
-            }
-            Destination::Stdout => {
-                let mut bytes = Cursor::new(Vec::new());
-                let encoded = content.encode(&mut bytes);
-                write_to_stdout(encoded.map(|()| bytes.into_inner()))
-            }
-        }
+        destination.write(overwrite, &content)
     }
 }
 
@@ -127,7 +116,7 @@ enum Content<'a> {
     View(&'a Shown, Pixels, &'a Image, Caption),
 }
 
-impl Content<'_> {
+impl Encode for Content<'_> {
     fn encode(&self, out: &mut (impl Write + Seek)) -> io::Result<()> {
         match self {
             Content::Data(data, image, caption) => data.encode(image, caption, out),

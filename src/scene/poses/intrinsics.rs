@@ -7,7 +7,7 @@
 use super::Refusal;
 use crate::camera::{Camera, Projection, ScreenWindow};
 use crate::film::PixelBounds;
-use crate::geometry::{Matrix, Transform};
+use crate::geometry::{Matrix, Transform, Vector};
 use crate::scene::Film;
 
 /// A pinhole without skew, in pixels.
@@ -72,15 +72,13 @@ const TOLERANCE: f64 = 1e-3;
 
 /// The camera space of scenes, y upwards, from the world.
 pub(super) fn camera_from_world(r: &[[f64; 3]; 3], t: &[f64; 3]) -> Result<Transform, Refusal> {
-    let dot = |a: &[f64; 3], b: &[f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    let cross =
-        |a: &[f64; 3], b: &[f64; 3]| [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+    let rows = r.map(Vector::from);
     let is_off = |i: usize, j: usize| {
         let expected = if i == j { 1.0 } else { 0.0 };
-        let off = (dot(&r[i], &r[j]) - expected).abs();
+        let off = (rows[i].dot(rows[j]) - expected).abs();
         off.is_nan() || off > TOLERANCE
     };
-    let is_rotation = !(0..3).any(|i| (0..3).any(|j| is_off(i, j))) && dot(&cross(&r[0], &r[1]), &r[2]) > 0.0;
+    let is_rotation = !(0..3).any(|i| (0..3).any(|j| is_off(i, j))) && rows[0].cross(rows[1]).dot(rows[2]) > 0.0;
     if !is_rotation || !t.iter().all(|x| x.is_finite()) {
         let expected = "`R` to turn the world to the camera (rows of length 1, at right angles, determinant 1) and `t` to be finite";
         return Err(("no rotation and translation".to_owned(), expected.to_owned()));
