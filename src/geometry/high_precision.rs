@@ -208,7 +208,7 @@ fn leaf() -> impl Strategy<Value = (RoundedTransform, Meant)> {
         (0..12).for_each(|k| column_major[k / 3 * 4 + k % 3] = m[k]);
         column_major[15] = 1.0;
         let transform = Transform::from_column_major(&column_major)?;
-        Some((RoundedTransform::of_numbers(&transform), Meant::of_matrix(rows(transform.matrix.rows))?))
+        Some((RoundedTransform::of_numbers(&transform, false), Meant::of_matrix(rows(transform.matrix.rows))?))
     });
     prop_oneof![translate, scale, rotate, look_at, numbers]
 }

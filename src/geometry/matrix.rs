@@ -16,7 +16,7 @@ impl Matrix {
     pub const IDENTITY: Matrix = Matrix { rows: [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]] };
 
     /// What stands for the inverse of a singular matrix (rule R2).
-    const NOT_A_MATRIX: Matrix = Matrix { rows: [[f64::NAN; 4]; 3] };
+    pub(super) const NOT_A_MATRIX: Matrix = Matrix { rows: [[f64::NAN; 4]; 3] };
 
     /// From three column vectors and the image of the origin.
     pub fn from_columns(x: Vector, y: Vector, z: Vector, origin: Point) -> Matrix {
@@ -81,6 +81,12 @@ impl Matrix {
 
     /// The exact inverse, each entry correctly rounded; all NaN where there is none (rule R2).
     pub fn inverse(&self) -> Matrix {
+        self.inverse_of_quotient(1.0)
+    }
+
+    /// The exact inverse of this matrix with every entry divided by `w`, each entry correctly rounded; all NaN
+    /// where there is none (rule R2). `w` is finite and not 0.
+    pub fn inverse_of_quotient(&self, w: f64) -> Matrix {
         if !self.is_finite() {
             return Matrix::NOT_A_MATRIX;
         }
@@ -89,9 +95,11 @@ impl Matrix {
             return Matrix::NOT_A_MATRIX;
         }
         let offset = ExactVector::from(self.column(3));
+        let w = Dyadic::from(w);
+        // The offset is divided by w, too: in the last column it cancels.
         let row = |i: usize| {
             let moved = -&adjugate[i].dot(&offset);
-            let entry = |j: usize| if j < 3 { &adjugate[i][j] } else { &moved };
+            let entry = |j: usize| if j < 3 { &adjugate[i][j] * &w } else { moved.clone() };
             std::array::from_fn(|j| entry(j).quotient_to_f64(&determinant))
         };
         Matrix { rows: [row(0), row(1), row(2)] }

@@ -19,6 +19,9 @@ impl Transform {
     /// Leaves everything where it is.
     pub const IDENTITY: Transform = Transform { matrix: Matrix::IDENTITY, inverse: Matrix::IDENTITY };
 
+    /// Takes every point nowhere: all entries are NaN.
+    pub const NOT_A_TRANSFORM: Transform = Transform { matrix: Matrix::NOT_A_MATRIX, inverse: Matrix::NOT_A_MATRIX };
+
     /// Moves by `offset`.
     pub fn translate(offset: [f64; 3]) -> Transform {
         Transform { matrix: Matrix::translate(offset), inverse: Matrix::translate(offset.map(|t| -t)) }
@@ -59,13 +62,17 @@ impl Transform {
         Some(Transform { matrix: Matrix { rows: [row(right), row(up), row(forward)] }, inverse })
     }
 
-    /// From the 16 numbers of a `Transform` directive, column by column; `None` unless the last row is `0 0 0 1`.
+    /// From the 16 numbers of a `Transform` directive, column by column. The last row has to be `0 0 0 w` with a
+    /// finite w other than 0: all entries are divided by it, as pbrt divides points (rule R2). `None` for the
+    /// other matrices, which are projective or take points nowhere.
     pub fn from_column_major(m: &[f64; 16]) -> Option<Transform> {
-        if [m[3], m[7], m[11], m[15]] != [0.0, 0.0, 0.0, 1.0] {
+        let ([a, b, c], w) = ([m[3], m[7], m[11]], m[15]);
+        if [a, b, c] != [0.0; 3] || w == 0.0 || !w.is_finite() {
             return None;
         }
-        let matrix = Matrix { rows: std::array::from_fn(|i| std::array::from_fn(|j| m[4 * j + i])) };
-        Some(Transform { matrix, inverse: matrix.inverse() })
+        let numbers = Matrix { rows: std::array::from_fn(|i| std::array::from_fn(|j| m[4 * j + i])) };
+        let matrix = Matrix { rows: numbers.rows.map(|row| row.map(|entry| entry / w)) };
+        Some(Transform { matrix, inverse: numbers.inverse_of_quotient(w) })
     }
 
     /// `self * right`: what the current transform becomes when `right` is met in a scene file (rule R3).
@@ -112,5 +119,24 @@ mod tests {
         assert_eq!(Transform::from_column_major(&m).unwrap(), Transform::translate([7.0, 8.0, 9.0]));
         m[3] = 0.5;
         assert!(Transform::from_column_major(&m).is_none());
+    }
+
+    #[test]
+    fn sixteen_numbers_are_divided_by_the_last() {
+        let mut m = [0.0; 16];
+        (m[0], m[5], m[10], m[15]) = (3.0, -3.0, 1.0, 3.0);
+        (m[12], m[13], m[14]) = (6.0, 1.0, -9.0);
+        let transform = Transform::from_column_major(&m).unwrap();
+        let rows = [[1.0, 0.0, 0.0, 2.0], [0.0, -1.0, 0.0, 1.0 / 3.0], [0.0, 0.0, 1.0 / 3.0, -3.0]];
+        assert_eq!(transform.matrix.rows, rows);
+        // The inverse is that of the exact quotients, not of the rounded ones: 3 and 9 are whole.
+        let inverse = [[1.0, 0.0, 0.0, -2.0], [0.0, -1.0, 0.0, 1.0 / 3.0], [0.0, 0.0, 3.0, 9.0]];
+        assert_eq!(transform.inverse.rows, inverse);
+        for w in [0.0, -0.0, f64::NAN, f64::INFINITY] {
+            m[15] = w;
+            assert!(Transform::from_column_major(&m).is_none(), "{w}");
+        }
+        m[15] = -3.0;
+        assert_eq!(Transform::from_column_major(&m).unwrap().matrix.rows[0], [-1.0, 0.0, 0.0, -2.0]);
     }
 }

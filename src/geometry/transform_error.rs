@@ -47,14 +47,15 @@ impl RoundedTransform {
         RoundedTransform::of(exact(&Matrix::scale(factors)), inverse)
     }
 
-    /// 16 numbers, as [`Transform::from_column_major`] made a transform of them: exact, with every entry of the inverse correctly
-    /// rounded.
-    pub fn of_numbers(transform: &Transform) -> RoundedTransform {
-        if transform.matrix == Matrix::IDENTITY {
+    /// 16 numbers, as [`Transform::from_column_major`] made a transform of them: with every entry of the inverse
+    /// correctly rounded, and those of the matrix too where they were `divided`, which else are exact.
+    pub fn of_numbers(transform: &Transform, divided: bool) -> RoundedTransform {
+        if transform.matrix == Matrix::IDENTITY && !divided {
             return RoundedTransform::IDENTITY;
         }
-        let inverse = transform.inverse.rows.map(|row| row.map(Rounded::nearest));
-        RoundedTransform::of(exact(&transform.matrix), inverse)
+        let nearest = |matrix: &Matrix| matrix.rows.map(|row| row.map(Rounded::nearest));
+        let matrix = if divided { nearest(&transform.matrix) } else { exact(&transform.matrix) };
+        RoundedTransform::of(matrix, nearest(&transform.inverse))
     }
 
     /// [`Transform::rotate`], operation by operation. Sine and cosine are correctly rounded; they are exact where they are 0,
@@ -235,7 +236,7 @@ mod tests {
         assert_eq!(huge.times(&huge).error.matrix[0][3], f64::INFINITY);
         assert_eq!(RoundedTransform::rotate(1.0, Vector::default()).error.matrix[0][0], f64::INFINITY);
         let matrix = Matrix::scale([1.0, 0.0, 1.0]);
-        let singular = RoundedTransform::of_numbers(&Transform { matrix, inverse: matrix.inverse() });
+        let singular = RoundedTransform::of_numbers(&Transform { matrix, inverse: matrix.inverse() }, false);
         assert_eq!((singular.error.matrix, singular.error.inverse), ([[0.0; 4]; 3], [[f64::INFINITY; 4]; 3]));
     }
 }

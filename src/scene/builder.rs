@@ -1,19 +1,19 @@
 //! From directives to a scene: the interpreter of scene files.
 
 use super::accelerator::AcceleratorParameters;
+use super::blocks::Block;
 use super::camera_parameters::CameraParameters;
-use super::census::Census;
+use super::census::{Census, MAX_LISTED};
 use super::film::FilmParameters;
-use super::graphics_state::{Block, GraphicsState};
-use super::includes::Includes;
-use super::objects::{Definition, Objects};
-use super::parameters::Parameters;
-use super::parser::{Directive, Directives, Entity, Span, Statement};
+use super::graphics_state::GraphicsState;
+use super::includes::{Includes, Tail};
+use super::materials::{self, Materials};
+use super::name::Name;
+use super::objects::Objects;
+use super::parser::{Directive, Directives, Next, Span, Statement, Text, end_of_arguments, is_last};
 use super::places::Places;
-use super::shape_statement::ShapeTarget;
 use super::source::{Place, Source};
 use super::transform_cache::TransformCache;
-use super::transform_directives::affine;
 use super::warnings::Warnings;
 use super::{LoadOptions, Roundings, Scene, SceneOptions};
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
@@ -43,17 +43,18 @@ pub(super) struct Builder<'a> {
     pub(super) accelerator: AcceleratorParameters,
     pub(super) shapes: Shapes,
     pub(super) objects: Objects,
-    shape_count: u32,
-    transforms: TransformCache,
+    pub(super) materials: Materials,
+    pub(super) shape_count: u32,
+    pub(super) transforms: TransformCache,
     pub(super) warnings: Warnings,
-    census: Census,
+    pub(super) census: Census,
     pub(super) includes: Includes,
     /// If they are wanted.
     pub(super) places: Option<Places>,
     /// Filled where roundings are followed.
     pub(super) roundings: Option<Roundings>,
-    keeps_orientation: bool,
-    keeps_uv: bool,
+    pub(super) keeps_orientation: bool,
+    pub(super) keeps_uv: bool,
 }
 
 impl<'a> Builder<'a> {
@@ -73,6 +74,7 @@ impl<'a> Builder<'a> {
             accelerator: AcceleratorParameters::default(),
             shapes: Shapes::default(),
             objects: Objects::default(),
+            materials: Materials::default(),
             shape_count: 0,
             transforms: TransformCache::default(),
             warnings: Warnings::default(),
@@ -105,40 +107,86 @@ impl<'a> Builder<'a> {
     /// Obeys the directives of the file that the builder is for.
     pub(super) fn read_top_level(&mut self) -> Result<()> {
         let source = Source::read_top_level(&self.path)?;
-        self.read(Rc::new(source))
+        self.read(Rc::new(source), false).map(|_| ())
     }
 
     /// Obeys the directives in `text`, as if it were the file that the builder is for.
     pub(super) fn read_text(&mut self, text: Vec<u8>) -> Result<()> {
-        self.read(Rc::new(Source { path: self.path.clone(), text }))
+        self.read(Rc::new(Source::new(&self.path, text)), false).map(|_| ())
     }
 
-    /// Obeys the directives of one file and of those that it includes.
-    pub(super) fn read(&mut self, source: Rc<Source>) -> Result<()> {
+    /// Obeys the directives of one file and of those that it includes. Where the file `is_continued` by arguments
+    /// behind its `Include`, the last directive is handed back.
+    pub(super) fn read(&mut self, source: Rc<Source>, is_continued: bool) -> Result<Option<Tail>> {
         self.includes.enter(&source.path);
         self.places.iter_mut().for_each(|places| places.enter(&source.path));
-        let mut seen = 0;
-        for directive in Directives::new(&source.path, &source.text) {
-            let directive = match directive {
-                // What follows the end of the world may be anything.
-                Err(_) if self.ended => break,
-                directive => directive?,
-            };
-            self.progress.advance(directive.span.end - seen);
-            seen = directive.span.end;
-            if self.ended {
-                self.warn_of_the_rest(&directive, &source);
-                break;
-            }
-            self.census.count(&directive);
-            self.obey(&directive, &source)?;
-            if self.only_options && self.in_world {
-                break;
-            }
-        }
+        let tail = self.read_directives(&source, is_continued)?;
         self.includes.leave();
         self.places.iter_mut().for_each(Places::leave);
-        Ok(())
+        Ok(tail)
+    }
+
+    fn read_directives(&mut self, source: &Rc<Source>, is_continued: bool) -> Result<Option<Tail>> {
+        let mut directives = source.directives();
+        let mut seen = 0;
+        loop {
+            let start = directives.offset();
+            let directive = match directives.next() {
+                None => return Ok(None),
+                // What follows the end of the world may be anything.
+                Some(Err(_)) if self.ended => return Ok(None),
+                // Perhaps only since the rest of it is in another file.
+                Some(Err(_)) if is_continued && is_last(&source.text, start) => {
+                    return Ok(Some(Tail::new(source, start)));
+                }
+                Some(directive) => directive?,
+            };
+            if !source.is_spliced() {
+                self.progress.advance(directive.span.end - seen);
+                seen = directive.span.end;
+            }
+            if self.ended {
+                self.warn_of_the_rest(&directive, source);
+                return Ok(None);
+            }
+            let includes = matches!(directive.statement, Statement::Include(_));
+            if is_continued && !includes && directives.next_is() == Next::End {
+                return Ok(Some(Tail::new(source, start)));
+            }
+            self.census.count(&directive);
+            let tail = match &directive.statement {
+                Statement::Include(name) => self.include_and_go_on(name, source, &mut directives, is_continued)?,
+                _ => self.obey(&directive, source).map(|()| None)?,
+            };
+            if tail.is_some() || (self.only_options && self.in_world) {
+                return Ok(tail);
+            }
+        }
+    }
+
+    /// Reads an included file, and its last directive together with the arguments that follow the `Include`, which the
+    /// `directives` of `source` have just passed.
+    fn include_and_go_on(
+        &mut self,
+        name: &Text,
+        source: &Rc<Source>,
+        directives: &mut Directives,
+        is_continued: bool,
+    ) -> Result<Option<Tail>> {
+        let goes_on = match directives.next_is() {
+            Next::Argument => true,
+            Next::End => is_continued,
+            Next::Directive => false,
+        };
+        let Some(tail) = self.include(name, source, goes_on)? else { return Ok(None) };
+        let start = directives.offset();
+        let end = end_of_arguments(&source.text, start);
+        directives.go_to(end);
+        let is_continued = is_continued && directives.next_is() == Next::End;
+        if is_continued && start == end {
+            return Ok(Some(tail));
+        }
+        self.read_directives(&tail.with(source, start..end), is_continued)
     }
 
     fn warn_of_the_rest(&mut self, directive: &Directive, source: &Source) {
@@ -156,24 +204,26 @@ impl<'a> Builder<'a> {
                 self.concat(Transform::rotate(*angle, Vector::new(*x, *y, *z)), directive, source);
             }
             Statement::LookAt(numbers) => self.look_at(numbers, directive, source),
-            Statement::Transform(m) => self.replace(affine(m, directive, source)?, directive, source),
-            Statement::ConcatTransform(m) => self.concat(affine(m, directive, source)?, directive, source),
+            Statement::Transform(m) | Statement::ConcatTransform(m) => self.numbers(m, directive, source),
             Statement::ActiveTransform(active) => self.state.active = *active,
-            Statement::CoordinateSystem(name) => self.state.name(&name.text),
+            Statement::CoordinateSystem(name) => self.state.name(Name::new(name)),
             Statement::CoordSysTransform(name) => self.recall(name, source),
             Statement::ReverseOrientation => self.state.reverses_orientation ^= true,
             Statement::TransformTimes(_) | Statement::Ignored(_) => {}
             Statement::AttributeBegin => self.state.begin(Block::Attribute, Place::new(source, keyword)),
-            Statement::AttributeEnd => self.end(Block::Attribute, keyword, source)?,
+            Statement::AttributeEnd => self.end(Block::Attribute, keyword, source),
             Statement::TransformBegin => self.state.begin(Block::Transform, Place::new(source, keyword)),
-            Statement::TransformEnd => self.end(Block::Transform, keyword, source)?,
+            Statement::TransformEnd => self.end(Block::Transform, keyword, source),
             Statement::ObjectBegin(name) => self.begin_object(name, keyword, source)?,
-            Statement::ObjectEnd => self.end_object(keyword, source)?,
+            Statement::ObjectEnd => self.end_object(keyword, source),
             Statement::ObjectInstance(name) => self.instance(name, keyword, source)?,
             Statement::WorldBegin => self.begin_world(keyword, source)?,
             Statement::WorldEnd => self.end_world(keyword, source)?,
-            Statement::Include(name) => self.include(name, source)?,
+            Statement::Include(_) => {}
             Statement::Import(name) => self.import(name, keyword, source)?,
+            Statement::Material(name) => self.state.material = materials::of_type(name),
+            Statement::MakeNamedMaterial(entity) => self.materials.make(entity),
+            Statement::NamedMaterial(name) => self.state.material = self.materials.named(name),
             Statement::Attribute(entity) => self.attribute(entity, source)?,
             Statement::Camera(entity) => self.camera(entity, keyword, source)?,
             Statement::Film(entity) => self.film(entity, keyword, source)?,
@@ -189,16 +239,6 @@ impl<'a> Builder<'a> {
             let diagnostic = Diagnostic::new(format!("`{name}` is no directive of pbrt: skipped with its arguments"));
             diagnostic.at(source.at(keyword)).note("if it places geometry, that is missing from the picture")
         });
-    }
-
-    pub(super) fn end(&mut self, block: Block, keyword: &Span, source: &Rc<Source>) -> Result<()> {
-        self.state.end(block).map_err(|open| match open {
-            None => source.error(keyword, format!("{} without {}", block.end(), block.begin())),
-            Some(open) => {
-                let message = format!("{} closes a block that {} began", block.end(), open.begin());
-                source.error(keyword, message).note(format!("expected {}", open.end()))
-            }
-        })
     }
 
     fn begin_world(&mut self, keyword: &Span, source: &Rc<Source>) -> Result<()> {
@@ -235,56 +275,13 @@ impl<'a> Builder<'a> {
         }
     }
 
-    fn shape(&mut self, entity: &Entity, keyword: &Span, source: &Rc<Source>) -> Result<()> {
-        self.check_in_world("Shape", keyword, source)?;
-        let Some(number) = self.shape_count.checked_add(1) else {
-            return Err(source.error(keyword, format!("the scene has more than {} shapes", u32::MAX)));
-        };
-        self.shape_count = number;
-        let name = &entity.name.text;
-        self.places.iter_mut().for_each(|places| places.add_shape(name, keyword, &source.text));
-        if let (Some(roundings), Some(rounded)) = (&mut self.roundings, &self.state.rounded) {
-            roundings.shapes.push(Arc::clone(rounded));
-        }
-        self.warn_if_moving(keyword, source);
-        let is_in_object = self.objects.open.is_some();
-        let (shapes, transforms) = match &mut self.objects.open {
-            Some(Definition { shapes, transforms, .. }) => (shapes, transforms),
-            None => (&mut self.shapes, &mut self.transforms),
-        };
-        let world_from_object = self.state.current.matrix;
-        let is_turned = || self.state.reverses_orientation != world_from_object.swaps_handedness();
-        let mut target = ShapeTarget {
-            shapes,
-            transforms,
-            warnings: &mut self.warnings,
-            directory: &self.directory,
-            number,
-            world_from_object,
-            is_in_object,
-            is_turned: self.keeps_orientation && is_turned(),
-            keeps_uv: self.keeps_uv,
-        };
-        let before = target.shapes.own_count();
-        let is_added = target.add(Parameters::of_shape(entity, source, &self.state.defaults)?)?;
-        let added = target.shapes.own_count() - before;
-        self.census.count_shape(&entity.name.text, is_added.then_some(added));
-        Ok(())
-    }
-
-    /// No block is open, or the innermost is an `outer`.
-    pub(super) fn check_closed_but_for(&self, outer: Option<Block>) -> Result<()> {
-        match self.state.innermost() {
-            Some(open) if Some(open.block) != outer => {
-                Err(open.place.error(format!("{} without {}", open.block.begin(), open.block.end())))
-            }
-            _ => Ok(()),
-        }
-    }
-
     /// The scene, when all has been read.
-    pub(super) fn finish(self, options: &LoadOptions) -> Result<Scene> {
-        self.check_closed_but_for(None)?;
+    pub(super) fn finish(mut self, options: &LoadOptions) -> Result<Scene> {
+        self.close_blocks();
+        self.define_object();
+        self.define_awaited()?;
+        self.shapes.hide(&self.materials.late_boundaries());
+        self.census.set_unused(self.objects.unused(MAX_LISTED));
         if !self.in_world {
             let diagnostic = Diagnostic::new("the scene has no WorldBegin").at(SourceLocation::file(&self.path));
             return Err(Error::bad_input(diagnostic.note("expected Camera and Film, WorldBegin, and then the shapes")));

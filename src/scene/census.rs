@@ -1,6 +1,8 @@
 //! What a scene file says, counted.
 
+use super::objects::UnusedObject;
 use super::parser::{Directive, KEYWORDS, Statement};
+use crate::error::SourceLocation;
 use std::collections::BTreeMap;
 
 /// How often each directive and each type of shape occurs, in all files of a scene.
@@ -12,6 +14,35 @@ pub struct Census {
     skipped: [u64; KEYWORDS.len()],
     private: BTreeMap<String, u64>,
     shapes: BTreeMap<String, ShapeCount>,
+    boundaries: Listed<Boundary>,
+    unused_objects: Listed<UnusedObject>,
+}
+
+/// The first [`MAX_LISTED`] of something, and the number of all.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Listed<T> {
+    /// The first of them.
+    pub first: Vec<T>,
+    /// How many there are.
+    pub count: u64,
+}
+
+/// A shape that only bounds a medium: rays pass through.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Boundary {
+    /// The type of the shape.
+    pub shape: String,
+    /// File, line and column of the `Shape` statement.
+    pub place: String,
+}
+
+/// Places that are listed, at most.
+pub(super) const MAX_LISTED: usize = 20;
+
+impl<T> Default for Listed<T> {
+    fn default() -> Listed<T> {
+        Listed { first: Vec::new(), count: 0 }
+    }
 }
 
 /// How often a type of shape occurs.
@@ -37,6 +68,7 @@ impl Census {
         let counts = match &directive.statement {
             Statement::Private(name) => return *count_of(&mut self.private, name) += 1,
             Statement::Ignored(_) | Statement::TransformTimes(_) => &mut self.skipped,
+            Statement::Material(_) | Statement::MakeNamedMaterial(_) | Statement::NamedMaterial(_) => &mut self.skipped,
             Statement::Attribute(target) if target.name.text != "shape" => &mut self.skipped,
             _ => &mut self.obeyed,
         };
@@ -51,6 +83,29 @@ impl Census {
         count.statements += 1;
         count.primitives += primitives.unwrap_or(0) as u64;
         count.is_left_out |= primitives.is_none();
+    }
+
+    /// Notes a shape that only bounds a medium.
+    pub(super) fn add_boundary(&mut self, shape: &str, place: impl FnOnce() -> SourceLocation) {
+        self.boundaries.count += 1;
+        if self.boundaries.first.len() < MAX_LISTED {
+            self.boundaries.first.push(Boundary { shape: shape.to_owned(), place: place().to_string() });
+        }
+    }
+
+    /// Notes the objects that no instance shows: the first ones, and the number of all.
+    pub(super) fn set_unused(&mut self, (first, count): (Vec<UnusedObject>, u64)) {
+        self.unused_objects = Listed { first, count };
+    }
+
+    /// Shapes that only bound a medium, in the order of the file: no ray meets them.
+    pub fn boundaries(&self) -> &Listed<Boundary> {
+        &self.boundaries
+    }
+
+    /// Objects that no instance shows, sorted by name.
+    pub fn unused_objects(&self) -> &Listed<UnusedObject> {
+        &self.unused_objects
     }
 
     /// Directives that were obeyed, sorted by keyword.
@@ -78,17 +133,32 @@ impl Census {
         self.shapes.values().filter(|count| count.is_left_out).map(|count| count.statements).sum()
     }
 
-    /// One line on what was skipped, where anything was.
+    /// One line on what was skipped or left out since rays do not meet it, where anything was.
     pub fn summary(&self) -> Option<String> {
         let counts: Vec<String> = self.skipped().map(|(keyword, count)| format!("{count} {keyword}")).collect();
-        (!counts.is_empty()).then(|| format!("skipped, without influence on hit and depth: {}", counts.join(", ")))
+        let skipped =
+            (!counts.is_empty()).then(|| format!("skipped, without influence on hit and depth: {}", counts.join(", ")));
+        let left_out = match self.boundaries.count {
+            0 => None,
+            1 => Some("left out, as in pbrt: 1 shape that only bounds a medium".to_owned()),
+            count => Some(format!("left out, as in pbrt: {count} shapes that only bound a medium")),
+        };
+        let parts: Vec<String> = skipped.into_iter().chain(left_out).collect();
+        (!parts.is_empty()).then(|| parts.join("; "))
     }
 }
 
 impl Default for Census {
     fn default() -> Census {
         let none = [0; KEYWORDS.len()];
-        Census { obeyed: none, skipped: none, private: BTreeMap::new(), shapes: BTreeMap::new() }
+        Census {
+            obeyed: none,
+            skipped: none,
+            private: BTreeMap::new(),
+            shapes: BTreeMap::new(),
+            boundaries: Listed::default(),
+            unused_objects: Listed::default(),
+        }
     }
 }
 

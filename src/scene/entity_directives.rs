@@ -4,6 +4,7 @@ use super::accelerator::AcceleratorParameters;
 use super::builder::Builder;
 use super::camera_parameters::CameraParameters;
 use super::film::FilmParameters;
+use super::name::Name;
 use super::parameters::Parameters;
 use super::parser::{Entity, Span};
 use super::shape_defaults::MAX_DEFAULTS;
@@ -29,6 +30,7 @@ impl Builder<'_> {
     pub(super) fn camera(&mut self, entity: &Entity, keyword: &Span, source: &Rc<Source>) -> Result<()> {
         self.check_before_world("Camera", keyword, source)?;
         let mut parameters = Parameters::new("Camera", entity, source)?;
+        self.check_usable("Camera", keyword, source)?;
         if let (Some((reason, place)), false) = (&self.singular, self.state.current.inverse.is_finite()) {
             return Err(place.error(*reason).note("so the camera, which comes after it, has no place"));
         }
@@ -38,7 +40,7 @@ impl Builder<'_> {
         if let (Some(roundings), Some(rounded)) = (&mut self.roundings, &self.state.rounded) {
             roundings.camera = Arc::clone(rounded);
         }
-        self.state.name_inverse("camera");
+        self.state.name_inverse(Name::from("camera"));
         if self.state.is_moving() {
             let message = "a moving camera is not supported: it stands where it is at the start time";
             self.warnings.add("moving camera", || Diagnostic::new(message).at(source.at(keyword)));

@@ -1,5 +1,8 @@
 //! What directives change for those that follow: the current transform, defaults of shapes, and blocks around them.
 
+use super::blocks::{Block, OpenBlock};
+use super::materials::Material;
+use super::name::Name;
 use super::parser::ActiveTransform;
 use super::shape_defaults::ShapeDefaults;
 use super::source::Place;
@@ -7,59 +10,29 @@ use crate::geometry::{RoundedTransform, Transform};
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// The kinds of block, each with an end of its own.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Block {
-    /// `AttributeBegin` to `AttributeEnd`.
-    Attribute,
-    /// `TransformBegin` to `TransformEnd`.
-    Transform,
-    /// `ObjectBegin` to `ObjectEnd`.
-    Object,
-    /// A file that is read with a state of its own.
-    Import,
-}
-
-impl Block {
-    /// The directive that opens it.
-    pub(super) fn begin(self) -> &'static str {
-        match self {
-            Block::Attribute => "AttributeBegin",
-            Block::Transform => "TransformBegin",
-            Block::Object => "ObjectBegin",
-            Block::Import => "Import",
-        }
-    }
-
-    /// The directive that closes it.
-    pub(super) fn end(self) -> &'static str {
-        match self {
-            Block::Attribute => "AttributeEnd",
-            Block::Transform => "TransformEnd",
-            Block::Object => "ObjectEnd",
-            Block::Import => "the end of the imported file",
-        }
-    }
-}
-
-/// A block that is not closed yet.
-pub(super) struct OpenBlock {
-    pub(super) block: Block,
-    /// Where it began.
-    pub(super) place: Place,
-    outer: Transforms,
-    active: ActiveTransform,
-    reverses_orientation: bool,
-    /// How many defaults of shapes there were.
-    defaults: usize,
-}
-
 /// The transform at the start time and, where it is another, at the end time.
 #[derive(Clone)]
-struct Transforms {
+pub(super) struct Transforms {
     start: Transform,
     rounded: Option<Arc<RoundedTransform>>,
     end: Option<Box<Transform>>,
+    unusable: Option<Arc<Unusable>>,
+}
+
+/// Why a transform takes points nowhere, and the matrix that began it.
+pub(super) struct Unusable {
+    pub(super) message: String,
+    pub(super) place: Place,
+}
+
+/// What a block takes back when it ends.
+pub(super) struct Saved {
+    transforms: Transforms,
+    active: ActiveTransform,
+    reverses_orientation: bool,
+    material: Material,
+    /// How many defaults of shapes there were.
+    defaults: usize,
 }
 
 /// The current transform with what surrounds it.
@@ -79,8 +52,14 @@ pub(super) struct GraphicsState {
     pub(super) reverses_orientation: bool,
     /// What `Attribute "shape"` has set.
     pub(super) defaults: ShapeDefaults,
+    /// What the current material makes of shapes.
+    pub(super) material: Material,
+    /// Why nothing can be placed by the current transform, where that is so.
+    pub(super) unusable: Option<Arc<Unusable>>,
     open: Vec<OpenBlock>,
-    named: HashMap<String, Transforms>,
+    named: HashMap<Name, Transforms>,
+    /// Of each open import, what the names that it gave meant before.
+    renamed: Vec<HashMap<Name, Option<Transforms>>>,
 }
 
 impl GraphicsState {
@@ -92,8 +71,11 @@ impl GraphicsState {
             active: ActiveTransform::All,
             reverses_orientation: false,
             defaults: ShapeDefaults::default(),
+            material: Material::default(),
+            unusable: None,
             open: Vec::new(),
             named: HashMap::new(),
+            renamed: Vec::new(),
         }
     }
 
@@ -101,8 +83,10 @@ impl GraphicsState {
     pub(super) fn begin_world(&mut self) {
         (self.current, self.end, self.active) = (Transform::IDENTITY, None, ActiveTransform::All);
         self.reverses_orientation = false;
+        self.material = Material::default();
+        self.unusable = None;
         self.rounded = self.rounded.as_ref().map(|_| Arc::new(RoundedTransform::IDENTITY));
-        self.name("world");
+        self.name(Name::from("world"));
     }
 
     /// Whether directives change the transform of the start time, which is the one that is rendered.
@@ -152,55 +136,89 @@ impl GraphicsState {
 
     /// Opens a block.
     pub(super) fn begin(&mut self, block: Block, place: Place) {
-        let (outer, active, defaults) = (self.transforms(), self.active, self.defaults.len());
-        let reverses_orientation = self.reverses_orientation;
-        self.open.push(OpenBlock { block, place, outer, active, reverses_orientation, defaults });
+        let saved = Saved {
+            transforms: self.transforms(),
+            active: self.active,
+            reverses_orientation: self.reverses_orientation,
+            material: self.material.clone(),
+            defaults: self.defaults.len(),
+        };
+        if block == Block::Import {
+            self.renamed.push(HashMap::new());
+        }
+        self.open.push(OpenBlock { block, place, saved });
     }
 
-    /// Closes the innermost block, which must be a `block`.
-    ///
-    /// # Errors
-    /// What is open instead: nothing, or a block of another kind.
-    pub(super) fn end(&mut self, block: Block) -> Result<(), Option<Block>> {
-        match self.open.pop_if(|open| open.block == block) {
-            Some(open) => {
-                self.restore(open.outer);
-                self.active = open.active;
-                self.reverses_orientation = open.reverses_orientation;
-                self.defaults.truncate(open.defaults);
-                Ok(())
-            }
-            None => Err(self.open.last().map(|open| open.block)),
+    /// Closes the innermost block, whatever it is, but for an import: that is closed by nothing in its file. Gives
+    /// back what was closed, or `None` where nothing is open.
+    pub(super) fn end_innermost(&mut self) -> Option<(Block, Place)> {
+        let open = self.open.pop_if(|open| open.block != Block::Import)?;
+        self.take_back(open.saved);
+        Some((open.block, open.place))
+    }
+
+    /// Closes the import that is the innermost block. Coordinate systems that its file named are forgotten, as in
+    /// pbrt-v4.
+    pub(super) fn end_import(&mut self) {
+        if let Some(open) = self.open.pop() {
+            self.take_back(open.saved);
+        }
+        for (name, before) in self.renamed.pop().unwrap_or_default() {
+            match before {
+                Some(transforms) => self.named.insert(name, transforms),
+                None => self.named.remove(&name),
+            };
         }
     }
 
-    /// The innermost block that is still open.
-    pub(super) fn innermost(&self) -> Option<&OpenBlock> {
-        self.open.last()
+    fn take_back(&mut self, saved: Saved) {
+        self.restore(saved.transforms);
+        self.active = saved.active;
+        self.reverses_orientation = saved.reverses_orientation;
+        self.material = saved.material;
+        self.defaults.truncate(saved.defaults);
     }
 
     fn transforms(&self) -> Transforms {
-        Transforms { start: self.current, rounded: self.rounded.clone(), end: self.end.clone() }
+        Transforms {
+            start: self.current,
+            rounded: self.rounded.clone(),
+            end: self.end.clone(),
+            unusable: self.unusable.clone(),
+        }
     }
 
     fn restore(&mut self, transforms: Transforms) {
-        (self.current, self.rounded, self.end) = (transforms.start, transforms.rounded, transforms.end);
+        let Transforms { start, rounded, end, unusable } = transforms;
+        (self.current, self.rounded, self.end, self.unusable) = (start, rounded, end, unusable);
     }
 
     /// Gives a name to the current transform.
-    pub(super) fn name(&mut self, name: &str) {
-        self.named.insert(name.to_owned(), self.transforms());
+    pub(super) fn name(&mut self, name: Name) {
+        let transforms = self.transforms();
+        self.set_name(name, transforms);
     }
 
     /// Gives a name to the inverse of the current transform.
-    pub(super) fn name_inverse(&mut self, name: &str) {
-        let end = self.end.as_ref().map(|end| Box::new(end.inverted()));
-        let rounded = self.rounded.as_ref().map(|rounded| Arc::new(rounded.inverted()));
-        self.named.insert(name.to_owned(), Transforms { start: self.current.inverted(), rounded, end });
+    pub(super) fn name_inverse(&mut self, name: Name) {
+        let transforms = Transforms {
+            start: self.current.inverted(),
+            rounded: self.rounded.as_ref().map(|rounded| Arc::new(rounded.inverted())),
+            end: self.end.as_ref().map(|end| Box::new(end.inverted())),
+            unusable: self.unusable.clone(),
+        };
+        self.set_name(name, transforms);
     }
 
-    /// Makes the transform called `name` the current one; whether there is one.
-    pub(super) fn recall(&mut self, name: &str) -> bool {
+    fn set_name(&mut self, name: Name, transforms: Transforms) {
+        let before = self.named.insert(name.clone(), transforms);
+        if let Some(renamed) = self.renamed.last_mut() {
+            renamed.entry(name).or_insert(before);
+        }
+    }
+
+    /// Makes the transform called `name`, by its [`key`](super::name::key), the current one; whether there is one.
+    pub(super) fn recall(&mut self, name: &[u8]) -> bool {
         let found = self.named.get(name).cloned();
         let is_known = found.is_some();
         found.into_iter().for_each(|transforms| self.restore(transforms));

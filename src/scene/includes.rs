@@ -1,7 +1,7 @@
 //! Files that are read in place of a directive: `Include` and `Import`.
 
+use super::blocks::Block;
 use super::builder::Builder;
-use super::graphics_state::Block;
 use super::parser::{Span, Text};
 use super::source::{Place, Source};
 use crate::error::Result;
@@ -53,28 +53,53 @@ fn identity(path: &Path) -> PathBuf {
     path.canonicalize().unwrap_or_else(|_| path.to_path_buf())
 }
 
+/// The last directive of an included file, which goes on behind the `Include`: it begins at `start` of `source`.
+pub(super) struct Tail {
+    source: Rc<Source>,
+    start: usize,
+}
+
+impl Tail {
+    pub(super) fn new(source: &Rc<Source>, start: usize) -> Tail {
+        Tail { source: Rc::clone(source), start }
+    }
+
+    /// The directive with the `arguments` that it has in another file.
+    pub(super) fn with(&self, source: &Rc<Source>, arguments: Span) -> Rc<Source> {
+        Rc::new(Source::spliced(&self.source, self.start, source, arguments))
+    }
+}
+
 impl Builder<'_> {
-    pub(super) fn include(&mut self, name: &Text, source: &Rc<Source>) -> Result<()> {
+    /// Reads the file `name` in place of a directive. Where `is_continued`, its last directive is not obeyed but
+    /// handed back, since more of it is to come.
+    pub(super) fn include(&mut self, name: &Text, source: &Rc<Source>, is_continued: bool) -> Result<Option<Tail>> {
         if name.text.is_empty() {
             return Err(source.error(&name.span, "the name of the file is empty"));
         }
-        let path = self.directory.join(&*name.text);
+        let path = self.directory.join(name.path());
         if let Some(refusal) = self.includes.refusal(&path) {
             return Err(source.error(&name.span, refusal));
         }
-        let read = Source::read(&path).and_then(|included| self.read(Rc::new(included)));
+        let read = Source::read(&path).and_then(|included| self.read(Rc::new(included), is_continued));
         read.map_err(|error| error.note(format!("included from {}", source.at(&name.span))))
     }
 
-    /// As `Include`, but what the file does to the graphics state ends with it; names that it gives stay.
+    /// As `Include`, but what the file does to the graphics state ends with it, and so do the coordinate systems that
+    /// it names; objects and materials stay.
     pub(super) fn import(&mut self, name: &Text, keyword: &Span, source: &Rc<Source>) -> Result<()> {
         if !self.in_world {
             let error = source.error(keyword, "Import outside the world").note("expected after WorldBegin");
             return Err(error.note("Include reads a file anywhere"));
         }
+        let is_in_object = self.objects.open.is_some();
         self.state.begin(Block::Import, Place::new(source, keyword));
-        self.include(name, source)?;
-        self.check_closed_but_for(Some(Block::Import))?;
-        self.end(Block::Import, keyword, source)
+        self.include(name, source, false)?;
+        self.close_blocks();
+        if !is_in_object {
+            self.define_object();
+        }
+        self.state.end_import();
+        Ok(())
     }
 }

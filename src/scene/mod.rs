@@ -2,6 +2,7 @@
 
 mod accelerator;
 mod auto_frame;
+mod blocks;
 mod builder;
 mod camera_parameters;
 mod census;
@@ -12,6 +13,8 @@ mod film;
 mod graphics_state;
 mod includes;
 mod load;
+mod materials;
+mod name;
 mod objects;
 mod parameters;
 pub mod parser;
@@ -19,6 +22,7 @@ mod places;
 mod poses;
 mod roundings;
 mod shape_defaults;
+mod shape_directive;
 mod shape_statement;
 mod shapes;
 mod source;
@@ -28,10 +32,11 @@ mod transform_directives;
 mod warnings;
 
 pub use accelerator::AcceleratorParameters;
-pub use census::{Census, ShapeCount};
+pub use census::{Boundary, Census, Listed, ShapeCount};
 pub use digest::SceneDigest;
 pub use film::Film;
 pub use load::{SceneOptions, is_bare_mesh, is_top_level, load, parse, read_options};
+pub use objects::UnusedObject;
 pub use places::{Place, Places};
 pub use poses::{Pose, parse_poses, read_poses};
 pub use roundings::Roundings;

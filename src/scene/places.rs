@@ -1,6 +1,7 @@
 //! Where in its files a scene says what.
 
 use super::parser::Span;
+use crate::error::{Position, SourceLocation};
 use std::fmt;
 use std::path::{Path, PathBuf};
 
@@ -64,6 +65,16 @@ impl Places {
     pub(super) fn add_shape(&mut self, name: &str, keyword: &Span, text: &[u8]) {
         let spot = self.advance(keyword, text);
         self.shapes.push((name.into(), spot));
+    }
+
+    /// The next `Shape` stands at `location`, wherever that is: its text is spread over several files.
+    pub(super) fn add_shape_at(&mut self, name: &str, location: &SourceLocation) {
+        let (line, column) = match location.position {
+            Position::Text { line, column, .. } => (line, column),
+            _ => (0, 0),
+        };
+        self.shapes.push((name.into(), Spot { file: self.files.len(), offset: 0, line, column }));
+        self.files.push(location.path.clone());
     }
 
     /// The next `ObjectInstance` stands there.

@@ -25,11 +25,18 @@ pub(super) struct ShapeTarget<'a> {
     pub(super) is_turned: bool,
     /// Whether to keep what meshes say of u and v.
     pub(super) keeps_uv: bool,
+    /// Whether the shape only bounds a medium: then its primitives have numbers, and nothing else.
+    pub(super) bounds_medium: bool,
 }
 
 /// Shapes of pbrt that feimos has, and its own.
 const SUPPORTED: [&str; 8] =
     ["sphere", "cylinder", "disk", "trianglemesh", "loopsubdiv", "bilinearmesh", "plymesh", "objmesh"];
+
+/// Whether feimos has shapes of the type `name`.
+pub(super) fn is_supported(name: &str) -> bool {
+    SUPPORTED.contains(&name)
+}
 
 /// Shapes of pbrt that feimos does not have.
 const UNSUPPORTED: [&str; 7] = ["cone", "curve", "heightfield", "hyperboloid", "nurbs", "paraboloid", "heightfield2"];
@@ -55,7 +62,7 @@ impl ShapeTarget<'_> {
                 return Ok(false);
             }
         }
-        if self.is_turned {
+        if self.is_turned && !self.bounds_medium {
             self.shapes.turn_normals(self.number);
         }
         self.warn_of_moved_and_cut(&mut parameters);
@@ -87,6 +94,9 @@ impl ShapeTarget<'_> {
     /// Adds a mesh of triangles in object space, with indices in range.
     pub(super) fn add_mesh(&mut self, parameters: &Parameters, mesh: TriangleMesh) -> Result<()> {
         let TriangleMesh { vertices, triangles, uv } = mesh;
+        if self.bounds_medium {
+            return self.shapes.leave_out(triangles.len()).map_err(|error| too_many(parameters, error));
+        }
         let transform = self.transforms.intern(&self.world_from_object, self.shapes);
         let added = if self.is_in_object {
             let broken = Broken::of(&vertices, &self.world_from_object);

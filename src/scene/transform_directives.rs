@@ -1,16 +1,22 @@
 //! The directives that change the current transform (rules R2 and R3).
 
 use super::builder::Builder;
-use super::parser::{Directive, Statement, Text};
+use super::graphics_state::Unusable;
+use super::name::key;
+use super::parser::{Directive, Span, Statement, Text};
 use super::source::{Place, Source};
 use crate::error::{Diagnostic, Result};
 use crate::geometry::{Point, RoundedTransform, Transform, Vector};
 use std::rc::Rc;
+use std::sync::Arc;
 
 impl Builder<'_> {
     /// Multiplies the current transform, and remembers where it first went wrong.
     pub(super) fn concat(&mut self, leaf: Transform, directive: &Directive, source: &Rc<Source>) {
         if !self.state.changes_start() {
+            return self.state.concat(&leaf, || rounded(&leaf, &directive.statement));
+        }
+        if self.state.unusable.is_some() {
             return self.state.concat(&leaf, || rounded(&leaf, &directive.statement));
         }
         if !leaf.matrix.is_finite() {
@@ -24,6 +30,9 @@ impl Builder<'_> {
     }
 
     pub(super) fn replace(&mut self, transform: Transform, directive: &Directive, source: &Rc<Source>) {
+        if self.state.changes_start() {
+            self.state.unusable = None;
+        }
         self.state.replace(&transform, || rounded(&transform, &directive.statement));
         if self.state.changes_start() {
             self.singular = None;
@@ -31,6 +40,34 @@ impl Builder<'_> {
                 self.singular = Some((why_not_finite(&directive.statement), Place::new(source, &directive.span)));
             }
         }
+    }
+
+    /// `Transform` and `ConcatTransform`: a matrix that cannot place anything is an error once something depends on it.
+    pub(super) fn numbers(&mut self, m: &[f64; 16], directive: &Directive, source: &Rc<Source>) {
+        let replaces = matches!(directive.statement, Statement::Transform(_));
+        match (Transform::from_column_major(m), replaces) {
+            (Some(transform), true) => self.replace(transform, directive, source),
+            (Some(transform), false) => self.concat(transform, directive, source),
+            (None, _) => {
+                let nowhere = Transform::NOT_A_TRANSFORM;
+                self.state.replace(&nowhere, || RoundedTransform::of_numbers(&nowhere, false));
+                if self.state.changes_start() && (replaces || self.state.unusable.is_none()) {
+                    let (message, place) = (why_unusable(m), Place::new(source, &directive.span));
+                    self.state.unusable = Some(Arc::new(Unusable { message, place }));
+                }
+            }
+        }
+    }
+
+    /// # Errors
+    /// A current transform that cannot place what `keyword` stands for.
+    pub(super) fn check_usable(&self, name: &str, keyword: &Span, source: &Source) -> Result<()> {
+        let Some(unusable) = &self.state.unusable else { return Ok(()) };
+        let error = unusable.place.error(&*unusable.message);
+        let error = error.note(format!("{name} at {} depends on it", source.at(keyword)));
+        Err(error.note(
+            "expected 0 0 0 and a number that is not 0 as numbers 4, 8, 12 and 16: matrices are column by column",
+        ))
     }
 
     pub(super) fn look_at(&mut self, numbers: &[f64; 9], directive: &Directive, source: &Rc<Source>) {
@@ -49,7 +86,7 @@ impl Builder<'_> {
     }
 
     pub(super) fn recall(&mut self, name: &Text, source: &Rc<Source>) {
-        if !self.state.recall(&name.text) {
+        if !self.state.recall(&key(name)) {
             let message = format!("no coordinate system is called `{}`: ignored", name.text);
             self.warnings.add(message.clone(), || Diagnostic::new(message).at(source.at(&name.span)));
         }
@@ -79,15 +116,16 @@ fn rounded(leaf: &Transform, statement: &Statement) -> RoundedTransform {
         Statement::LookAt([ex, ey, ez, lx, ly, lz, ux, uy, uz]) => {
             RoundedTransform::look_at([[*ex, *ey, *ez], [*lx, *ly, *lz], [*ux, *uy, *uz]])
         }
-        _ => RoundedTransform::of_numbers(leaf),
+        Statement::Transform(m) | Statement::ConcatTransform(m) => RoundedTransform::of_numbers(leaf, m[15] != 1.0),
+        _ => RoundedTransform::of_numbers(leaf, false),
     }
 }
 
-/// The matrix that 16 numbers spell.
-pub(super) fn affine(m: &[f64; 16], directive: &Directive, source: &Rc<Source>) -> Result<Transform> {
-    Transform::from_column_major(m).ok_or_else(|| {
-        let [a, b, c, d] = [m[3], m[7], m[11], m[15]];
-        let error = source.error(&directive.span, format!("the last row of the matrix is {a} {b} {c} {d}"));
-        error.note("expected 0 0 0 1 as numbers 4, 8, 12 and 16: matrices are column by column, and never projective")
-    })
+/// Why 16 numbers spell no map of the kind that places things.
+fn why_unusable(m: &[f64; 16]) -> String {
+    if m.iter().all(|entry| *entry == 0.0) {
+        return "this matrix is 0 everywhere".to_owned();
+    }
+    let [a, b, c, d] = [m[3], m[7], m[11], m[15]];
+    format!("the last row of this matrix is {a} {b} {c} {d}")
 }

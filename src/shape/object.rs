@@ -22,6 +22,10 @@ impl Object {
     pub fn shapes(&self) -> &Shapes {
         &self.shapes
     }
+
+    pub(super) fn shapes_mut(&mut self) -> &mut Shapes {
+        &mut self.shapes
+    }
 }
 
 /// One `ObjectInstance`.

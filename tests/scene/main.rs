@@ -1,6 +1,11 @@
 //! What scene files mean: cameras, transforms, shapes, and what is said about mistakes.
 
+mod blocks;
+mod continued;
 mod directives;
+mod materials;
+mod matrices;
+mod names;
 mod parameters;
 
 use feimos::error::ErrorKind;
@@ -212,11 +217,8 @@ fn objects_in_the_wrong_place_are_errors() {
     let cases = [
         ("ObjectBegin \"o\" ObjectEnd WorldBegin", "ObjectBegin outside the world"),
         ("ObjectInstance \"o\" WorldBegin", "ObjectInstance outside the world"),
-        ("WorldBegin ObjectBegin \"o\" ObjectBegin \"p\"", "an object within an object"),
         ("WorldBegin ObjectBegin \"o\" ObjectInstance \"o\"", "an instance within an object"),
         ("WorldBegin ObjectBegin \"o\" ObjectEnd ObjectInstance \"p\"", "there is no object called `p`"),
-        ("WorldBegin ObjectBegin \"o\"", "ObjectBegin without ObjectEnd"),
-        ("WorldBegin AttributeBegin ObjectEnd", "ObjectEnd closes a block that AttributeBegin began"),
     ];
     for (text, message) in cases {
         assert!(error(text).contains(message), "{text}: {}", error(text));
@@ -419,11 +421,6 @@ fn mistakes_of_order() {
     assert!(error("WorldBegin Camera \"perspective\"").starts_with("a.pbrt:1:12: Camera inside the world"));
     assert!(error("WorldBegin WorldBegin").starts_with("a.pbrt:1:12: a second WorldBegin"));
     assert!(error("Scale 1 1 1").starts_with("a.pbrt: the scene has no WorldBegin"));
-    assert!(error("WorldBegin AttributeEnd").starts_with("a.pbrt:1:12: AttributeEnd without AttributeBegin"));
-    let crossed = error("WorldBegin TransformBegin AttributeEnd");
-    assert!(crossed.starts_with("a.pbrt:1:27: AttributeEnd closes a block that TransformBegin began"), "{crossed}");
-    let open = error("WorldBegin\nAttributeBegin\n  AttributeBegin\n  AttributeEnd\n");
-    assert_eq!(open, "a.pbrt:2:1: AttributeBegin without AttributeEnd\n   |\n 2 | AttributeBegin\n   | ^^^^^^^^^^^^^^");
 }
 
 #[test]
@@ -452,7 +449,10 @@ fn mistakes_of_value() {
             "Film \"image\" \"float cropwindow\" [ 0 0 0 1 ]\nWorldBegin",
             "a.pbrt:1:1: the crop of the film has no pixel",
         ),
-        ("Transform [ 1 0 0 0  0 1 0 0  0 0 1 1  0 0 0 1 ]", "a.pbrt:1:1: the last row of the matrix is 0 0 1 1"),
+        (
+            "Transform [ 1 0 0 0  0 1 0 0  0 0 1 1  0 0 0 1 ] Camera \"perspective\"",
+            "a.pbrt:1:1: the last row of this matrix is 0 0 1 1",
+        ),
         ("WorldBegin Shape \"trianglemesh\"", "a.pbrt:1:18: a triangle mesh without vertices"),
         ("WorldBegin Shape \"trianglemesh\" \"point3 P\" [ 0 0 ]", "a.pbrt:1:44: `P` has 2 numbers"),
         ("WorldBegin Shape \"plymesh\"", "a.pbrt:1:18: a mesh without a file name"),

@@ -7,7 +7,7 @@ use feimos::camera::Camera;
 use feimos::error::printable;
 use feimos::film::PixelBounds;
 use feimos::geometry::Bounds;
-use feimos::scene::{Film, Scene, ShapeCount};
+use feimos::scene::{Boundary, Film, Listed, Scene, ShapeCount, UnusedObject};
 use indicatif::HumanCount;
 use std::fmt::{self, Display, Formatter};
 use std::path::Path;
@@ -43,7 +43,30 @@ impl Display for Block<'_> {
         line(f, "memory", &format!("{transforms}, {}", counted(shapes.bytes() as u64, "byte")))?;
         list(f, "directives", census.obeyed())?;
         list(f, "skipped", census.skipped())?;
-        list(f, "unknown", census.private())
+        list(f, "unknown", census.private())?;
+        let boundary = |of: &Boundary| format!("{}, {}", printable(&of.shape), printable(&of.place));
+        listed(f, "media", "rays pass through what only bounds a medium", census.boundaries(), boundary)?;
+        let object = |of: &UnusedObject| format!("{}, {}", printable(&of.name), printable(&of.place));
+        listed(f, "unused", "no instance shows these objects", census.unused_objects(), object)
+    }
+}
+
+/// What there is of something that is not in the picture, a line each, if there is any.
+fn listed<T>(
+    f: &mut Formatter<'_>,
+    subject: &str,
+    what: &str,
+    listed: &Listed<T>,
+    in_words: impl Fn(&T) -> String,
+) -> fmt::Result {
+    if listed.count == 0 {
+        return Ok(());
+    }
+    line(f, subject, &format!("{}: {what}", HumanCount(listed.count)))?;
+    listed.first.iter().try_for_each(|one| line(f, "", &in_words(one)))?;
+    match listed.count - listed.first.len() as u64 {
+        0 => Ok(()),
+        more => line(f, "", &format!("and {} more", HumanCount(more))),
     }
 }
 

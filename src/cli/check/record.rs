@@ -4,7 +4,7 @@ use feimos::camera::Camera;
 use feimos::error::{Diagnostic, Error};
 use feimos::film::PixelBounds;
 use feimos::geometry::Bounds;
-use feimos::scene::{AcceleratorParameters, Census, Film, Scene, ShapeCount, Warning};
+use feimos::scene::{AcceleratorParameters, Census, Film, Listed, Scene, ShapeCount, Warning};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -56,6 +56,23 @@ struct Content<'a> {
     directives: BTreeMap<&'a str, u64>,
     skipped: BTreeMap<&'a str, u64>,
     unknown: BTreeMap<&'a str, u64>,
+    /// Shapes that only bound a medium, which no ray meets.
+    medium_boundaries: ListRecord<'a>,
+    /// Objects that no instance shows.
+    unused_objects: ListRecord<'a>,
+}
+
+#[derive(Debug, Serialize)]
+struct ListRecord<'a> {
+    count: u64,
+    /// The first of them.
+    first: Vec<PlacedRecord<'a>>,
+}
+
+#[derive(Debug, Serialize)]
+struct PlacedRecord<'a> {
+    name: &'a str,
+    place: &'a str,
 }
 
 #[derive(Debug, Serialize)]
@@ -159,7 +176,19 @@ impl<'a> Content<'a> {
             directives: census.obeyed().collect(),
             skipped: census.skipped().collect(),
             unknown: census.private().collect(),
+            medium_boundaries: ListRecord::new(census.boundaries(), |of| (&of.shape, &of.place)),
+            unused_objects: ListRecord::new(census.unused_objects(), |of| (&of.name, &of.place)),
         }
+    }
+}
+
+impl<'a> ListRecord<'a> {
+    fn new<T>(listed: &'a Listed<T>, name_and_place: impl Fn(&'a T) -> (&'a String, &'a String)) -> ListRecord<'a> {
+        let record = |of| {
+            let (name, place) = name_and_place(of);
+            PlacedRecord { name, place }
+        };
+        ListRecord { count: listed.count, first: listed.first.iter().map(record).collect() }
     }
 }
 

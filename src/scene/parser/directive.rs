@@ -49,6 +49,12 @@ impl<'a> Source<'a> {
             "Import" => map(|i| self.string(keyword, i), S::Import).parse(input),
             "ObjectBegin" => map(|i| self.string(keyword, i), S::ObjectBegin).parse(input),
             "ObjectInstance" => map(|i| self.string(keyword, i), S::ObjectInstance).parse(input),
+            "Material" => {
+                map((|i| self.string(keyword, i), |i| self.parameters(Keep::Nothing, i)), |(name, _)| S::Material(name))
+                    .parse(input)
+            }
+            "MakeNamedMaterial" => map(|i| self.entity(keyword, Keep::All, i), S::MakeNamedMaterial).parse(input),
+            "NamedMaterial" => map(|i| self.string(keyword, i), S::NamedMaterial).parse(input),
             "Camera" => map(|i| self.entity(keyword, Keep::All, i), S::Camera).parse(input),
             "Film" => map(|i| self.entity(keyword, Keep::All, i), S::Film).parse(input),
             "Accelerator" => map(|i| self.entity(keyword, Keep::All, i), S::Accelerator).parse(input),
@@ -64,7 +70,7 @@ impl<'a> Source<'a> {
         let string = |i| self.string(keyword, i);
         let parameters = |i| self.parameters(Keep::Nothing, i);
         match keyword.name {
-            "ColorSpace" | "NamedMaterial" => value((), string).parse(input),
+            "ColorSpace" => value((), string).parse(input),
             "MediumInterface" => value((), (string, opt(preceded(blanks, |i| self.text(i))))).parse(input),
             "Option" => self.option(keyword, input),
             "Texture" => value((), (string, string, string, parameters)).parse(input),

@@ -25,8 +25,9 @@ use std::path::Path;
 pub use self::keyword::KEYWORDS;
 pub use self::parameter::NUMBER_TYPES;
 use self::source::{Fault, Source};
+pub(super) use self::source::{Piece, locate};
 pub use self::statement::{ActiveTransform, Directive, Entity, Parameter, Span, Statement, Text, Values};
-use self::token::{Token, blanks};
+use self::token::{Token, blanks, word};
 pub use self::value::number_in;
 use crate::error::{Error, Result};
 
@@ -46,6 +47,52 @@ pub fn begins_world(text: &[u8]) -> bool {
             (token, at) => rest = &at[token.length()..],
         }
     }
+}
+
+/// What may follow a directive.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Next {
+    /// The end of the text.
+    End,
+    /// What belongs to the directive before it.
+    Argument,
+    /// Another directive, or a word that is nothing else.
+    Directive,
+}
+
+impl Next {
+    fn of(token: Token) -> Next {
+        match token {
+            Token::End => Next::End,
+            Token::Keyword(_) => Next::Directive,
+            Token::Word(word) if !matches!(word, b"true" | b"false") => Next::Directive,
+            _ => Next::Argument,
+        }
+    }
+}
+
+/// Where the arguments at `start` of `text` end: before the next directive, or where the text does.
+pub(super) fn end_of_arguments(text: &[u8], start: usize) -> usize {
+    let mut rest = &text[start..];
+    loop {
+        let (token, at) = Token::next(rest);
+        // A string that is not closed is an error for who parses it.
+        let is_unclosed = matches!(token, Token::Quoted(_)) && token.length() == 1;
+        if Next::of(token) != Next::Argument || is_unclosed {
+            // An error of the directive, which has to see the quote.
+            return text.len() - at.len() + usize::from(is_unclosed);
+        }
+        rest = &at[token.length()..];
+    }
+}
+
+/// Whether no directive follows the one at `start` of `text`, as far as that can be told of one that is not whole.
+pub(super) fn is_last(text: &[u8], start: usize) -> bool {
+    let after = match word(&text[start..]) {
+        Ok((rest, _)) => text.len() - rest.len(),
+        Err(_) => return false,
+    };
+    end_of_arguments(text, after) == text.len()
 }
 
 /// The directives of one scene file, in order; ends after the first error.
@@ -68,6 +115,26 @@ impl<'a> Directives<'a> {
             Err(error) => (&[][..], Some(error)),
         };
         Directives { source, rest, unreadable, previous: None }
+    }
+
+    /// The directives of a text that is put together from `pieces`, which errors name.
+    pub(super) fn of_pieces(pieces: Vec<Piece<'a>>, text: &'a [u8]) -> Directives<'a> {
+        Directives { source: Source::of_pieces(pieces, text), rest: text, unreadable: None, previous: None }
+    }
+
+    /// Where the next directive begins, or would, in the text.
+    pub(super) fn offset(&self) -> usize {
+        self.source.bytes.len() - Token::next(self.rest).1.len()
+    }
+
+    /// Goes on with the directive at `offset` of the text.
+    pub(super) fn go_to(&mut self, offset: usize) {
+        self.rest = &self.source.bytes[offset..];
+    }
+
+    /// What comes next.
+    pub(super) fn next_is(&self) -> Next {
+        Next::of(Token::next(self.rest).0)
     }
 
     fn directive(&mut self) -> Result<Option<Directive<'a>>> {

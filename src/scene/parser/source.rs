@@ -10,6 +10,30 @@ use crate::error::{Diagnostic, Error, Position, SourceLocation};
 pub(super) struct Source<'a> {
     path: PathBuf,
     pub(super) bytes: &'a [u8],
+    /// Where the text comes from, where that is not one file.
+    pieces: Vec<Piece<'a>>,
+}
+
+/// A part of a text that is put together from several files: a directive may go on behind an `Include`.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::scene) struct Piece<'a> {
+    /// Where it begins in the text.
+    pub(in crate::scene) start: usize,
+    pub(in crate::scene) path: &'a Path,
+    /// The whole file.
+    pub(in crate::scene) file: &'a [u8],
+    /// Where it begins in the file.
+    pub(in crate::scene) offset: usize,
+}
+
+/// The place of `span` in the file of the piece that it begins in; `pieces` are in order, from the start of the text.
+pub(in crate::scene) fn locate(pieces: &[Piece], span: &Span) -> Option<SourceLocation> {
+    let after = pieces.partition_point(|piece| piece.start <= span.start);
+    let piece = &pieces[after.checked_sub(1)?];
+    // Beyond the end of the piece there is a file that the span is not in.
+    let end = pieces.get(after).map_or(span.end, |next| span.end.min(next.start));
+    let moved = |at: usize| at - piece.start + piece.offset;
+    Some(SourceLocation::text(piece.path, piece.file, moved(span.start)..moved(end)))
 }
 
 /// What a nom parser of the grammar makes of its input.
@@ -53,7 +77,16 @@ pub(super) fn mismatch<'a, T>() -> Parsed<'a, T> {
 
 impl<'a> Source<'a> {
     pub(super) fn new(path: &Path, bytes: &'a [u8]) -> Source<'a> {
-        Source { path: path.to_path_buf(), bytes }
+        Source { path: path.to_path_buf(), bytes, pieces: Vec::new() }
+    }
+
+    pub(super) fn of_pieces(pieces: Vec<Piece<'a>>, bytes: &'a [u8]) -> Source<'a> {
+        let path = pieces.last().map_or(PathBuf::new(), |piece| piece.path.to_path_buf());
+        Source { path, bytes, pieces }
+    }
+
+    fn location(&self, span: Span) -> SourceLocation {
+        locate(&self.pieces, &span).unwrap_or_else(|| SourceLocation::text(&self.path, self.bytes, span))
     }
 
     /// The bytes from where `from` begins to where `to` begins; both are suffixes of the text.
@@ -69,8 +102,7 @@ impl<'a> Source<'a> {
 
     /// The error `message` about `span`, with advice still to be added.
     pub(super) fn error(&self, span: Span, message: impl Into<String>) -> Error {
-        let location = SourceLocation::text(&self.path, self.bytes, span);
-        Error::bad_input(Diagnostic::new(message).at(location))
+        Error::bad_input(Diagnostic::new(message).at(self.location(span)))
     }
 
     /// An error about the file as a whole.
@@ -80,7 +112,7 @@ impl<'a> Source<'a> {
 
     /// Where the suffix `rest` begins, in words.
     pub(super) fn place(&self, rest: &[u8]) -> String {
-        match SourceLocation::text(&self.path, self.bytes, self.first(rest, 0)).position {
+        match self.location(self.first(rest, 0)).position {
             Position::Text { line, column, .. } => format!("line {line}, column {column}"),
             _ => String::from("an unknown line"),
         }

@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 use std::ops::Range;
+use std::path::PathBuf;
 
 /// Bytes of the source, counted from 0.
 pub type Span = Range<usize>;
@@ -78,6 +79,12 @@ pub enum Statement<'a> {
     ObjectEnd,
     /// `ObjectInstance "name"`
     ObjectInstance(Text<'a>),
+    /// `Material "type" parameters`: only the type is kept.
+    Material(Text<'a>),
+    /// `MakeNamedMaterial "name" parameters`
+    MakeNamedMaterial(Entity<'a>),
+    /// `NamedMaterial "name"`
+    NamedMaterial(Text<'a>),
     /// A directive without influence on hit and depth, by its keyword.
     Ignored(&'static str),
     /// A directive that no pbrt knows, by its keyword.
@@ -102,6 +109,52 @@ pub struct Text<'a> {
     pub text: Cow<'a, str>,
     /// The string with its quotes.
     pub span: Span,
+    /// The bytes between the quotes, escapes undone, where they are not UTF-8.
+    pub raw: Option<Box<[u8]>>,
+}
+
+impl<'a> Text<'a> {
+    /// The string that `bytes` are, escapes undone, at `span`.
+    pub(in crate::scene) fn new(bytes: Cow<'a, [u8]>, span: Span) -> Text<'a> {
+        let (text, raw) = match bytes {
+            Cow::Borrowed(bytes) => match std::str::from_utf8(bytes) {
+                Ok(text) => (Cow::Borrowed(text), None),
+                Err(_) => (String::from_utf8_lossy(bytes), Some(bytes.into())),
+            },
+            Cow::Owned(bytes) => match String::from_utf8(bytes) {
+                Ok(text) => (Cow::Owned(text), None),
+                Err(error) => {
+                    let bytes = error.into_bytes();
+                    (Cow::Owned(String::from_utf8_lossy(&bytes).into_owned()), Some(bytes.into()))
+                }
+            },
+        };
+        Text { text, span, raw }
+    }
+
+    /// The file that the string names: its very bytes, where the system has such names.
+    pub fn path(&self) -> PathBuf {
+        match &self.raw {
+            Some(raw) => path_of_bytes(raw),
+            None => PathBuf::from(&*self.text),
+        }
+    }
+
+    /// A copy that outlives the file.
+    fn to_owned(&self) -> Text<'static> {
+        Text { text: Cow::Owned(self.text.clone().into_owned()), span: self.span.clone(), raw: self.raw.clone() }
+    }
+}
+
+#[cfg(unix)]
+fn path_of_bytes(bytes: &[u8]) -> PathBuf {
+    use std::os::unix::ffi::OsStrExt;
+    PathBuf::from(std::ffi::OsStr::from_bytes(bytes))
+}
+
+#[cfg(not(unix))]
+fn path_of_bytes(bytes: &[u8]) -> PathBuf {
+    PathBuf::from(&*String::from_utf8_lossy(bytes))
 }
 
 /// Something that has a type and parameters: a camera, a film, a shape.
@@ -157,10 +210,9 @@ pub enum Values<'a> {
 impl Values<'_> {
     /// A copy that outlives the text.
     fn to_owned(&self) -> Values<'static> {
-        let owned = |text: &Text| Text { text: Cow::Owned(text.text.clone().into_owned()), span: text.span.clone() };
         match self {
             Values::Numbers(numbers) => Values::Numbers(numbers.clone()),
-            Values::Strings(texts) => Values::Strings(texts.iter().map(owned).collect()),
+            Values::Strings(texts) => Values::Strings(texts.iter().map(Text::to_owned).collect()),
             Values::Booleans(booleans) => Values::Booleans(booleans.clone()),
             Values::None => Values::None,
         }

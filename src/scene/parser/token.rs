@@ -168,14 +168,14 @@ impl<'a> Source<'a> {
             return wrong(error.note("a string ends with `\"` on the line where it begins"));
         };
         let rest = &inside[length + 1..];
-        let text = self.unescape(&inside[..length], inside)?;
-        Ok((rest, Text { text, span: self.span(input, rest) }))
+        let bytes = self.unescape(&inside[..length], inside)?;
+        Ok((rest, Text::new(bytes, self.span(input, rest))))
     }
 
-    /// The text that `raw` stands for, which is where `start` begins.
-    fn unescape(&self, raw: &'a [u8], start: &[u8]) -> Result<Cow<'a, str>, Error> {
+    /// The bytes that `raw` stands for, which is where `start` begins.
+    fn unescape(&self, raw: &'a [u8], start: &[u8]) -> Result<Cow<'a, [u8]>, Error> {
         if !raw.contains(&b'\\') {
-            return Ok(String::from_utf8_lossy(raw));
+            return Ok(Cow::Borrowed(raw));
         }
         let mut bytes = Vec::new();
         let mut rest = raw;
@@ -192,7 +192,7 @@ impl<'a> Source<'a> {
             bytes.push(escaped);
             rest = &after[1..];
         }
-        Ok(Cow::Owned(String::from_utf8_lossy(&bytes).into_owned()))
+        Ok(Cow::Owned(bytes))
     }
 
     fn unknown_escape(&self, after: &[u8], backslash: &[u8]) -> Error {

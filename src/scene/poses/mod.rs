@@ -139,7 +139,7 @@ impl Entry {
             (None, Some(numbers), None, None, None) => {
                 let transform = Transform::from_column_major(&numbers);
                 let expected =
-                    "16 numbers as `Transform` takes them, of which the 4th, 8th and 12th are 0 and the last is 1";
+                    "16 numbers as `Transform` takes them, of which the 4th, 8th and 12th are 0 and the last is not";
                 (transform.ok_or_else(|| refusal("a transform that is not affine", expected))?, self.lens_of_scene()?)
             }
             (None, None, Some(k), Some(r), Some(t)) => {

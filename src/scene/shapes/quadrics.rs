@@ -31,6 +31,9 @@ impl ShapeTarget<'_> {
     }
 
     fn add_quadric(&mut self, parameters: &Parameters, radius: f64, form: Form) -> Result<()> {
+        if self.bounds_medium {
+            return self.shapes.leave_out(1).map_err(|error| too_many(parameters, error));
+        }
         let quadric = Quadric { world_from_object: self.world_from_object, radius, form };
         let name = parameters.entity_name();
         if !(radius > 0.0 && radius.is_finite()) {

@@ -1,9 +1,12 @@
 //! Objects and their instances among the geometry of a scene.
 
-use super::{CapacityError, Shapes};
+use super::{CapacityError, FirstNumber, Shapes};
 use crate::geometry::Matrix;
 use crate::shape::object::{Instance, Object, Pose};
 use crate::shape::{Placed, Surface, Triangle};
+
+/// In place of an object's number, where the object is still to come.
+const UNDEFINED: u32 = u32::MAX;
 
 impl Shapes {
     /// Adds an object, of which there is no instance yet; returns its number. Its geometry has no instances itself.
@@ -14,13 +17,61 @@ impl Shapes {
 
     /// Adds an instance of an object that was added; its primitives are numbered next.
     pub fn add_instance(&mut self, object: usize, world_from_instance: Matrix) -> Result<(), CapacityError> {
+        self.push_instance(object as u32, world_from_instance)?;
+        self.instanced += self.objects[object].shapes().number_count();
+        Ok(())
+    }
+
+    /// Adds an instance of an object that is still to come; returns its number for [`Shapes::define_instances`],
+    /// which has to follow.
+    pub fn add_undefined_instance(&mut self, world_from_instance: Matrix) -> Result<usize, CapacityError> {
+        self.push_instance(UNDEFINED, world_from_instance)?;
+        self.ends_run = true;
+        Ok(self.instances.len() - 1)
+    }
+
+    fn push_instance(&mut self, object: u32, world_from_instance: Matrix) -> Result<(), CapacityError> {
         if self.instances.len() == Placed::MAX_INSTANCES {
             return Err(CapacityError { what: "instances", limit: Placed::MAX_INSTANCES as u64 });
         }
-        let first_number = self.instanced + self.own_count() as u64;
-        self.instanced += self.objects[object].shapes().own_count() as u64;
-        self.instances.push(Instance { world_from_instance, first_number, object: object as u32 });
+        let first_number = self.instanced + self.number_count();
+        self.instances.push(Instance { world_from_instance, first_number, object });
         Ok(())
+    }
+
+    /// Says of which objects the undefined instances are, as pairs of an instance and an object, and numbers all
+    /// primitives anew: those of an instance where it stands.
+    pub fn define_instances(&mut self, objects: &[(usize, usize)]) {
+        // The primitives in no instance that come before each instance, which do not change.
+        let mut instanced = 0;
+        let alone: Vec<u64> = (0..self.instances.len())
+            .map(|instance| {
+                let alone = self.instances[instance].first_number - instanced;
+                instanced += self.numbers_in(instance);
+                alone
+            })
+            .collect();
+        for (instance, object) in objects {
+            self.instances[*instance].object = *object as u32;
+        }
+        // Numbers of instances before the first instance, the second, and so on; last all of them.
+        let mut before = vec![0; self.instances.len() + 1];
+        for instance in 0..self.instances.len() {
+            self.instances[instance].first_number = alone[instance] + before[instance];
+            before[instance + 1] = before[instance] + self.numbers_in(instance);
+        }
+        let instances_before = |run: &FirstNumber| alone.partition_point(|alone| *alone <= u64::from(run.alone));
+        let of_meshes = self.meshes.iter_mut().map(|run| &mut run.first_number);
+        for number in of_meshes.chain(self.sphere_runs.iter_mut().map(|run| &mut run.first_number)) {
+            number.instanced = before[instances_before(number)];
+        }
+        self.instanced = before[self.instances.len()];
+    }
+
+    /// Primitive numbers of an instance; none while its object is undefined.
+    fn numbers_in(&self, instance: usize) -> u64 {
+        let object = self.objects.get(self.instances[instance].object());
+        object.map_or(0, |object| object.shapes().number_count())
     }
 
     /// The objects that instances are of.
@@ -45,9 +96,10 @@ impl Shapes {
         Pose::new(self.object_of(instance).shapes(), self.instances[instance].world_from_instance)
     }
 
-    /// Triangles and spheres, each as often as there are instances of it.
+    /// Primitive numbers in use, each primitive as often as there are instances of it: triangles and quadrics, and
+    /// those of surfaces that are left out.
     pub fn primitive_count(&self) -> u64 {
-        self.own_count() as u64 + self.instanced
+        self.number_count() + self.instanced
     }
 
     /// Whether there are too many primitives for `prim` channels to count them all: then they count within the instance.

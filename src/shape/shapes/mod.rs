@@ -2,6 +2,7 @@
 
 mod attributes;
 mod digest;
+mod hidden;
 mod instances;
 mod order;
 
@@ -34,8 +35,12 @@ pub struct Shapes {
     transforms: Vec<Matrix>,
     objects: Vec<Object>,
     instances: Vec<Instance>,
-    /// Primitives of all instances.
+    /// Primitive numbers of all instances.
     instanced: u64,
+    /// Primitive numbers in no instance that belong to surfaces that rays do not meet.
+    left_out: u32,
+    /// Whether the next quadric begins a run, since an instance that may have primitives stands before it.
+    ends_run: bool,
     /// Of surfaces, where anybody wants to know.
     attributes: Option<Box<Attributes>>,
 }
@@ -207,9 +212,10 @@ impl Shapes {
         self.check_room(self.spheres.len() + 1, "spheres")?;
         let first_number = self.next_number(1)?;
         let first_sphere = self.spheres.len() as u32;
-        let follows = self.sphere_runs.last().is_some_and(|run| {
-            run.first_number.in_all() + u64::from(first_sphere - run.first_sphere) == first_number.in_all()
-        });
+        let follows = !std::mem::take(&mut self.ends_run)
+            && self.sphere_runs.last().is_some_and(|run| {
+                run.first_number.in_all() + u64::from(first_sphere - run.first_sphere) == first_number.in_all()
+            });
         if !follows {
             self.sphere_runs.push(SphereRun { first_sphere, first_number });
         }
@@ -234,12 +240,25 @@ impl Shapes {
     /// The number of the next primitive that is in no instance, where `more` are to come. `prim` channels count from 1, in 32
     /// bits.
     fn next_number(&self, more: usize) -> Result<FirstNumber, CapacityError> {
-        let next = self.own_count();
+        let next = self.number_count();
         let limit = u64::from(u32::MAX - 1);
-        if (next + more) as u64 > limit {
+        if next + more as u64 > limit {
             return Err(CapacityError { what: "primitives", limit });
         }
         Ok(FirstNumber { alone: next as u32, instanced: self.instanced })
+    }
+
+    /// Passes over the numbers of the next `count` primitives that are in no instance: those of a surface that rays
+    /// do not meet. Numbers follow the file, whatever is left out (rule E3).
+    pub fn leave_out(&mut self, count: usize) -> Result<(), CapacityError> {
+        self.next_number(count)?;
+        self.left_out += count as u32;
+        Ok(())
+    }
+
+    /// Primitive numbers that are in no instance.
+    fn number_count(&self) -> u64 {
+        self.own_count() as u64 + u64::from(self.left_out)
     }
 
     /// Triangles and spheres that are in no instance.

@@ -87,7 +87,6 @@ fn active_transforms() {
 fn directives_without_influence() {
     let cases = [
         "ColorSpace \"aces2065-1\"",
-        "NamedMaterial \"a\"",
         "MediumInterface \"a\"",
         "MediumInterface \"a\" \"\"",
         "Option \"disablepixeljitter\" true",
@@ -95,7 +94,7 @@ fn directives_without_influence() {
         "Option \"string rendercoordsys\" [\"world\"]",
         "Texture \"t\" \"spectrum\" \"checkerboard\" \"float uscale\" [16] \"rgb tex1\" [.1 .1 .1]",
         "Texture \"t\" \"float\" \"constant\"",
-        "Material \"matte\" \"texture Kd\" \"t\" \"bool remap\" false \"spectrum k\" []",
+        "Texture \"t\" \"float\" \"mix\" \"texture a\" \"t\" \"bool remap\" false \"spectrum k\" []",
         "LightSource \"distant\" \"blackbody L\" [3000 1] \"point from\" [0 0 0]",
     ];
     for case in cases {

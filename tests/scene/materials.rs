@@ -1,0 +1,101 @@
+//! Surfaces that only bound a medium: rays pass through, and their numbers stay.
+
+use crate::{TRIANGLE, load_files, scene, warnings};
+use feimos::scene::Scene;
+use feimos::shape::{Placed, Primitive};
+
+/// A quad of two triangles, and a sphere: three primitives under one material.
+const BODY: &str =
+    "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0  1 0 0  1 1 0  0 1 0 ] \"integer indices\" [ 0 1 2 0 2 3 ]
+    Shape \"sphere\"";
+
+fn with_material(material: &str) -> Scene {
+    scene(&format!("WorldBegin {TRIANGLE} AttributeBegin {material} {BODY} AttributeEnd {TRIANGLE}"))
+}
+
+#[test]
+fn what_bounds_a_medium_is_left_out_with_its_numbers() {
+    let materials = [
+        "Material \"interface\"",
+        "Material \"none\"",
+        "Material \"\"",
+        "MakeNamedMaterial \"air\" \"string type\" \"interface\" NamedMaterial \"air\"",
+        "MakeNamedMaterial \"air\" \"string type\" [ \"none\" ] NamedMaterial \"air\"",
+        "MakeNamedMaterial \"air\" \"string type\" \"\" NamedMaterial \"air\"",
+        "MakeNamedMaterial \"caf\u{e9}\" \"string type\" \"none\" NamedMaterial \"cafe\u{301}\"",
+        "Material \"diffuse\" AttributeBegin AttributeEnd Material \"interface\"",
+        "Material \"interface\" AttributeBegin Material \"diffuse\" AttributeEnd",
+        "Material \"interface\" TransformBegin Material \"diffuse\" TransformEnd",
+    ];
+    for material in materials {
+        let scene = with_material(material);
+        assert_eq!((scene.shapes.triangle_count(), scene.shapes.sphere_count()), (2, 0), "{material}");
+        let last = Placed::alone(Primitive::triangle(1));
+        assert_eq!((scene.shapes.number(last), scene.shapes.shape_number(last)), (4, 4), "{material}");
+        assert_eq!(scene.census.boundaries().count, 2, "{material}");
+        assert_eq!(warnings(&scene), [], "{material}");
+        let summary = scene.census.summary().unwrap();
+        assert!(summary.ends_with("left out, as in pbrt: 2 shapes that only bound a medium"), "{summary}");
+    }
+}
+
+#[test]
+fn other_materials_are_surfaces() {
+    let materials = [
+        "",
+        "Material \"diffuse\"",
+        "Material \"Interface\"",
+        "MakeNamedMaterial \"interface\" \"string type\" \"diffuse\" NamedMaterial \"interface\"",
+        "MakeNamedMaterial \"none\" NamedMaterial \"none\"",
+        "NamedMaterial \"nowhere\"",
+        "AttributeBegin Material \"interface\" AttributeEnd",
+        "Material \"interface\" Material \"diffuse\"",
+        "Material \"mix\" \"string materials\" [ \"none\" \"none\" ]",
+        "MediumInterface \"a\" \"\"",
+    ];
+    for material in materials {
+        let scene = with_material(material);
+        assert_eq!((scene.shapes.triangle_count(), scene.shapes.sphere_count()), (4, 1), "{material}");
+        assert_eq!(scene.census.boundaries().count, 0, "{material}");
+    }
+}
+
+#[test]
+fn objects_keep_the_numbers_of_what_they_leave_out() {
+    let scene = scene(&format!(
+        "WorldBegin Material \"none\" ObjectBegin \"o\" {BODY} Material \"matte\" {TRIANGLE} ObjectEnd
+        ObjectInstance \"o\" ObjectInstance \"o\" Material \"matte\" {TRIANGLE}"
+    ));
+    let number = |placed| scene.shapes.number(placed);
+    let in_instance = |instance| number(Placed::in_instance(instance, Primitive::triangle(0)));
+    assert_eq!([in_instance(0), in_instance(1), number(Placed::alone(Primitive::triangle(0)))], [3, 7, 8]);
+}
+
+#[test]
+fn a_material_may_be_made_after_its_shapes() {
+    let late = |type_name: &str| {
+        scene(&format!(
+            "WorldBegin NamedMaterial \"late\" {BODY} ObjectBegin \"o\" {BODY} ObjectEnd ObjectInstance \"o\"
+            Material \"matte\" {TRIANGLE} MakeNamedMaterial \"late\" \"string type\" \"{type_name}\""
+        ))
+    };
+    let hit = |scene: &Scene| scene.shapes.all().filter(|placed| scene.shapes.surface(*placed).can_be_hit()).count();
+    let (solid, hidden) = (late("diffuse"), late("interface"));
+    assert_eq!((hit(&solid), hit(&hidden)), (7, 1));
+    let numbers = |scene: &Scene| scene.shapes.all().map(|placed| scene.shapes.number(placed)).collect::<Vec<_>>();
+    assert_eq!(numbers(&solid), numbers(&hidden));
+}
+
+#[test]
+fn the_files_of_what_is_left_out_count_their_primitives() {
+    let ply = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z
+element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
+    let text = format!(
+        "WorldBegin AttributeBegin Material \"interface\" Shape \"plymesh\" \"string filename\" \"m.ply\"
+        Shape \"loopsubdiv\" \"integer nlevels\" 1 \"point3 P\" [ 0 0 0  1 0 0  0 1 0 ] \"integer indices\" [ 0 1 2 ]
+        Shape \"curve\" AttributeEnd {TRIANGLE}"
+    );
+    let scene = load_files(&[("a.pbrt", &text), ("m.ply", ply)]).unwrap();
+    let last = Placed::alone(Primitive::triangle(0));
+    assert_eq!((scene.shapes.number(last), scene.shapes.shape_number(last)), (6, 4));
+}
