@@ -1,15 +1,18 @@
 //! Decimal number tokens, as scene files and ASCII meshes write them (rule R1 of `docs/accuracy.md`).
 
 mod eight_bytes;
+mod non_finite;
 
 use self::eight_bytes::EightBytes;
+pub(crate) use self::non_finite::leading as leading_non_finite;
 
 /// The `f64` nearest to the decimal number `token`, ties to even; infinite beyond the range of `f64`.
 ///
 /// Takes what C's `strtod` takes in the C locale except hexadecimal: a sign, digits with or without a point,
-/// an exponent, `inf` and `nan`. `None` where the token is anything else or has something after the number.
+/// an exponent, `inf` and `nan`, also as Windows prints them. `None` where the token is anything else or has
+/// something after the number.
 pub fn parse(token: &[u8]) -> Option<f64> {
-    parse_short(token).or_else(|| std::str::from_utf8(token).ok()?.parse().ok())
+    parse_short(token).or_else(|| std::str::from_utf8(token).ok()?.parse().ok()).or_else(|| non_finite::parse(token))
 }
 
 /// Powers of ten that an `f64` holds exactly.

@@ -1,8 +1,10 @@
 //! Reading input files: whole, or in pieces.
 
 pub(crate) mod gzip;
+mod missing;
 mod storage;
 
+pub(crate) use missing::advise_beside;
 pub(crate) use storage::Storage;
 
 use crate::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
@@ -35,6 +37,7 @@ pub(crate) fn read(path: &Path) -> Result<Vec<u8>> {
             let diagnostic = Diagnostic::new("this is a device, not a file").at(SourceLocation::file(path));
             Error::new(ErrorKind::MissingInput, diagnostic)
         }
+        io::ErrorKind::NotFound | io::ErrorKind::NotADirectory => missing::advise(path, Error::reading(path, &error)),
         _ => Error::reading(path, &error),
     })
 }

@@ -51,7 +51,7 @@ impl Builder<'_> {
     pub(super) fn film(&mut self, entity: &Entity, keyword: &Span, source: &Rc<Source>) -> Result<()> {
         self.check_before_world("Film", keyword, source)?;
         let mut parameters = Parameters::new("Film", entity, source)?;
-        self.film = FilmParameters::read(&mut parameters)?;
+        self.film = FilmParameters::read(&mut parameters, &mut self.warnings)?;
         parameters.finish_with_suggestions(&mut self.warnings);
         self.film_place = Some(Place::new(source, keyword));
         Ok(())

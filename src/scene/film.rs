@@ -2,8 +2,14 @@
 
 use super::declared_type::DeclaredType;
 use super::parameters::Parameters;
-use crate::error::Result;
+use super::warnings::Warnings;
+use crate::error::{Diagnostic, Result};
 use crate::film::PixelBounds;
+
+/// Columns of a film that the scene gives no size.
+const WIDTH: u32 = 1280;
+/// Rows likewise.
+const HEIGHT: u32 = 720;
 
 /// Which pixels there are and which are wanted.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,26 +28,22 @@ pub(super) struct FilmParameters {
     x_resolution: Option<u32>,
     y_resolution: Option<u32>,
     crop_window: Option<[f64; 4]>,
-    pixel_bounds: Option<[u32; 4]>,
+    pixel_bounds: Option<PixelBounds>,
     pub(super) filename: Option<String>,
 }
 
 impl FilmParameters {
-    pub(super) fn read(parameters: &mut Parameters) -> Result<FilmParameters> {
+    pub(super) fn read(parameters: &mut Parameters, warnings: &mut Warnings) -> Result<FilmParameters> {
         let most = PixelBounds::MAX_SIDE.into();
         let x_resolution = parameters.integer("xresolution", 1, most)?.map(|x| x as u32);
         let y_resolution = parameters.integer("yresolution", 1, most)?.map(|y| y as u32);
-        let crop_window = parameters.fixed_numbers::<4>("cropwindow", DeclaredType::FLOAT)?;
-        if crop_window.is_some_and(|window| !window.iter().all(|fraction| (0.0..=1.0).contains(fraction))) {
-            let error = parameters.error_at("cropwindow", "`cropwindow` takes fractions of the film, from 0 to 1");
-            return Err(error.note("expected x0 x1 y0 y1; `pixelbounds` takes pixels"));
+        let crop_window = crop_window(parameters, warnings)?;
+        let size = [x_resolution.unwrap_or(WIDTH), y_resolution.unwrap_or(HEIGHT)];
+        let pixel_bounds = pixel_bounds(parameters, size, warnings)?;
+        if crop_window.is_some() && pixel_bounds.is_some() {
+            let message = "both `cropwindow` and `pixelbounds` are set: the crop window counts, as in pbrt-v4";
+            parameters.warn("pixelbounds", message, warnings);
         }
-        let pixel_bounds = parameters.fixed_numbers::<4>("pixelbounds", DeclaredType::INTEGER)?;
-        if pixel_bounds.is_some_and(|bounds| bounds.iter().any(|bound| bound.fract() != 0.0 || !bound.is_finite())) {
-            return Err(parameters.error_at("pixelbounds", "`pixelbounds` takes four integers: x0 x1 y0 y1"));
-        }
-        // Bounds beyond the film are cut off at its edges, as in pbrt.
-        let pixel_bounds = pixel_bounds.map(|bounds| bounds.map(|bound| bound as u32));
         let filename = parameters.string("filename")?.map(str::to_owned);
         Ok(FilmParameters { x_resolution, y_resolution, crop_window, pixel_bounds, filename })
     }
@@ -51,12 +53,12 @@ impl FilmParameters {
     /// # Errors
     /// The crop, where it has no pixel.
     pub(super) fn resolve(self, resolution: Option<[u32; 2]>) -> std::result::Result<Film, String> {
-        let from_scene = [self.x_resolution.unwrap_or(1280), self.y_resolution.unwrap_or(720)];
+        let from_scene = [self.x_resolution.unwrap_or(WIDTH), self.y_resolution.unwrap_or(HEIGHT)];
         let resolution = resolution.unwrap_or(from_scene);
         let whole = PixelBounds::of_film(resolution[0], resolution[1]);
-        let crop = match (self.pixel_bounds, self.crop_window) {
-            (Some([x0, x1, y0, y1]), _) => PixelBounds { x0, x1, y0, y1 }.intersection(&whole),
-            (None, Some(window)) => PixelBounds::of_crop_window(window, resolution),
+        let crop = match (self.crop_window, self.pixel_bounds) {
+            (Some(window), _) => PixelBounds::of_crop_window(window, resolution),
+            (None, Some(bounds)) => bounds.intersection(&whole),
             (None, None) => whole,
         };
         if crop.is_empty() {
@@ -64,4 +66,40 @@ impl FilmParameters {
         }
         Ok(Film { resolution, crop, filename: self.filename })
     }
+}
+
+/// The crop window in fractions of the film. What reaches out of it is cut off, as in pbrt.
+fn crop_window(parameters: &mut Parameters, warnings: &mut Warnings) -> Result<Option<[f64; 4]>> {
+    let Some(window) = parameters.fixed_numbers::<4>("cropwindow", DeclaredType::FLOAT)? else { return Ok(None) };
+    if window.iter().any(|fraction| fraction.is_nan()) {
+        let error = parameters.error_at("cropwindow", "`cropwindow` takes fractions of the film, from 0 to 1");
+        return Err(error.note("expected x0 x1 y0 y1; `pixelbounds` takes pixels"));
+    }
+    let clamped = window.map(|fraction| fraction.clamp(0.0, 1.0));
+    if clamped != window {
+        let [x0, x1, y0, y1] = clamped;
+        let message = format!("`cropwindow` reaches out of the film: read as {x0} {x1} {y0} {y1}");
+        let diagnostic = Diagnostic::new(message).at(parameters.place_of("cropwindow"));
+        let note = "expected fractions of the film from 0 to 1: x0 x1 y0 y1; `pixelbounds` takes pixels";
+        warnings.add("cropwindow beyond the film", || diagnostic.note(note));
+    }
+    Ok(Some(clamped))
+}
+
+/// The pixels that the scene asks for, ends in order as in pbrt-v4. What reaches out of its film of `size` is cut off.
+fn pixel_bounds(parameters: &mut Parameters, size: [u32; 2], warnings: &mut Warnings) -> Result<Option<PixelBounds>> {
+    let Some(bounds) = parameters.fixed_numbers::<4>("pixelbounds", DeclaredType::INTEGER)? else { return Ok(None) };
+    if bounds.iter().any(|bound| bound.fract() != 0.0 || !bound.is_finite()) {
+        return Err(parameters.error_at("pixelbounds", "`pixelbounds` takes four integers: x0 x1 y0 y1"));
+    }
+    let [width, height] = size.map(f64::from);
+    if bounds.into_iter().zip([width, width, height, height]).any(|(bound, most)| !(0.0..=most).contains(&bound)) {
+        let message =
+            format!("`pixelbounds` reaches out of the film of {width} x {height} pixels: cut off at its edges");
+        let diagnostic = Diagnostic::new(message).at(parameters.place_of("pixelbounds"));
+        warnings.add("pixelbounds beyond the film", || diagnostic.note("expected pixels of the film: x0 x1 y0 y1"));
+    }
+    // Those before the first pixel become 0 by the conversion; those beyond the film are cut off by its size.
+    let [x0, x1, y0, y1] = bounds.map(|bound| bound as u32);
+    Ok(Some(PixelBounds { x0: x0.min(x1), x1: x0.max(x1), y0: y0.min(y1), y1: y0.max(y1) }))
 }

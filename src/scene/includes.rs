@@ -5,6 +5,7 @@ use super::builder::Builder;
 use super::parser::{Span, Text};
 use super::source::{Place, Source};
 use crate::error::Result;
+use crate::input::advise_beside;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
@@ -82,7 +83,11 @@ impl Builder<'_> {
             return Err(source.error(&name.span, refusal));
         }
         let read = Source::read(&path).and_then(|included| self.read(Rc::new(included), is_continued));
-        read.map_err(|error| error.note(format!("included from {}", source.at(&name.span))))
+        read.map_err(|error| {
+            let place = source.at(&name.span);
+            let error = advise_beside(&place.path, &name.path(), &path, error);
+            error.note(format!("included from {place}"))
+        })
     }
 
     /// As `Include`, but what the file does to the graphics state ends with it, and so do the coordinate systems that

@@ -23,6 +23,7 @@ mod poses;
 mod roundings;
 mod shape_defaults;
 mod shape_directive;
+mod shape_refusal;
 mod shape_statement;
 mod shapes;
 mod source;

@@ -1,12 +1,13 @@
 //! The parameters of a directive, looked up by name and checked.
 
 use super::declared_type::{DeclaredType, refusal_of_values};
-use super::parser::{self, Entity, Parameter, Span, Values};
+use super::parser::{self, Entity, Parameter, Span, Text, Values};
 use super::shape_defaults::{ShapeDefault, ShapeDefaults};
 use super::source::Source;
 use super::spelling;
 use super::warnings::Warnings;
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
+use std::path::PathBuf;
 
 /// The parameters of one directive. What nobody asked for is reported by [`Parameters::finish`].
 pub(super) struct Parameters<'a> {
@@ -151,9 +152,18 @@ impl<'a> Parameters<'a> {
 
     /// One string.
     pub(super) fn string(&mut self, name: &'static str) -> Result<Option<&'a str>> {
+        Ok(self.text(name)?.map(|text| &*text.text))
+    }
+
+    /// One string that names a file.
+    pub(super) fn path(&mut self, name: &'static str) -> Result<Option<PathBuf>> {
+        Ok(self.text(name)?.map(Text::path))
+    }
+
+    fn text(&mut self, name: &'static str) -> Result<Option<&'a Text<'a>>> {
         let Some((parameter, source)) = self.find_declared(name, DeclaredType::STRING)? else { return Ok(None) };
         match &parameter.values {
-            Values::Strings(strings) if strings.len() == 1 && !strings[0].text.is_empty() => Ok(Some(&strings[0].text)),
+            Values::Strings(strings) if strings.len() == 1 && !strings[0].text.is_empty() => Ok(Some(&strings[0])),
             _ => {
                 Err(source
                     .error(&parameter.values_span, format!("`{name}` takes one string in quotes that is not empty")))

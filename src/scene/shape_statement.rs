@@ -1,6 +1,7 @@
 //! The `Shape` directive: from parameters to geometry.
 
 use super::parameters::Parameters;
+use super::shape_refusal::ShapeRefusal;
 use super::transform_cache::TransformCache;
 use super::warnings::Warnings;
 use crate::error::{Diagnostic, Error, Result};
@@ -46,24 +47,32 @@ pub(super) const SURFACE: [&str; 8] =
     ["N", "S", "uv", "st", "faceIndices", "discarddegenerateUVs", "emissionfilename", "edgelength"];
 
 impl ShapeTarget<'_> {
-    /// Adds the shape; one that is not supported is a warning. Whether it was added.
+    /// Adds the shape; one that is not supported, or wrong by itself, is a warning. Tells whether there are such
+    /// shapes.
     pub(super) fn add(&mut self, mut parameters: Parameters) -> Result<bool> {
-        match parameters.entity_name() {
-            "sphere" => self.add_sphere(&mut parameters)?,
-            "cylinder" => self.add_cylinder(&mut parameters)?,
-            "disk" => self.add_disk(&mut parameters)?,
-            "trianglemesh" => self.add_triangle_mesh(&mut parameters)?,
-            "loopsubdiv" => self.add_subdivision_surface(&mut parameters)?,
-            "bilinearmesh" => self.add_bilinear_mesh(&mut parameters)?,
-            "plymesh" => self.add_mesh_file(&mut parameters, MeshFormat::Ply)?,
-            "objmesh" => self.add_mesh_file(&mut parameters, MeshFormat::Obj)?,
+        let added = match parameters.entity_name() {
+            "sphere" => self.add_sphere(&mut parameters).map_err(ShapeRefusal::from),
+            "cylinder" => self.add_cylinder(&mut parameters).map_err(ShapeRefusal::from),
+            "disk" => self.add_disk(&mut parameters).map_err(ShapeRefusal::from),
+            "trianglemesh" => self.add_triangle_mesh(&mut parameters),
+            "loopsubdiv" => self.add_subdivision_surface(&mut parameters),
+            "bilinearmesh" => self.add_bilinear_mesh(&mut parameters),
+            "plymesh" => self.add_mesh_file(&mut parameters, MeshFormat::Ply).map_err(ShapeRefusal::from),
+            "objmesh" => self.add_mesh_file(&mut parameters, MeshFormat::Obj).map_err(ShapeRefusal::from),
             other => {
                 self.warn_unsupported(&parameters, other);
                 return Ok(false);
             }
-        }
-        if self.is_turned && !self.bounds_medium {
-            self.shapes.turn_normals(self.number);
+        };
+        match added {
+            Ok(()) if self.is_turned && !self.bounds_medium => self.shapes.turn_normals(self.number),
+            Ok(()) => {}
+            Err(ShapeRefusal::Scene(error)) => return Err(error),
+            Err(ShapeRefusal::Shape { kind, error }) => {
+                let kind = format!("{} {kind}", parameters.entity_name());
+                let note = "the shape is left out, as in pbrt; its number stays";
+                self.warnings.add(kind, || error.diagnostic().clone().note(note));
+            }
         }
         self.warn_of_moved_and_cut(&mut parameters);
         parameters.finish(self.warnings);

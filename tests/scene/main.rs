@@ -46,6 +46,16 @@ fn error(text: &str) -> String {
     load_files(&[("a.pbrt", text)]).unwrap_err()
 }
 
+/// The error, or the first warning of a scene that has one shape less than it could.
+fn complaint(text: &str) -> String {
+    let folder = folder(&[("a.pbrt", text)]);
+    let root = format!("{}/", folder.path().display());
+    match load(&folder.path().join("a.pbrt"), &LoadOptions::default(), Progress::SILENT) {
+        Ok(scene) => scene.warnings.iter().next().expect("a warning").first.to_string().replace(&root, ""),
+        Err(error) => error.to_string().replace(&root, ""),
+    }
+}
+
 /// Messages of the warnings without their places, and how often each applied.
 fn warnings(scene: &Scene) -> Vec<(String, u64)> {
     scene.warnings.iter().map(|warning| (warning.first.message.clone(), warning.count)).collect()
@@ -293,9 +303,9 @@ fn nothing_that_matters_is_left_out_in_silence() {
 
 #[test]
 fn misspelt_names_of_what_is_missing_are_told() {
-    let message = error("WorldBegin Shape \"trianglemesh\" \"point3 p\" [ 0 0 0 1 0 0 0 1 0 ]");
+    let message = complaint("WorldBegin Shape \"trianglemesh\" \"point3 p\" [ 0 0 0 1 0 0 0 1 0 ]");
     assert!(message.contains("\n   = did you mean `P` by `p`?"), "{message}");
-    let message = error("Camera \"perspectiv\"");
+    let message = complaint("Camera \"perspectiv\"");
     assert!(message.contains("\n   = did you mean `perspective`?"), "{message}");
 }
 
@@ -369,10 +379,10 @@ fn what_cannot_be_subdivided_is_shown() {
         ("\"integer nlevels\" 31", "1:49: `nlevels` is 31, expected an integer from 0 to 30"),
     ];
     for (parameters, expected) in cases {
-        let found = error(&format!("WorldBegin Shape \"loopsubdiv\" {parameters}"));
+        let found = complaint(&format!("WorldBegin Shape \"loopsubdiv\" {parameters}"));
         assert!(found.starts_with(&format!("a.pbrt:{expected}")), "{found}");
     }
-    let found = error(&format!("WorldBegin\nShape \"loopsubdiv\" {TETRAHEDRON}\n  \"integer nlevels\" 13"));
+    let found = complaint(&format!("WorldBegin\nShape \"loopsubdiv\" {TETRAHEDRON}\n  \"integer nlevels\" 13"));
     let expected = "a.pbrt:3:21: 4 faces would be 268435456 after 13 levels of subdivision\n   |\n 3 |   \"integer nlevels\" 13\n   \
         |                     ^^\n   = at most 16777216 are supported: take fewer levels";
     assert_eq!(found, expected);
@@ -396,9 +406,9 @@ fn bilinear_patches_are_two_triangles_each() {
     assert_eq!(warnings(&both), [(message.to_owned(), 2)]);
     let alone = scene("WorldBegin Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0  1 1 0 ]");
     assert_eq!(alone.shapes.triangle_count(), 2);
-    let found = error(&format!("WorldBegin Shape \"bilinearmesh\" {corners}"));
+    let found = complaint(&format!("WorldBegin Shape \"bilinearmesh\" {corners}"));
     assert!(found.starts_with("a.pbrt:1:18: a bilinear mesh of 6 vertices without `indices`"), "{found}");
-    let found = error(&format!("WorldBegin Shape \"bilinearmesh\" {corners} \"integer indices\" [ 0 1 2 ]"));
+    let found = complaint(&format!("WorldBegin Shape \"bilinearmesh\" {corners} \"integer indices\" [ 0 1 2 ]"));
     assert!(found.contains("`indices` has 3 numbers, expected four a patch"), "{found}");
 }
 
@@ -436,7 +446,7 @@ fn mistakes_of_value() {
             "Camera \"perspective\" \"float screenwindow\" [ 0 1e999 0 0 ]",
             "a.pbrt:1:43: the screen window is not finite",
         ),
-        ("Film \"image\" \"float cropwindow\" [ 0 20 0 20 ]", "a.pbrt:1:33: `cropwindow` takes fractions"),
+        ("Film \"image\" \"float cropwindow\" [ 0 nan 0 1 ]", "a.pbrt:1:33: `cropwindow` takes fractions"),
         ("Film \"image\" \"integer pixelbounds\" [ 0 1.5 0 20 ]", "a.pbrt:1:36: `pixelbounds` takes four integers"),
         ("Include \"\"", "a.pbrt:1:9: the name of the file is empty"),
         ("Film \"image\" \"integer xresolution\" 0", "a.pbrt:1:36: `xresolution` is 0, expected an integer from 1 to"),
@@ -458,15 +468,15 @@ fn mistakes_of_value() {
         ("WorldBegin Shape \"plymesh\"", "a.pbrt:1:18: a mesh without a file name"),
     ];
     for (text, expected) in cases {
-        let found = error(text);
+        let found = complaint(text);
         assert!(found.starts_with(expected), "{found}");
     }
     assert_eq!(
-        error(
+        complaint(
             "WorldBegin\nShape \"trianglemesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0 ]\n  \"integer indices\" [ 0 1 3 ]"
         ),
         "a.pbrt:3:27: index 3, number 3 of `indices`, names no vertex\n   |\n 3 |   \"integer indices\" [ 0 1 3 ]\n   \
-         |                           ^\n   = expected an integer from 0 to 2"
+         |                           ^\n   = expected an integer from 0 to 2\n   = the shape is left out, as in pbrt; its number stays"
     );
 }
 

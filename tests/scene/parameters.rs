@@ -1,10 +1,12 @@
 //! Types, counts and names of parameters.
 
-use crate::{error, scene, warnings};
+use crate::{complaint, error, scene, warnings};
+use feimos::film::PixelBounds;
+use feimos::shape::{Placed, Primitive};
 
 /// What is said of a shape with `parameters`.
 fn error_of(parameters: &str) -> String {
-    error(&format!("WorldBegin\nShape {parameters}"))
+    complaint(&format!("WorldBegin\nShape {parameters}"))
 }
 
 #[test]
@@ -112,4 +114,130 @@ fn misspelt_parameters_are_told_with_what_is_meant() {
     assert_eq!(notes, [&["did you mean `radius`?".to_owned()][..], &[]]);
     let counts: Vec<u64> = scene.warnings.iter().map(|warning| warning.count).collect();
     assert_eq!(counts, [2, 1]);
+}
+
+#[test]
+fn numbers_may_be_spelled_as_other_programs_print_them() {
+    let commas = "LookAt 0, 0, -5,  0,0,0  0 , 1, 0,
+        Camera \"perspective\" \"float fov\" 45, \"float screenwindow\" [-1, 1, -1, 1]
+        WorldBegin Translate 1,2,3, Scale 2, 2, 2 Rotate 90, 0, 0, 1,
+        Shape \"sphere\" \"float radius\" 2, \"float zmin\" -1,";
+    let blanks = commas.replace(',', " ");
+    let (commas, blanks) = (scene(commas), scene(&blanks));
+    assert_eq!(commas.camera, blanks.camera);
+    assert_eq!(commas.shapes.sphere(0), blanks.shapes.sphere(0));
+    assert_eq!(warnings(&commas), []);
+    let windows = scene(
+        "WorldBegin LightSource \"point\" \"rgb I\" [-nan(ind) 1.#QNAN 1] \"float scale\" 1.#INF # a comment
+        Shape \"trianglemesh\" \"point3 P\" [0 0 -1.#IND00  1.#INF 0 0  0 1 0] \"integer indices\" [0 1 2]
+        Shape \"sphere\" \"float zmax\" 1.#INF \"float radius\" 1.# not a number",
+    );
+    let vertices = windows.shapes.vertices();
+    assert!(vertices[0].z.is_nan() && vertices[1].x == f64::INFINITY);
+    assert_eq!(windows.shapes.sphere(0).radius, 1.0);
+}
+
+#[test]
+fn a_wrong_mesh_is_left_out_with_its_number() {
+    let cases = [
+        ("Shape \"trianglemesh\"", "a.pbrt:1:18: a triangle mesh without vertices"),
+        ("Shape \"trianglemesh\" \"point3 P\" [ 0 0 ]", "a.pbrt:1:44: `P` has 2 numbers, expected three a vertex"),
+        (
+            "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 0 0 1 1 0 0 1 0 ]",
+            "a.pbrt:1:18: a triangle mesh of 4 vertices without `indices`",
+        ),
+        (
+            "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 0 0 1 1 0 ] \"integer indices\" [ 0 1 3 ]",
+            "a.pbrt:1:90: index 3, number 3 of `indices`, names no vertex",
+        ),
+        ("Shape \"loopsubdiv\" \"point3 P\" [ 0 0 0 1 0 0 1 1 0 ]", "a.pbrt:1:18: a subdivision surface without faces"),
+        ("Shape \"loopsubdiv\" \"point3 P\" [ 0 0 0 1 0 0 1 1 0 ] \"integer indices\" [ 0 0 1 ]", "a.pbrt:1:8"),
+        (
+            "Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0 ]",
+            "a.pbrt:1:18: a bilinear mesh of 1 vertices without `indices`",
+        ),
+    ];
+    for (text, message) in cases {
+        let scene = scene(&format!("WorldBegin {text} Shape \"sphere\""));
+        assert_eq!((scene.shape_count, scene.shapes.own_count()), (2, 1), "{text}");
+        let said: Vec<String> = scene.warnings.iter().map(|warning| warning.first.to_string()).collect();
+        assert_eq!(said.len(), 1, "{said:?}");
+        assert!(said[0].contains(message) && said[0].contains("the shape is left out, as in pbrt"), "{}", said[0]);
+        let found = scene.shapes.shape_number(Placed::alone(Primitive::sphere(0)));
+        assert_eq!(found, 2, "{text}");
+    }
+}
+
+#[test]
+fn excess_numbers_are_dropped_with_a_warning() {
+    let cases = [
+        ("Shape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 0 0 1 1 0 ] \"integer indices\" [ 0 1 2 0 ]", 1),
+        ("Shape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 0 0 1 1 0 ] \"integer indices\" [ 0 1 2 7 9 ]", 1),
+        ("Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0 1 0 0 0 1 0 1 1 0 ] \"integer indices\" [ 0 1 2 3 0 0 ]", 2),
+        (
+            "Shape \"loopsubdiv\" \"integer nlevels\" 0 \"point3 P\" [ 0 0 0 1 0 0 1 1 0 ] \"integer indices\" [ 0 1 2 1 ]",
+            1,
+        ),
+    ];
+    for (text, triangles) in cases {
+        let scene = scene(&format!("WorldBegin {text}"));
+        assert_eq!(scene.shapes.triangle_count(), triangles, "{text}");
+        let said = warnings(&scene);
+        assert!(said.len() == 1 && said[0].0.contains("are dropped"), "{said:?}");
+    }
+}
+
+#[test]
+fn crops_are_clamped_put_in_order_and_chosen_as_in_pbrt() {
+    let crop = |parameters: &str| {
+        let scene = scene(&format!(
+            "Film \"rgb\" \"integer xresolution\" 40 \"integer yresolution\" 20 {parameters} WorldBegin"
+        ));
+        let PixelBounds { x0, x1, y0, y1 } = scene.film.crop;
+        let said: Vec<String> = warnings(&scene).into_iter().map(|(message, _)| message).collect();
+        ([x0, x1, y0, y1], said.join("; "))
+    };
+    let window = |numbers: &str| crop(&format!("\"float cropwindow\" [ {numbers} ]"));
+    let bounds = |numbers: &str| crop(&format!("\"integer pixelbounds\" [ {numbers} ]"));
+    assert_eq!(window("0.5 0 1 0"), ([0, 20, 0, 20], String::new()));
+    for (numbers, expected) in [("-0.5 1.5 0 2", "0 1 0 1"), ("0 1 0 1.0001", "0 1 0 1"), ("2 0.5 0 1", "1 0.5 0 1")] {
+        let (_, said) = window(numbers);
+        assert_eq!(said, format!("`cropwindow` reaches out of the film: read as {expected}"));
+    }
+    assert_eq!(window("2 0.5 0 1").0, [20, 40, 0, 20]);
+    assert_eq!(bounds("30 10 5 0"), ([10, 30, 0, 5], String::new()));
+    let (pixels, said) = bounds("-7 50 -1 10");
+    assert_eq!(pixels, [0, 40, 0, 10]);
+    assert!(said.starts_with("`pixelbounds` reaches out of the film of 40 x 20 pixels"), "{said}");
+    let (pixels, said) = crop("\"float cropwindow\" [ 0 0.5 0 1 ] \"integer pixelbounds\" [ 0 10 0 10 ]");
+    assert_eq!(pixels, [0, 20, 0, 20]);
+    assert_eq!(said, "both `cropwindow` and `pixelbounds` are set: the crop window counts, as in pbrt-v4");
+}
+
+#[test]
+fn files_that_are_not_there_are_looked_for_nearby() {
+    let files = |text: &str| {
+        crate::load_files(&[
+            ("a.pbrt", &format!("WorldBegin {text}")),
+            ("sub/part.pbrt", "Shape \"plymesh\" \"string filename\" \"m.ply\""),
+            ("sub/m.ply", ""),
+            ("Sub2/x.pbrt", ""),
+        ])
+        .unwrap_err()
+    };
+    let mesh = files("Include \"sub/part.pbrt\"");
+    assert!(
+        mesh.starts_with("m.ply: cannot read") && mesh.contains("there is `sub/m.ply` beside sub/part.pbrt"),
+        "{mesh}"
+    );
+    let slash = files("Include \"sub\\\\part.pbrt\"");
+    assert!(
+        slash.contains("paths take `/` on every system") && slash.contains("did you mean `sub/part.pbrt`?"),
+        "{slash}"
+    );
+    if cfg!(target_os = "linux") {
+        let case = files("Shape \"plymesh\" \"string filename\" \"SUB/M.ply\"");
+        assert!(case.contains("there is `sub/m.ply`") && case.contains("named in a.pbrt:1:46"), "{case}");
+        assert!(files("Import \"sub2/X.pbrt\"").contains("there is `Sub2/x.pbrt`"));
+    }
 }

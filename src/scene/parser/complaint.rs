@@ -38,7 +38,6 @@ impl<'a> Source<'a> {
                 let note = format!("expected a number {}", self.before(input));
                 self.error(self.keyword_span(keyword), message).note(note)
             }
-            Token::Comma => self.found(input, "a number").note(takes).note("numbers are separated by blanks"),
             _ => self.found(input, "a number").note(takes),
         }
     }
@@ -66,6 +65,12 @@ impl<'a> Source<'a> {
     /// Something else than the string that `keyword` takes comes next.
     pub(super) fn no_string(&self, keyword: Keyword, input: &[u8]) -> Error {
         in_quotes(self.no_argument(keyword, "a string in quotes", input), Token::next(input).0)
+    }
+
+    /// The string at `input` should have been closed on its line.
+    pub(super) fn unclosed_string(&self, input: &[u8]) -> Error {
+        let error = self.error(self.first(input, 1), "this string is not closed");
+        error.note("a string ends with `\"` on the line where it begins")
     }
 
     /// The bracket at `open` should have been closed before `input`.
@@ -128,6 +133,7 @@ impl<'a> Source<'a> {
         let (token, at) = Token::next(input);
         match token {
             Token::Word(word) if is_text(word) && !looks_numeric(word) => self.unknown_directive(word, at),
+            Token::Quoted(_) if token.length() == 1 => self.unclosed_string(at),
             Token::Close => {
                 let error = self.error(self.first(at, 1), "this `]` closes nothing");
                 error.note("there is no `[` that is still open before it")

@@ -5,7 +5,7 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use super::source::Parsed;
-use super::token::{is_word, separators};
+use super::token::{is_word, separators, word};
 use super::value::Keep;
 use crate::decimal;
 
@@ -36,10 +36,12 @@ fn in_order(input: &[u8], keep: Keep) -> Parsed<'_, Vec<f64>> {
 #[inline]
 fn leading(input: &[u8]) -> Option<(f64, usize)> {
     match decimal::leading(input) {
-        Some((value, length)) if input.get(length).is_some_and(|byte| !is_word(*byte)) => Some((value, length)),
+        Some((value, length)) if input.get(length).is_some_and(|byte| !is_word(*byte) && *byte != b'#') => {
+            Some((value, length))
+        }
         _ => {
-            let length = input.iter().position(|byte| !is_word(*byte)).unwrap_or(input.len());
-            decimal::parse(&input[..length]).map(|value| (value, length))
+            let (_, word) = word(input).ok()?;
+            decimal::parse(word).map(|value| (value, word.len()))
         }
     }
 }

@@ -7,8 +7,8 @@ use nom::sequence::preceded;
 
 use super::keyword::Keyword;
 use super::source::{Parsed, Source, wrong};
-use super::statement::{Entity, Parameter, Span, Text};
-use super::token::{Token, blanks};
+use super::statement::{Entity, Parameter, Span, Text, Values};
+use super::token::{Token, blanks, commas};
 use super::value::Keep;
 use crate::error::Result;
 
@@ -90,7 +90,10 @@ impl<'a> Source<'a> {
         let (rest, text) = self.text(input)?;
         let declared = self.declaration(text)?;
         let (first, ()) = blanks(rest)?;
-        let (rest, values) = self.values(&declared, keep, first)?;
+        let (mut rest, values) = self.values(&declared, keep, first)?;
+        if first.first() != Some(&b'[') && matches!(values, Values::Numbers(_)) {
+            (rest, ()) = commas(rest)?;
+        }
         if matches!(Token::next(rest).0, Token::Number(_) | Token::Open | Token::Word(b"true" | b"false")) {
             return wrong(self.second_value(&declared, rest));
         }

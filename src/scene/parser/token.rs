@@ -53,7 +53,23 @@ fn gap(is_gap: fn(u8) -> bool, input: &[u8]) -> Parsed<'_, ()> {
 
 /// A keyword, a number, a bare `true`: anything up to a blank, a quote, a bracket, a comma or a comment.
 pub(super) fn word(input: &[u8]) -> Parsed<'_, &[u8]> {
-    take_while1(is_word)(input)
+    let (rest, word) = take_while1(is_word)(input)?;
+    // What looks like a comment may be a number that is none: `1.#INF`.
+    if rest.first() == Some(&b'#')
+        && let Some(length) = decimal::leading_non_finite(input, is_word)
+    {
+        return Ok((&input[length..], &input[..length]));
+    }
+    Ok((rest, word))
+}
+
+/// Skips a comma with the blanks before it, where there is one: behind a bare number it says nothing.
+pub(super) fn commas(input: &[u8]) -> Parsed<'_, ()> {
+    let mut rest = input;
+    while let (Token::Comma, at) = Token::next(rest) {
+        rest = &at[1..];
+    }
+    Ok((rest, ()))
 }
 
 /// What stands at some place, for messages and for what depends on what comes next.
@@ -164,8 +180,7 @@ impl<'a> Source<'a> {
     pub(super) fn text(&self, input: &'a [u8]) -> Parsed<'a, Text<'a>> {
         let (inside, _) = char('"')(input)?;
         let Some(length) = closing_quote(inside) else {
-            let error = self.error(self.first(input, 1), "this string is not closed");
-            return wrong(error.note("a string ends with `\"` on the line where it begins"));
+            return wrong(self.unclosed_string(input));
         };
         let rest = &inside[length + 1..];
         let bytes = self.unescape(&inside[..length], inside)?;

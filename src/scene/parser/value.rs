@@ -11,7 +11,7 @@ use super::numbers::numbers;
 use super::parameter::Declaration;
 use super::source::{Parsed, Source, mismatch, wrong};
 use super::statement::{Span, Text, Values};
-use super::token::{Token, blanks, separators, shorten, word};
+use super::token::{Token, blanks, commas, separators, shorten, word};
 use crate::decimal;
 use crate::error::Error;
 
@@ -145,23 +145,22 @@ impl<'a> Source<'a> {
     pub(super) fn fixed<const N: usize>(&self, keyword: Keyword<'a>, input: &'a [u8]) -> Parsed<'a, [f64; N]> {
         let (open, ()) = blanks(input)?;
         let in_brackets = open.first() == Some(&b'[');
-        let gap = if in_brackets { separators } else { blanks };
         let mut rest = if in_brackets { &open[1..] } else { open };
         let mut values = [0.0; N];
         for (count, value) in values.iter_mut().enumerate() {
-            let (next, ()) = gap(rest)?;
+            let (next, ()) = separators(rest)?;
             match number(next) {
                 Ok((after, parsed)) => (rest, *value) = (after, parsed),
                 Err(_) if in_brackets && is_end_of_directive(next) => return wrong(self.unclosed(open, next)),
                 Err(_) => return wrong(self.too_few(keyword, N, count, next)),
             }
         }
-        let (next, ()) = gap(rest)?;
+        let (next, ()) = separators(rest)?;
         match Token::next(next).0 {
             Token::Number(_) => wrong(self.too_many(keyword, N, next)),
             Token::Close if in_brackets => Ok((&next[1..], values)),
             _ if in_brackets => wrong(self.unclosed(open, next)),
-            _ => Ok((rest, values)),
+            _ => commas(rest).map(|(rest, ())| (rest, values)),
         }
     }
 }

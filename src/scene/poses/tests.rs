@@ -77,15 +77,33 @@ fn a_calibrated_camera_sees_points_where_its_matrices_say() {
 }
 
 #[test]
+fn t_may_be_a_column() {
+    let eye = "[[1,0,0],[0,1,0],[0,0,1]]";
+    let list = |t: &str| poses(&format!(r#"[{{"K": {eye}, "R": {eye}, "t": {t}, "resolution": [2, 2]}}]"#)).unwrap();
+    assert_eq!(list("[[0], [-1.5], [5]]"), list("[0, -1.5, 5]"));
+}
+
+#[test]
 fn what_is_wrong_with_a_list_is_told_with_its_place() {
     let place = r#""lookat": [0,0,-5, 0,0,0, 0,1,0]"#;
     let eye = "[[1,0,0],[0,1,0],[0,0,1]]";
     let cases = [
-        ("[{\n  \"nam\": 1}]".to_owned(), "poses.json:2:7: unknown field `nam`"),
+        ("[{\n  \"nam\": 1}]".to_owned(), "poses.json:2:7: camera 1, `nam`: unknown field `nam`"),
         ("[".to_owned(), "EOF while parsing a list"),
         ("{}".to_owned(), "invalid type: map, expected a sequence"),
         ("[]".to_owned(), "a list of 0 cameras"),
-        (r#"[{"lookat": [1, 2]}]"#.to_owned(), "expected an array of length 9"),
+        (r#"[{"lookat": [1, 2]}]"#.to_owned(), "camera 1, `lookat`: invalid length 2, expected an array of length 9"),
+        (format!("[{{{place}}}, {{\"fov\": \"wide\"}}]"), "camera 2, `fov`: invalid type: string"),
+        (format!("[{{{place}}}, {{\"fov\": \"wide\"}}]"), "expected \"fov\": degrees"),
+        (
+            r#"[{"t": [[0], [0, 1], [5]]}]"#.to_owned(),
+            "camera 1, `t`: invalid length 2, expected a number, or a list of one",
+        ),
+        (r#"[{"t": {"x": 1}}]"#.to_owned(), "expected \"t\": [x, y, z]"),
+        (r#"[{"K": [[1, 0], [0, 1]]}]"#.to_owned(), "camera 1, `K`: invalid length 2"),
+        (r#"[{"resolution": [640.5, 480]}]"#.to_owned(), "camera 1, `resolution`: invalid type: floating point"),
+        (r#"[{"name": 7}]"#.to_owned(), "camera 1, `name`: invalid type: integer `7`"),
+        ("[7]".to_owned(), "camera 1: invalid type: integer `7`"),
         (format!("[{{{place}}}, {{\"name\": \"1\", {place}}}]"), "two cameras are called `1`"),
         (
             format!("[{{\"name\": \"a/b\", {place}}}]"),

@@ -1,36 +1,43 @@
 //! The arrays that meshes are given by: `P`, `indices`, and `uv`.
 
-use crate::error::Result;
+use crate::error::{Diagnostic, Result};
 use crate::geometry::Point;
 use crate::scene::declared_type::DeclaredType;
 use crate::scene::parameters::Parameters;
+use crate::scene::shape_refusal::{ShapeRefusal, ShapeResult};
+use crate::scene::warnings::Warnings;
 use rayon::prelude::*;
 
 /// The points of `P`, three numbers each; `mesh` is what they make, with its article.
-pub(super) fn vertices_of(parameters: &mut Parameters, mesh: &str) -> Result<Vec<Point>> {
+pub(super) fn vertices_of(parameters: &mut Parameters, mesh: &str) -> ShapeResult<Vec<Point>> {
     let Some(coordinates) = parameters.numbers("P", DeclaredType::POINT)? else {
-        let message = format!("{mesh} without vertices");
-        return Err(parameters.missing("P", message).note("expected \"point3 P\" [ ... ]"));
+        let error = parameters.missing("P", format!("{mesh} without vertices"));
+        return Err(ShapeRefusal::shape("without vertices", error.note("expected \"point3 P\" [ ... ]")));
     };
     if !coordinates.len().is_multiple_of(3) {
         let message = format!("`P` has {} numbers, expected three a vertex", coordinates.len());
-        return Err(parameters.error_at("P", message));
+        return Err(ShapeRefusal::shape("with parts of vertices", parameters.error_at("P", message)));
     }
     Ok(coordinates.par_chunks_exact(3).map(|p| Point::new(p[0], p[1], p[2])).collect())
 }
 
 /// The faces of `indices`, N places among the vertices each, or `None` where the parameter is missing; `expected` says how
-/// many of what, as `three a triangle`.
+/// many of what, as `three a triangle`. What is left over is dropped with a warning, as in pbrt.
 pub(super) fn faces_of<const N: usize>(
     parameters: &mut Parameters,
     vertex_count: usize,
     expected: &str,
-) -> Result<Option<Vec<[u32; N]>>> {
+    warnings: &mut Warnings,
+) -> ShapeResult<Option<Vec<[u32; N]>>> {
     let Some(indices) = parameters.numbers("indices", DeclaredType::INTEGER)? else { return Ok(None) };
-    if !indices.len().is_multiple_of(N) {
-        let message = format!("`indices` has {} numbers, expected {expected}", indices.len());
-        return Err(parameters.error_at("indices", message));
+    let excess = indices.len() % N;
+    if excess > 0 {
+        let message =
+            format!("`indices` has {} numbers, expected {expected}: the last {excess} are dropped", indices.len());
+        let kind = format!("{} with excess indices", parameters.entity_name());
+        warnings.add(kind, || Diagnostic::new(message).at(parameters.place_of("indices")));
     }
+    let indices = &indices[..indices.len() - excess];
     let is_wrong = |index: &f64| !is_index(*index, vertex_count);
     if indices.par_iter().any(is_wrong)
         && let Some(place) = indices.iter().position(is_wrong)
@@ -41,23 +48,31 @@ pub(super) fn faces_of<const N: usize>(
             0 => "the mesh has no vertices".to_owned(),
             count => format!("expected an integer from 0 to {}", count - 1),
         };
-        return Err(parameters.error_at_number("indices", place, message).note(expected));
+        let error = parameters.error_at_number("indices", place, message).note(expected);
+        return Err(ShapeRefusal::shape("with indices out of range", error));
     }
     let face = |corners: &[f64]| std::array::from_fn(|k| corners[k] as u32);
     Ok(Some(indices.par_chunks_exact(N).map(face).collect()))
 }
 
-/// The two coordinates of each vertex in `uv`, which pbrt-v3 also calls `st`, or `None` where there are none.
-pub(super) fn uv_of(parameters: &mut Parameters, vertex_count: usize) -> Result<Option<Vec<[f32; 2]>>> {
+/// The two coordinates of each vertex in `uv`, which pbrt-v3 also calls `st`, or `None` where there are none or, with a
+/// warning, too few. What is left over is dropped.
+pub(super) fn uv_of(
+    parameters: &mut Parameters,
+    vertex_count: usize,
+    warnings: &mut Warnings,
+) -> Result<Option<Vec<[f32; 2]>>> {
     for name in ["uv", "st"] {
         let Some(numbers) = parameters.numbers(name, DeclaredType::POINT2)? else { continue };
         if numbers.len() != 2 * vertex_count {
-            let message =
-                format!("`{name}` has {} numbers, expected two a vertex: {}", numbers.len(), 2 * vertex_count);
-            return Err(parameters.error_at(name, message));
+            let (found, expected) = (numbers.len(), 2 * vertex_count);
+            let outcome = if found < expected { "they are ignored" } else { "the rest are dropped" };
+            let message = format!("`{name}` has {found} numbers, expected two a vertex: {expected}; {outcome}");
+            parameters.warn(name, message, warnings);
         }
-        let uv = numbers.par_chunks_exact(2).map(|uv| [uv[0] as f32, uv[1] as f32]);
-        return Ok(Some(uv.collect()));
+        let numbers = numbers.get(..2 * vertex_count);
+        let uv = numbers.map(|numbers| numbers.par_chunks_exact(2).map(|uv| [uv[0] as f32, uv[1] as f32]).collect());
+        return Ok(uv);
     }
     Ok(None)
 }

@@ -1,22 +1,24 @@
 //! `Shape "plymesh"` and `Shape "objmesh"`: meshes in files of their own.
 
 use crate::error::Result;
+use crate::input::advise_beside;
 use crate::mesh::{self, MeshFormat};
 use crate::scene::parameters::Parameters;
 use crate::scene::shape_statement::{SURFACE, ShapeTarget};
-use std::path::PathBuf;
 
 impl ShapeTarget<'_> {
     /// Adds the triangles of a file of this format.
     pub(in crate::scene) fn add_mesh_file(&mut self, parameters: &mut Parameters, format: MeshFormat) -> Result<()> {
         parameters.ignore(&SURFACE);
-        let Some(filename) = parameters.string("filename")? else {
+        let Some(filename) = parameters.path("filename")? else {
             let note = "expected \"string filename\" \"mesh.ply\"";
             return Err(parameters.missing("filename", "a mesh without a file name").note(note));
         };
-        let path: PathBuf = self.directory.join(filename);
-        let loaded = mesh::read(&path, format, self.keeps_uv)
-            .map_err(|error| error.note(format!("named in {}", parameters.place_of("filename"))))?;
+        let path = self.directory.join(&filename);
+        let loaded = mesh::read(&path, format, self.keeps_uv).map_err(|error| {
+            let place = parameters.place_of("filename");
+            advise_beside(&place.path, &filename, &path, error).note(format!("named in {place}"))
+        })?;
         for warning in loaded.warnings {
             let place = || parameters.place_of("filename");
             self.warnings.add(warning.to_string(), || warning.clone().note(format!("named in {}", place())));

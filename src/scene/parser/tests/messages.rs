@@ -123,10 +123,9 @@ fn the_others_in_brief() {
         ),
         ("Scale [1 1 1", "1:7: this `[` is not closed\n   = expected `]` before the end of the file"),
         ("Scale [1 1 1 1]", "1:14: the number `1` is one argument too many for `Scale`\n   = `Scale` takes 3 numbers"),
-        (
-            "Scale 1, 1, 1",
-            "1:8: found `,` where a number is expected\n   = `Scale` takes 3 numbers\n   = numbers are separated by blanks",
-        ),
+        ("Scale 1, x, 1", "1:10: found `x` where a number is expected\n   = `Scale` takes 3 numbers"),
+        ("Scale 1 1 1 , ,1", "1:16: the number `1` is one argument too many for `Scale`\n   = `Scale` takes 3 numbers"),
+        ("\"abc", "1:1: this string is not closed\n   = a string ends with `\"` on the line where it begins"),
         ("Scale 1 1.2.3 1", "1:9: found `1.2.3` where a number is expected\n   = `Scale` takes 3 numbers"),
         (
             "Shape\nWorldEnd",
