@@ -3,26 +3,34 @@
 use super::WARNED;
 use super::args::{BatchArgs, RenderArgs};
 use super::failures::Failures;
+use super::inputs::{Inputs, check_against_scene};
 use super::job::{Outcome, Renderer};
-use super::manifest::{Entry, Manifest, Status};
+use super::loaded_scene::LoadedScene;
+use super::manifest::{self, Entry, Manifest, Status};
+use super::output_name::Destination;
 use super::outputs::{ImageName, Outputs};
 use super::plan::Plan;
 use super::progress_bar::ProgressBars;
 use super::record::Record;
 use super::reporter::Reporter;
+use super::result_files::refuse_results;
 use super::thread_pool::thread_pool;
 use feimos::error::Result;
+use feimos::file_id::InputFiles;
 use feimos::film::atomic_file::Overwrite;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// Renders all images and returns the exit code: the highest of any of them.
 pub(crate) fn render(args: &RenderArgs, reporter: &Reporter) -> Result<u8> {
+    refuse_results(&args.scenes, args.report.json, None)?;
+    let inputs = Inputs::default().with(&args.scenes, "a scene").with(&args.cameras.cameras, "the list of cameras");
+    args.batch.manifest.as_deref().map_or(Ok(()), |path| manifest::check(path, &inputs))?;
     let plan = Plan::new(args)?;
     for flag in args.pbrt.given() {
         reporter.note(format_args!("{flag} has no meaning here and is ignored"));
     }
-    let outputs = Outputs::new(&args.scenes, &plan)?;
+    let outputs = Outputs::new(&args.scenes, &plan, &inputs)?;
     let may_replace = outputs.count() == 1 || args.batch.force || args.batch.skip_existing;
     let overwrite = if may_replace { Overwrite::Yes } else { Overwrite::No };
     let batch = Batch {
@@ -77,11 +85,14 @@ impl Batch<'_> {
     fn render_scene(&mut self, number: usize, path: &Path) -> Result<()> {
         let mut start = Instant::now();
         // Nobody should wait for a scene whose image must not be written.
-        let in_the_way = match self.renderer.overwrite {
-            Overwrite::No => self.outputs.check_free(number, path, self.renderer.plan),
-            Overwrite::Yes => Ok(()),
+        let in_the_way = self.outputs.check(number, path, self.renderer.plan, self.renderer.overwrite);
+        let (loaded, files) = match in_the_way {
+            Ok(()) => self.pool.install(|| self.renderer.load(path)),
+            Err(error) => (Err(error), InputFiles::default()),
         };
-        let loaded = in_the_way.and_then(|()| self.pool.install(|| self.renderer.load(path)));
+        // Not one line may go there, not even the one that tells of it.
+        self.manifest.as_ref().map_or(Ok(()), |manifest| manifest.check_against_scene(&files))?;
+        let loaded = loaded.and_then(|loaded| self.check_views(number, &loaded.0, &files).map(|()| loaded));
         let (loaded, mut load) = match loaded {
             Ok(loaded) => loaded,
             Err(error) => {
@@ -103,6 +114,20 @@ impl Batch<'_> {
                 break;
             }
             (start, load) = (Instant::now(), 0.0);
+        }
+        Ok(())
+    }
+
+    /// Checks where the images of scene `number` go, before the first of them is written.
+    fn check_views(&mut self, number: usize, loaded: &LoadedScene, files: &InputFiles) -> Result<()> {
+        let Renderer { plan, .. } = self.renderer;
+        for view in &loaded.views {
+            let destination = self.renderer.destination(loaded, view);
+            if let Destination::File(path) = &destination {
+                check_against_scene(files, path, plan.output_name.cause())?;
+            }
+            let name = ImageName { scene: loaded.path, camera: view.name.as_deref() };
+            self.outputs.claim(number, &name, &destination, plan)?;
         }
         Ok(())
     }

@@ -13,7 +13,8 @@ use super::summary;
 use super::timing::{milliseconds_since, timed};
 use feimos::accel::{Aggregate, Precision, SplitMethod, Statistics};
 use feimos::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
-use feimos::film::atomic_file::{self, Overwrite};
+use feimos::file_id::InputFiles;
+use feimos::film::atomic_file::Overwrite;
 use feimos::film::{CameraAttributes, PixelBounds};
 use feimos::progress::Progress;
 use feimos::render::{RenderOptions, Rendering, render};
@@ -78,8 +79,9 @@ impl Tree<'_> {
 }
 
 impl Renderer<'_> {
-    /// Reads a scene, on the threads of the current pool; also returns how many milliseconds that took.
-    pub(crate) fn load<'a>(&self, path: &'a Path) -> Result<(LoadedScene<'a>, f64)> {
+    /// Reads a scene, on the threads of the current pool; also returns how many milliseconds that took, and the files
+    /// that were read, up to an error too.
+    pub(crate) fn load<'a>(&self, path: &'a Path) -> (Result<(LoadedScene<'a>, f64)>, InputFiles) {
         LoadedScene::load(path, self.plan, &self.bars, self.reporter)
     }
 
@@ -100,7 +102,7 @@ impl Renderer<'_> {
         Ok(Outcome::Made { record, warned: !loaded.scene.warnings.is_empty() })
     }
 
-    fn destination(&self, loaded: &LoadedScene, view: &Viewpoint) -> Destination {
+    pub(crate) fn destination(&self, loaded: &LoadedScene, view: &Viewpoint) -> Destination {
         let filename = view.film.filename.as_deref();
         self.plan.output_name.destination(loaded.path, filename, loaded.build.method, view.name.as_deref())
     }
@@ -131,17 +133,41 @@ impl Renderer<'_> {
             window,
         });
         let header = origin.map(|origin| picture.header(&origin));
-        if let Destination::File(path) = &destination {
-            atomic_file::check(path)?;
-            if let (true, Some(origin), Some(header)) = (self.plan.skip_existing && path.is_file(), &origin, &header) {
-                match picture.existing(path, header, origin)? {
-                    Existing::Same => return Ok(None),
-                    Existing::Stale => self.reporter.detail(format_args!("{destination}: of other options, made anew")),
-                    Existing::Foreign => return Err(foreign(path)),
+        if let Destination::File(path) = &destination
+            && path.is_file()
+            && !self.may_replace_anything()
+        {
+            let existing = match (&origin, &header) {
+                (Some(origin), Some(header)) => picture.existing(path, header, origin)?,
+                // Formats without a header do not tell who wrote them.
+                _ => Existing::Foreign,
+            };
+            match existing {
+                Existing::Same if self.plan.skip_existing => return Ok(None),
+                Existing::Stale if self.plan.skip_existing => {
+                    self.reporter.detail(format_args!("{destination}: of other options, made anew"));
                 }
+                Existing::Same | Existing::Stale => {}
+                Existing::Foreign => return Err(self.foreign(path)),
             }
         }
+        destination.check()?;
         Ok(Some(Target { destination, picture, window, header }))
+    }
+
+    /// Whether the user has named the file that is to be replaced, or wants it replaced whatever it is.
+    fn may_replace_anything(&self) -> bool {
+        self.plan.force || (self.plan.output_name.is_given() && !self.plan.skip_existing)
+    }
+
+    fn foreign(&self, path: &Path) -> Error {
+        let diagnostic = Diagnostic::new("exists already, and is no image of feimos").at(SourceLocation::file(path));
+        let advice = "move it away, or use --force to overwrite it";
+        let advice = match self.plan.output_name.is_given() {
+            true => advice.to_owned(),
+            false => format!("this name comes from the scene: give another one by -o, {advice}"),
+        };
+        Error::new(ErrorKind::Output, diagnostic.note(advice))
     }
 
     /// Builds, traces and writes.
@@ -200,11 +226,6 @@ impl Renderer<'_> {
         let tree = if is_shared { Tree::Shared(loaded.share(built)) } else { Tree::Own(Box::new(built)) };
         (tree, ms)
     }
-}
-
-fn foreign(path: &Path) -> Error {
-    let diagnostic = Diagnostic::new("exists already, and is no image of feimos").at(SourceLocation::file(path));
-    Error::new(ErrorKind::Output, diagnostic.note("move it away, or use --force to overwrite it"))
 }
 
 fn record(loaded: &LoadedScene, view: &Viewpoint, finished: &Finished) -> Record {

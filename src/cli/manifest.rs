@@ -1,11 +1,17 @@
 //! The batch's own record: a line of JSON for each image.
 
+use super::inputs::{Inputs, check_against_scene};
 use super::record::Record;
+use super::result_files::check_extension;
 use feimos::error::{Error, Result};
+use feimos::file_id::InputFiles;
+use feimos::json;
 use serde::Serialize;
-use std::fs::{File, OpenOptions};
-use std::io::Write;
+use std::fs::{File, OpenOptions, TryLockError};
+use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
+use std::thread::sleep;
+use std::time::Duration;
 
 /// How it went with an image.
 #[derive(Debug, Serialize)]
@@ -32,6 +38,13 @@ pub(crate) struct Entry<'a> {
     pub(crate) image: Option<&'a Record>,
 }
 
+/// The flag that names the file.
+const FLAG: &str = "--manifest";
+
+/// How often, and with what pauses, a writer asks for the file that another process writes to; then it goes on without.
+const TRIES: usize = 100;
+const PAUSE: Duration = Duration::from_millis(10);
+
 /// The file, opened once. A batch that goes on later appends to it.
 #[derive(Debug)]
 pub(crate) struct Manifest {
@@ -39,17 +52,78 @@ pub(crate) struct Manifest {
     file: File,
 }
 
+/// Checks the name of a manifest before anything is read.
+///
+/// # Errors
+/// A name of another kind of file, or of one of the `inputs`.
+pub(crate) fn check(path: &Path, inputs: &Inputs) -> Result<()> {
+    inputs.check(path, FLAG)?;
+    check_extension(path, FLAG, &["jsonl", "json"])
+}
+
 impl Manifest {
     pub(crate) fn open(path: &Path) -> Result<Manifest> {
-        let file = OpenOptions::new().create(true).append(true).open(path);
+        // To be read, too: the last byte tells whether the last line has an end.
+        let open = |reads| OpenOptions::new().create(true).append(true).read(reads).open(path);
+        let is_special = path.metadata().is_ok_and(|found| !found.is_file());
+        let file = if is_special { open(false) } else { open(true).or_else(|_| open(false)) };
         let file = file.map_err(|error| Error::creating(path, &error))?;
         Ok(Manifest { path: path.to_path_buf(), file })
     }
 
-    /// Appends one line, in one write.
+    /// # Errors
+    /// A manifest that is one of the files that a scene reads.
+    pub(crate) fn check_against_scene(&self, files: &InputFiles) -> Result<()> {
+        check_against_scene(files, &self.path, FLAG)
+    }
+
+    /// Appends one line, in one write: whole, or not at all.
     pub(crate) fn add(&mut self, entry: &Entry) -> Result<()> {
-        let mut line = serde_json::to_string(entry).expect("an entry has no keys that JSON lacks");
-        line.push('\n');
-        self.file.write_all(line.as_bytes()).map_err(|error| Error::writing(&self.path, &error))
+        let line = json::line(entry);
+        let is_locked = self.lock();
+        let added = self.append(line);
+        if is_locked {
+            // It ends with the program at the latest.
+            let _ = self.file.unlock();
+        }
+        added.map_err(|error| Error::writing(&self.path, &error))
+    }
+
+    /// Keeps other processes from writing between a line that has no room and its removal.
+    fn lock(&self) -> bool {
+        for _ in 0..TRIES {
+            match self.file.try_lock() {
+                Ok(()) => return true,
+                Err(TryLockError::WouldBlock) => sleep(PAUSE),
+                // Not every file system knows locks.
+                Err(TryLockError::Error(_)) => return false,
+            }
+        }
+        false
+    }
+
+    fn append(&mut self, mut line: Vec<u8>) -> io::Result<()> {
+        let found = self.file.metadata()?;
+        if !found.is_file() {
+            return self.file.write_all(&line);
+        }
+        let size = found.len();
+        if self.lacks_line_end(size) {
+            line.insert(0, b'\n');
+        }
+        let written = self.file.write_all(&line);
+        if written.is_err() && self.file.metadata().is_ok_and(|found| found.len() > size) {
+            // A reader of lines would stop at half of one, and the next line would go on there.
+            let _ = self.file.set_len(size);
+        }
+        written
+    }
+
+    /// Whether the file, of that many bytes, ends within a line, as a program leaves it that was killed.
+    fn lacks_line_end(&mut self, size: u64) -> bool {
+        let Some(last) = size.checked_sub(1) else { return false };
+        let mut byte = [b'\n'];
+        let read = self.file.seek(SeekFrom::Start(last)).and_then(|_| self.file.read_exact(&mut byte));
+        read.is_ok() && byte != [b'\n']
     }
 }

@@ -1,10 +1,13 @@
 //! Where the images of a batch go, as far as that is known before a scene is read.
 
+use super::inputs::Inputs;
 use super::output_name::Destination;
+use super::place::Place;
 use super::plan::Plan;
 use super::reporter::Reporter;
 use feimos::accel::SplitMethod;
 use feimos::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
+use feimos::film::atomic_file::Overwrite;
 use feimos::scene::{self, Pose, SceneOptions};
 use std::collections::HashMap;
 use std::fmt;
@@ -29,30 +32,30 @@ impl fmt::Display for ImageName<'_> {
 pub(super) struct Outputs {
     known: Vec<Option<Vec<Destination>>>,
     of_scene: usize,
+    taken: Taken,
 }
 
 impl Outputs {
     /// # Errors
-    /// Two images that would go to one place.
-    pub(super) fn new(scenes: &[PathBuf], plan: &Plan) -> Result<Outputs> {
+    /// An image that would overwrite one of the `inputs`; two images that would go to one place.
+    pub(super) fn new(scenes: &[PathBuf], plan: &Plan, inputs: &Inputs) -> Result<Outputs> {
         let of_scene = plan.poses.as_ref().map_or(1, Vec::len);
-        if scenes.len() * of_scene == 1 {
-            return Ok(Outputs { known: vec![None], of_scene });
-        }
-        let mut taken: HashMap<Destination, ImageName> = HashMap::new();
+        let is_single = scenes.len() * of_scene == 1;
+        let mut taken = Taken::default();
         let mut known = Vec::with_capacity(scenes.len());
         for scene in scenes {
-            let destinations = destinations(scene, plan);
-            let cameras = cameras(plan);
-            for (destination, camera) in destinations.iter().flatten().zip(cameras) {
-                let name = ImageName { scene, camera };
-                if let Some(other) = taken.insert(destination.resolved(), name) {
-                    return Err(twice(&other, &name, destination, plan));
+            // A single scene is not read twice only to know its name for the image.
+            let is_late = is_single && plan.output_name.needs_scene(plan.accel);
+            let destinations = if is_late { None } else { destinations(scene, plan) };
+            for (destination, camera) in destinations.iter().flatten().zip(cameras(plan)) {
+                if let Destination::File(path) = destination {
+                    inputs.check(path, plan.output_name.cause())?;
                 }
+                taken.add(&ImageName { scene, camera }, destination, plan)?;
             }
             known.push(destinations);
         }
-        Ok(Outputs { known, of_scene })
+        Ok(Outputs { known, of_scene, taken })
     }
 
     /// Images of the batch.
@@ -66,12 +69,45 @@ impl Outputs {
     }
 
     /// # Errors
-    /// Files in the places of all images of scene `number`, which is `path`: then there is nothing to read it for.
-    pub(super) fn check_free(&self, number: usize, path: &Path, plan: &Plan) -> Result<()> {
-        let destinations = self.known[number].clone().or_else(|| destinations(path, plan)).unwrap_or_default();
-        let mut problems = destinations.iter().map(|destination| check_free(destination).err());
+    /// None of the images of scene `number`, which is `path`, can be written: then there is nothing to read it for.
+    pub(super) fn check(&self, number: usize, path: &Path, plan: &Plan, overwrite: Overwrite) -> Result<()> {
+        let late = || (overwrite == Overwrite::No).then(|| destinations(path, plan)).flatten();
+        let destinations = self.known[number].clone().or_else(late).unwrap_or_default();
+        let problem = |destination: &Destination| match overwrite {
+            Overwrite::No => check_free(destination).and_then(|()| destination.check()),
+            // An image that is left out needs no place that can be written to.
+            Overwrite::Yes if plan.skip_existing => Ok(()),
+            Overwrite::Yes => destination.check(),
+        };
+        let mut problems = destinations.iter().map(|destination| problem(destination).err());
         let first = problems.next().flatten();
         if problems.all(|problem| problem.is_some()) { first.map_or(Ok(()), Err) } else { Ok(()) }
+    }
+
+    /// Takes note of where an image of scene `number` goes, now that the scene has been read.
+    ///
+    /// # Errors
+    /// The place of another image.
+    pub(super) fn claim(&mut self, number: usize, name: &ImageName, at: &Destination, plan: &Plan) -> Result<()> {
+        if self.known[number].is_some() || self.count() == 1 { Ok(()) } else { self.taken.add(name, at, plan) }
+    }
+}
+
+/// The places of images, each with the scene and the camera of its image.
+#[derive(Debug, Default)]
+struct Taken(HashMap<Place, (PathBuf, Option<String>)>);
+
+impl Taken {
+    /// # Errors
+    /// A place that is taken.
+    fn add(&mut self, name: &ImageName, destination: &Destination, plan: &Plan) -> Result<()> {
+        let owned = (name.scene.to_path_buf(), name.camera.map(str::to_owned));
+        match self.0.insert(Place::of(destination), owned) {
+            None => Ok(()),
+            Some((scene, camera)) => {
+                Err(twice(&ImageName { scene: &scene, camera: camera.as_deref() }, name, destination, plan))
+            }
+        }
     }
 }
 

@@ -7,6 +7,7 @@ use std::fs::{self, File, Metadata};
 use std::io::{self, BufWriter, Seek, Write};
 use std::path::{Path, PathBuf};
 
+use super::place;
 use super::unfinished::Unfinished;
 use crate::error::{Error, Result};
 
@@ -54,14 +55,24 @@ pub fn check(path: &Path) -> Result<()> {
     let target = follow_links(path).map_err(|error| Error::creating(path, &error))?;
     match fs::metadata(&target) {
         Ok(found) if found.is_dir() => Err(is_directory(path)),
+        Ok(found) if found.is_file() => place::check_replaceable(path, &target, &writable(path)?),
         Ok(_) => Ok(()),
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(Error::creating(path, &error)),
+        Err(_) if place::names_directory(&target) => Err(is_directory(path)),
         Err(_) => match fs::metadata(directory_of(&target)) {
-            Ok(directory) if directory.is_dir() => Ok(()),
+            Ok(directory) if directory.is_dir() => place::check_free(path, &target),
             Ok(_) => Err(Error::creating(path, &io::ErrorKind::NotADirectory.into())),
             Err(error) => Err(creating(path, &target, &error)),
         },
     }
+}
+
+/// Where [`write_file`] would put the file `path`: at the end of symbolic links.
+///
+/// # Errors
+/// Links that cannot be followed.
+pub fn target(path: &Path) -> io::Result<PathBuf> {
+    follow_links(path)
 }
 
 fn is_directory(path: &Path) -> Error {
@@ -119,7 +130,7 @@ pub fn directory_of(path: &Path) -> &Path {
 }
 
 /// The error of [`Unfinished::beside`], with advice where only the directory is missing.
-fn creating(path: &Path, target: &Path, error: &io::Error) -> Error {
+pub(super) fn creating(path: &Path, target: &Path, error: &io::Error) -> Error {
     let directory = directory_of(target);
     let creating = Error::creating(path, error);
     if directory.exists() {

@@ -20,6 +20,7 @@ mod metadata;
 pub mod npy_file;
 pub mod pfm_file;
 mod pixel_bounds;
+mod place;
 pub mod png_file;
 pub mod png_reader;
 mod raster;

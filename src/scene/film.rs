@@ -4,6 +4,7 @@ use super::declared_type::DeclaredType;
 use super::parameters::Parameters;
 use crate::error::Result;
 use crate::film::PixelBounds;
+use crate::terminal_text::is_command;
 
 /// Which pixels there are and which are wanted.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,6 +44,10 @@ impl FilmParameters {
         // Bounds beyond the film are cut off at its edges, as in pbrt.
         let pixel_bounds = pixel_bounds.map(|bounds| bounds.map(|bound| bound as u32));
         let filename = parameters.string("filename")?.map(str::to_owned);
+        if filename.as_deref().is_some_and(|name| name.chars().any(is_command)) {
+            let error = parameters.error_at("filename", "`filename` holds control characters, which no image is named by");
+            return Err(error.note("expected the name of a file, such as \"image.exr\""));
+        }
         Ok(FilmParameters { x_resolution, y_resolution, crop_window, pixel_bounds, filename })
     }
 

@@ -62,6 +62,7 @@ impl Builder<'_> {
         if let Some(refusal) = self.includes.refusal(&path) {
             return Err(source.error(&name.span, refusal));
         }
+        self.files.add(&path);
         let read = Source::read(&path).and_then(|included| self.read(Rc::new(included)));
         read.map_err(|error| error.note(format!("included from {}", source.at(&name.span))))
     }

@@ -1,0 +1,42 @@
+//! Names of files that hold results: tables, lines of JSON, plots.
+
+use feimos::error::{Error, Result};
+use std::path::Path;
+
+/// Extensions of results, which no scene has.
+const OF_RESULTS: [&str; 5] = ["json", "jsonl", "csv", "md", "svg"];
+
+/// Checks that `path` ends in one of the `extensions`; what is there and no regular file may have any name.
+///
+/// # Errors
+/// Another name, which may be that of a scene or an image.
+pub(crate) fn check_extension(path: &Path, flag: &str, extensions: &[&str]) -> Result<()> {
+    let is_special = path.metadata().is_ok_and(|found| !found.is_file() && !found.is_dir());
+    if is_special || has_extension(path, extensions) {
+        return Ok(());
+    }
+    let expected: Vec<String> = extensions.iter().map(|extension| format!(".{extension}")).collect();
+    let error = Error::usage(format!("{}: {flag} writes no file of this kind", path.display()));
+    Err(error.note(format!("expected a name that ends in {}", expected.join(" or "))))
+}
+
+/// `--json` is a switch: tells the user who gives it a file, which then stands among the scenes. `json_file` is the flag that
+/// takes one, if the command has such a flag.
+///
+/// # Errors
+/// A scene by the name of a file of results.
+pub(crate) fn refuse_results<P: AsRef<Path>>(scenes: &[P], json: bool, json_file: Option<&str>) -> Result<()> {
+    let is_result = |path: &&Path| has_extension(path, &OF_RESULTS);
+    let Some(path) = scenes.iter().map(AsRef::as_ref).find(is_result).filter(|_| json) else { return Ok(()) };
+    let error = Error::usage(format!("{}: this is the name of a file of results, not of a scene", path.display()));
+    let error = error.note("--json takes no file: it prints on standard output");
+    Err(match json_file {
+        Some(flag) => error.note(format!("did you mean {flag} {}?", path.display())),
+        None => error.note(format!("did you mean --json > {}?", path.display())),
+    })
+}
+
+fn has_extension(path: &Path, extensions: &[&str]) -> bool {
+    let found = path.extension().map(|extension| extension.to_ascii_lowercase());
+    found.is_some_and(|found| extensions.iter().any(|extension| found == *extension))
+}
