@@ -24,7 +24,10 @@ mod tests {
     #[test]
     fn commands_are_marked_and_all_else_stays() {
         let name = "a\x1b]0;T\x07\u{9b}31m\u{7f}\u{202e}gnp.\u{2066}\u{200f}\u{2028}ä€😀 \u{301}";
-        assert_eq!(line(name), "a\u{fffd}]0;T\u{fffd}\u{fffd}31m\u{fffd}\u{fffd}gnp.\u{fffd}\u{fffd}\u{fffd}ä€😀 \u{301}");
+        assert_eq!(
+            line(name),
+            "a\u{fffd}]0;T\u{fffd}\u{fffd}31m\u{fffd}\u{fffd}gnp.\u{fffd}\u{fffd}\u{fffd}ä€😀 \u{301}"
+        );
         assert_eq!(line("a\nb"), "a\u{fffd}b");
         assert_eq!(lines("a\nb\r\n\tc\n"), "a\nb\u{fffd}\n\u{fffd}c\n");
     }

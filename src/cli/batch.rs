@@ -14,6 +14,7 @@ use super::progress_bar::ProgressBars;
 use super::record::Record;
 use super::reporter::Reporter;
 use super::result_files::refuse_results;
+use super::stdout;
 use super::thread_pool::thread_pool;
 use feimos::error::Result;
 use feimos::file_id::InputFiles;
@@ -30,6 +31,7 @@ pub(crate) fn render(args: &RenderArgs, reporter: &Reporter) -> Result<u8> {
     for flag in args.pbrt.given() {
         reporter.note(format_args!("{flag} has no meaning here and is ignored"));
     }
+    stdout::check_if(args.report.json)?;
     let outputs = Outputs::new(&args.scenes, &plan, &inputs)?;
     let may_replace = outputs.count() == 1 || args.batch.force || args.batch.skip_existing;
     let overwrite = if may_replace { Overwrite::Yes } else { Overwrite::No };
@@ -41,6 +43,7 @@ pub(crate) fn render(args: &RenderArgs, reporter: &Reporter) -> Result<u8> {
         json: args.report.json,
         strict: args.report.strict,
         failures: Failures::default(),
+        inputs,
         outputs,
         tried: 0,
         code: 0,
@@ -56,6 +59,7 @@ struct Batch<'a> {
     json: bool,
     strict: bool,
     failures: Failures,
+    inputs: Inputs,
     outputs: Outputs,
     /// Images whose turn it has been.
     tried: usize,
@@ -74,6 +78,7 @@ impl Batch<'_> {
         let count = self.outputs.count();
         let things = if self.outputs.of_scene() > 1 { "images" } else { "scenes" };
         self.failures.report(things, count, count.saturating_sub(self.tried), self.renderer.reporter);
+        self.manifest.iter().for_each(|manifest| manifest.report(self.renderer.reporter));
         Ok(self.code)
     }
 
@@ -97,7 +102,8 @@ impl Batch<'_> {
             Ok(loaded) => loaded,
             Err(error) => {
                 self.tried += self.outputs.of_scene();
-                return self.take_note(&ImageName { scene: path, camera: None }, Err(error));
+                self.take_note(&ImageName { scene: path, camera: None }, Err(error));
+                return Ok(());
             }
         };
         for view in &loaded.views {
@@ -109,7 +115,7 @@ impl Batch<'_> {
                 Ok(outcome)
             });
             self.tried += 1;
-            self.take_note(&ImageName { scene: path, camera: view.name.as_deref() }, outcome)?;
+            self.take_note(&ImageName { scene: path, camera: view.name.as_deref() }, outcome);
             if self.is_over() {
                 break;
             }
@@ -124,6 +130,7 @@ impl Batch<'_> {
         for view in &loaded.views {
             let destination = self.renderer.destination(loaded, view);
             if let Destination::File(path) = &destination {
+                self.inputs.check(path, plan.output_name.cause())?;
                 check_against_scene(files, path, plan.output_name.cause())?;
             }
             let name = ImageName { scene: loaded.path, camera: view.name.as_deref() };
@@ -133,7 +140,7 @@ impl Batch<'_> {
     }
 
     /// Tells the user and the manifest how it went.
-    fn take_note(&mut self, name: &ImageName, result: Result<Outcome>) -> Result<()> {
+    fn take_note(&mut self, name: &ImageName, result: Result<Outcome>) {
         match result {
             Ok(Outcome::Skipped(destination)) => {
                 self.renderer.reporter.detail(format_args!("{name}: skipped, {destination} is there already"));
@@ -157,12 +164,12 @@ impl Batch<'_> {
         exit_code: u8,
         error: Option<String>,
         image: Option<&Record>,
-    ) -> Result<()> {
+    ) {
         self.code = self.code.max(exit_code);
         if let Some(manifest) = &mut self.manifest {
             let scene = name.scene.display().to_string();
-            manifest.add(&Entry { scene: &scene, camera: name.camera, status, exit_code, error, image })?;
+            let entry = Entry { scene: &scene, camera: name.camera, status, exit_code, error, image };
+            self.code = self.code.max(manifest.note(&entry, self.renderer.reporter));
         }
-        Ok(())
     }
 }

@@ -1,7 +1,9 @@
 //! The batch's own record: a line of JSON for each image.
 
+use super::counted::counted;
 use super::inputs::{Inputs, check_against_scene};
 use super::record::Record;
+use super::reporter::Reporter;
 use super::result_files::check_extension;
 use feimos::error::{Error, Result};
 use feimos::file_id::InputFiles;
@@ -50,6 +52,8 @@ const PAUSE: Duration = Duration::from_millis(10);
 pub(crate) struct Manifest {
     path: PathBuf,
     file: File,
+    /// Lines for which there was no room.
+    missing: u64,
 }
 
 /// Checks the name of a manifest before anything is read.
@@ -68,7 +72,7 @@ impl Manifest {
         let is_special = path.metadata().is_ok_and(|found| !found.is_file());
         let file = if is_special { open(false) } else { open(true).or_else(|_| open(false)) };
         let file = file.map_err(|error| Error::creating(path, &error))?;
-        Ok(Manifest { path: path.to_path_buf(), file })
+        Ok(Manifest { path: path.to_path_buf(), file, missing: 0 })
     }
 
     /// # Errors
@@ -77,8 +81,26 @@ impl Manifest {
         check_against_scene(files, &self.path, FLAG)
     }
 
+    /// Appends one line. An error does not end the batch: it is told once, and returned as an exit code.
+    pub(crate) fn note(&mut self, entry: &Entry, reporter: &Reporter) -> u8 {
+        let Err(error) = self.add(entry) else { return 0 };
+        self.missing += 1;
+        let code = error.kind().exit_code();
+        if self.missing == 1 {
+            reporter.error(&error.note("the images are made all the same; those that are not noted here are counted"));
+        }
+        code
+    }
+
+    /// Says, at the end, how much is not noted.
+    pub(crate) fn report(&self, reporter: &Reporter) {
+        if self.missing > 0 {
+            reporter.line(format_args!("{}: {} missing", self.path.display(), counted(self.missing, "line")));
+        }
+    }
+
     /// Appends one line, in one write: whole, or not at all.
-    pub(crate) fn add(&mut self, entry: &Entry) -> Result<()> {
+    fn add(&mut self, entry: &Entry) -> Result<()> {
         let line = json::line(entry);
         let is_locked = self.lock();
         let added = self.append(line);

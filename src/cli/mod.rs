@@ -36,10 +36,10 @@ mod summary;
 mod terminal;
 mod thread_pool;
 mod timing;
+mod usage;
 mod version;
 
-use args::{Cli, Command, TalkArgs};
-use clap::{CommandFactory, FromArgMatches};
+use args::{Command, TalkArgs};
 use feimos::error::Result;
 use reporter::Reporter;
 use std::process::ExitCode;
@@ -49,9 +49,10 @@ const WARNED: u8 = 1;
 
 /// Runs the command that was typed and returns the exit code for it.
 pub(crate) fn run() -> ExitCode {
-    // clap prints help, version and its own errors, and leaves with 0 or 2.
-    let matches = Cli::command().long_version(version::long_version()).get_matches();
-    let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+    let cli = match usage::parse() {
+        Ok(cli) => cli,
+        Err(code) => return code.into(),
+    };
     match cli.command {
         Command::Render(args) => report(&args.talk, |reporter| batch::render(&args, reporter)),
         Command::Check(args) => report(&args.talk, |reporter| check::check(&args, reporter)),

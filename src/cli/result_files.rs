@@ -26,8 +26,13 @@ pub(crate) fn check_extension(path: &Path, flag: &str, extensions: &[&str]) -> R
 /// # Errors
 /// A scene by the name of a file of results.
 pub(crate) fn refuse_results<P: AsRef<Path>>(scenes: &[P], json: bool, json_file: Option<&str>) -> Result<()> {
-    let is_result = |path: &&Path| has_extension(path, &OF_RESULTS);
-    let Some(path) = scenes.iter().map(AsRef::as_ref).find(is_result).filter(|_| json) else { return Ok(()) };
+    if !json {
+        return Ok(());
+    }
+    // A scene on standard input stands alone, at least there: `--json -` is what programs with a file call for.
+    let is_dash = |path: &Path| json_file.is_some() && scenes.len() > 1 && path == Path::new("-");
+    let is_result = |path: &&Path| has_extension(path, &OF_RESULTS) || is_dash(path);
+    let Some(path) = scenes.iter().map(AsRef::as_ref).find(is_result) else { return Ok(()) };
     let error = Error::usage(format!("{}: this is the name of a file of results, not of a scene", path.display()));
     let error = error.note("--json takes no file: it prints on standard output");
     Err(match json_file {

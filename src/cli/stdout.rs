@@ -14,6 +14,11 @@ pub(super) fn check() -> Result<()> {
     if was_closed() { Err(failed(closed())) } else { Ok(()) }
 }
 
+/// As [`check`], where something is to be written.
+pub(super) fn check_if(is_wanted: bool) -> Result<()> {
+    if is_wanted { check() } else { Ok(()) }
+}
+
 #[cfg(unix)]
 fn closed() -> io::Error {
     rustix::io::Errno::BADF.into()
@@ -43,6 +48,7 @@ pub(super) fn write_json_line(value: &impl Serialize) -> Result<()> {
     write_to_stdout(Ok(json::line(value)))
 }
 
-fn failed(error: io::Error) -> Error {
+/// The error of writing to it.
+pub(super) fn failed(error: io::Error) -> Error {
     Error::writing(Path::new("standard output"), &error)
 }

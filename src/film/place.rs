@@ -10,7 +10,8 @@ use std::path::Path;
 pub(super) fn names_directory(target: &Path) -> bool {
     let name = target.as_os_str().as_encoded_bytes();
     let is_separator = |byte: u8| std::path::is_separator(char::from(byte));
-    let name = name.strip_suffix(b".").filter(|rest| rest.last().is_some_and(|byte| is_separator(*byte))).unwrap_or(name);
+    let name =
+        name.strip_suffix(b".").filter(|rest| rest.last().is_some_and(|byte| is_separator(*byte))).unwrap_or(name);
     name.last().is_some_and(|byte| is_separator(*byte))
 }
 

@@ -45,7 +45,8 @@ impl FilmParameters {
         let pixel_bounds = pixel_bounds.map(|bounds| bounds.map(|bound| bound as u32));
         let filename = parameters.string("filename")?.map(str::to_owned);
         if filename.as_deref().is_some_and(|name| name.chars().any(is_command)) {
-            let error = parameters.error_at("filename", "`filename` holds control characters, which no image is named by");
+            let error =
+                parameters.error_at("filename", "`filename` holds control characters, which no image is named by");
             return Err(error.note("expected the name of a file, such as \"image.exr\""));
         }
         Ok(FilmParameters { x_resolution, y_resolution, crop_window, pixel_bounds, filename })

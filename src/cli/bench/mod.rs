@@ -12,7 +12,7 @@ use super::plan::{build_options, first_repeated};
 use super::progress_bar::{Phase, ProgressBars};
 use super::reporter::Reporter;
 use super::result_files::refuse_results;
-use super::stdout::write_to_stdout;
+use super::stdout::{self, write_to_stdout};
 use super::summary;
 use super::thread_pool::thread_pool;
 use args::Reference;
@@ -36,6 +36,7 @@ use std::path::Path;
 pub(crate) fn bench(args: &BenchArgs, reporter: &Reporter) -> Result<u8> {
     refuse_results(&args.scenes, args.output.json, Some("--json-file"))?;
     let outputs = Outputs::new(&args.output, &Inputs::default().with(&args.scenes, "a scene"))?;
+    stdout::check_if(!args.talk.quiet || outputs.replace_tables())?;
     let runner = Runner::new(args, outputs.need_pictures(), reporter)?;
     let pool = thread_pool(args.configurations.threads)?;
     let machine = Machine::detect(Level::detect().as_str());

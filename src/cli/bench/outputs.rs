@@ -160,7 +160,7 @@ fn printable(bytes: Vec<u8>) -> Vec<u8> {
 /// Of one scene, or of all together.
 fn plot(rows: &[Row]) -> String {
     match rows.chunk_by(|a, b| a.scene == b.scene).count() {
-        0 | 1 => to_svg(rows.first().map_or("", |row| &row.scene), rows),
+        0 | 1 => to_svg(&terminal_text::line(rows.first().map_or("", |row| &row.scene)), rows),
         scenes => to_svg(&format!("{scenes} scenes together"), &totals(rows)),
     }
 }

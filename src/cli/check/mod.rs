@@ -11,8 +11,9 @@ use super::failures::Failures;
 use super::plan::note_on;
 use super::progress_bar::{Phase, ProgressBars};
 use super::reporter::Reporter;
+use super::result_files::refuse_results;
 use super::scene_files::scenes_of;
-use super::stdout::{write_json_line, write_to_stdout};
+use super::stdout::{self, write_json_line, write_to_stdout};
 use super::thread_pool::thread_pool;
 use block::Block;
 use feimos::error::Result;
@@ -24,6 +25,8 @@ use std::time::Instant;
 
 /// Checks all scenes and returns the exit code: the highest of any scene.
 pub(crate) fn check(args: &CheckArgs, reporter: &Reporter) -> Result<u8> {
+    refuse_results(&args.scenes, args.json, None)?;
+    stdout::check_if(args.json || !args.talk.quiet)?;
     let pool = thread_pool(args.threads)?;
     let mut check =
         Check { args, reporter, bars: ProgressBars::new(&args.talk), failures: Failures::default(), tried: 0 };
