@@ -40,6 +40,7 @@ fn check(files: &InputFiles, what: &str, output: &Path, cause: &str) -> Result<(
     let error = Error::usage(format!("{}: {cause} would overwrite {what}", output.display()));
     let error = match input == output {
         true => error,
+        false if input == Path::new("-") => error.note("standard input is read from the same file"),
         false => error.note(format!("it is the same file as {}", input.display())),
     };
     Err(error.note("give the output another name"))

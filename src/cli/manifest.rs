@@ -5,7 +5,7 @@ use super::inputs::{Inputs, check_against_scene};
 use super::record::Record;
 use super::reporter::Reporter;
 use super::result_files::check_extension;
-use feimos::error::{Error, Result};
+use feimos::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
 use feimos::file_id::InputFiles;
 use feimos::json;
 use serde::Serialize;
@@ -56,6 +56,16 @@ pub(crate) struct Manifest {
     missing: u64,
 }
 
+/// What every line begins with.
+const BEGINNING: &[u8] = b"{\"scene\":";
+
+/// Whether a file holds something that no manifest begins with.
+fn is_foreign(file: &mut File) -> bool {
+    let mut head = Vec::new();
+    let read = file.take(BEGINNING.len() as u64).read_to_end(&mut head);
+    read.is_ok() && !BEGINNING.starts_with(&head)
+}
+
 /// Checks the name of a manifest before anything is read.
 ///
 /// # Errors
@@ -71,7 +81,12 @@ impl Manifest {
         let open = |reads| OpenOptions::new().create(true).append(true).read(reads).open(path);
         let is_special = path.metadata().is_ok_and(|found| !found.is_file());
         let file = if is_special { open(false) } else { open(true).or_else(|_| open(false)) };
-        let file = file.map_err(|error| Error::creating(path, &error))?;
+        let mut file = file.map_err(|error| Error::creating(path, &error))?;
+        if !is_special && is_foreign(&mut file) {
+            let diagnostic = Diagnostic::new("exists already, and is no manifest").at(SourceLocation::file(path));
+            let diagnostic = diagnostic.note("lines are added to manifests of feimos alone: give it another name");
+            return Err(Error::new(ErrorKind::Output, diagnostic));
+        }
         Ok(Manifest { path: path.to_path_buf(), file, missing: 0 })
     }
 

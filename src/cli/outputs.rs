@@ -2,14 +2,13 @@
 
 use super::inputs::Inputs;
 use super::output_name::Destination;
-use super::place::Place;
+use super::place::Places;
 use super::plan::Plan;
 use super::reporter::Reporter;
 use feimos::accel::SplitMethod;
 use feimos::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
 use feimos::film::atomic_file::Overwrite;
 use feimos::scene::{self, Pose, SceneOptions};
-use std::collections::HashMap;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
@@ -95,19 +94,16 @@ impl Outputs {
 
 /// The places of images, each with the scene and the camera of its image.
 #[derive(Debug, Default)]
-struct Taken(HashMap<Place, (PathBuf, Option<String>)>);
+struct Taken(Places<(PathBuf, Option<String>)>);
 
 impl Taken {
     /// # Errors
     /// A place that is taken.
     fn add(&mut self, name: &ImageName, destination: &Destination, plan: &Plan) -> Result<()> {
-        let owned = (name.scene.to_path_buf(), name.camera.map(str::to_owned));
-        match self.0.insert(Place::of(destination), owned) {
-            None => Ok(()),
-            Some((scene, camera)) => {
-                Err(twice(&ImageName { scene: &scene, camera: camera.as_deref() }, name, destination, plan))
-            }
-        }
+        let owner = (name.scene.to_path_buf(), name.camera.map(str::to_owned));
+        self.0.take(destination, owner).map_or(Ok(()), |(scene, camera)| {
+            Err(twice(&ImageName { scene: &scene, camera: camera.as_deref() }, name, destination, plan))
+        })
     }
 }
 

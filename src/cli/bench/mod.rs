@@ -2,6 +2,7 @@
 
 mod args;
 mod outputs;
+mod page;
 
 pub(crate) use args::BenchArgs;
 

@@ -1,10 +1,11 @@
 //! Where results of `bench` go.
 
 use super::args::OutputArgs;
+use super::page;
 use crate::cli::inputs::{Inputs, check_against_scene};
 use crate::cli::new_folders::NewFolders;
 use crate::cli::output_name::Destination;
-use crate::cli::place::Place;
+use crate::cli::place::Places;
 use crate::cli::reporter::Reporter;
 use crate::cli::result_files::check_extension;
 use crate::cli::stdout::write_to_stdout;
@@ -13,7 +14,6 @@ use feimos::error::{Error, Result};
 use feimos::file_id::InputFiles;
 use feimos::film::atomic_file::{self, Overwrite};
 use feimos::terminal_text;
-use std::collections::HashMap;
 use std::io::{self, Write};
 use std::path::Path;
 
@@ -41,29 +41,27 @@ enum Content {
     Page,
 }
 
-/// The page in the directory of a report.
-const PAGE: &str = "index.html";
-
 impl Outputs {
     /// # Errors
     /// A name of another kind of file, one of the `inputs`, two results that would go to one place; a place where no
     /// file can be made, before anybody waits for what should go there.
     pub(super) fn new(args: &OutputArgs, inputs: &Inputs) -> Result<Outputs> {
         let results = results(args);
-        let mut taken = HashMap::new();
-        for output @ Output { content, flag, destination } in &results {
+        let mut taken = Places::default();
+        for Output { content, flag, destination } in &results {
             if let Destination::File(path) = destination {
-                check_extension(path, flag, content.extensions())?;
                 inputs.check(path, flag)?;
+                check_extension(path, flag, content.extensions())?;
             }
-            if let Some(other) = taken.insert(Place::of(destination), output) {
+            if let Some(other) = taken.take(destination, *flag) {
                 let error = Error::usage(format!("two results would both go to `{destination}`"));
-                return Err(error.note(format!("of {} and {flag}", other.flag)));
+                return Err(error.note(format!("of {other} and {flag}")));
             }
         }
         // Other files may go into that folder, too.
         let folders = args.report.as_deref().map(NewFolders::make).transpose()?;
         results.iter().try_for_each(|output| output.destination.check())?;
+        args.report.as_deref().map_or(Ok(()), page::check)?;
         Ok(Outputs { results, _folders: folders })
     }
 
@@ -103,7 +101,7 @@ impl Outputs {
 
 fn results(args: &OutputArgs) -> Vec<Output> {
     let stdout = args.json.then(|| "-".into());
-    let page = args.report.as_ref().map(|directory| directory.join(PAGE));
+    let page = args.report.as_ref().map(|directory| directory.join(page::NAME));
     let asked = [
         (Content::Json, "--json", &stdout),
         (Content::Json, "--json-file", &args.json_file),
