@@ -61,14 +61,14 @@ fn stdin() -> io::Result<Metadata> {
 pub struct InputFiles(HashMap<FileId, PathBuf>);
 
 impl InputFiles {
-    /// Adds the file `path`, where it is a regular one; `-` is standard input.
+    /// Adds the scene `path`, where it is a regular file; `-` is standard input.
     pub fn add_named(&mut self, path: &Path) {
         let id = if path == Path::new("-") { FileId::of_stdin() } else { FileId::of(path) };
         self.note(id, path);
     }
 
     /// Adds the file `path`, where it is a regular one.
-    pub(crate) fn add(&mut self, path: &Path) {
+    pub fn add(&mut self, path: &Path) {
         self.note(FileId::of(path), path);
     }
 

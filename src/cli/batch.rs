@@ -25,7 +25,7 @@ use std::time::Instant;
 /// Renders all images and returns the exit code: the highest of any of them.
 pub(crate) fn render(args: &RenderArgs, reporter: &Reporter) -> Result<u8> {
     refuse_results(&args.scenes, args.report.json, None)?;
-    let inputs = Inputs::default().with(&args.scenes, "a scene").with(&args.cameras.cameras, "the list of cameras");
+    let inputs = Inputs::of_scenes(&args.scenes).with(&args.cameras.cameras, "the list of cameras");
     args.batch.manifest.as_deref().map_or(Ok(()), |path| manifest::check(path, &inputs))?;
     let plan = Plan::new(args)?;
     for flag in args.pbrt.given() {

@@ -12,10 +12,17 @@ const OF_SCENE: &str = "a file that the scene reads";
 pub(crate) struct Inputs(Vec<(InputFiles, &'static str)>);
 
 impl Inputs {
-    /// The same with `paths`, each of which is `what`, such as "a scene".
+    /// With scenes, of which `-` is standard input.
+    pub(crate) fn of_scenes<P: AsRef<Path>>(scenes: &[P]) -> Inputs {
+        let mut files = InputFiles::default();
+        scenes.iter().for_each(|scene| files.add_named(scene.as_ref()));
+        Inputs(vec![(files, "a scene")])
+    }
+
+    /// The same with `paths`, each of which is `what`, such as "a crop".
     pub(crate) fn with<P: AsRef<Path>>(mut self, paths: impl IntoIterator<Item = P>, what: &'static str) -> Inputs {
         let mut files = InputFiles::default();
-        paths.into_iter().for_each(|path| files.add_named(path.as_ref()));
+        paths.into_iter().for_each(|path| files.add(path.as_ref()));
         self.0.push((files, what));
         self
     }

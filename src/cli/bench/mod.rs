@@ -36,7 +36,7 @@ use std::path::Path;
 /// Measures all scenes, prints tables for each, and returns the exit code: the highest of any scene.
 pub(crate) fn bench(args: &BenchArgs, reporter: &Reporter) -> Result<u8> {
     refuse_results(&args.scenes, args.output.json, Some("--json-file"))?;
-    let outputs = Outputs::new(&args.output, &Inputs::default().with(&args.scenes, "a scene"))?;
+    let outputs = Outputs::new(&args.output, &Inputs::of_scenes(&args.scenes))?;
     stdout::check_if(!args.talk.quiet || outputs.replace_tables())?;
     let runner = Runner::new(args, outputs.need_pictures(), reporter)?;
     let pool = thread_pool(args.configurations.threads)?;
