@@ -7,6 +7,7 @@ use super::inputs::{Inputs, check_against_scene};
 use super::job::{Outcome, Renderer};
 use super::loaded_scene::LoadedScene;
 use super::manifest::{self, Entry, Manifest, Status};
+use super::open_folders::OpenFolders;
 use super::output_name::Destination;
 use super::outputs::{ImageName, Outputs};
 use super::plan::Plan;
@@ -32,11 +33,17 @@ pub(crate) fn render(args: &RenderArgs, reporter: &Reporter) -> Result<u8> {
         reporter.note(format_args!("{flag} has no meaning here and is ignored"));
     }
     stdout::check_if(args.report.json)?;
-    let outputs = Outputs::new(&args.scenes, &plan, &inputs)?;
+    let outputs = Outputs::new(&args.scenes, &plan, &inputs, args.batch.manifest.as_deref())?;
     let may_replace = outputs.count() == 1 || args.batch.force || args.batch.skip_existing;
     let overwrite = if may_replace { Overwrite::Yes } else { Overwrite::No };
     let batch = Batch {
-        renderer: Renderer { plan: &plan, reporter, bars: ProgressBars::new(&args.talk), overwrite },
+        renderer: Renderer {
+            plan: &plan,
+            reporter,
+            bars: ProgressBars::new(&args.talk),
+            overwrite,
+            folders: OpenFolders::default(),
+        },
         manifest: args.batch.manifest.as_deref().map(Manifest::open).transpose()?,
         pool: thread_pool(plan.threads)?,
         args: &args.batch,
@@ -90,7 +97,7 @@ impl Batch<'_> {
     fn render_scene(&mut self, number: usize, path: &Path) -> Result<()> {
         let mut start = Instant::now();
         // Nobody should wait for a scene whose image must not be written.
-        let in_the_way = self.outputs.check(number, path, self.renderer.plan, self.renderer.overwrite);
+        let in_the_way = self.outputs.check(number, path, &self.renderer);
         let (loaded, files) = match in_the_way {
             Ok(()) => self.pool.install(|| self.renderer.load(path)),
             Err(error) => (Err(error), InputFiles::default()),

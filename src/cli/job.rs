@@ -1,8 +1,8 @@
 //! One image: build, trace, write.
 
 use super::loaded_scene::{Built, LoadedScene, Viewpoint};
+use super::open_folders::OpenFolders;
 use super::output_name::Destination;
-use super::outputs;
 use super::picture::{Caption, Existing, Origin, Picture};
 use super::plan::Plan;
 use super::progress_bar::{Phase, ProgressBars};
@@ -28,6 +28,7 @@ pub(crate) struct Renderer<'a> {
     pub(crate) reporter: &'a Reporter,
     pub(crate) bars: ProgressBars,
     pub(crate) overwrite: Overwrite,
+    pub(crate) folders: OpenFolders,
 }
 
 /// How it went with one image.
@@ -111,7 +112,7 @@ impl Renderer<'_> {
     fn target(&self, loaded: &LoadedScene, view: &Viewpoint) -> Result<Option<Target>> {
         let destination = self.destination(loaded, view);
         if self.overwrite == Overwrite::No {
-            outputs::check_free(&destination)?;
+            destination.check_free()?;
         }
         let picture = self.plan.picture(&destination).map_err(|error| match self.plan.output_name.is_given() {
             true => error,
@@ -151,8 +152,17 @@ impl Renderer<'_> {
                 Existing::Foreign => return Err(self.foreign(path)),
             }
         }
-        destination.check()?;
+        self.check_place(&destination)?;
         Ok(Some(Target { destination, picture, window, header }))
+    }
+
+    /// # Errors
+    /// A place that cannot be written to, or that is taken in a batch that replaces nothing.
+    pub(crate) fn check_place(&self, destination: &Destination) -> Result<()> {
+        if self.overwrite == Overwrite::No {
+            destination.check_free()?;
+        }
+        self.folders.check(destination)
     }
 
     /// Whether the user has named the file that is to be replaced, or wants it replaced whatever it is.

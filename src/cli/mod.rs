@@ -18,6 +18,7 @@ mod man;
 mod manifest;
 mod merge;
 mod new_folders;
+mod open_folders;
 mod output_name;
 mod outputs;
 mod picture;

@@ -2,7 +2,7 @@
 
 use super::stdout::{self, write_to_stdout};
 use feimos::accel::SplitMethod;
-use feimos::error::{Error, Result};
+use feimos::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
 use feimos::film::atomic_file::{self, Overwrite};
 use std::io::{self, Cursor, Seek, Write};
 use std::path::{Path, PathBuf};
@@ -43,6 +43,19 @@ impl Destination {
                 let encoded = content.encode(&mut bytes);
                 write_to_stdout(encoded.map(|()| bytes.into_inner()))
             }
+        }
+    }
+
+    /// # Errors
+    /// A file that is there.
+    pub(crate) fn check_free(&self) -> Result<()> {
+        match self {
+            Destination::File(file) if file.is_file() => {
+                let diagnostic = Diagnostic::new("exists already").at(SourceLocation::file(file));
+                let advice = "use --force to overwrite it, or --skip-existing to leave the image out";
+                Err(Error::new(ErrorKind::Output, diagnostic.note(advice)))
+            }
+            _ => Ok(()),
         }
     }
 

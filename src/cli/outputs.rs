@@ -1,12 +1,13 @@
 //! Where the images of a batch go, as far as that is known before a scene is read.
 
 use super::inputs::Inputs;
+use super::job::Renderer;
 use super::output_name::Destination;
 use super::place::Places;
 use super::plan::Plan;
 use super::reporter::Reporter;
 use feimos::accel::SplitMethod;
-use feimos::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
+use feimos::error::{Error, Result};
 use feimos::film::atomic_file::Overwrite;
 use feimos::scene::{self, Pose, SceneOptions};
 use std::fmt;
@@ -37,7 +38,7 @@ pub(super) struct Outputs {
 impl Outputs {
     /// # Errors
     /// An image that would overwrite one of the `inputs`; two images that would go to one place.
-    pub(super) fn new(scenes: &[PathBuf], plan: &Plan, inputs: &Inputs) -> Result<Outputs> {
+    pub(super) fn new(scenes: &[PathBuf], plan: &Plan, inputs: &Inputs, manifest: Option<&Path>) -> Result<Outputs> {
         let of_scene = plan.poses.as_ref().map_or(1, Vec::len);
         let is_single = scenes.len() * of_scene == 1;
         let mut taken = Taken::default();
@@ -54,6 +55,9 @@ impl Outputs {
             }
             known.push(destinations);
         }
+        if let Some(path) = manifest {
+            taken.reserve(path)?;
+        }
         Ok(Outputs { known, of_scene, taken })
     }
 
@@ -69,18 +73,22 @@ impl Outputs {
 
     /// # Errors
     /// None of the images of scene `number`, which is `path`, can be written: then there is nothing to read it for.
-    pub(super) fn check(&self, number: usize, path: &Path, plan: &Plan, overwrite: Overwrite) -> Result<()> {
-        let late = || (overwrite == Overwrite::No).then(|| destinations(path, plan)).flatten();
+    pub(super) fn check(&self, number: usize, path: &Path, renderer: &Renderer) -> Result<()> {
+        let Renderer { plan, overwrite, .. } = renderer;
+        // An image that is left out needs no place that can be written to.
+        if plan.skip_existing {
+            return Ok(());
+        }
+        let late = || (*overwrite == Overwrite::No).then(|| destinations(path, plan)).flatten();
         let destinations = self.known[number].clone().or_else(late).unwrap_or_default();
-        let problem = |destination: &Destination| match overwrite {
-            Overwrite::No => check_free(destination).and_then(|()| destination.check()),
-            // An image that is left out needs no place that can be written to.
-            Overwrite::Yes if plan.skip_existing => Ok(()),
-            Overwrite::Yes => destination.check(),
-        };
-        let mut problems = destinations.iter().map(|destination| problem(destination).err());
-        let first = problems.next().flatten();
-        if problems.all(|problem| problem.is_some()) { first.map_or(Ok(()), Err) } else { Ok(()) }
+        let mut first = None;
+        for destination in &destinations {
+            match renderer.check_place(destination) {
+                Ok(()) => return Ok(()),
+                Err(error) => _ = first.get_or_insert(error),
+            }
+        }
+        first.map_or(Ok(()), Err)
     }
 
     /// Takes note of where an image of scene `number` goes, now that the scene has been read.
@@ -103,6 +111,20 @@ impl Taken {
         let owner = (name.scene.to_path_buf(), name.camera.map(str::to_owned));
         self.0.take(destination, owner).map_or(Ok(()), |(scene, camera)| {
             Err(twice(&ImageName { scene: &scene, camera: camera.as_deref() }, name, destination, plan))
+        })
+    }
+
+    /// Keeps images from the place of the manifest.
+    ///
+    /// # Errors
+    /// The place of an image.
+    fn reserve(&mut self, manifest: &Path) -> Result<()> {
+        let owner = (manifest.to_path_buf(), None);
+        self.0.take(&Destination::File(manifest.to_path_buf()), owner).map_or(Ok(()), |(scene, camera)| {
+            let name = ImageName { scene: &scene, camera: camera.as_deref() };
+            let manifest = manifest.display();
+            Err(Error::usage(format!("{manifest}: the manifest and the image of {name} would be one file"))
+                .note("give one of them another name"))
         })
     }
 }
@@ -136,17 +158,4 @@ fn twice(one: &ImageName, other: &ImageName, destination: &Destination, plan: &P
     } else {
         "use -o with {stem} in the name, such as -o 'out/{stem}.png'"
     })
-}
-
-/// # Errors
-/// A file that is there.
-pub(super) fn check_free(destination: &Destination) -> Result<()> {
-    match destination {
-        Destination::File(file) if file.is_file() => {
-            let diagnostic = Diagnostic::new("exists already").at(SourceLocation::file(file));
-            let diagnostic = diagnostic.note("use --force to overwrite it, or --skip-existing to leave the image out");
-            Err(Error::new(ErrorKind::Output, diagnostic))
-        }
-        _ => Ok(()),
-    }
 }

@@ -30,6 +30,10 @@ fn images_that_meet_through_links_are_refused_before_the_work() {
     folder.render("a.pbrt b.pbrt").failed(2, "would both be written to link/x.exr");
     folder.render("c.pbrt d.pbrt").failed(2, "would both be written to new.exr");
     folder.render("a.pbrt").succeeded();
+    symlink("all.jsonl", folder.path("m.exr")).unwrap();
+    let message = "all.jsonl: the manifest and the image of a.pbrt would be one file";
+    folder.render("a.pbrt -o m.exr --manifest all.jsonl").failed(2, message);
+    assert!(!folder.path("all.jsonl").exists());
     fs::hard_link(folder.path("real/x.exr"), folder.path("film.exr")).unwrap();
     folder.render("ball.pbrt a.pbrt --force").failed(2, "would both be written to real/x.exr");
 }
