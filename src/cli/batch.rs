@@ -5,14 +5,16 @@ use super::args::{BatchArgs, RenderArgs};
 use super::failures::Failures;
 use super::job::{Outcome, Renderer};
 use super::manifest::{Entry, Manifest, Status};
+use super::output_name::Destination;
 use super::outputs::{ImageName, Outputs};
+use super::panics::guarded;
 use super::plan::Plan;
 use super::progress_bar::ProgressBars;
 use super::record::Record;
 use super::reporter::Reporter;
 use super::thread_pool::thread_pool;
 use feimos::error::Result;
-use feimos::film::atomic_file::Overwrite;
+use feimos::film::atomic_file::{self, Overwrite};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -28,7 +30,7 @@ pub(crate) fn render(args: &RenderArgs, reporter: &Reporter) -> Result<u8> {
     let batch = Batch {
         renderer: Renderer { plan: &plan, reporter, bars: ProgressBars::new(&args.talk), overwrite },
         manifest: args.batch.manifest.as_deref().map(Manifest::open).transpose()?,
-        pool: thread_pool(plan.threads)?,
+        pool: thread_pool(plan.threads, reporter)?,
         args: &args.batch,
         json: args.report.json,
         strict: args.report.strict,
@@ -81,7 +83,7 @@ impl Batch<'_> {
             Overwrite::No => self.outputs.check_free(number, path, self.renderer.plan),
             Overwrite::Yes => Ok(()),
         };
-        let loaded = in_the_way.and_then(|()| self.pool.install(|| self.renderer.load(path)));
+        let loaded = in_the_way.and_then(|()| guarded(Some(path), || self.pool.install(|| self.renderer.load(path))));
         let (loaded, mut load) = match loaded {
             Ok(loaded) => loaded,
             Err(error) => {
@@ -90,8 +92,9 @@ impl Batch<'_> {
             }
         };
         for view in &loaded.views {
-            let outcome = self.pool.install(|| self.renderer.render(&loaded, view, start, load));
-            let outcome = outcome.and_then(|outcome| {
+            let render = || self.pool.install(|| self.renderer.render(&loaded, view, start, load));
+            let outcome = guarded(Some(path), render).and_then(|outcome| {
+                self.settle(&outcome)?;
                 if self.json {
                     outcome.print_json()?;
                 }
@@ -107,6 +110,14 @@ impl Batch<'_> {
         Ok(())
     }
 
+    /// Before the manifest says that an image is done, it outlasts a power cut.
+    fn settle(&self, outcome: &Outcome) -> Result<()> {
+        match (&self.manifest, outcome) {
+            (Some(_), Outcome::Made { destination: Destination::File(path), .. }) => atomic_file::sync_folder(path),
+            _ => Ok(()),
+        }
+    }
+
     /// Tells the user and the manifest how it went.
     fn take_note(&mut self, name: &ImageName, result: Result<Outcome>) -> Result<()> {
         match result {
@@ -114,7 +125,7 @@ impl Batch<'_> {
                 self.renderer.reporter.detail(format_args!("{name}: skipped, {destination} is there already"));
                 self.record(name, Status::Skipped, 0, None, None)
             }
-            Ok(Outcome::Made { record, warned }) => {
+            Ok(Outcome::Made { record, warned, .. }) => {
                 let exit_code = if warned && self.strict { WARNED } else { 0 };
                 self.record(name, Status::Done, exit_code, None, Some(&record))
             }

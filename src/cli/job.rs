@@ -34,6 +34,7 @@ pub(crate) enum Outcome {
     /// It was written.
     Made {
         record: Box<Record>,
+        destination: Destination,
         /// Something about the scene is not as it may have been meant.
         warned: bool,
     },
@@ -97,7 +98,8 @@ impl Renderer<'_> {
             summary::report_statistics(&loaded.scene, &finished, self.reporter);
         }
         let record = Box::new(record(loaded, view, &finished));
-        Ok(Outcome::Made { record, warned: !loaded.scene.warnings.is_empty() })
+        let warned = !loaded.scene.warnings.is_empty();
+        Ok(Outcome::Made { record, destination: finished.destination, warned })
     }
 
     fn destination(&self, loaded: &LoadedScene, view: &Viewpoint) -> Destination {

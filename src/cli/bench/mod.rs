@@ -7,6 +7,7 @@ pub(crate) use args::BenchArgs;
 
 use super::counted::counted;
 use super::failures::Failures;
+use super::panics::guarded;
 use super::plan::{build_options, first_repeated};
 use super::progress_bar::{Phase, ProgressBars};
 use super::reporter::Reporter;
@@ -32,12 +33,12 @@ use std::path::Path;
 pub(crate) fn bench(args: &BenchArgs, reporter: &Reporter) -> Result<u8> {
     let outputs = Outputs::new(&args.output)?;
     let runner = Runner::new(args, outputs.need_pictures(), reporter)?;
-    let pool = thread_pool(args.configurations.threads)?;
+    let pool = thread_pool(args.configurations.threads, reporter)?;
     let machine = Machine::detect(Level::detect().as_str());
     let (mut rows, mut sections) = (Vec::new(), Vec::new());
     let (mut failures, mut code) = (Failures::default(), 0);
     for path in &args.scenes {
-        let (title, measured) = match pool.install(|| runner.measure(path)) {
+        let (title, measured) = match guarded(Some(path), || pool.install(|| runner.measure(path))) {
             Ok(measured) => measured,
             Err(error) => {
                 code = code.max(failures.add(&path.display(), &error, reporter));

@@ -8,6 +8,7 @@ pub(crate) use args::CheckArgs;
 
 use super::WARNED;
 use super::failures::Failures;
+use super::panics::guarded;
 use super::plan::note_on;
 use super::progress_bar::{Phase, ProgressBars};
 use super::reporter::Reporter;
@@ -24,7 +25,7 @@ use std::time::Instant;
 
 /// Checks all scenes and returns the exit code: the highest of any scene.
 pub(crate) fn check(args: &CheckArgs, reporter: &Reporter) -> Result<u8> {
-    let pool = thread_pool(args.threads)?;
+    let pool = thread_pool(args.threads, reporter)?;
     let mut check =
         Check { args, reporter, bars: ProgressBars::new(&args.talk), failures: Failures::default(), tried: 0 };
     let named: Vec<(&PathBuf, Result<Vec<PathBuf>>)> = args.scenes.iter().map(|path| (path, scenes_of(path))).collect();
@@ -36,7 +37,7 @@ pub(crate) fn check(args: &CheckArgs, reporter: &Reporter) -> Result<u8> {
             Err(error) => vec![(path.clone(), Some(error))],
         };
         for (scene, error) in results {
-            let result = error.map_or_else(|| pool.install(|| check.load(&scene)), Err);
+            let result = error.map_or_else(|| guarded(Some(&scene), || pool.install(|| check.load(&scene))), Err);
             code = code.max(check.tell(&scene, result)?);
             if args.fail_fast && !check.failures.is_empty() {
                 break 'all;
