@@ -139,6 +139,7 @@ impl Renderer<'_> {
                 match picture.existing(path, header, origin)? {
                     Existing::Same => return Ok(None),
                     Existing::Stale => self.reporter.detail(format_args!("{destination}: of other options, made anew")),
+                    Existing::CutOff => self.reporter.note(format_args!("{destination}: was cut off, made anew")),
                     Existing::Foreign => return Err(foreign(path)),
                 }
             }
