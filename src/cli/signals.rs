@@ -15,8 +15,7 @@ use std::thread;
 use std::time::Duration;
 
 /// Those that end a program which does not care, and that users, terminals and batch systems send.
-const ENDING: [c_int; 10] =
-    [SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGUSR1, SIGUSR2, SIGALRM, SIGVTALRM, SIGPROF];
+const ENDING: [c_int; 10] = [SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGUSR1, SIGUSR2, SIGALRM, SIGVTALRM, SIGPROF];
 
 /// How long the end waits for the note of it to be read.
 const PATIENCE: Duration = Duration::from_millis(100);

@@ -20,5 +20,6 @@ mod offered;
 mod output;
 mod pixel;
 mod region;
+mod signals;
 mod talk;
 mod version;
