@@ -33,12 +33,16 @@ use std::path::Path;
 pub(crate) fn bench(args: &BenchArgs, reporter: &Reporter) -> Result<u8> {
     let outputs = Outputs::new(&args.output)?;
     let runner = Runner::new(args, outputs.need_pictures(), reporter)?;
-    let pool = thread_pool(args.configurations.threads, reporter)?;
+    // All of it: pictures are encoded in parallel, too.
+    thread_pool(args.configurations.threads, reporter)?.install(|| measure_all(args, &runner, &outputs, reporter))
+}
+
+fn measure_all(args: &BenchArgs, runner: &Runner, outputs: &Outputs, reporter: &Reporter) -> Result<u8> {
     let machine = Machine::detect(Level::detect().as_str());
     let (mut rows, mut sections) = (Vec::new(), Vec::new());
     let (mut failures, mut code) = (Failures::default(), 0);
     for path in &args.scenes {
-        let (title, measured) = match guarded(Some(path), || pool.install(|| runner.measure(path))) {
+        let (title, measured) = match guarded(Some(path), || runner.measure(path)) {
             Ok(measured) => measured,
             Err(error) => {
                 code = code.max(failures.add(&path.display(), &error, reporter));

@@ -25,7 +25,11 @@ use std::time::Instant;
 
 /// Checks all scenes and returns the exit code: the highest of any scene.
 pub(crate) fn check(args: &CheckArgs, reporter: &Reporter) -> Result<u8> {
-    let pool = thread_pool(args.threads, reporter)?;
+    // All of it: printing counts in parallel, too.
+    thread_pool(args.threads, reporter)?.install(|| check_all(args, reporter))
+}
+
+fn check_all(args: &CheckArgs, reporter: &Reporter) -> Result<u8> {
     let mut check =
         Check { args, reporter, bars: ProgressBars::new(&args.talk), failures: Failures::default(), tried: 0 };
     let named: Vec<(&PathBuf, Result<Vec<PathBuf>>)> = args.scenes.iter().map(|path| (path, scenes_of(path))).collect();
@@ -37,7 +41,7 @@ pub(crate) fn check(args: &CheckArgs, reporter: &Reporter) -> Result<u8> {
             Err(error) => vec![(path.clone(), Some(error))],
         };
         for (scene, error) in results {
-            let result = error.map_or_else(|| guarded(Some(&scene), || pool.install(|| check.load(&scene))), Err);
+            let result = error.map_or_else(|| guarded(Some(&scene), || check.load(&scene)), Err);
             code = code.max(check.tell(&scene, result)?);
             if args.fail_fast && !check.failures.is_empty() {
                 break 'all;
