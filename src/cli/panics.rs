@@ -58,13 +58,18 @@ mod tests {
 
     #[test]
     fn a_panic_on_any_thread_is_an_internal_error_with_a_name() {
+        // Other tests tell of their panics as tests do.
+        let hook_of_tests = panic::take_hook();
         keep_messages();
         let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().unwrap();
         let odd = |number: u32| assert!(number.is_multiple_of(2), "{number} is odd");
         let halves = || _ = rayon::join(|| odd(6), || odd(7));
         for work in [&halves as &(dyn Fn() + Sync), &|| odd(7)] {
-            let result = guarded(Some(Path::new("a.pbrt")), || pool.install(|| Ok(work())));
-            let error = result.unwrap_err();
+            let work = || {
+                work();
+                Ok(())
+            };
+            let error = guarded(Some(Path::new("a.pbrt")), || pool.install(work)).unwrap_err();
             assert_eq!(error.kind().exit_code(), 70);
             let shown = error.to_string();
             assert!(shown.starts_with("a.pbrt: internal error: 7 is odd at src/cli/panics.rs:"), "{shown}");
@@ -73,5 +78,6 @@ mod tests {
         // The pool and the messages are as good as new.
         assert_eq!(guarded(None, || pool.install(|| Ok(3))).unwrap(), 3);
         assert_eq!(*SAID.lock().unwrap(), None);
+        panic::set_hook(hook_of_tests);
     }
 }

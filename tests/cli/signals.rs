@@ -4,11 +4,11 @@
 use crate::folder::Folder;
 use signal_hook::consts::{SIGALRM, SIGHUP, SIGINT, SIGKILL, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2, SIGXCPU};
 use signal_hook::low_level::signal_name;
-use std::io::Write;
+use std::io::{PipeReader, PipeWriter, Write};
 use std::os::unix::process::ExitStatusExt;
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 /// Signals that the program catches.
@@ -108,13 +108,32 @@ fn a_signal_ends_it_without_a_trace() {
     }
 }
 
+/// A pipe that takes no byte more until it is read.
+fn full_pipe() -> (PipeReader, PipeWriter) {
+    let (reader, writer) = std::io::pipe().unwrap();
+    let mut filler = writer.try_clone().unwrap();
+    let filled = Arc::new(AtomicUsize::new(0));
+    let count = filled.clone();
+    // It waits with its last byte until the reader is gone.
+    std::thread::spawn(move || {
+        while filler.write_all(b".").is_ok() {
+            count.fetch_add(1, Ordering::SeqCst);
+        }
+    });
+    let mut before = 0;
+    wait_until(|| {
+        std::thread::sleep(Duration::from_millis(100));
+        let now = filled.load(Ordering::SeqCst);
+        std::mem::replace(&mut before, now) == now && now > 0
+    });
+    (reader, writer)
+}
+
 #[test]
 fn a_signal_ends_it_while_nobody_reads_what_it_says() {
     for signal in [SIGTERM, SIGINT, SIGHUP] {
         let folder = Folder::new();
-        let (_unread, mut full) = std::io::pipe().unwrap();
-        // As much as a pipe holds on Linux: one more byte would wait for a reader.
-        full.write_all(&[b'.'; 1 << 16]).unwrap();
+        let (_unread, full) = full_pipe();
         let mut command = without_core(&folder.command("ball.pbrt -o a.exr"), "");
         command.current_dir(folder.path(".")).stdin(Stdio::null()).stdout(Stdio::null()).stderr(full);
         let mut child = command.spawn().unwrap();

@@ -78,6 +78,7 @@ def look(workspace, choices, seconds):
     if system_calls.is_allowed():
         for call in ["?readlink", "?statx,?newfstatat"]:
             search.add("forbidden link", processes.forbidden_link_faults(workspace, call))
+        search.add("unsynced folder", processes.unsynced_folder_faults(workspace))
         injections = system_calls.plan(workspace, choices)
         trials = (lambda injection=injection: system_calls.check(workspace, injection) for injection in injections)
         search.until(share(1), "system call", trials)

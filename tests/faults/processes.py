@@ -96,6 +96,18 @@ def full_disk_faults(workspace, random):
         os.rmdir(disk)
 
 
+def unsynced_folder_faults(workspace):
+    """A manifest says that an image is done only when its name is on the disk, too."""
+    folder = workspace.folder()
+    options = ["-f", "-qq", "-o", "/dev/null", "-e", "trace=fsync", "-e", "inject=fsync:error=EIO"]
+    run = subprocess.run(["strace", *options, *workspace.arguments("cameras")], cwd=folder, capture_output=True)
+    faults = list(exit_faults(run.returncode, run.stderr))
+    if run.returncode != 74 or b'"done"' in files(folder)["all.jsonl"]:
+        faults.append(f"exit code {run.returncode}, and the manifest says that images are done")
+    shutil.rmtree(folder)
+    return [f"a folder that cannot be synced: {fault}" for fault in faults]
+
+
 def forbidden_link_faults(workspace, call):
     """A link that the system does not follow is not followed by hand; `call` is what the system refuses."""
     folder = workspace.folder()

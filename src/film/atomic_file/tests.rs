@@ -240,6 +240,29 @@ mod unix {
     }
 
     #[test]
+    fn rights_of_an_owner_are_not_handed_on() {
+        let directory = directory();
+        let path = directory.path().join("a");
+        write_text(&path, Overwrite::Yes, "").unwrap();
+        for (old, expected) in [(0o4755, 0o755), (0o2770, 0o770), (0o6600, 0o600), (0o1644, 0o644)] {
+            fs::set_permissions(&path, fs::Permissions::from_mode(old)).unwrap();
+            write_text(&path, Overwrite::Yes, "").unwrap();
+            assert_eq!(mode(&path), expected);
+        }
+    }
+
+    #[test]
+    fn folders_are_synced_through_links() {
+        let directory = directory();
+        let (path, link) = (directory.path().join("a"), directory.path().join("link"));
+        write_text(&path, Overwrite::Yes, "").unwrap();
+        symlink("a", &link).unwrap();
+        for path in [&path, &link, Path::new("/dev/null"), &directory.path().join("gone"), Path::new("Cargo.toml")] {
+            sync_folder(path).unwrap();
+        }
+    }
+
+    #[test]
     fn devices_are_written_to_and_stay() {
         let size = write_file(Path::new("/dev/null"), Overwrite::No, |out| {
             out.write_all(b"abc")?;
