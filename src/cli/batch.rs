@@ -10,6 +10,7 @@ use super::manifest::{self, Entry, Manifest, Status};
 use super::open_folders::OpenFolders;
 use super::output_name::Destination;
 use super::outputs::{ImageName, Outputs};
+use super::panics::guarded;
 use super::plan::Plan;
 use super::progress_bar::ProgressBars;
 use super::record::Record;
@@ -19,7 +20,7 @@ use super::stdout;
 use super::thread_pool::thread_pool;
 use feimos::error::Result;
 use feimos::file_id::InputFiles;
-use feimos::film::atomic_file::Overwrite;
+use feimos::film::atomic_file::{self, Overwrite};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -45,7 +46,7 @@ pub(crate) fn render(args: &RenderArgs, reporter: &Reporter) -> Result<u8> {
             folders: OpenFolders::default(),
         },
         manifest: args.batch.manifest.as_deref().map(Manifest::open).transpose()?,
-        pool: thread_pool(plan.threads)?,
+        pool: thread_pool(plan.threads, reporter)?,
         args: &args.batch,
         json: args.report.json,
         strict: args.report.strict,
@@ -99,7 +100,8 @@ impl Batch<'_> {
         // Nobody should wait for a scene whose image must not be written.
         let in_the_way = self.outputs.check(number, path, &self.renderer);
         let (loaded, files) = match in_the_way {
-            Ok(()) => self.pool.install(|| self.renderer.load(path)),
+            Ok(()) => guarded(Some(path), || Ok(self.pool.install(|| self.renderer.load(path))))
+                .unwrap_or_else(|error| (Err(error), InputFiles::default())),
             Err(error) => (Err(error), InputFiles::default()),
         };
         // Not one line may go there, not even the one that tells of it.
@@ -114,8 +116,9 @@ impl Batch<'_> {
             }
         };
         for view in &loaded.views {
-            let outcome = self.pool.install(|| self.renderer.render(&loaded, view, start, load));
-            let outcome = outcome.and_then(|outcome| {
+            let render = || self.pool.install(|| self.renderer.render(&loaded, view, start, load));
+            let outcome = guarded(Some(path), render).and_then(|outcome| {
+                self.settle(&outcome)?;
                 if self.json {
                     outcome.print_json()?;
                 }
@@ -146,6 +149,14 @@ impl Batch<'_> {
         Ok(())
     }
 
+    /// Before the manifest says that an image is done, it outlasts a power cut.
+    fn settle(&self, outcome: &Outcome) -> Result<()> {
+        match (&self.manifest, outcome) {
+            (Some(_), Outcome::Made { destination: Destination::File(path), .. }) => atomic_file::sync_folder(path),
+            _ => Ok(()),
+        }
+    }
+
     /// Tells the user and the manifest how it went.
     fn take_note(&mut self, name: &ImageName, result: Result<Outcome>) {
         match result {
@@ -153,7 +164,7 @@ impl Batch<'_> {
                 self.renderer.reporter.detail(format_args!("{name}: skipped, {destination} is there already"));
                 self.record(name, Status::Skipped, 0, None, None)
             }
-            Ok(Outcome::Made { record, warned }) => {
+            Ok(Outcome::Made { record, warned, .. }) => {
                 let exit_code = if warned && self.strict { WARNED } else { 0 };
                 self.record(name, Status::Done, exit_code, None, Some(&record))
             }

@@ -36,6 +36,7 @@ pub(crate) enum Outcome {
     /// It was written.
     Made {
         record: Box<Record>,
+        destination: Destination,
         /// Something about the scene is not as it may have been meant.
         warned: bool,
     },
@@ -100,7 +101,8 @@ impl Renderer<'_> {
             summary::report_statistics(&loaded.scene, &finished, self.reporter);
         }
         let record = Box::new(record(loaded, view, &finished));
-        Ok(Outcome::Made { record, warned: !loaded.scene.warnings.is_empty() })
+        let warned = !loaded.scene.warnings.is_empty();
+        Ok(Outcome::Made { record, destination: finished.destination, warned })
     }
 
     pub(crate) fn destination(&self, loaded: &LoadedScene, view: &Viewpoint) -> Destination {
@@ -148,7 +150,10 @@ impl Renderer<'_> {
                 Existing::Stale if self.plan.skip_existing => {
                     self.reporter.detail(format_args!("{destination}: of other options, made anew"));
                 }
-                Existing::Same | Existing::Stale => {}
+                Existing::CutOff if self.plan.skip_existing => {
+                    self.reporter.note(format_args!("{destination}: was cut off, made anew"));
+                }
+                Existing::Same | Existing::Stale | Existing::CutOff => {}
                 Existing::Foreign => return Err(self.foreign(path)),
             }
         }

@@ -21,6 +21,7 @@ mod new_folders;
 mod open_folders;
 mod output_name;
 mod outputs;
+mod panics;
 mod picture;
 mod pixel;
 mod place;
@@ -73,9 +74,10 @@ fn report(talk: &TalkArgs, command: impl FnOnce(&Reporter) -> Result<u8>) -> Exi
 
 /// Runs a command and tells of the error that ended it, if one did.
 fn conclude(reporter: &Reporter, command: impl FnOnce(&Reporter) -> Result<u8>) -> ExitCode {
+    panics::keep_messages();
     #[cfg(unix)]
     signals::end_cleanly(reporter);
-    let code = command(reporter).unwrap_or_else(|error| {
+    let code = panics::guarded(None, || command(reporter)).unwrap_or_else(|error| {
         reporter.error(&error);
         error.kind().exit_code()
     });

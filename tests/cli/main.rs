@@ -24,6 +24,7 @@ mod overwriting;
 mod pixel;
 mod places;
 mod region;
+mod signals;
 mod standard_output;
 mod talk;
 mod version;

@@ -9,6 +9,7 @@ pub(crate) use args::BenchArgs;
 use super::counted::counted;
 use super::failures::Failures;
 use super::inputs::Inputs;
+use super::panics::guarded;
 use super::plan::{build_options, first_repeated};
 use super::progress_bar::{Phase, ProgressBars};
 use super::reporter::Reporter;
@@ -39,15 +40,21 @@ pub(crate) fn bench(args: &BenchArgs, reporter: &Reporter) -> Result<u8> {
     let outputs = Outputs::new(&args.output, &Inputs::of_scenes(&args.scenes))?;
     stdout::check_if(!args.talk.quiet || outputs.replace_tables())?;
     let runner = Runner::new(args, outputs.need_pictures(), reporter)?;
-    let pool = thread_pool(args.configurations.threads)?;
+    // All of it: pictures are encoded in parallel, too.
+    thread_pool(args.configurations.threads, reporter)?.install(|| measure_all(args, &runner, &outputs, reporter))
+}
+
+fn measure_all(args: &BenchArgs, runner: &Runner, outputs: &Outputs, reporter: &Reporter) -> Result<u8> {
     let machine = Machine::detect(Level::detect().as_str());
     let (mut rows, mut sections) = (Vec::new(), Vec::new());
     let (mut failures, mut code) = (Failures::default(), 0);
     let mut told = Ok(());
     for path in &args.scenes {
-        let (scene, files) = pool.install(|| runner.load(path));
+        let load = || Ok(runner.load(path));
+        let (scene, files) = guarded(Some(path), load).unwrap_or_else(|error| (Err(error), InputFiles::default()));
         outputs.check_against_scene(&files)?;
-        let (title, measured) = match scene.and_then(|scene| pool.install(|| runner.measure(path, scene))) {
+        let measure = |scene| guarded(Some(path), || runner.measure(path, scene));
+        let (title, measured) = match scene.and_then(measure) {
             Ok(measured) => measured,
             Err(error) => {
                 code = code.max(failures.add(&path.display(), &error, reporter));

@@ -8,6 +8,7 @@ pub(crate) use args::CheckArgs;
 
 use super::WARNED;
 use super::failures::Failures;
+use super::panics::guarded;
 use super::plan::note_on;
 use super::progress_bar::{Phase, ProgressBars};
 use super::reporter::Reporter;
@@ -27,7 +28,11 @@ use std::time::Instant;
 pub(crate) fn check(args: &CheckArgs, reporter: &Reporter) -> Result<u8> {
     refuse_results(&args.scenes, args.json, None)?;
     stdout::check_if(args.json || !args.talk.quiet)?;
-    let pool = thread_pool(args.threads)?;
+    // All of it: printing counts in parallel, too.
+    thread_pool(args.threads, reporter)?.install(|| check_all(args, reporter))
+}
+
+fn check_all(args: &CheckArgs, reporter: &Reporter) -> Result<u8> {
     let mut check =
         Check { args, reporter, bars: ProgressBars::new(&args.talk), failures: Failures::default(), tried: 0 };
     let named: Vec<(&PathBuf, Result<Vec<PathBuf>>)> = args.scenes.iter().map(|path| (path, scenes_of(path))).collect();
@@ -39,7 +44,7 @@ pub(crate) fn check(args: &CheckArgs, reporter: &Reporter) -> Result<u8> {
             Err(error) => vec![(path.clone(), Some(error))],
         };
         for (scene, error) in results {
-            let result = error.map_or_else(|| pool.install(|| check.load(&scene)), Err);
+            let result = error.map_or_else(|| guarded(Some(&scene), || check.load(&scene)), Err);
             code = code.max(check.tell(&scene, result)?);
             if args.fail_fast && !check.failures.is_empty() {
                 break 'all;

@@ -26,7 +26,7 @@ pub(crate) fn merge(args: &MergeArgs, reporter: &Reporter) -> Result<u8> {
         Inputs::default().with(&args.crops, "a crop").check(path, "-o")?;
     }
     destination.check()?;
-    thread_pool(args.threads)?.install(|| {
+    thread_pool(args.threads, reporter)?.install(|| {
         let put_together = |progress: Progress<'_>| merge::merge(&args.crops, args.partial, progress);
         let merged = ProgressBars::new(&args.talk).during(Phase::Merging(args.crops.len()), put_together)?;
         destination.write(Overwrite::Yes, &merged)?;

@@ -23,7 +23,7 @@ use record::Record;
 /// Explains a pixel and returns the exit code.
 pub(crate) fn pixel(args: &PixelArgs, reporter: &Reporter) -> Result<u8> {
     stdout::check_if(args.json || !args.talk.quiet)?;
-    let pool = thread_pool(args.threads)?;
+    let pool = thread_pool(args.threads, reporter)?;
     let options = LoadOptions { resolution: args.resolution, places: true, ..LoadOptions::default() };
     let load = |progress: Progress<'_>| pool.install(|| scene::load(&args.scene, &options, progress));
     let scene = ProgressBars::new(&args.talk).during(Phase::Loading, load)?;
