@@ -1,4 +1,4 @@
-//! The identity of a file, whatever name it is reached by.
+//! Identity of files: device and inode, whatever the path.
 
 use std::collections::HashMap;
 use std::fs::{self, Metadata};

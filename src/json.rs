@@ -1,4 +1,5 @@
-//! JSON that may be printed on a terminal: what would command it is escaped, and means the same to programs.
+//! JSON that may be printed on a terminal: what would command it is escaped, and means the same to
+//! programs.
 
 use super::terminal_text::is_command;
 use serde::Serialize;

@@ -1,7 +1,8 @@
-//! Text that cannot command a terminal: names from files and from the command line may hold anything.
+//! Text that cannot command a terminal: names from files and from the command line may hold
+//! anything.
 
-/// Whether a character does something to a terminal or to the order of what it shows: control characters, of which
-/// some begin commands, and those that turn the direction of writing.
+/// Returns true for control characters, which command a terminal, and for characters that turn the
+/// direction of writing.
 pub fn is_command(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')

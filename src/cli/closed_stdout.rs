@@ -1,14 +1,15 @@
-//! Whether the caller has closed standard output, as `>&-` does.
+//! Detects a standard output that the caller has closed, as `>&-` does.
 //!
-//! Rust opens `/dev/null` in the place of a closed descriptor before `main`, so that no file gets its number; what is written
-//! then goes nowhere, without an error. A caller may as well have opened `/dev/null`, which is no error. So the
-//! descriptor is looked at before Rust does, by a constructor of the program.
+//! Rust opens `/dev/null` in the place of a closed descriptor before `main`, so that no file gets
+//! its number; what is written then goes nowhere, without an error. A caller may as well have
+//! opened `/dev/null`, which is no error. So the descriptor is looked at before Rust does, by a
+//! constructor of the program.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
 static WAS_CLOSED: AtomicBool = AtomicBool::new(false);
 
-/// Whether standard output was closed when the program was started.
+/// Returns true if standard output was closed when the program was started.
 pub(super) fn was_closed() -> bool {
     WAS_CLOSED.load(Ordering::Relaxed)
 }

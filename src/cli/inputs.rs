@@ -28,7 +28,8 @@ impl Inputs {
     }
 
     /// # Errors
-    /// An `output` that is one of the files, by whatever name; `cause` is what makes it an output, such as "-o".
+    /// An `output` that is one of the files, by whatever name; `cause` is what makes it an output,
+    /// such as "-o".
     pub(crate) fn check(&self, output: &Path, cause: &str) -> Result<()> {
         self.0.iter().try_for_each(|(files, what)| check(files, what, output, cause))
     }

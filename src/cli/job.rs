@@ -81,8 +81,8 @@ impl Tree<'_> {
 }
 
 impl Renderer<'_> {
-    /// Reads a scene, on the threads of the current pool; also returns how many milliseconds that took, and the files
-    /// that were read, up to an error too.
+    /// Reads a scene, on the threads of the current pool; also returns how many milliseconds that
+    /// took, and the files that were read, up to an error too.
     pub(crate) fn load<'a>(&self, path: &'a Path) -> (Result<(LoadedScene<'a>, f64)>, InputFiles) {
         LoadedScene::load(path, self.plan, &self.bars, self.reporter)
     }
@@ -170,7 +170,7 @@ impl Renderer<'_> {
         self.folders.check(destination)
     }
 
-    /// Whether the user has named the file that is to be replaced, or wants it replaced whatever it is.
+    /// Returns true if the user has named the file, or wants it replaced whatever it is.
     fn may_replace_anything(&self) -> bool {
         self.plan.force || (self.plan.output_name.is_given() && !self.plan.skip_existing)
     }

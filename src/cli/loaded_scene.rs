@@ -51,8 +51,8 @@ pub(super) struct Viewpoint {
 }
 
 impl<'a> LoadedScene<'a> {
-    /// Reads the scene `path`, and tells of what is odd about it; also returns how many milliseconds reading took, and
-    /// the files that were read, up to an error too.
+    /// Reads the scene `path`, and tells of what is odd about it; also returns how many
+    /// milliseconds reading took, and the files that were read, up to an error too.
     pub(super) fn load(
         path: &'a Path,
         plan: &Plan,

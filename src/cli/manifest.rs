@@ -43,7 +43,7 @@ pub(crate) struct Entry<'a> {
 /// The flag that names the file.
 const FLAG: &str = "--manifest";
 
-/// How often, and with what pauses, a writer asks for the file that another process writes to; then it goes on without.
+/// How often a writer asks for the lock, and the pause between; after that it goes on without.
 const TRIES: usize = 100;
 const PAUSE: Duration = Duration::from_millis(10);
 
@@ -59,7 +59,7 @@ pub(crate) struct Manifest {
 /// What every line begins with.
 const BEGINNING: &[u8] = b"{\"scene\":";
 
-/// Whether a file holds something that no manifest begins with.
+/// Returns true if the file does not begin as a manifest does.
 fn is_foreign(file: &mut File) -> bool {
     let mut head = Vec::new();
     let read = file.take(BEGINNING.len() as u64).read_to_end(&mut head);
@@ -96,7 +96,8 @@ impl Manifest {
         check_against_scene(files, &self.path, FLAG)
     }
 
-    /// Appends one line. An error does not end the batch: it is told once, and returned as an exit code.
+    /// Appends one line. An error does not end the batch: it is told once, and returned as an exit
+    /// code.
     pub(crate) fn note(&mut self, entry: &Entry, reporter: &Reporter) -> u8 {
         let Err(error) = self.add(entry) else { return 0 };
         self.missing += 1;
@@ -126,7 +127,7 @@ impl Manifest {
         added.map_err(|error| Error::writing(&self.path, &error))
     }
 
-    /// Keeps other processes from writing between a line that has no room and its removal.
+    /// Locks the file: no other process writes between a line that has no room and its removal.
     fn lock(&self) -> bool {
         for _ in 0..TRIES {
             match self.file.try_lock() {
@@ -156,7 +157,7 @@ impl Manifest {
         written
     }
 
-    /// Whether the file, of that many bytes, ends within a line, as a program leaves it that was killed.
+    /// Returns true if the file of `size` bytes ends within a line, as a killed program leaves it.
     fn lacks_line_end(&mut self, size: u64) -> bool {
         let Some(last) = size.checked_sub(1) else { return false };
         let mut byte = [b'\n'];

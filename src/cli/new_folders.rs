@@ -4,7 +4,8 @@ use feimos::error::{Error, Result};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// A folder, and which of the folders on its path were made for it. Those that are still empty when this is dropped vanish again.
+/// A folder, and which of the folders on its path were made for it. Those that are still empty when
+/// this is dropped vanish again.
 #[derive(Debug)]
 pub(crate) struct NewFolders(Vec<PathBuf>);
 

@@ -8,7 +8,8 @@ use std::io;
 use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
 
-/// A folder is tried by making a file in it, which many small images should not wait for again and again.
+/// A folder is tried by making a file in it, which many small images should not wait for again and
+/// again.
 #[derive(Debug, Default)]
 pub(crate) struct OpenFolders(Mutex<HashSet<PathBuf>>);
 

@@ -72,7 +72,8 @@ impl Outputs {
     }
 
     /// # Errors
-    /// None of the images of scene `number`, which is `path`, can be written: then there is nothing to read it for.
+    /// None of the images of scene `number`, which is `path`, can be written: then there is nothing
+    /// to read it for.
     pub(super) fn check(&self, number: usize, path: &Path, renderer: &Renderer) -> Result<()> {
         let Renderer { plan, overwrite, .. } = renderer;
         // An image that is left out needs no place that can be written to.

@@ -20,7 +20,8 @@ enum Place {
 }
 
 impl Place {
-    /// What the place is known by: a file that appears only later is the same place as before by its name.
+    /// What the place is known by: a file that appears only later is the same place as before by
+    /// its name.
     fn all_of(destination: &Destination) -> Vec<Place> {
         let Destination::File(path) = destination else { return vec![Place::Stdout] };
         let target = atomic_file::target(path).unwrap_or_else(|_| path.to_path_buf());

@@ -6,7 +6,7 @@ use std::path::Path;
 /// Extensions of results, which no scene has.
 const OF_RESULTS: [&str; 5] = ["json", "jsonl", "csv", "md", "svg"];
 
-/// Checks that `path` ends in one of the `extensions`; what is there and no regular file may have any name.
+/// Checks that `path` ends in one of the `extensions`. Devices and pipes may have any name.
 ///
 /// # Errors
 /// Another name, which may be that of a scene or an image.
@@ -20,8 +20,8 @@ pub(crate) fn check_extension(path: &Path, flag: &str, extensions: &[&str]) -> R
     Err(error.note(format!("expected a name that ends in {}", expected.join(" or "))))
 }
 
-/// `--json` is a switch: tells the user who gives it a file, which then stands among the scenes. `json_file` is the flag that
-/// takes one, if the command has such a flag.
+/// Refuses names of results among the scenes: `--json` is a switch, and the user has given it a
+/// file. `json_file` is the flag that takes one, if the command has such a flag.
 ///
 /// # Errors
 /// A scene by the name of a file of results.
@@ -29,7 +29,7 @@ pub(crate) fn refuse_results<P: AsRef<Path>>(scenes: &[P], json: bool, json_file
     if !json {
         return Ok(());
     }
-    // A scene on standard input stands alone, at least there: `--json -` is what programs with a file call for.
+    // `--json -` asks for standard output where `--json` takes a file.
     let is_dash = |path: &Path| json_file.is_some() && scenes.len() > 1 && path == Path::new("-");
     let is_result = |path: &&Path| has_extension(path, &OF_RESULTS) || is_dash(path);
     let Some(path) = scenes.iter().map(AsRef::as_ref).find(is_result) else { return Ok(()) };

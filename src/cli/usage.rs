@@ -36,8 +36,8 @@ fn print(answer: &clap::Error) -> u8 {
     )
 }
 
-/// Tells what is wrong with the arguments. They are quoted, and may hold anything: the message is made anew from
-/// what of them may be shown.
+/// Tells what is wrong with the arguments. They are quoted, and may hold anything: the message is
+/// made anew from what of them may be shown.
 fn tell_mistake(mistake: &clap::Error) -> u8 {
     let shown: Vec<String> = args_os().map(|argument| terminal_text::line(&argument.to_string_lossy())).collect();
     let told = match command().try_get_matches_from(shown).and_then(|matches| Cli::from_arg_matches(&matches)) {

@@ -1,4 +1,4 @@
-//! Whether a file could be made in a place, found out before the work.
+//! Checks before the work that a file can be created.
 
 use super::atomic_file::{creating, directory_of};
 use super::unfinished::Unfinished;
@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 use std::fs::Metadata;
 use std::path::Path;
 
-/// Whether a name can only be that of a directory: `a.exr/` and `a.exr/.`.
+/// Returns true for names of directories, such as `a.exr/` and `a.exr/.`.
 pub(super) fn names_directory(target: &Path) -> bool {
     let name = target.as_os_str().as_encoded_bytes();
     let is_separator = |byte: u8| std::path::is_separator(char::from(byte));
@@ -31,7 +31,8 @@ pub(super) fn check_replaceable(path: &Path, target: &Path, found: &Metadata) ->
     Ok(())
 }
 
-/// Whether the directory is one, such as `/tmp`, in which a file is replaced only by its owner, and this is another user.
+/// Returns true if the directory is sticky, as `/tmp` is, and the user owns neither it nor the
+/// file.
 #[cfg(unix)]
 fn keeps_from_renaming(target: &Path, found: &Metadata) -> bool {
     use std::os::unix::fs::MetadataExt;

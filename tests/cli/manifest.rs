@@ -40,7 +40,8 @@ mod without_room {
 
     const SCENES: usize = 12;
 
-    /// Twelve scenes with images of less than two kilobytes, and a limit of files that has room for some lines.
+    /// Twelve scenes with images of less than two kilobytes, and a limit of files that has room for
+    /// some lines.
     fn limited(folder: &Folder, kilobytes: u32, arguments: &str) -> Output {
         let program = folder.command("").get_program().to_owned();
         // XFSZ would end it: it is the manifest that is tested here.

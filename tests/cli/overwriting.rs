@@ -167,6 +167,18 @@ fn links_to_what_is_read_are_no_outputs() {
     assert_eq!(folder.text("part.inc"), part);
 }
 
+#[cfg(unix)]
+#[test]
+fn what_was_measured_before_a_conflict_is_written() {
+    let folder = folder();
+    std::os::unix::fs::symlink("mesh.ply", folder.path("m.csv")).unwrap();
+    let run = folder.bench(&format!("ball.pbrt parts.pbrt {ONCE} --csv m.csv --json-file r.json"));
+    run.failed(2, "m.csv: --csv would overwrite a file that the scene reads");
+    assert_eq!(folder.text("mesh.ply"), MESH);
+    let document: serde_json::Value = serde_json::from_slice(&folder.bytes("r.json")).unwrap();
+    assert_eq!(document["rows"].as_array().unwrap().len(), 1);
+}
+
 #[test]
 fn an_image_that_is_compared_or_put_together_stays() {
     let folder = folder();

@@ -79,7 +79,8 @@ mod rights {
         fs::set_permissions(folder.path(name), fs::Permissions::from_mode(mode)).unwrap();
     }
 
-    /// Runs the program without the rights of root, who may do anything; `None` where that is not to be had.
+    /// Runs the program without the rights of root, who may do anything; `None` where that is not
+    /// to be had.
     fn without_rights(folder: &Folder, arguments: &str) -> Option<Run> {
         let program = folder.command("");
         let mut command = match fs::metadata(folder.path(".")).unwrap().uid() {

@@ -18,10 +18,10 @@ pub struct Section {
     pub pictures: PictureFiles,
 }
 
-/// What tells the page from others.
+/// Tells the page from others.
 const TITLE: &str = "<title>feimos: speed against error</title>";
 
-/// Whether a page of HTML, of which `head` is the beginning, is one that [`to_html`] has made.
+/// Returns true if `head`, the beginning of a page, is that of a page by [`to_html`].
 pub fn is_report(head: &str) -> bool {
     head.contains(TITLE)
 }

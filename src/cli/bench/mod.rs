@@ -41,10 +41,10 @@ pub(crate) fn bench(args: &BenchArgs, reporter: &Reporter) -> Result<u8> {
     stdout::check_if(!args.talk.quiet || outputs.replace_tables())?;
     let runner = Runner::new(args, outputs.need_pictures(), reporter)?;
     // All of it: pictures are encoded in parallel, too.
-    thread_pool(args.configurations.threads, reporter)?.install(|| measure_all(args, &runner, &outputs, reporter))
+    thread_pool(args.configurations.threads, reporter)?.install(|| measure_all(args, &runner, outputs, reporter))
 }
 
-fn measure_all(args: &BenchArgs, runner: &Runner, outputs: &Outputs, reporter: &Reporter) -> Result<u8> {
+fn measure_all(args: &BenchArgs, runner: &Runner, mut outputs: Outputs, reporter: &Reporter) -> Result<u8> {
     let machine = Machine::detect(Level::detect().as_str());
     let (mut rows, mut sections) = (Vec::new(), Vec::new());
     let (mut failures, mut code) = (Failures::default(), 0);
@@ -52,7 +52,15 @@ fn measure_all(args: &BenchArgs, runner: &Runner, outputs: &Outputs, reporter: &
     for path in &args.scenes {
         let load = || Ok(runner.load(path));
         let (scene, files) = guarded(Some(path), load).unwrap_or_else(|error| (Err(error), InputFiles::default()));
-        outputs.check_against_scene(&files)?;
+        if let Err(error) = outputs.check_against_scene(&files) {
+            if rows.is_empty() {
+                return Err(error);
+            }
+            // What was measured so far is not lost; what would overwrite the file is left out.
+            code = code.max(failures.add(&path.display(), &error, reporter));
+            outputs.leave_out(&files);
+            continue;
+        }
         let measure = |scene| guarded(Some(path), || runner.measure(path, scene));
         let (title, measured) = match scene.and_then(measure) {
             Ok(measured) => measured,
@@ -104,8 +112,8 @@ impl<'a> Runner<'a> {
         })
     }
 
-    /// Loads `path`, on the threads of the current pool, and tells how many milliseconds it took; also returns the files that
-    /// were read, up to an error too.
+    /// Loads `path`, on the threads of the current pool, and tells how many milliseconds it took;
+    /// also returns the files that were read, up to an error too.
     fn load(&self, path: &Path) -> (Result<(Scene, f64)>, InputFiles) {
         let options = LoadOptions { roundings: self.reference == Reference::Exact, ..LoadOptions::default() };
         let load_scene = |progress: Progress<'_>| scene::load_listing_files(path, &options, progress);
@@ -113,7 +121,8 @@ impl<'a> Runner<'a> {
         (scene.map(|scene| (scene, load_ms)), files)
     }
 
-    /// Judges and measures the scene `path`, on the threads of the current pool; with a title that says so.
+    /// Judges and measures the scene `path`, on the threads of the current pool; with a title that
+    /// says so.
     fn measure(&self, path: &Path, (scene, load_ms): (Scene, f64)) -> Result<(String, Measured)> {
         summary::report_scene(&scene, self.reporter);
         let builds = self.methods.iter().map(|method| build_options(*method, &scene.accelerator)).collect();

@@ -43,8 +43,8 @@ enum Content {
 
 impl Outputs {
     /// # Errors
-    /// A name of another kind of file, one of the `inputs`, two results that would go to one place; a place where no
-    /// file can be made, before anybody waits for what should go there.
+    /// A name of another kind of file, one of the `inputs`, two results that would go to one place;
+    /// a place where no file can be made, before anybody waits for what should go there.
     pub(super) fn new(args: &OutputArgs, inputs: &Inputs) -> Result<Outputs> {
         let results = results(args);
         let mut taken = Places::default();
@@ -68,24 +68,26 @@ impl Outputs {
     /// # Errors
     /// A result that would overwrite one of the files that a scene reads.
     pub(super) fn check_against_scene(&self, files: &InputFiles) -> Result<()> {
-        self.results.iter().try_for_each(|Output { flag, destination, .. }| match destination {
-            Destination::File(path) => check_against_scene(files, path, flag),
-            Destination::Stdout => Ok(()),
-        })
+        self.results.iter().try_for_each(|output| output.check_against_scene(files))
     }
 
-    /// Whether standard output has other things to hold than tables.
+    /// Gives up results that would overwrite one of the files that a scene reads.
+    pub(super) fn leave_out(&mut self, files: &InputFiles) {
+        self.results.retain(|output| output.check_against_scene(files).is_ok());
+    }
+
+    /// Returns true if a result replaces the tables on standard output.
     pub(super) fn replace_tables(&self) -> bool {
         self.results.iter().any(|output| output.destination == Destination::Stdout)
     }
 
-    /// Whether somebody wants to see pictures.
+    /// Returns true if the report needs pictures.
     pub(super) fn need_pictures(&self) -> bool {
         self.results.iter().any(|output| output.content == Content::Page)
     }
 
-    /// Writes what was asked for of all rows; where nothing was measured nothing is written, and older results stay. One that
-    /// cannot be written does not keep the others from being written. Returns the highest exit code.
+    /// Writes all results and returns the highest exit code. An error does not stop the other
+    /// results. Without rows, older results stay.
     pub(super) fn write(&self, machine: &Machine, rows: &[Row], sections: &[Section], reporter: &Reporter) -> u8 {
         if rows.is_empty() {
             return 0;
@@ -118,6 +120,13 @@ fn results(args: &OutputArgs) -> Vec<Output> {
 }
 
 impl Output {
+    fn check_against_scene(&self, files: &InputFiles) -> Result<()> {
+        match &self.destination {
+            Destination::File(path) => check_against_scene(files, path, self.flag),
+            Destination::Stdout => Ok(()),
+        }
+    }
+
     fn write(&self, machine: &Machine, rows: &[Row], sections: &[Section]) -> Result<()> {
         let bytes = self.content.bytes(machine, rows, sections);
         match &self.destination {
