@@ -17,7 +17,7 @@ pub fn line(value: &impl Serialize) -> Vec<u8> {
 /// `value` on indented lines.
 ///
 /// # Panics
-/// As [`line`].
+/// As [`line()`].
 pub fn pretty(value: &impl Serialize) -> Vec<u8> {
     written(value, PrettyFormatter::new())
 }

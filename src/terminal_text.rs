@@ -13,7 +13,7 @@ pub fn line(text: &str) -> String {
     text.chars().map(|c| if is_command(c) { char::REPLACEMENT_CHARACTER } else { c }).collect()
 }
 
-/// As [`line`], of text of several lines, which keep their ends.
+/// As [`line()`], of text of several lines, which keep their ends.
 pub fn lines(text: &str) -> String {
     text.split('\n').map(line).collect::<Vec<_>>().join("\n")
 }
