@@ -94,7 +94,7 @@ def main():
     options = arguments()
     if sys.stdin is None:
         # Rust ends a program that is started with a closed stream and cannot open one instead.
-        os.dup2(os.open(os.devnull, os.O_RDWR), 0)
+        os.set_inheritable(os.open(os.devnull, os.O_RDWR), True)
     take_signals()
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     seed = options.seed if options.seed is not None else random.SystemRandom().randrange(1 << 32)
