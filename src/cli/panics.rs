@@ -7,10 +7,10 @@ use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 
-/// What the first panic since the last [`guarded`] work said, and where.
+/// The message of the first panic since the last [`guarded`] work, and its place.
 static SAID: Mutex<Option<String>> = Mutex::new(None);
 
-/// Keeps what panics say for [`guarded`], which tells it once and with the scene's name.
+/// Keeps the messages of panics for [`guarded`], which reports one, with the scene's name.
 pub(super) fn keep_messages() {
     panic::set_hook(Box::new(|panic| {
         let backtrace = Backtrace::capture();
@@ -30,10 +30,10 @@ fn text(payload: &(dyn Any + Send)) -> &str {
     payload.downcast_ref::<&str>().copied().or_else(owned).unwrap_or("no message")
 }
 
-/// Does `work`, on the file `path` where there is one. A panic in it, on whatever thread of a pool, is an error
-/// of the kind [`ErrorKind::Internal`].
+/// Does `work`, on the file `path` where there is one. A panic in it, on whatever thread of a pool,
+/// is an error of the kind [`ErrorKind::Internal`].
 pub(super) fn guarded<T>(path: Option<&Path>, work: impl FnOnce() -> Result<T>) -> Result<T> {
-    // What the work has begun is dropped with it, and what it shares with others is complete or not there.
+    // Files that the work has begun are removed with it; trees that it shares are complete or absent.
     panic::catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|payload| {
         let said = SAID.lock().unwrap_or_else(PoisonError::into_inner).take();
         let said = said.unwrap_or_else(|| text(&*payload).to_owned());

@@ -76,7 +76,8 @@ fn bar(phase: Phase, target: ProgressDrawTarget) -> ProgressBar {
     ProgressBar::with_draw_target(length, target).with_style(style)
 }
 
-/// Turns a spinner while it exists. The steady tick of `indicatif` panics where the system refuses a thread.
+/// Turns a spinner while it exists. The steady tick of `indicatif` panics where the system refuses
+/// a thread.
 struct Ticker {
     /// Nothing is sent: its end stops the thread.
     _alive: Sender<()>,

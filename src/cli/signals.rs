@@ -14,7 +14,7 @@ use std::sync::mpsc;
 use std::thread;
 use std::time::Duration;
 
-/// Those that end a program which does not care, and that users, terminals and batch systems send.
+/// Signals that end a program by default, and that users, terminals and batch systems send.
 const ENDING: [c_int; 10] = [SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGUSR1, SIGUSR2, SIGALRM, SIGVTALRM, SIGPROF];
 
 /// How long the end waits for the note of it to be read.
@@ -22,11 +22,12 @@ const PATIENCE: Duration = Duration::from_millis(100);
 
 /// From now on the program ends by these signals as programs do, with all that it has begun removed.
 ///
-/// What the caller has the program ignore stays ignored: `nohup` does so with SIGHUP, and a shell with SIGINT
-/// for what it runs in the background.
+/// What the caller has the program ignore stays ignored: `nohup` does so with SIGHUP, and a shell
+/// with SIGINT for what it runs in the background.
 pub(super) fn end_cleanly(reporter: &Reporter) {
     let ignored = Ignored::of_this_process();
-    // A file that grows beyond its limit (`ulimit -f`) is then an error of writing. The flag tells nothing more.
+    // A file that grows beyond its limit (`ulimit -f`) is then an error of writing. The flag tells
+    // nothing more.
     if !ignored.has(SIGXFSZ) {
         let _ = signal_hook::flag::register(SIGXFSZ, Arc::new(AtomicBool::new(false)));
     }
@@ -34,8 +35,8 @@ pub(super) fn end_cleanly(reporter: &Reporter) {
     let handle = signals.handle();
     let reporter = *reporter;
     let listen = move || signals.forever().for_each(|signal| end(signal, reporter));
-    // Where there can be no thread, or no handler, signals end the program all the same. Handlers come after the
-    // thread: without it they would swallow signals.
+    // Where there can be no thread, or no handler, signals end the program all the same. Handlers
+    // come after the thread: without it they would swallow signals.
     if thread::Builder::new().name("signals".to_owned()).spawn(listen).is_ok() {
         for signal in ENDING.into_iter().filter(|signal| !ignored.has(*signal)) {
             let _ = handle.add_signal(signal);
@@ -50,8 +51,8 @@ fn end(signal: c_int, reporter: Reporter) {
     let _ = emulate_default_handler(signal);
 }
 
-/// Says what ends the program, if standard error takes it at once. Another thread may have locked it and wait for
-/// a reader that never comes, so this happens in a thread that is not waited for.
+/// Says what ends the program, if standard error takes it at once. Another thread may have locked
+/// it and wait for a reader that never comes, so this happens in a thread that is not waited for.
 fn say(signal: c_int, reporter: Reporter) {
     let (said, is_said) = mpsc::channel();
     let name = signal_name(signal).unwrap_or("a signal");
@@ -69,8 +70,8 @@ fn say(signal: c_int, reporter: Reporter) {
 struct Ignored(u64);
 
 impl Ignored {
-    /// As far as the system tells, which is Linux. Elsewhere SIGHUP counts as ignored: what `nohup` starts must
-    /// go on.
+    /// As far as the system tells, which is Linux. Elsewhere SIGHUP counts as ignored: what `nohup`
+    /// starts must go on.
     fn of_this_process() -> Ignored {
         let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
         let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));

@@ -10,7 +10,8 @@ use std::thread::JoinHandle;
 /// Builds recurse as deep as their trees, up to a hundred levels.
 const STACK_BYTES: usize = 8 << 20;
 
-/// A pool of `threads` threads, or of as many as the process may use. Where the system refuses so many, of fewer.
+/// A pool of `threads` threads, or of as many as the process may use. Where the system refuses so
+/// many, of fewer.
 pub(super) fn thread_pool(threads: Option<usize>, reporter: &Reporter) -> Result<ThreadPool> {
     let wanted = threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
     let (pool, refused) = largest(wanted, spawn)?;
@@ -29,7 +30,8 @@ fn spawn(thread: ThreadBuilder) -> io::Result<JoinHandle<()>> {
     std::thread::Builder::new().stack_size(STACK_BYTES).spawn(|| thread.run())
 }
 
-/// The pool of `wanted` threads, or else of fewer, down to the current thread, and why it has fewer.
+/// The pool of `wanted` threads, or else of fewer, down to the current thread, and why it has
+/// fewer.
 fn largest(wanted: usize, spawn: Spawn) -> Result<(ThreadPool, Option<ThreadPoolBuildError>)> {
     let mut refused = None;
     let mut threads = wanted;
@@ -38,7 +40,8 @@ fn largest(wanted: usize, spawn: Spawn) -> Result<(ThreadPool, Option<ThreadPool
             Ok(pool) => return Ok((pool, refused)),
             Err((error, started)) => {
                 refused.get_or_insert(error);
-                // Half of those that there was room for: the rest of the program, and others, need some.
+                // Half of those that there was room for: the rest of the program, and others, need
+                // some.
                 threads = started.div_ceil(2).min(threads - 1);
             }
         }

@@ -1,7 +1,8 @@
 //! Files that appear whole or not at all.
 //!
-//! The bytes go to a new file in the directory of the final name, which gets that name when it is complete. A
-//! reader of the final name sees the old file or the new one, and an error leaves the old one untouched.
+//! The bytes go to a new file in the directory of the final name, which gets that name when it is
+//! complete. A reader of the final name sees the old file or the new one, and an error leaves the
+//! old one untouched.
 
 mod links;
 #[cfg(test)]
@@ -35,10 +36,11 @@ const BUFFER: usize = 1 << 16;
 
 /// Creates the file `path` with what `write` writes; returns its size in bytes.
 ///
-/// - A symbolic link is followed: it stays, and the file it leads to is replaced, as it would be without the
-///   detour by a rename. A link that the system forbids to follow is an error.
-/// - A new file gets the owner and the permissions of any new file. A replaced file keeps both, or neither where
-///   the user may not give files to its owner. A file that may not be written to is not replaced.
+/// - A symbolic link is followed: it stays, and the file it leads to is replaced, as it would be
+///   without the detour by a rename. A link that the system forbids to follow is an error.
+/// - A new file gets the owner and the permissions of any new file. A replaced file keeps both, or
+///   neither where the user may not give files to its owner. A file that may not be written to is
+///   not replaced.
 /// - What is not a regular file (`/dev/null`, a pipe) is written to, whatever `overwrite` says: it must stay.
 /// - Of a file that has several names (hard links) only this one gets the new content.
 pub fn write_file(path: &Path, overwrite: Overwrite, write: impl FnOnce(&mut Out) -> io::Result<()>) -> Result<u64> {
@@ -145,10 +147,11 @@ fn fill(file: File, replaced: Option<Metadata>, write: impl FnOnce(&mut Out) -> 
     Ok(file)
 }
 
-/// Brings the name of the file `path` to the disk: without this, a power cut may take back that the file was
-/// created or replaced, although its content is on the disk.
+/// Brings the name of the file `path` to the disk: without this, a power cut may take back that the
+/// file was created or replaced, although its content is on the disk.
 ///
-/// A folder that cannot be opened, or a file system that cannot sync one, is no error: nothing more can be done.
+/// A folder that cannot be opened, or a file system that cannot sync one, is no error: nothing more
+/// can be done.
 pub fn sync_folder(path: &Path) -> Result<()> {
     use io::ErrorKind::{InvalidInput, PermissionDenied, Unsupported};
     // Windows opens no folders, and its file systems keep names by themselves.

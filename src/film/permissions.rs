@@ -2,15 +2,16 @@
 
 use std::fs::{File, Metadata};
 
-/// Permissions to read, write and execute. A program that runs with the rights of its owner (setuid, setgid) is
-/// no image: the new content must not get these rights.
+/// Permissions to read, write and execute. A program that runs with the rights of its owner
+/// (setuid, setgid) is no image: the new content must not get these rights.
 #[cfg(unix)]
 const ACCESS: u32 = 0o777;
 
-/// Gives `file` the owner, the group and the permissions of the `replaced` file: all of them or none.
+/// Gives `file` the owner, the group and the permissions of the `replaced` file: all of them or
+/// none.
 ///
-/// Permissions alone would mean something else: those that the old owner gave to a group would go to the group
-/// of the new owner. A file system that knows no permissions is no reason to fail.
+/// Permissions alone would mean something else: those that the old owner gave to a group would go
+/// to the group of the new owner. A file system that knows no permissions is no reason to fail.
 #[cfg(unix)]
 pub(super) fn keep(file: &File, replaced: &Metadata) {
     use std::fs::Permissions;

@@ -10,8 +10,8 @@ use std::sync::{Mutex, MutexGuard, PoisonError, TryLockError};
 use std::time::{Duration, Instant};
 use tempfile::{NamedTempFile, TempPath};
 
-/// The files that are being written to, by their temporary names. The list is locked while a name appears or
-/// changes, so that the end of the program can remove them all.
+/// The files that are being written to, by their temporary names. The list is locked while a name
+/// appears or changes, so that the end of the program can remove them all.
 static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 /// How long the end of the program waits for a file system that does not answer.
@@ -21,8 +21,8 @@ fn unfinished() -> MutexGuard<'static, Vec<PathBuf>> {
     UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Removes all files that are unfinished. The program is about to end: no other file can be begun or finished
-/// from now on, and a thread that tries waits for ever.
+/// Removes all files that are unfinished. The program is about to end: no other file can be begun
+/// or finished from now on, and a thread that tries waits for ever.
 pub fn abandon() {
     let start = Instant::now();
     let mut paths = loop {
@@ -42,20 +42,21 @@ pub fn abandon() {
 
 /// A file that has not got its final name yet. It is removed when it is dropped.
 ///
-/// Where the system can, the file has no name at all until it is finished: then nothing is left of it however
-/// the program ends. Else it has a temporary one.
+/// Where the system can, the file has no name at all until it is finished: then nothing is left of
+/// it however the program ends. Else it has a temporary one.
 pub(super) struct Unfinished {
     /// The temporary name.
     path: Option<TempPath>,
 }
 
 impl Unfinished {
-    /// A new file in the directory of `target`. It is opened as any file is, so that the umask decides who may
-    /// read it: `tempfile` would by itself make it private.
+    /// A new file in the directory of `target`. It is opened as any file is, so that the umask
+    /// decides who may read it: `tempfile` would by itself make it private.
     pub(super) fn beside(target: &Path) -> io::Result<(File, Unfinished)> {
         match unnamed_file::create(directory_of(target)) {
             Some(file) => Ok((file, Unfinished { path: None })),
-            // If the reason is not that the file system knows named files only, this tells the reason.
+            // If the reason is not that the file system knows named files only, this tells the
+            // reason.
             None => Unfinished::named(target),
         }
     }
@@ -93,8 +94,8 @@ fn forget(unfinished: &mut Vec<PathBuf>, path: &Path) {
     unfinished.retain(|other| other != path);
 }
 
-/// A file with a temporary name beside `target`, made by `create`. The name is short whatever the target's,
-/// because names have a greatest length.
+/// A file with a temporary name beside `target`, made by `create`. The name is short whatever the
+/// target's, because names have a greatest length.
 fn temporary<F>(target: &Path, create: impl FnMut(&Path) -> io::Result<F>) -> io::Result<NamedTempFile<F>> {
     tempfile::Builder::new().prefix(".feimos-").suffix(".tmp").make_in(directory_of(target), create)
 }
@@ -107,7 +108,8 @@ fn rename(path: TempPath, target: &Path, overwrite: Overwrite) -> io::Result<()>
     renamed.map_err(|refused| refused.error)
 }
 
-/// Gives a file its first name. Linking replaces no file: then the file gets a temporary name for an instant.
+/// Gives a file its first name. Linking replaces no file: then the file gets a temporary name for
+/// an instant.
 fn finish_unnamed(file: &mut File, target: &Path, overwrite: Overwrite) -> io::Result<()> {
     match link_or_replace(file, target, overwrite) {
         // The file system takes unnamed files, but does not give them names.
@@ -156,7 +158,8 @@ mod tests {
         finish_copy(file, target, overwrite)
     }
 
-    /// All ways to a final name replace what they may, keep what they must, and leave no other name.
+    /// All ways to a final name replace what they may, keep what they must, and leave no other
+    /// name.
     #[test]
     fn all_ways_to_a_final_name_are_alike() {
         let ways: [Finish; 2] = [finish_unnamed, finish_named];

@@ -1,4 +1,5 @@
-//! Files without a name, of Linux (`O_TMPFILE`): the system removes them with the program that made them.
+//! Files without a name, of Linux (`O_TMPFILE`): the system removes them with the program that made
+//! them.
 
 #[cfg(target_os = "linux")]
 pub(super) use linux::{create, link};
@@ -12,7 +13,8 @@ mod linux {
     use std::os::unix::fs::MetadataExt;
     use std::path::{Path, PathBuf};
 
-    /// A new file on the file system of `directory`; `None` where there can be none that could be named later.
+    /// A new file on the file system of `directory`; `None` where there can be none that could be
+    /// named later.
     pub(in crate::film) fn create(directory: &Path) -> Option<File> {
         let flags = OFlags::TMPFILE | OFlags::RDWR | OFlags::CLOEXEC;
         let file = File::from(open(directory, flags, Mode::from_raw_mode(0o666)).ok()?);

@@ -52,7 +52,8 @@ fn a_file_beyond_the_limit_of_files_is_an_error() {
     }
 }
 
-/// All commands, by a user of whom the system allows this many threads, that of the program itself counted.
+/// All commands, by a user of whom the system allows this many threads, that of the program itself
+/// counted.
 #[test]
 #[cfg(target_os = "linux")]
 #[ignore = "becomes a user whose threads nobody else counts: needs root"]

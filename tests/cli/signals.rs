@@ -38,8 +38,8 @@ fn without_core(command: &Command, script: &str) -> Command {
     shell
 }
 
-/// Lets what this process starts be ended by signals that it was itself started with ignored, as below `nohup`.
-/// Programs inherit that a signal is ignored, and not that it is handled.
+/// Lets what this process starts be ended by signals that it was itself started with ignored, as
+/// below `nohup`. Programs inherit that a signal is ignored, and not that it is handled.
 fn take_signals() {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:")).map_or("0", str::trim);
@@ -49,7 +49,8 @@ fn take_signals() {
     }
 }
 
-/// Paths of files in `folder` that are being written: they have a temporary name or, by Linux, none.
+/// Paths of files in `folder` that are being written: they have a temporary name or, by Linux,
+/// none.
 fn unfinished(folder: &Folder, child: &Child) -> Vec<String> {
     let folder_path = folder.path("").canonicalize().unwrap();
     let open = std::fs::read_dir(format!("/proc/{}/fd", child.id())).into_iter().flatten();
@@ -160,7 +161,8 @@ fn a_kill_leaves_no_short_file() {
     let (status, _) = ended_while_writing(&folder, SIGKILL);
     assert_eq!(status.signal(), Some(SIGKILL));
     assert_eq!(folder.text("large.exr"), "old");
-    // Where the file system has no files without a name, what it left is hidden, and in nobody's way.
+    // Where the file system has no files without a name, what it left is hidden, and in nobody's
+    // way.
     if tempfile::tempfile_in(folder.path(".")).is_ok() && cfg!(target_os = "linux") {
         assert_eq!(folder.images(), ["large.exr"]);
     }
@@ -190,7 +192,8 @@ fn a_batch_that_is_ended_keeps_what_was_finished() {
 fn a_signal_that_the_caller_ignores_is_ignored() {
     for signal in CAUGHT {
         let folder = Folder::new();
-        // The shell starts it with the signal ignored, as `nohup` does, and a shell with what runs in the background.
+        // The shell starts it with the signal ignored, as `nohup` does, and a shell with what runs
+        // in the background.
         let mut shell = without_core(&folder.command("- -o a.exr"), &format!("trap '' {signal};"));
         shell.current_dir(folder.path(".")).stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::piped());
         let mut child = shell.spawn().unwrap();

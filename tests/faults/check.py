@@ -54,8 +54,7 @@ class Search:
 
 
 def look(workspace, choices, seconds):
-    search, start = Search(), time.monotonic()
-    share = lambda part: start + part * seconds
+    search = Search()
     for _ in range(3):
         search.add("several writers", processes.writer_faults(workspace, choices))
     for _ in range(20):
@@ -64,6 +63,9 @@ def look(workspace, choices, seconds):
             print("skipped: full disks, which take the rights to mount them")
             break
         search.add("full disk", faults)
+
+    start = time.monotonic()
+    share = lambda part: start + part * seconds
 
     def moments(before=()):
         while True:
@@ -78,6 +80,7 @@ def look(workspace, choices, seconds):
     if system_calls.is_allowed():
         for call in ["?readlink", "?statx,?newfstatat"]:
             search.add("forbidden link", processes.forbidden_link_faults(workspace, call))
+        search.add("panic", processes.panic_faults(workspace))
         search.add("unsynced folder", processes.unsynced_folder_faults(workspace))
         injections = system_calls.plan(workspace, choices)
         trials = (lambda injection=injection: system_calls.check(workspace, injection) for injection in injections)
@@ -89,6 +92,9 @@ def look(workspace, choices, seconds):
 
 def main():
     options = arguments()
+    if sys.stdin is None:
+        # Rust ends a program that is started with a closed stream and cannot open one instead.
+        os.set_inheritable(os.open(os.devnull, os.O_RDWR), True)
     take_signals()
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     seed = options.seed if options.seed is not None else random.SystemRandom().randrange(1 << 32)

@@ -108,6 +108,25 @@ def unsynced_folder_faults(workspace):
     return [f"a folder that cannot be synced: {fault}" for fault in faults]
 
 
+def panic_faults(workspace):
+    """A panic ends one image of a batch; Rust panics where the system has no random numbers for a table."""
+    command = f"{workspace.program} render ball.pbrt second.pbrt --threads 1 -o new-{{stem}}.exr".split()
+    faults, images = [], set()
+    for when in range(1, 9):
+        folder = workspace.folder()
+        options = ["-f", "-qq", "-o", "/dev/null", "-e", f"inject=getrandom:error=EIO:when={when}"]
+        run = subprocess.run(["strace", *options, *command], cwd=folder, capture_output=True)
+        made = [name for name in files(folder) if name.startswith("new-")]
+        shutil.rmtree(folder)
+        if b".pbrt: internal error: " in run.stderr:
+            images.add(len(made))
+        if run.returncode not in (0, 70) or b"panicked" in run.stderr:
+            faults.append(f"exit code {run.returncode}")
+    if images != {1}:
+        faults.append(f"beside an image that panics {images} of one other are made")
+    return [f"a panic: {fault}" for fault in faults]
+
+
 def forbidden_link_faults(workspace, call):
     """A link that the system does not follow is not followed by hand; `call` is what the system refuses."""
     folder = workspace.folder()

@@ -6,7 +6,8 @@ import subprocess
 
 from workspace import COMMANDS, exit_faults
 
-# What can go wrong with each call. Memory is refused by other means: a loader without it does not start.
+# What can go wrong with each call. Memory is refused by other means: a loader without it does not
+# start.
 ERRORS = {
     "openat": "EIO EACCES ENOSPC EMFILE ESTALE EROFS ENFILE EDQUOT",
     "read": "EIO EISDIR EINTR ESTALE",

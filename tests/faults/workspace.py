@@ -30,10 +30,10 @@ end_header
 """
 POSES = [{"name": f"c{k}", "lookat": [0, 0, -5, 0, 0, 0, 0, 1, k]} for k in range(4)]
 
-# Exit codes that the README names; 70, an internal error, is one that must not come.
+# Exit codes that the README names, but 70: an internal error must not happen.
 DOCUMENTED = {0, 1, 2, 65, 66, 73, 74, 75}
 
-# Arguments of each command, and the name of a manifest whose lines hold times.
+# Arguments of each command. A line of a manifest holds times; all other files are the same in each run.
 COMMANDS = {
     "new": "render ball.pbrt -o new.exr",
     "old": "render ball.pbrt -o old.exr",
@@ -72,7 +72,8 @@ class Workspace:
             assert self.codes[name] in (0, 1), f"{name} ends with {self.codes[name]} by itself"
 
     def _make_inputs(self):
-        texts = {"ball.pbrt": SCENE, "second.pbrt": SCENE, "more.pbrt": MORE, "mesh.ply": MESH, "poses.json": json.dumps(POSES)}
+        texts = {"ball.pbrt": SCENE, "second.pbrt": SCENE, "more.pbrt": MORE, "mesh.ply": MESH}
+        texts["poses.json"] = json.dumps(POSES)
         for name, text in texts.items():
             with open(os.path.join(self.inputs, name), "w") as file:
                 file.write(text)

@@ -21,7 +21,7 @@ pub(crate) enum Existing {
 }
 
 impl Picture {
-    /// What the file `path` is, as far as its header and its end tell, beside `header`, the one that it would get.
+    /// Compares the file `path`, by its header and its end, with the image that would get `header`.
     ///
     /// # Errors
     /// A file that cannot be read.

@@ -10,9 +10,9 @@ const MAX_LINKS: usize = 40;
 
 /// Where `path` leads to, through symbolic links; the end need not exist.
 ///
-/// # Errors
-/// A link that the system does not follow: Linux refuses those of other users in folders such as `/tmp`
-/// (`fs.protected_symlinks`). Following it by hand would replace a file of the other user's choice.
+/// # Errors A link that the system does not follow: Linux refuses those of other users in folders
+/// such as `/tmp` (`fs.protected_symlinks`). Following it by hand would replace a file of the other
+/// user's choice.
 pub(super) fn follow_links(path: &Path) -> io::Result<PathBuf> {
     let mut target = path.to_path_buf();
     for _ in 0..MAX_LINKS {
@@ -22,7 +22,8 @@ pub(super) fn follow_links(path: &Path) -> io::Result<PathBuf> {
             _ => return Ok(target),
         }
         let next = fs::read_link(&target)?;
-        // Asked after the link was read: a link that appeared only now is not followed unseen either.
+        // Asked after the link was read: a link that appeared only now is not followed unseen
+        // either.
         if let Err(error) = fs::metadata(&target)
             && error.kind() != io::ErrorKind::NotFound
         {

@@ -1,11 +1,12 @@
-//! Whether a file reaches to its end, without reading a pixel.
+//! Finds files that were cut off, without reading a pixel.
 
 use exr::meta::header::Header;
 use exr::meta::{BlockDescription, MetaData};
 use std::io::{self, Read, Seek, SeekFrom};
 
-/// Whether the file holds all chunks that its tables list, as far as their places tell: the tables begin at byte
-/// `start`. Each chunk begins within the file, and the last one of each part ends there.
+/// Whether the file holds all chunks that its tables list, as far as their places tell: the tables
+/// begin at byte `start`. Each chunk begins within the file, and the last one of each part ends
+/// there.
 ///
 /// # Errors
 /// Reading; a file that ends too early is no error.

@@ -70,7 +70,8 @@ pub fn read_outline(path: &Path) -> Result<Outline> {
     outline().map_err(|error: Error| error.or_at(|| SourceLocation::file(path)))
 }
 
-/// Whether the file `path` reaches to its end, as far as its tables and its last chunks tell; no pixel is read.
+/// Whether the file `path` reaches to its end, as far as its tables and its last chunks tell; no
+/// pixel is read.
 ///
 /// # Errors
 /// As [`read_outline`]; a file that ends too early is no error.
