@@ -31,7 +31,8 @@ impl Inputs {
     /// An `output` that is one of the files, by whatever name; `cause` is what makes it an output,
     /// such as "-o".
     pub(crate) fn check(&self, output: &Path, cause: &str) -> Result<()> {
-        self.0.iter().try_for_each(|(files, what)| check(files, what, output, cause))
+        let Some(id) = FileId::of(output) else { return Ok(()) };
+        self.0.iter().try_for_each(|(files, what)| check(files, what, &id, output, cause))
     }
 }
 
@@ -40,11 +41,11 @@ impl Inputs {
 /// # Errors
 /// As [`Inputs::check`].
 pub(crate) fn check_against_scene(files: &InputFiles, output: &Path, cause: &str) -> Result<()> {
-    check(files, OF_SCENE, output, cause)
+    FileId::of(output).map_or(Ok(()), |id| check(files, OF_SCENE, &id, output, cause))
 }
 
-fn check(files: &InputFiles, what: &str, output: &Path, cause: &str) -> Result<()> {
-    let Some(input) = FileId::of(output).and_then(|id| files.path_of(&id)) else { return Ok(()) };
+fn check(files: &InputFiles, what: &str, id: &FileId, output: &Path, cause: &str) -> Result<()> {
+    let Some(input) = files.path_of(id) else { return Ok(()) };
     let error = Error::usage(format!("{}: {cause} would overwrite {what}", output.display()));
     let error = match input == output {
         true => error,
