@@ -3,6 +3,7 @@
 //! [`Diagnostic`] is the message with its place; [`Error`] adds the kind that decides the exit code, so
 //! that *your file is wrong*, *we do not do that* and *the disk* can be told apart by a script.
 
+use crate::terminal_text;
 use std::fmt;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -106,9 +107,10 @@ impl fmt::Display for Diagnostic {
 /// would command the terminal.
 pub fn printable(line: &str) -> String {
     const MAX: usize = 500;
-    let cut = line.chars().count() > MAX;
-    let shown = line.chars().take(MAX).map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c });
-    shown.chain(cut.then_some("...").into_iter().flat_map(str::chars)).collect()
+    match line.char_indices().nth(MAX) {
+        Some((end, _)) => terminal_text::line(&line[..end]) + "...",
+        None => terminal_text::line(line),
+    }
 }
 
 /// A place in an input file.
@@ -165,7 +167,7 @@ impl Excerpt {
             shift = 3;
         }
         let shown = line.chars().skip(first).take(last - first);
-        text.extend(shown.map(|c| if c.is_control() { ' ' } else { c }));
+        text.extend(shown.map(|c| if terminal_text::is_command(c) { ' ' } else { c }));
         if last < length {
             text.push_str("...");
         }

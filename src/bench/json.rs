@@ -1,6 +1,7 @@
 //! Rows for programs.
 
 use super::{Errors, InputError, Machine, Row, Spread};
+use crate::json;
 use serde::Serialize;
 
 /// The document: the machine, and a row for each configuration of each scene.
@@ -97,7 +98,5 @@ fn confidence(errors: &Errors) -> Option<Confidence> {
 /// All of it as one JSON document that ends with a line break. Numbers that are not finite are null.
 pub fn to_json(machine: &Machine, rows: &[Row]) -> Vec<u8> {
     let document = Document { machine, rows: rows.iter().map(|row| Record::new(row, machine)).collect() };
-    let mut json = serde_json::to_vec_pretty(&document).expect("no key that JSON lacks");
-    json.push(b'\n');
-    json
+    json::pretty(&document)
 }

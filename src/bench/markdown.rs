@@ -1,5 +1,7 @@
 //! Rows for pages of text.
 
+use crate::terminal_text;
+
 use super::{Machine, Row, notes, ray_table, totals, tree_table};
 
 /// The machine, all scenes together, if there are several, and of each scene its notes and its tables.
@@ -10,11 +12,18 @@ pub fn to_markdown(machine: &Machine, rows: &[Row]) -> String {
         text += &format!("\n## All scenes\n\n{}", ray_table(&totals(rows), machine.mhz).markdown());
     }
     for rows in scenes {
-        text += &format!("\n## {}\n\n", rows[0].scene.replace('\n', " "));
+        text += &format!("\n## {}\n\n", escaped(&rows[0].scene));
         notes(rows).iter().for_each(|note| text += &format!("- {note}\n"));
         text += &format!("\n{}\n{}", tree_table(rows).markdown(), ray_table(rows, machine.mhz).markdown());
     }
     text
+}
+
+/// Text as it may stand in a line, without being taken for anything but text.
+fn escaped(text: &str) -> String {
+    // These mean nothing in the middle of a line, and paths are full of them.
+    let is_plain = |c: char| !c.is_ascii_punctuation() || "/.-,".contains(c);
+    terminal_text::line(text).chars().map(|c| if is_plain(c) { c.to_string() } else { format!("\\{c}") }).collect()
 }
 
 #[cfg(test)]
@@ -23,6 +32,16 @@ mod tests {
     use crate::accel::SplitMethod;
     use crate::bench::Kernel;
     use crate::bench::table::tests::row;
+
+    #[test]
+    fn a_scene_may_have_any_name() {
+        let name = "<img src=x onerror=alert(1)>|`*a*`\n# [b](c).pbrt";
+        let row = Row { scene: name.into(), ..row(SplitMethod::Sah, Kernel::ALL[0], 0) };
+        let text = to_markdown(&Machine::detect("scalar"), &[row]);
+        let heading = text.lines().find(|line| line.starts_with("## ")).unwrap();
+        let expected = ["## \\<img src\\=x onerror\\=alert\\(1\\)\\>\\|\\`\\*a\\*\\`", "\\# \\[b\\]\\(c\\).pbrt"];
+        assert_eq!(heading, expected.join("\u{fffd}"));
+    }
 
     #[test]
     fn every_scene_has_its_heading_and_its_tables() {

@@ -40,7 +40,7 @@ pub use measure::{Bench, Measured, timed};
 pub use pictures::{PictureFiles, Pictures};
 pub use plan::{Plan, Rounds};
 pub use plot::to_svg;
-pub use report::{Section, notes, to_html};
+pub use report::{Section, is_report, notes, to_html};
 pub use row::Row;
 pub use spread::Spread;
 pub use table::{ray_table, tree_table};

@@ -151,7 +151,9 @@ pub(crate) struct CameraArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct BatchArgs {
-    /// With several images: overwrite those that exist [default: they are an error; a single one is overwritten].
+    /// With several images: overwrite those that exist [default: they are an error; a single one is
+    /// overwritten]. Where the scene names its image: overwrite also what is no image of feimos
+    /// [default: that is an error].
     #[arg(long, conflicts_with = "skip_existing")]
     pub(crate) force: bool,
     /// Leave out images that exist already, if scene and options are still the same: an .exr and a .png tell [default: off].

@@ -1,8 +1,8 @@
 //! One image: build, trace, write.
 
 use super::loaded_scene::{Built, LoadedScene, Viewpoint};
+use super::open_folders::OpenFolders;
 use super::output_name::Destination;
-use super::outputs;
 use super::picture::{Caption, Existing, Origin, Picture};
 use super::plan::Plan;
 use super::progress_bar::{Phase, ProgressBars};
@@ -13,7 +13,8 @@ use super::summary;
 use super::timing::{milliseconds_since, timed};
 use feimos::accel::{Aggregate, Precision, SplitMethod, Statistics};
 use feimos::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
-use feimos::film::atomic_file::{self, Overwrite};
+use feimos::file_id::InputFiles;
+use feimos::film::atomic_file::Overwrite;
 use feimos::film::{CameraAttributes, PixelBounds};
 use feimos::progress::Progress;
 use feimos::render::{RenderOptions, Rendering, render};
@@ -27,6 +28,7 @@ pub(crate) struct Renderer<'a> {
     pub(crate) reporter: &'a Reporter,
     pub(crate) bars: ProgressBars,
     pub(crate) overwrite: Overwrite,
+    pub(crate) folders: OpenFolders,
 }
 
 /// How it went with one image.
@@ -34,6 +36,7 @@ pub(crate) enum Outcome {
     /// It was written.
     Made {
         record: Box<Record>,
+        destination: Destination,
         /// Something about the scene is not as it may have been meant.
         warned: bool,
     },
@@ -78,8 +81,9 @@ impl Tree<'_> {
 }
 
 impl Renderer<'_> {
-    /// Reads a scene, on the threads of the current pool; also returns how many milliseconds that took.
-    pub(crate) fn load<'a>(&self, path: &'a Path) -> Result<(LoadedScene<'a>, f64)> {
+    /// Reads a scene, on the threads of the current pool; also returns how many milliseconds that
+    /// took, and the files that were read, up to an error too.
+    pub(crate) fn load<'a>(&self, path: &'a Path) -> (Result<(LoadedScene<'a>, f64)>, InputFiles) {
         LoadedScene::load(path, self.plan, &self.bars, self.reporter)
     }
 
@@ -97,10 +101,11 @@ impl Renderer<'_> {
             summary::report_statistics(&loaded.scene, &finished, self.reporter);
         }
         let record = Box::new(record(loaded, view, &finished));
-        Ok(Outcome::Made { record, warned: !loaded.scene.warnings.is_empty() })
+        let warned = !loaded.scene.warnings.is_empty();
+        Ok(Outcome::Made { record, destination: finished.destination, warned })
     }
 
-    fn destination(&self, loaded: &LoadedScene, view: &Viewpoint) -> Destination {
+    pub(crate) fn destination(&self, loaded: &LoadedScene, view: &Viewpoint) -> Destination {
         let filename = view.film.filename.as_deref();
         self.plan.output_name.destination(loaded.path, filename, loaded.build.method, view.name.as_deref())
     }
@@ -109,7 +114,7 @@ impl Renderer<'_> {
     fn target(&self, loaded: &LoadedScene, view: &Viewpoint) -> Result<Option<Target>> {
         let destination = self.destination(loaded, view);
         if self.overwrite == Overwrite::No {
-            outputs::check_free(&destination)?;
+            destination.check_free()?;
         }
         let picture = self.plan.picture(&destination).map_err(|error| match self.plan.output_name.is_given() {
             true => error,
@@ -131,17 +136,53 @@ impl Renderer<'_> {
             window,
         });
         let header = origin.map(|origin| picture.header(&origin));
-        if let Destination::File(path) = &destination {
-            atomic_file::check(path)?;
-            if let (true, Some(origin), Some(header)) = (self.plan.skip_existing && path.is_file(), &origin, &header) {
-                match picture.existing(path, header, origin)? {
-                    Existing::Same => return Ok(None),
-                    Existing::Stale => self.reporter.detail(format_args!("{destination}: of other options, made anew")),
-                    Existing::Foreign => return Err(foreign(path)),
+        if let Destination::File(path) = &destination
+            && path.is_file()
+            && !self.may_replace_anything()
+        {
+            let existing = match (&origin, &header) {
+                (Some(origin), Some(header)) => picture.existing(path, header, origin)?,
+                // Formats without a header do not tell who wrote them.
+                _ => Existing::Foreign,
+            };
+            match existing {
+                Existing::Same if self.plan.skip_existing => return Ok(None),
+                Existing::Stale if self.plan.skip_existing => {
+                    self.reporter.detail(format_args!("{destination}: of other options, made anew"));
                 }
+                Existing::CutOff if self.plan.skip_existing => {
+                    self.reporter.note(format_args!("{destination}: was cut off, made anew"));
+                }
+                Existing::Same | Existing::Stale | Existing::CutOff => {}
+                Existing::Foreign => return Err(self.foreign(path)),
             }
         }
+        self.check_place(&destination)?;
         Ok(Some(Target { destination, picture, window, header }))
+    }
+
+    /// # Errors
+    /// A place that cannot be written to, or that is taken in a batch that replaces nothing.
+    pub(crate) fn check_place(&self, destination: &Destination) -> Result<()> {
+        if self.overwrite == Overwrite::No {
+            destination.check_free()?;
+        }
+        self.folders.check(destination)
+    }
+
+    /// Returns true if the user has named the file, or wants it replaced whatever it is.
+    fn may_replace_anything(&self) -> bool {
+        self.plan.force || (self.plan.output_name.is_given() && !self.plan.skip_existing)
+    }
+
+    fn foreign(&self, path: &Path) -> Error {
+        let diagnostic = Diagnostic::new("exists already, and is no image of feimos").at(SourceLocation::file(path));
+        let advice = "move it away, or use --force to overwrite it";
+        let advice = match self.plan.output_name.is_given() {
+            true => advice.to_owned(),
+            false => format!("this name comes from the scene: give another one by -o, {advice}"),
+        };
+        Error::new(ErrorKind::Output, diagnostic.note(advice))
     }
 
     /// Builds, traces and writes.
@@ -200,11 +241,6 @@ impl Renderer<'_> {
         let tree = if is_shared { Tree::Shared(loaded.share(built)) } else { Tree::Own(Box::new(built)) };
         (tree, ms)
     }
-}
-
-fn foreign(path: &Path) -> Error {
-    let diagnostic = Diagnostic::new("exists already, and is no image of feimos").at(SourceLocation::file(path));
-    Error::new(ErrorKind::Output, diagnostic.note("move it away, or use --force to overwrite it"))
 }
 
 fn record(loaded: &LoadedScene, view: &Viewpoint, finished: &Finished) -> Record {

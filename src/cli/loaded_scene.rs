@@ -9,6 +9,7 @@ use feimos::accel::{Aggregate, BuildOptions, Statistics};
 use feimos::camera::Camera;
 use feimos::digest::Digest;
 use feimos::error::Result;
+use feimos::file_id::InputFiles;
 use feimos::geometry::Point;
 use feimos::progress::Progress;
 use feimos::scene::{self, Film, Scene, SceneDigest};
@@ -50,16 +51,20 @@ pub(super) struct Viewpoint {
 }
 
 impl<'a> LoadedScene<'a> {
-    /// Reads the scene `path`, and tells of what is odd about it; also returns how many milliseconds reading took.
+    /// Reads the scene `path`, and tells of what is odd about it; also returns how many
+    /// milliseconds reading took, and the files that were read, up to an error too.
     pub(super) fn load(
         path: &'a Path,
         plan: &Plan,
         bars: &ProgressBars,
         reporter: &Reporter,
-    ) -> Result<(LoadedScene<'a>, f64)> {
-        let load = |progress: Progress<'_>| scene::load(path, &plan.load, progress);
-        let (scene, ms) = timed(|| bars.during(Phase::Loading, load));
-        let scene = scene?;
+    ) -> (Result<(LoadedScene<'a>, f64)>, InputFiles) {
+        let load = |progress: Progress<'_>| scene::load_listing_files(path, &plan.load, progress);
+        let ((scene, files), ms) = timed(|| bars.during(Phase::Loading, load));
+        (scene.map(|scene| (LoadedScene::new(path, scene, plan, reporter), ms)), files)
+    }
+
+    fn new(path: &'a Path, scene: Scene, plan: &Plan, reporter: &Reporter) -> LoadedScene<'a> {
         summary::report_scene(&scene, reporter);
         let build = plan.build_options(&scene.accelerator, reporter);
         let views = match &plan.poses {
@@ -72,7 +77,7 @@ impl<'a> LoadedScene<'a> {
                 poses.iter().map(view).collect()
             }
         };
-        Ok((LoadedScene { path, scene, build, views, digest: OnceLock::new(), shared: OnceLock::new() }, ms))
+        LoadedScene { path, scene, build, views, digest: OnceLock::new(), shared: OnceLock::new() }
     }
 
     /// What stands for the scene as `view` sees it.

@@ -4,24 +4,32 @@ mod args;
 mod batch;
 mod bench;
 mod check;
+#[cfg(unix)]
+mod closed_stdout;
 mod columns;
 mod compare;
 mod completions;
 mod counted;
 mod failures;
+mod inputs;
 mod job;
 mod loaded_scene;
 mod man;
 mod manifest;
 mod merge;
+mod new_folders;
+mod open_folders;
 mod output_name;
 mod outputs;
+mod panics;
 mod picture;
 mod pixel;
+mod place;
 mod plan;
 mod progress_bar;
 mod record;
 mod reporter;
+mod result_files;
 mod scene_files;
 #[cfg(unix)]
 mod signals;
@@ -30,10 +38,10 @@ mod summary;
 mod terminal;
 mod thread_pool;
 mod timing;
+mod usage;
 mod version;
 
-use args::{Cli, Command, TalkArgs};
-use clap::{CommandFactory, FromArgMatches};
+use args::{Command, TalkArgs};
 use feimos::error::Result;
 use reporter::Reporter;
 use std::process::ExitCode;
@@ -43,9 +51,10 @@ const WARNED: u8 = 1;
 
 /// Runs the command that was typed and returns the exit code for it.
 pub(crate) fn run() -> ExitCode {
-    // clap prints help, version and its own errors, and leaves with 0 or 2.
-    let matches = Cli::command().long_version(version::long_version()).get_matches();
-    let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+    let cli = match usage::parse() {
+        Ok(cli) => cli,
+        Err(code) => return code.into(),
+    };
     match cli.command {
         Command::Render(args) => report(&args.talk, |reporter| batch::render(&args, reporter)),
         Command::Check(args) => report(&args.talk, |reporter| check::check(&args, reporter)),
@@ -65,9 +74,10 @@ fn report(talk: &TalkArgs, command: impl FnOnce(&Reporter) -> Result<u8>) -> Exi
 
 /// Runs a command and tells of the error that ended it, if one did.
 fn conclude(reporter: &Reporter, command: impl FnOnce(&Reporter) -> Result<u8>) -> ExitCode {
+    panics::keep_messages();
     #[cfg(unix)]
     signals::end_cleanly(reporter);
-    let code = command(reporter).unwrap_or_else(|error| {
+    let code = panics::guarded(None, || command(reporter)).unwrap_or_else(|error| {
         reporter.error(&error);
         error.kind().exit_code()
     });

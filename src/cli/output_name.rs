@@ -1,9 +1,9 @@
 //! Names of images: templates, and where they lead.
 
-use super::stdout::write_to_stdout;
+use super::stdout::{self, write_to_stdout};
 use feimos::accel::SplitMethod;
-use feimos::error::{Error, Result};
-use feimos::film::atomic_file::{self, Overwrite, directory_of};
+use feimos::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
+use feimos::film::atomic_file::{self, Overwrite};
 use std::io::{self, Cursor, Seek, Write};
 use std::path::{Path, PathBuf};
 
@@ -46,12 +46,25 @@ impl Destination {
         }
     }
 
-    /// The same place by the one name that all its spellings share, as far as its directory exists.
-    pub(crate) fn resolved(&self) -> Destination {
-        let Destination::File(path) = self else { return self.clone() };
-        match (directory_of(path).canonicalize(), path.file_name()) {
-            (Ok(directory), Some(name)) => Destination::File(directory.join(name)),
-            _ => self.clone(),
+    /// # Errors
+    /// A file that is there.
+    pub(crate) fn check_free(&self) -> Result<()> {
+        match self {
+            Destination::File(file) if file.is_file() => {
+                let diagnostic = Diagnostic::new("exists already").at(SourceLocation::file(file));
+                let advice = "use --force to overwrite it, or --skip-existing to leave the image out";
+                Err(Error::new(ErrorKind::Output, diagnostic.note(advice)))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// # Errors
+    /// A place that cannot be written to, as far as that can be known before the work.
+    pub(crate) fn check(&self) -> Result<()> {
+        match self {
+            Destination::File(path) => atomic_file::check(path),
+            Destination::Stdout => stdout::check(),
         }
     }
 }
@@ -111,6 +124,11 @@ impl OutputName {
     /// Whether the user gave a name at all.
     pub(crate) fn is_given(&self) -> bool {
         self.template.is_some()
+    }
+
+    /// What makes an image's name, for messages.
+    pub(crate) fn cause(&self) -> &'static str {
+        if self.is_given() { "-o" } else { "the name that the scene gives to its image" }
     }
 
     /// Whether the template has this placeholder.

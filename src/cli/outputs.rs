@@ -1,12 +1,15 @@
 //! Where the images of a batch go, as far as that is known before a scene is read.
 
+use super::inputs::Inputs;
+use super::job::Renderer;
 use super::output_name::Destination;
+use super::place::Places;
 use super::plan::Plan;
 use super::reporter::Reporter;
 use feimos::accel::SplitMethod;
-use feimos::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
+use feimos::error::{Error, Result};
+use feimos::film::atomic_file::Overwrite;
 use feimos::scene::{self, Pose, SceneOptions};
-use std::collections::HashMap;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
@@ -29,30 +32,33 @@ impl fmt::Display for ImageName<'_> {
 pub(super) struct Outputs {
     known: Vec<Option<Vec<Destination>>>,
     of_scene: usize,
+    taken: Taken,
 }
 
 impl Outputs {
     /// # Errors
-    /// Two images that would go to one place.
-    pub(super) fn new(scenes: &[PathBuf], plan: &Plan) -> Result<Outputs> {
+    /// An image that would overwrite one of the `inputs`; two images that would go to one place.
+    pub(super) fn new(scenes: &[PathBuf], plan: &Plan, inputs: &Inputs, manifest: Option<&Path>) -> Result<Outputs> {
         let of_scene = plan.poses.as_ref().map_or(1, Vec::len);
-        if scenes.len() * of_scene == 1 {
-            return Ok(Outputs { known: vec![None], of_scene });
-        }
-        let mut taken: HashMap<Destination, ImageName> = HashMap::new();
+        let is_single = scenes.len() * of_scene == 1;
+        let mut taken = Taken::default();
         let mut known = Vec::with_capacity(scenes.len());
         for scene in scenes {
-            let destinations = destinations(scene, plan);
-            let cameras = cameras(plan);
-            for (destination, camera) in destinations.iter().flatten().zip(cameras) {
-                let name = ImageName { scene, camera };
-                if let Some(other) = taken.insert(destination.resolved(), name) {
-                    return Err(twice(&other, &name, destination, plan));
+            // A single scene is not read twice only to know its name for the image.
+            let is_late = is_single && plan.output_name.needs_scene(plan.accel);
+            let destinations = if is_late { None } else { destinations(scene, plan) };
+            for (destination, camera) in destinations.iter().flatten().zip(cameras(plan)) {
+                if let Destination::File(path) = destination {
+                    inputs.check(path, plan.output_name.cause())?;
                 }
+                taken.add(&ImageName { scene, camera }, destination, plan)?;
             }
             known.push(destinations);
         }
-        Ok(Outputs { known, of_scene })
+        if let Some(path) = manifest {
+            taken.reserve(path)?;
+        }
+        Ok(Outputs { known, of_scene, taken })
     }
 
     /// Images of the batch.
@@ -66,12 +72,61 @@ impl Outputs {
     }
 
     /// # Errors
-    /// Files in the places of all images of scene `number`, which is `path`: then there is nothing to read it for.
-    pub(super) fn check_free(&self, number: usize, path: &Path, plan: &Plan) -> Result<()> {
-        let destinations = self.known[number].clone().or_else(|| destinations(path, plan)).unwrap_or_default();
-        let mut problems = destinations.iter().map(|destination| check_free(destination).err());
-        let first = problems.next().flatten();
-        if problems.all(|problem| problem.is_some()) { first.map_or(Ok(()), Err) } else { Ok(()) }
+    /// None of the images of scene `number`, which is `path`, can be written: then there is nothing
+    /// to read it for.
+    pub(super) fn check(&self, number: usize, path: &Path, renderer: &Renderer) -> Result<()> {
+        let Renderer { plan, overwrite, .. } = renderer;
+        // An image that is left out needs no place that can be written to.
+        if plan.skip_existing {
+            return Ok(());
+        }
+        let late = || (*overwrite == Overwrite::No).then(|| destinations(path, plan)).flatten();
+        let destinations = self.known[number].clone().or_else(late).unwrap_or_default();
+        let mut first = None;
+        for destination in &destinations {
+            match renderer.check_place(destination) {
+                Ok(()) => return Ok(()),
+                Err(error) => _ = first.get_or_insert(error),
+            }
+        }
+        first.map_or(Ok(()), Err)
+    }
+
+    /// Takes note of where an image of scene `number` goes, now that the scene has been read.
+    ///
+    /// # Errors
+    /// The place of another image.
+    pub(super) fn claim(&mut self, number: usize, name: &ImageName, at: &Destination, plan: &Plan) -> Result<()> {
+        if self.known[number].is_some() || self.count() == 1 { Ok(()) } else { self.taken.add(name, at, plan) }
+    }
+}
+
+/// The places of images, each with the scene and the camera of its image.
+#[derive(Debug, Default)]
+struct Taken(Places<(PathBuf, Option<String>)>);
+
+impl Taken {
+    /// # Errors
+    /// A place that is taken.
+    fn add(&mut self, name: &ImageName, destination: &Destination, plan: &Plan) -> Result<()> {
+        let owner = (name.scene.to_path_buf(), name.camera.map(str::to_owned));
+        self.0.take(destination, owner).map_or(Ok(()), |(scene, camera)| {
+            Err(twice(&ImageName { scene: &scene, camera: camera.as_deref() }, name, destination, plan))
+        })
+    }
+
+    /// Keeps images from the place of the manifest.
+    ///
+    /// # Errors
+    /// The place of an image.
+    fn reserve(&mut self, manifest: &Path) -> Result<()> {
+        let owner = (manifest.to_path_buf(), None);
+        self.0.take(&Destination::File(manifest.to_path_buf()), owner).map_or(Ok(()), |(scene, camera)| {
+            let name = ImageName { scene: &scene, camera: camera.as_deref() };
+            let manifest = manifest.display();
+            Err(Error::usage(format!("{manifest}: the manifest and the image of {name} would be one file"))
+                .note("give one of them another name"))
+        })
     }
 }
 
@@ -104,17 +159,4 @@ fn twice(one: &ImageName, other: &ImageName, destination: &Destination, plan: &P
     } else {
         "use -o with {stem} in the name, such as -o 'out/{stem}.png'"
     })
-}
-
-/// # Errors
-/// A file that is there.
-pub(super) fn check_free(destination: &Destination) -> Result<()> {
-    match destination {
-        Destination::File(file) if file.is_file() => {
-            let diagnostic = Diagnostic::new("exists already").at(SourceLocation::file(file));
-            let diagnostic = diagnostic.note("use --force to overwrite it, or --skip-existing to leave the image out");
-            Err(Error::new(ErrorKind::Output, diagnostic))
-        }
-        _ => Ok(()),
-    }
 }

@@ -24,6 +24,8 @@ pub(crate) struct Plan {
     pub(crate) poses: Option<Vec<Pose>>,
     /// Leave out images that are there.
     pub(crate) skip_existing: bool,
+    /// Replace also what is no image of feimos where a scene names it.
+    pub(crate) force: bool,
     miss: Option<f32>,
     aov: Option<Vec<Aov>>,
     depth_channel: Option<String>,
@@ -66,6 +68,7 @@ impl Plan {
             threads: args.engine.threads,
             poses,
             skip_existing: args.batch.skip_existing,
+            force: args.batch.force,
             miss: *miss,
             stats: args.report.stats,
             aov: aov.clone(),

@@ -5,7 +5,12 @@ use super::terminal::AlwaysTerminal;
 use feimos::progress::Progress;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
+use std::sync::mpsc::{self, RecvTimeoutError, Sender};
+use std::thread;
 use std::time::Duration;
+
+/// Between two turns of a spinner.
+const TICK: Duration = Duration::from_millis(100);
 
 /// The phases that take long.
 #[derive(Debug, Clone, Copy)]
@@ -49,6 +54,7 @@ impl ProgressBars {
             When::Always => ProgressDrawTarget::term_like(Box::new(AlwaysTerminal)),
         };
         let bar = bar(phase, target);
+        let _ticker = bar.length().is_none().then(|| Ticker::start(&bar));
         let result = work(Progress::new(&|count| bar.inc(count as u64)));
         bar.finish_and_clear();
         result
@@ -67,9 +73,27 @@ fn bar(phase: Phase, target: ProgressDrawTarget) -> ProgressBar {
         Phase::Merging(crops) => (Some(crops as u64), "  merging   [{bar:40}] {human_pos}/{human_len} crops {eta}"),
     };
     let style = ProgressStyle::with_template(template).expect("a template written above").progress_chars("=> ");
-    let bar = ProgressBar::with_draw_target(length, target).with_style(style);
-    if length.is_none() {
-        bar.enable_steady_tick(Duration::from_millis(100));
+    ProgressBar::with_draw_target(length, target).with_style(style)
+}
+
+/// Turns a spinner while it exists. The steady tick of `indicatif` panics where the system refuses
+/// a thread.
+struct Ticker {
+    /// Nothing is sent: its end stops the thread.
+    _alive: Sender<()>,
+}
+
+impl Ticker {
+    fn start(bar: &ProgressBar) -> Ticker {
+        let (alive, ended) = mpsc::channel();
+        let bar = bar.clone();
+        let tick = move || {
+            while ended.recv_timeout(TICK) == Err(RecvTimeoutError::Timeout) && !bar.is_finished() {
+                bar.tick();
+            }
+        };
+        // A spinner that does not turn is no reason to stop.
+        let _ = thread::Builder::new().spawn(tick);
+        Ticker { _alive: alive }
     }
-    bar
 }

@@ -5,6 +5,7 @@ use anstream::{AutoStream, ColorChoice};
 use anstyle::{AnsiColor, Style};
 use feimos::error::Error;
 use feimos::scene::Warnings;
+use feimos::terminal_text;
 use std::fmt::Display;
 use std::io::Write;
 
@@ -76,11 +77,12 @@ impl Reporter {
     /// Lines that were asked for by a flag of their own.
     pub(crate) fn line(&self, message: impl Display) {
         // Where standard error is closed there is nobody to tell.
-        let _ = writeln!(self.stream(), "{message}");
+        let _ = writeln!(self.stream(), "{}", terminal_text::lines(&message.to_string()));
     }
 
     fn print(&self, label: &str, color: AnsiColor, message: impl Display) {
         let style = Style::new().bold().fg_color(Some(color.into()));
+        let message = terminal_text::lines(&message.to_string());
         let _ = writeln!(self.stream(), "{style}{label}{style:#}: {message}");
     }
 

@@ -1,14 +1,21 @@
 //! Files that appear whole or not at all.
 //!
-//! The bytes go to a new file in the directory of the final name, which is then renamed onto it. Whoever looks
-//! at the final name sees the old file or the new one, and an error leaves the old one untouched.
+//! The bytes go to a new file in the directory of the final name, which gets that name when it is
+//! complete. A reader of the final name sees the old file or the new one, and an error leaves the
+//! old one untouched.
 
+mod links;
+#[cfg(test)]
+mod tests;
+
+use super::permissions;
+use super::place;
+use super::unfinished::Unfinished;
+use crate::error::{Error, Result};
+use links::follow_links;
 use std::fs::{self, File, Metadata};
 use std::io::{self, BufWriter, Seek, Write};
 use std::path::{Path, PathBuf};
-
-use super::unfinished::Unfinished;
-use crate::error::{Error, Result};
 
 pub use super::unfinished::abandon;
 
@@ -27,15 +34,13 @@ pub type Out = BufWriter<File>;
 /// Bytes that are collected before the system is called: a compressed scan line has some thousand.
 const BUFFER: usize = 1 << 16;
 
-/// Symbolic links that are followed one after another; Linux gives up at the same number.
-const MAX_LINKS: usize = 40;
-
 /// Creates the file `path` with what `write` writes; returns its size in bytes.
 ///
-/// - A symbolic link is followed: it stays, and the file it leads to is replaced, as it would be without the
-///   detour by a rename.
-/// - A new file gets the permissions of any new file, a replaced one keeps its own. One that may not be written
-///   to is not replaced either, although a rename could.
+/// - A symbolic link is followed: it stays, and the file it leads to is replaced, as it would be
+///   without the detour by a rename. A link that the system forbids to follow is an error.
+/// - A new file gets the owner and the permissions of any new file. A replaced file keeps both, or
+///   neither where the user may not give files to its owner. A file that may not be written to is
+///   not replaced.
 /// - What is not a regular file (`/dev/null`, a pipe) is written to, whatever `overwrite` says: it must stay.
 /// - Of a file that has several names (hard links) only this one gets the new content.
 pub fn write_file(path: &Path, overwrite: Overwrite, write: impl FnOnce(&mut Out) -> io::Result<()>) -> Result<u64> {
@@ -44,8 +49,9 @@ pub fn write_file(path: &Path, overwrite: Overwrite, write: impl FnOnce(&mut Out
         Ok(found) if !found.is_file() => write_through(path, write),
         Ok(_) if overwrite == Overwrite::No => Err(exists(path)),
         Ok(_) => replace(path, overwrite, Some(writable(path)?), write),
-        // Also where the reason is another one, such as a file in the place of a directory: creation will tell.
-        Err(_) => replace(path, overwrite, None, write),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => replace(path, overwrite, None, write),
+        // Any other error says that there may well be a file, which must not be replaced unseen.
+        Err(error) => Err(Error::creating(path, &error)),
     }
 }
 
@@ -54,14 +60,24 @@ pub fn check(path: &Path) -> Result<()> {
     let target = follow_links(path).map_err(|error| Error::creating(path, &error))?;
     match fs::metadata(&target) {
         Ok(found) if found.is_dir() => Err(is_directory(path)),
+        Ok(found) if found.is_file() => place::check_replaceable(path, &target, &writable(path)?),
         Ok(_) => Ok(()),
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(Error::creating(path, &error)),
+        Err(_) if place::names_directory(&target) => Err(is_directory(path)),
         Err(_) => match fs::metadata(directory_of(&target)) {
-            Ok(directory) if directory.is_dir() => Ok(()),
+            Ok(directory) if directory.is_dir() => place::check_free(path, &target),
             Ok(_) => Err(Error::creating(path, &io::ErrorKind::NotADirectory.into())),
             Err(error) => Err(creating(path, &target, &error)),
         },
     }
+}
+
+/// Where [`write_file`] would put the file `path`: at the end of symbolic links.
+///
+/// # Errors
+/// Links that cannot be followed.
+pub fn target(path: &Path) -> io::Result<PathBuf> {
+    follow_links(path)
 }
 
 fn is_directory(path: &Path) -> Error {
@@ -90,24 +106,13 @@ fn replace(
     let target = follow_links(path).map_err(|error| Error::creating(path, &error))?;
     let (file, unfinished) = Unfinished::beside(&target).map_err(|error| creating(path, &target, &error))?;
     // From here on, dropping `unfinished` removes the file, by an error or a panic.
-    let size = fill(file, replaced, write).map_err(|error| Error::writing(path, &error))?;
-    unfinished.rename(&target, overwrite).map_err(|error| match error.kind() {
+    let mut file = fill(file, replaced, write).map_err(|error| Error::writing(path, &error))?;
+    let size = file.metadata().map_err(|error| Error::writing(path, &error))?.len();
+    unfinished.finish(&mut file, &target, overwrite).map_err(|error| match error.kind() {
         io::ErrorKind::AlreadyExists => exists(path),
         _ => Error::writing(path, &error),
     })?;
     Ok(size)
-}
-
-/// Where `path` leads to, through symbolic links; the end need not exist.
-fn follow_links(path: &Path) -> io::Result<PathBuf> {
-    let mut target = path.to_path_buf();
-    for _ in 0..MAX_LINKS {
-        match fs::read_link(&target) {
-            Ok(next) => target = directory_of(&target).join(next),
-            Err(_) => return Ok(target),
-        }
-    }
-    Err(io::Error::other("too many levels of symbolic links"))
 }
 
 /// The directory that `path` is in, `.` where it names none.
@@ -119,7 +124,7 @@ pub fn directory_of(path: &Path) -> &Path {
 }
 
 /// The error of [`Unfinished::beside`], with advice where only the directory is missing.
-fn creating(path: &Path, target: &Path, error: &io::Error) -> Error {
+pub(super) fn creating(path: &Path, target: &Path, error: &io::Error) -> Error {
     let directory = directory_of(target);
     let creating = Error::creating(path, error);
     if directory.exists() {
@@ -128,19 +133,38 @@ fn creating(path: &Path, target: &Path, error: &io::Error) -> Error {
     creating.note(format!("create the directory `{}` first", directory.display()))
 }
 
-/// Writes the content and returns its size.
-fn fill(file: File, replaced: Option<Metadata>, write: impl FnOnce(&mut Out) -> io::Result<()>) -> io::Result<u64> {
+/// Writes the content and brings it to the disk.
+fn fill(file: File, replaced: Option<Metadata>, write: impl FnOnce(&mut Out) -> io::Result<()>) -> io::Result<File> {
     let mut out = BufWriter::with_capacity(BUFFER, file);
     write(&mut out)?;
     let file = out.into_inner()?;
     if let Some(replaced) = replaced {
-        // A file system that knows no permissions is no reason to fail.
-        let _ = file.set_permissions(replaced.permissions());
+        permissions::keep(&file, &replaced);
     }
     // Network file systems tell of a full disk only now, and after a power cut the rename alone may have
     // reached the disk: without this, a short file could stand under the final name after all.
     file.sync_data()?;
-    Ok(file.metadata()?.len())
+    Ok(file)
+}
+
+/// Brings the name of the file `path` to the disk: without this, a power cut may take back that the
+/// file was created or replaced, although its content is on the disk.
+///
+/// A folder that cannot be opened, or a file system that cannot sync one, is no error: nothing more
+/// can be done.
+pub fn sync_folder(path: &Path) -> Result<()> {
+    use io::ErrorKind::{InvalidInput, PermissionDenied, Unsupported};
+    // Windows opens no folders, and its file systems keep names by themselves.
+    if cfg!(not(unix)) || !path.is_file() {
+        return Ok(());
+    }
+    let synced = follow_links(path).and_then(|target| File::open(directory_of(&target))?.sync_all());
+    match synced {
+        Err(error) if !matches!(error.kind(), InvalidInput | PermissionDenied | Unsupported) => {
+            Err(Error::writing(path, &error))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Writes to a device or a pipe. Formats seek, and a pipe cannot, so the content is made in an unnamed file.
@@ -156,264 +180,4 @@ fn write_through(path: &Path, write: impl FnOnce(&mut Out) -> io::Result<()>) ->
         Ok(size)
     };
     copy().map_err(|error| Error::writing(path, &error))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::error::ErrorKind;
-
-    /// `ENOENT`, and the same number on Windows.
-    const NO_SUCH_FILE: i32 = 2;
-
-    fn directory() -> tempfile::TempDir {
-        tempfile::tempdir().unwrap()
-    }
-
-    fn names_in(directory: &Path) -> Vec<String> {
-        let entries = fs::read_dir(directory).unwrap();
-        let mut names: Vec<String> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
-        names.sort();
-        names
-    }
-
-    fn write_text(path: &Path, overwrite: Overwrite, text: &str) -> Result<u64> {
-        write_file(path, overwrite, |out| out.write_all(text.as_bytes()))
-    }
-
-    /// Writes more than the buffer holds, then fails.
-    fn write_and_fail(path: &Path, kind: io::ErrorKind) -> Error {
-        let fail = |out: &mut Out| out.write_all(&[1; 3 * BUFFER]).and(Err(kind.into()));
-        write_file(path, Overwrite::Yes, fail).unwrap_err()
-    }
-
-    #[test]
-    fn creates_and_replaces() {
-        let directory = directory();
-        let path = directory.path().join("a.exr");
-        assert_eq!(write_text(&path, Overwrite::No, "old").unwrap(), 3);
-        assert_eq!(write_text(&path, Overwrite::Yes, "newer").unwrap(), 5);
-        assert_eq!(fs::read_to_string(&path).unwrap(), "newer");
-        assert_eq!(names_in(directory.path()), ["a.exr"]);
-    }
-
-    #[test]
-    fn writers_may_seek() {
-        let directory = directory();
-        let path = directory.path().join("a");
-        let size = write_file(&path, Overwrite::Yes, |out| {
-            out.write_all(b"__cd")?;
-            out.rewind()?;
-            out.write_all(b"ab")
-        });
-        assert_eq!((size.unwrap(), fs::read_to_string(&path).unwrap().as_str()), (4, "abcd"));
-    }
-
-    #[test]
-    fn a_failing_writer_leaves_nothing() {
-        let directory = directory();
-        let path = directory.path().join("a.exr");
-        let error = write_and_fail(&path, io::ErrorKind::StorageFull);
-        assert_eq!(error.kind(), ErrorKind::TryAgain);
-        assert_eq!(write_and_fail(&path, io::ErrorKind::Other).kind(), ErrorKind::Io);
-        assert!(names_in(directory.path()).is_empty());
-    }
-
-    #[test]
-    fn a_failing_writer_leaves_the_old_file() {
-        let directory = directory();
-        let path = directory.path().join("a.exr");
-        write_text(&path, Overwrite::Yes, "old").unwrap();
-        write_and_fail(&path, io::ErrorKind::Other);
-        assert_eq!(fs::read_to_string(&path).unwrap(), "old");
-        assert_eq!(names_in(directory.path()), ["a.exr"]);
-    }
-
-    #[test]
-    fn a_panicking_writer_leaves_nothing() {
-        let directory = directory();
-        let path = directory.path().join("a.exr");
-        let panicking = || write_file(&path, Overwrite::Yes, |_| panic!("on purpose"));
-        assert!(std::panic::catch_unwind(panicking).is_err());
-        assert!(names_in(directory.path()).is_empty());
-    }
-
-    #[test]
-    fn an_existing_file_is_kept_where_it_must_be() {
-        let directory = directory();
-        let path = directory.path().join("a.exr");
-        write_text(&path, Overwrite::No, "old").unwrap();
-        let error = write_file(&path, Overwrite::No, |_| panic!("nothing to write")).unwrap_err();
-        assert_eq!(error.kind(), ErrorKind::Output);
-        assert!(error.to_string().ends_with("a.exr: cannot create: the file exists"), "{error}");
-    }
-
-    #[test]
-    fn a_file_that_appears_meanwhile_is_kept_where_it_must_be() {
-        let directory = directory();
-        let path = directory.path().join("a.exr");
-        let error = write_file(&path, Overwrite::No, |_| fs::write(&path, "other")).unwrap_err();
-        assert_eq!(error.kind(), ErrorKind::Output);
-        assert_eq!(fs::read_to_string(&path).unwrap(), "other");
-        assert_eq!(names_in(directory.path()), ["a.exr"]);
-    }
-
-    #[test]
-    fn a_missing_directory_is_named() {
-        let directory = directory();
-        let missing = directory.path().join("out/deep");
-        let error = write_text(&missing.join("a.exr"), Overwrite::Yes, "").unwrap_err();
-        assert_eq!(error.kind(), ErrorKind::Output);
-        let missing = missing.display();
-        // The name of the temporary file would help nobody.
-        let expected = format!(
-            "{missing}/a.exr: cannot create: {}\n   = create the directory `{missing}` first",
-            io::Error::from_raw_os_error(NO_SUCH_FILE)
-        );
-        assert_eq!(error.to_string(), expected);
-    }
-
-    #[test]
-    fn a_directory_or_a_file_in_its_place_is_an_error() {
-        let directory = directory();
-        let error = write_text(directory.path(), Overwrite::Yes, "").unwrap_err();
-        assert!(error.kind() == ErrorKind::Output && error.diagnostic().notes.is_empty());
-        let file = directory.path().join("file");
-        write_text(&file, Overwrite::Yes, "").unwrap();
-        let error = write_text(&file.join("a.exr"), Overwrite::Yes, "").unwrap_err();
-        assert!(error.kind() == ErrorKind::Output && error.diagnostic().notes.is_empty(), "{error}");
-    }
-
-    #[test]
-    fn a_check_foretells_the_errors_of_writing_and_writes_nothing() {
-        let directory = directory();
-        let (file, missing) = (directory.path().join("file"), directory.path().join("out/a.exr"));
-        write_text(&file, Overwrite::Yes, "old").unwrap();
-        for path in [directory.path().to_path_buf(), file.join("a.exr"), missing] {
-            let foretold = check(&path).unwrap_err();
-            assert_eq!(foretold.kind(), write_text(&path, Overwrite::Yes, "").unwrap_err().kind());
-            assert_eq!(foretold.to_string(), write_text(&path, Overwrite::Yes, "").unwrap_err().to_string());
-        }
-        for path in [file.clone(), directory.path().join("new"), "new".into()] {
-            check(&path).unwrap();
-        }
-        assert_eq!(fs::read_to_string(&file).unwrap(), "old");
-        assert_eq!(names_in(directory.path()), ["file"]);
-    }
-
-    #[test]
-    fn the_longest_name_has_room() {
-        let directory = directory();
-        let name = "n".repeat(255);
-        write_text(&directory.path().join(&name), Overwrite::Yes, "").unwrap();
-        assert_eq!(names_in(directory.path()), [name]);
-    }
-
-    #[cfg(unix)]
-    mod unix {
-        use super::*;
-        use std::os::unix::fs::{PermissionsExt, symlink};
-
-        fn mode(path: &Path) -> u32 {
-            fs::metadata(path).unwrap().permissions().mode() & 0o7777
-        }
-
-        #[test]
-        fn a_new_file_is_as_readable_as_any_and_an_old_one_as_before() {
-            let directory = directory();
-            let (plain, path) = (directory.path().join("plain"), directory.path().join("a"));
-            fs::write(&plain, "").unwrap();
-            write_text(&path, Overwrite::Yes, "").unwrap();
-            assert_eq!(mode(&path), mode(&plain));
-            fs::set_permissions(&path, fs::Permissions::from_mode(0o640)).unwrap();
-            write_text(&path, Overwrite::Yes, "").unwrap();
-            assert_eq!(mode(&path), 0o640);
-        }
-
-        #[test]
-        fn links_stay_and_what_they_lead_to_is_replaced() {
-            let directory = directory();
-            let (real, link, second) =
-                (directory.path().join("sub/real"), directory.path().join("link"), directory.path().join("second"));
-            fs::create_dir(directory.path().join("sub")).unwrap();
-            symlink("sub/real", &link).unwrap();
-            symlink(&link, &second).unwrap();
-            for text in ["through a link to nothing yet", "again"] {
-                write_text(&second, Overwrite::Yes, text).unwrap();
-                assert_eq!(fs::read_to_string(&real).unwrap(), text);
-            }
-            assert!(link.is_symlink() && second.is_symlink() && !real.is_symlink());
-            assert_eq!(names_in(directory.path()), ["link", "second", "sub"]);
-            assert_eq!(names_in(&directory.path().join("sub")), ["real"]);
-        }
-
-        #[test]
-        fn a_circle_of_links_is_an_error() {
-            let directory = directory();
-            let link = directory.path().join("link");
-            symlink("link", &link).unwrap();
-            assert_eq!(write_text(&link, Overwrite::Yes, "").unwrap_err().kind(), ErrorKind::Output);
-            assert_eq!(check(&link).unwrap_err().kind(), ErrorKind::Output);
-        }
-
-        #[test]
-        fn a_link_is_checked_by_where_it_leads() {
-            let directory = directory();
-            let (link, lost) = (directory.path().join("link"), directory.path().join("lost"));
-            symlink("new", &link).unwrap();
-            symlink("out/new", &lost).unwrap();
-            check(&link).unwrap();
-            let missing = directory.path().join("out");
-            let note = format!("create the directory `{}` first", missing.display());
-            assert_eq!(check(&lost).unwrap_err().diagnostic().notes, [note]);
-        }
-
-        #[test]
-        fn a_failing_writer_leaves_the_old_file_behind_a_link() {
-            let directory = directory();
-            let (real, link) = (directory.path().join("real"), directory.path().join("link"));
-            write_text(&real, Overwrite::Yes, "old").unwrap();
-            symlink("real", &link).unwrap();
-            write_and_fail(&link, io::ErrorKind::Other);
-            assert_eq!(fs::read_to_string(&link).unwrap(), "old");
-            assert_eq!(names_in(directory.path()), ["link", "real"]);
-        }
-
-        #[test]
-        fn an_existing_file_behind_a_link_is_kept_where_it_must_be() {
-            let directory = directory();
-            let (real, link) = (directory.path().join("real"), directory.path().join("link"));
-            write_text(&real, Overwrite::Yes, "old").unwrap();
-            symlink("real", &link).unwrap();
-            assert_eq!(write_text(&link, Overwrite::No, "new").unwrap_err().kind(), ErrorKind::Output);
-            assert_eq!(fs::read_to_string(&real).unwrap(), "old");
-        }
-
-        #[test]
-        fn the_other_names_of_a_file_keep_the_old_one() {
-            let directory = directory();
-            let (path, other) = (directory.path().join("a"), directory.path().join("b"));
-            write_text(&path, Overwrite::Yes, "old").unwrap();
-            fs::hard_link(&path, &other).unwrap();
-            write_text(&path, Overwrite::Yes, "new").unwrap();
-            assert_eq!(fs::read_to_string(&other).unwrap(), "old");
-        }
-
-        #[test]
-        fn devices_are_written_to_and_stay() {
-            let size = write_file(Path::new("/dev/null"), Overwrite::No, |out| {
-                out.write_all(b"abc")?;
-                out.rewind()
-            });
-            assert_eq!(size.unwrap(), 3);
-            assert!(!fs::metadata("/dev/null").unwrap().is_file());
-        }
-
-        #[test]
-        #[cfg(target_os = "linux")]
-        fn a_full_device_may_be_tried_again() {
-            let error = write_text(Path::new("/dev/full"), Overwrite::Yes, "abc").unwrap_err();
-            assert_eq!(error.kind(), ErrorKind::TryAgain);
-        }
-    }
 }

@@ -18,13 +18,16 @@ mod format;
 mod image_file;
 mod metadata;
 pub mod npy_file;
+mod permissions;
 pub mod pfm_file;
 mod pixel_bounds;
+mod place;
 pub mod png_file;
 pub mod png_reader;
 mod raster;
 mod run_deflate;
 mod unfinished;
+mod unnamed_file;
 pub mod view;
 
 pub use aov::Aov;

@@ -5,11 +5,14 @@ use crate::film::PixelBounds;
 use image::{ColorType, DynamicImage, ImageFormat, ImageReader, Limits};
 use std::fmt::Display;
 use std::fs::File;
-use std::io::{BufReader, Cursor};
+use std::io::{self, BufReader, Cursor, Read, Seek, SeekFrom};
 use std::path::Path;
 
 /// The first bytes of any PNG file.
 const MAGIC: [u8; 8] = *b"\x89PNG\r\n\x1a\n";
+
+/// The last bytes of any PNG file: a chunk without content.
+const END: [u8; 12] = *b"\0\0\0\0IEND\xae\x42\x60\x82";
 
 /// A picture: colours, of which nothing is known but how they look.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -54,6 +57,25 @@ pub fn read_text(path: &Path, keyword: &str) -> Result<Option<String>> {
     }
     let utf8 = info.utf8_text.iter().find(|chunk| chunk.keyword == keyword);
     utf8.map(|chunk| chunk.get_text()).transpose().map_err(|error| refused(path, &error))
+}
+
+/// Whether the file `path` has the end that every PNG file has; no pixel is read.
+///
+/// # Errors
+/// Reading; a file that ends too early is no error.
+pub fn is_whole(path: &Path) -> Result<bool> {
+    let last = || {
+        let mut file = File::open(path)?;
+        let mut bytes = [0; END.len()];
+        file.seek(SeekFrom::End(-(END.len() as i64)))?;
+        file.read_exact(&mut bytes).map(|()| bytes)
+    };
+    match last() {
+        Ok(bytes) => Ok(bytes == END),
+        // A file of fewer bytes has no place that far from its end.
+        Err(error) if error.kind() == io::ErrorKind::InvalidInput => Ok(false),
+        Err(error) => Err(Error::reading(path, &error)),
+    }
 }
 
 fn refused(path: &Path, error: &impl Display) -> Error {
@@ -104,6 +126,17 @@ mod tests {
         let deep = decoded(&encoded(DynamicImage::ImageRgb16(deep))).unwrap();
         let expected = vec![[0, 300, 65535, 65535], [1, 300, 65535, 65535]];
         assert_eq!(deep, Picture { width: 1, height: 2, pixels: expected, full: 65535 });
+    }
+
+    #[test]
+    fn the_end_of_a_file_is_missed_without_reading_pixels() {
+        let directory = tempfile::tempdir().unwrap();
+        let path = directory.path().join("a.png");
+        let file = encoded(GrayImage::from_fn(5, 4, |x, y| Luma([(x * y) as u8])));
+        for end in 0..=file.len() {
+            std::fs::write(&path, &file[..end]).unwrap();
+            assert_eq!(is_whole(&path).unwrap(), end == file.len());
+        }
     }
 
     #[test]

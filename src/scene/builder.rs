@@ -17,6 +17,7 @@ use super::transform_cache::TransformCache;
 use super::warnings::Warnings;
 use super::{LoadOptions, Roundings, Scene, SceneOptions};
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
+use crate::file_id::InputFiles;
 use crate::geometry::{RoundedTransform, Transform, Vector};
 use crate::progress::Progress;
 use crate::shape::Shapes;
@@ -49,6 +50,8 @@ pub(super) struct Builder<'a> {
     pub(super) warnings: Warnings,
     pub(super) census: Census,
     pub(super) includes: Includes,
+    /// All files that are read.
+    pub(super) files: InputFiles,
     /// If they are wanted.
     pub(super) places: Option<Places>,
     /// Filled where roundings are followed.
@@ -80,6 +83,7 @@ impl<'a> Builder<'a> {
             warnings: Warnings::default(),
             census: Census::default(),
             includes: Includes::default(),
+            files: InputFiles::default(),
             places: None,
             roundings: None,
             keeps_orientation: false,
@@ -106,6 +110,7 @@ impl<'a> Builder<'a> {
 
     /// Obeys the directives of the file that the builder is for.
     pub(super) fn read_top_level(&mut self) -> Result<()> {
+        self.files.add_named(&self.path);
         let source = Source::read_top_level(&self.path)?;
         self.read(Rc::new(source), false).map(|_| ())
     }

@@ -5,6 +5,7 @@ use super::parameters::Parameters;
 use super::warnings::Warnings;
 use crate::error::{Diagnostic, Result};
 use crate::film::PixelBounds;
+use crate::terminal_text::is_command;
 
 /// Columns of a film that the scene gives no size.
 const WIDTH: u32 = 1280;
@@ -45,6 +46,11 @@ impl FilmParameters {
             parameters.warn("pixelbounds", message, warnings);
         }
         let filename = parameters.string("filename")?.map(str::to_owned);
+        if filename.as_deref().is_some_and(|name| name.chars().any(is_command)) {
+            let error =
+                parameters.error_at("filename", "`filename` holds control characters, which no image is named by");
+            return Err(error.note("expected the name of a file, such as \"image.exr\""));
+        }
         Ok(FilmParameters { x_resolution, y_resolution, crop_window, pixel_bounds, filename })
     }
 

@@ -82,6 +82,7 @@ impl Builder<'_> {
         if let Some(refusal) = self.includes.refusal(&path) {
             return Err(source.error(&name.span, refusal));
         }
+        self.files.add(&path);
         let read = Source::read(&path).and_then(|included| self.read(Rc::new(included), is_continued));
         read.map_err(|error| {
             let place = source.at(&name.span);

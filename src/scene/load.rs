@@ -7,6 +7,7 @@ use super::parser;
 use super::source::Source;
 use super::{LoadOptions, Scene};
 use crate::error::Result;
+use crate::file_id::InputFiles;
 use crate::mesh::{self, MeshFormat};
 use crate::progress::Progress;
 use std::path::Path;
@@ -15,14 +16,21 @@ use std::path::Path;
 ///
 /// `progress` counts bytes of scene files.
 pub fn load(path: &Path, options: &LoadOptions, progress: Progress) -> Result<Scene> {
-    match bare_mesh(path) {
-        Some((shape, format)) => scene_of_mesh(path, shape, mesh::read(path, format, options.uv)?, options),
-        None => {
-            let mut builder = Builder::with_options(path, options, progress);
-            builder.read_top_level()?;
-            builder.finish(options)
-        }
+    load_listing_files(path, options, progress).0
+}
+
+/// As [`load`]; also returns the files that were read, or tried, up to an error too.
+pub fn load_listing_files(path: &Path, options: &LoadOptions, progress: Progress) -> (Result<Scene>, InputFiles) {
+    if let Some((shape, format)) = bare_mesh(path) {
+        let mut files = InputFiles::default();
+        files.add(path);
+        let loaded = mesh::read(path, format, options.uv);
+        return (loaded.and_then(|loaded| scene_of_mesh(path, shape, loaded, options)), files);
     }
+    let mut builder = Builder::with_options(path, options, progress);
+    let read = builder.read_top_level();
+    let files = std::mem::take(&mut builder.files);
+    (read.and_then(|()| builder.finish(options)), files)
 }
 
 /// Reads the bytes of a scene file that `path` would name: errors call it so, and what it includes is sought beside it.

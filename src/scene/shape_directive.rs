@@ -38,6 +38,7 @@ impl Builder<'_> {
             transforms,
             warnings: &mut self.warnings,
             directory: &self.directory,
+            files: &mut self.files,
             number,
             world_from_object,
             is_in_object,

@@ -5,6 +5,7 @@ use super::shape_refusal::ShapeRefusal;
 use super::transform_cache::TransformCache;
 use super::warnings::Warnings;
 use crate::error::{Diagnostic, Error, Result};
+use crate::file_id::InputFiles;
 use crate::geometry::Matrix;
 use crate::mesh::{MeshFormat, TriangleMesh};
 use crate::shape::{Broken, CapacityError, Shapes};
@@ -17,6 +18,8 @@ pub(super) struct ShapeTarget<'a> {
     pub(super) warnings: &'a mut Warnings,
     /// Relative file names count from here.
     pub(super) directory: &'a Path,
+    /// Where files that are read are noted.
+    pub(super) files: &'a mut InputFiles,
     /// The number of the statement, from 1.
     pub(super) number: u32,
     /// Within an object definition this leads to the space of its instances only, and meshes stay as they are in their files.

@@ -106,6 +106,27 @@ fn skip_existing_looks_at_scene_and_options_and_not_at_names() {
 }
 
 #[test]
+fn skip_existing_makes_anew_what_was_cut_off() {
+    let folder = Folder::new();
+    for name in ["a.exr", "a.png"] {
+        let command = format!("ball.pbrt -o {name} --resolution 40x30 --skip-existing");
+        folder.render(&command).succeeded();
+        let whole = folder.bytes(name);
+        folder.render(&command).succeeded().did_not_say(name);
+        let padded = |end: usize| [&whole[..end], &vec![0; whole.len() - end]].concat();
+        let (last, half) = (whole.len() - 1, whole.len() * 2 / 3);
+        for damaged in [whole[..last].to_vec(), whole[..half].to_vec(), padded(half)] {
+            std::fs::write(folder.path(name), damaged).unwrap();
+            folder.render(&command).succeeded().said(&format!("{name}: was cut off, made anew"));
+            assert!(folder.bytes(name) == whole);
+        }
+        // Without its header there is nothing to tell whose it is.
+        std::fs::write(folder.path(name), &whole[..whole.len().min(40)]).unwrap();
+        folder.render(&command).failed(73, "is no image of feimos");
+    }
+}
+
+#[test]
 fn skip_existing_leaves_alone_what_is_not_its_own() {
     let folder = Folder::new().with("film.exr", "old").with("a.png", "old");
     for file in ["film.exr", "a.png"] {

@@ -16,7 +16,7 @@ fn document(run: &Run) -> Value {
 }
 
 fn rows(folder: &Folder, arguments: &str) -> Vec<Value> {
-    let run = folder.bench(&format!("{arguments} --json -")).succeeded();
+    let run = folder.bench(&format!("{arguments} --json")).succeeded();
     document(&run)["rows"].as_array().unwrap().clone()
 }
 
@@ -46,7 +46,7 @@ fn lists_choose_configurations_and_their_order() {
 
 #[test]
 fn a_row_has_the_documented_keys_in_their_order() {
-    let run = Folder::new().bench(&format!("ball.pbrt {ONCE} --accel sah --precision exact --json -")).succeeded();
+    let run = Folder::new().bench(&format!("ball.pbrt {ONCE} --accel sah --precision exact --json")).succeeded();
     let text = stdout(&run);
     let keys: Vec<&str> = text.split("\":").filter_map(|part| part.rsplit('"').next()).collect();
     let documented = "machine cpu cores threads mhz simd os feimos rows \
@@ -164,7 +164,7 @@ fn two_runs_agree_on_every_error_and_all_work() {
 #[test]
 fn every_output_holds_every_row() {
     let folder = Folder::new();
-    let outputs = "--json a.json --csv a.csv --markdown a.md --plot a.svg --report out/page";
+    let outputs = "--json-file a.json --csv a.csv --markdown a.md --plot a.svg --report out/page";
     folder.bench(&format!("ball.pbrt {ONCE} --accel none,sah {outputs}")).succeeded();
     let text = |name: &str| String::from_utf8(folder.bytes(name)).unwrap();
     assert_eq!(text("a.csv").lines().count(), 11);
@@ -176,11 +176,14 @@ fn every_output_holds_every_row() {
     assert!(stdout(&run).starts_with("scene,accel,precision,"));
 }
 
+#[cfg(unix)]
 #[test]
 fn results_that_would_meet_in_one_place_are_refused() {
     let folder = Folder::new();
-    folder.bench("ball.pbrt --json a --csv ./a").failed(2, "two results would both go to `./a`");
-    folder.bench("ball.pbrt --json - --plot -").failed(2, "two results would both go to `-`");
+    std::os::unix::fs::symlink("a.json", folder.path("a.csv")).unwrap();
+    folder.bench("ball.pbrt --json-file a.json --csv ./a.csv").failed(2, "two results would both go to `./a.csv`");
+    folder.bench("ball.pbrt --json-file - --plot -").failed(2, "two results would both go to `-`");
+    folder.bench("ball.pbrt --json --plot -").failed(2, "two results would both go to `-`\n   = of --json and --plot");
     folder.bench("ball.pbrt --report ball.pbrt").failed(73, "ball.pbrt: cannot create");
 }
 
@@ -188,7 +191,7 @@ fn results_that_would_meet_in_one_place_are_refused() {
 fn a_file_of_json_goes_with_the_table() {
     let folder = Folder::new();
     let run =
-        folder.bench(&format!("ball.pbrt {ONCE} --accel sah --precision exact,fast --json rows.json")).succeeded();
+        folder.bench(&format!("ball.pbrt {ONCE} --accel sah --precision exact,fast --json-file rows.json")).succeeded();
     assert!(stdout(&run).contains("\nsah    exact "), "{run:?}");
     let document: Value = serde_json::from_slice(&folder.bytes("rows.json")).unwrap();
     assert_eq!(document["rows"].as_array().unwrap().len(), 2);
@@ -197,7 +200,7 @@ fn a_file_of_json_goes_with_the_table() {
 
 #[test]
 fn a_bad_place_for_the_json_is_known_before_anything_is_measured() {
-    let run = Folder::new().bench("ball.pbrt --json out/rows.json").failed(73, "out/rows.json: cannot create");
+    let run = Folder::new().bench("ball.pbrt --json-file out/rows.json").failed(73, "out/rows.json: cannot create");
     assert!(run.stdout.is_empty());
 }
 
@@ -205,7 +208,7 @@ fn a_bad_place_for_the_json_is_known_before_anything_is_measured() {
 fn a_bad_scene_is_told_and_the_others_go_on() {
     let folder = Folder::new().with("bad.pbrt", "Shap").with("warned.pbrt", WARNED);
     let run = folder
-        .bench(&format!("bad.pbrt warned.pbrt gone.pbrt ball.pbrt {ONCE} --accel sah --precision exact,fast --json -"));
+        .bench(&format!("bad.pbrt warned.pbrt gone.pbrt ball.pbrt {ONCE} --accel sah --precision exact,fast --json"));
     let run = run.exited(66).said("error: bad.pbrt:1:1: unknown directive").said("error: gone.pbrt: cannot read");
     let run = run
         .said("warning: warned.pbrt:2:7")

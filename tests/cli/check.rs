@@ -76,7 +76,7 @@ fn long_lists_go_on_in_the_next_line() {
 
 #[test]
 fn names_from_files_do_not_command_the_terminal() {
-    let scene = "Film \"rgb\" \"string filename\" \"a\u{1b}[31m.exr\" WorldBegin Shape \"b\u{1b}[31m\"";
+    let scene = "WorldBegin Shape \"b\u{1b}[31m\"";
     let run = Folder::new().with("a.pbrt", scene).check("a.pbrt").succeeded();
     assert!(!run.text().contains('\u{1b}') && !run.stderr.contains('\u{1b}'), "{run:?}");
 }

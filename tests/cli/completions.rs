@@ -61,7 +61,9 @@ mod linux {
             "source feimos.bash; COMP_WORDS=({words}); COMP_CWORD={last}
              _feimos feimos \"${{COMP_WORDS[{last}]}}\" \"${{COMP_WORDS[{last} - 1]}}\"; echo \"${{COMPREPLY[*]}}\""
         );
-        let output = std::process::Command::new("bash").current_dir(folder.path("")).args(["-c", &complete]).output();
+        // Bash warns of locales that are not installed.
+        let mut bash = std::process::Command::new("bash");
+        let output = bash.current_dir(folder.path("")).env("LC_ALL", "C").args(["-c", &complete]).output();
         let output = output.unwrap();
         assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
         String::from_utf8(output.stdout).unwrap().trim_end().to_owned()

@@ -2,99 +2,11 @@
 #![cfg(unix)]
 
 use crate::folder::Folder;
-use std::os::unix::process::ExitStatusExt;
-use std::process::{Child, Command, ExitStatus, Stdio};
-use std::time::{Duration, Instant};
-
-/// Large enough to be caught while it is written.
-const LARGE: &str = "ball.pbrt -o large.exr --resolution 4000x4000 --accel none";
-
-/// Gives up: nothing here takes so long.
-const LIMIT: Duration = Duration::from_secs(120);
+use std::os::unix::fs::{MetadataExt, PermissionsExt};
+use std::process::{Child, Command, Stdio};
 
 fn started(folder: &Folder, arguments: &str) -> Child {
     folder.command(arguments).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap()
-}
-
-/// Names of files that are being written.
-fn unfinished(folder: &Folder) -> Vec<String> {
-    folder.images().into_iter().filter(|name| name.starts_with(".feimos-")).collect()
-}
-
-/// Sends `signal` when the program has begun to write, and waits for its end.
-fn ended_while_writing(folder: &Folder, signal: &str) -> (ExitStatus, String) {
-    let child = started(folder, LARGE);
-    let start = Instant::now();
-    while unfinished(folder).is_empty() {
-        assert!(start.elapsed() < LIMIT, "it never writes");
-        std::thread::sleep(Duration::from_millis(1));
-    }
-    send(signal, &child);
-    let output = child.wait_with_output().unwrap();
-    (output.status, String::from_utf8(output.stderr).unwrap())
-}
-
-fn send(signal: &str, child: &Child) {
-    let sent = Command::new("sh").args(["-c", &format!("kill -{signal} {}", child.id())]).status().unwrap();
-    assert!(sent.success());
-}
-
-#[test]
-fn a_signal_ends_it_without_a_trace() {
-    for (signal, number) in [("TERM", 15), ("INT", 2)] {
-        let folder = Folder::new().with("old.exr", "old");
-        let (status, stderr) = ended_while_writing(&folder, signal);
-        assert_eq!(status.signal(), Some(number), "{stderr}");
-        assert!(stderr.contains(&format!("ended by SIG{signal}")), "{stderr}");
-        assert_eq!(folder.images(), ["old.exr"]);
-    }
-}
-
-#[test]
-fn a_kill_leaves_no_short_file() {
-    let folder = Folder::new().with("large.exr", "old");
-    let (status, _) = ended_while_writing(&folder, "KILL");
-    assert_eq!(status.signal(), Some(9));
-    assert_eq!(folder.text("large.exr"), "old");
-    // What it left is hidden, and in nobody's way.
-    folder.render("ball.pbrt -o large.exr").succeeded();
-    assert_eq!(folder.exr("large.exr").size, (13, 7));
-}
-
-#[test]
-fn a_batch_that_is_ended_keeps_what_was_finished() {
-    let pose = |number: u32| format!(r#"{{"name": "{number}", "lookat": [0, 0, -5, 0, 0, 0, 0, 1, {number}]}}"#);
-    let poses = format!("[{}]", (0..5000).map(pose).collect::<Vec<_>>().join(","));
-    let folder = Folder::new().with("poses.json", poses);
-    let arguments = "ball.pbrt --cameras poses.json -o {camera}.exr --manifest all.jsonl";
-    let child = started(&folder, arguments);
-    let start = Instant::now();
-    while !folder.path("5.exr").exists() {
-        assert!(start.elapsed() < LIMIT, "it never writes");
-        std::thread::sleep(Duration::from_millis(1));
-    }
-    send("TERM", &child);
-    assert_eq!(child.wait_with_output().unwrap().status.signal(), Some(15));
-    let images: Vec<String> = folder.images().into_iter().filter(|name| name.ends_with("exr")).collect();
-    assert!((6..5000).contains(&images.len()) && unfinished(&folder).is_empty(), "{}", images.len());
-    assert!(images.iter().all(|name| folder.exr(name).size == (13, 7)));
-    let lines = crate::folder::json_lines(&folder.text("all.jsonl"));
-    assert!(lines.len().abs_diff(images.len()) <= 1, "{} lines of {} images", lines.len(), images.len());
-}
-
-#[test]
-fn a_signal_that_the_caller_ignores_is_ignored() {
-    let folder = Folder::new();
-    let program = folder.command("").get_program().to_owned();
-    let mut shell = Command::new("sh");
-    // The shell starts it with the signal ignored, as it does with what runs in the background.
-    let script = r#"trap '' INT; "$0" render - -o a.exr & kill -INT $!; wait $!"#;
-    shell.arg("-c").arg(script).arg(program).current_dir(folder.path(".")).stdin(Stdio::piped());
-    let mut child = shell.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
-    drop(child.stdin.take());
-    let output = child.wait_with_output().unwrap();
-    // An empty scene is wrong: it has lived to see that.
-    assert_eq!(output.status.code(), Some(65), "{}", String::from_utf8_lossy(&output.stderr));
 }
 
 #[test]
@@ -112,8 +24,112 @@ fn two_processes_that_write_one_file_leave_one_whole_file() {
         assert!((300..304).contains(&side) && image.film == (side, side));
         folder.render(&format!("ball.pbrt -o alone.exr --resolution {side}x{side}")).succeeded();
         assert!(folder.bytes("same.exr") == folder.bytes("alone.exr"));
-        assert!(unfinished(&folder).is_empty());
+        assert_eq!(folder.images(), ["alone.exr", "same.exr"]);
     }
+}
+
+/// Runs `feimos render` with `arguments` below a limit of the shell (`ulimit`).
+fn limited(folder: &Folder, limit: &str, arguments: &str) -> (Option<i32>, String) {
+    let mut shell = Command::new("sh");
+    shell.current_dir(folder.path(".")).args(["-c", &format!("ulimit {limit}; exec \"$@\""), "sh"]);
+    let command = folder.command(arguments);
+    let output = shell.arg(command.get_program()).args(command.get_args()).output().unwrap();
+    (output.status.code(), String::from_utf8(output.stderr).unwrap())
+}
+
+#[test]
+fn a_file_beyond_the_limit_of_files_is_an_error() {
+    for before in ["", "trap '' XFSZ; "] {
+        let folder = Folder::new().with("old.exr", "old");
+        for name in ["new.exr", "old.exr", "new.npy", "new.pfm"] {
+            let limit = format!("-c 0; {before}ulimit -f 8");
+            let (code, stderr) = limited(&folder, &limit, &format!("ball.pbrt --resolution 300x300 -o {name}"));
+            assert_eq!(code, Some(74), "{stderr}");
+            assert!(stderr.contains(&format!("{name}: cannot write: File too large")), "{stderr}");
+        }
+        assert_eq!(folder.images(), ["old.exr"]);
+        assert_eq!(folder.text("old.exr"), "old");
+    }
+}
+
+/// All commands, by a user of whom the system allows this many threads, that of the program itself
+/// counted.
+#[test]
+#[cfg(target_os = "linux")]
+#[ignore = "becomes a user whose threads nobody else counts: needs root"]
+fn where_threads_are_refused_fewer_do_the_work() {
+    let folder = Folder::new();
+    let program = folder.path("feimos");
+    std::fs::copy(folder.command("").get_program(), &program).unwrap();
+    std::fs::set_permissions(folder.path("."), PermissionsExt::from_mode(0o777)).unwrap();
+    folder.render("ball.pbrt -o expected.exr --threads 8").succeeded();
+    for (number, threads) in ["1", "2", "3", "5"].into_iter().enumerate() {
+        for (command, rc) in [
+            ("render ball.pbrt -o found.exr --threads 8 --progress always", 0),
+            ("render ball.pbrt -o found.exr --threads 8 -q", 0),
+            ("check ball.pbrt --threads 8 --progress always", 0),
+            ("pixel ball.pbrt 6,3 --threads 8", 0),
+            ("bench ball.pbrt --threads 8 --runs 1 --warmup 0 --accel sah --report page", 0),
+            ("compare expected.exr found.exr", 0),
+            ("merge expected.exr -o found.exr --threads 8", 0),
+        ] {
+            let id = (50_000 + number).to_string();
+            let mut user = Command::new("setpriv");
+            user.current_dir(folder.path(".")).args(["--reuid", &id, "--clear-groups", "bash", "-c"]);
+            user.arg(format!("ulimit -u {threads}; exec {} {command}", program.display()));
+            let output = user.output().unwrap();
+            let stderr = String::from_utf8(output.stderr).unwrap();
+            assert_eq!(output.status.code(), Some(rc), "{threads} threads, {command}: {stderr}");
+            let says_so = !command.contains("-q") && command.contains("--threads");
+            assert_eq!(stderr.contains("note: the system refuses 8 threads"), says_so, "{command}: {stderr}");
+            if command.contains("found.exr") {
+                assert!(folder.bytes("found.exr") == folder.bytes("expected.exr"), "{command}");
+            }
+        }
+        std::fs::remove_file(folder.path("found.exr")).unwrap();
+        std::fs::remove_dir_all(folder.path("page")).unwrap();
+    }
+}
+
+#[test]
+fn a_replaced_file_never_runs_with_the_rights_of_its_owner() {
+    let folder = Folder::new().with("a.exr", "old");
+    for (mode, expected) in [(0o640, 0o640), (0o4755, 0o755), (0o2775, 0o775), (0o6711, 0o711)] {
+        std::fs::set_permissions(folder.path("a.exr"), PermissionsExt::from_mode(mode)).unwrap();
+        folder.render("ball.pbrt -o a.exr").succeeded();
+        assert_eq!(std::fs::metadata(folder.path("a.exr")).unwrap().mode() & 0o7777, expected, "{mode:o}");
+    }
+}
+
+#[test]
+fn a_replaced_file_keeps_owner_and_mode() {
+    let folder = Folder::new().with("a.exr", "old");
+    let path = folder.path("a.exr");
+    std::fs::set_permissions(&path, PermissionsExt::from_mode(0o660)).unwrap();
+    if std::os::unix::fs::chown(&path, Some(12345), Some(54321)).is_err() {
+        return; // Only root gives files away.
+    }
+    folder.render("ball.pbrt -o a.exr").succeeded();
+    let found = std::fs::metadata(&path).unwrap();
+    assert_eq!((found.uid(), found.gid(), found.mode() & 0o7777), (12345, 54321, 0o660));
+}
+
+#[test]
+#[ignore = "becomes another user: needs root"]
+fn a_replaced_file_keeps_neither_owner_nor_mode_where_the_owner_is_out_of_reach() {
+    let folder = Folder::new().with("a.exr", "old");
+    let (path, program) = (folder.path("a.exr"), folder.path("feimos"));
+    std::fs::copy(folder.command("").get_program(), &program).unwrap();
+    for path in [&folder.path("."), &path] {
+        std::fs::set_permissions(path, PermissionsExt::from_mode(0o777)).unwrap();
+    }
+    std::os::unix::fs::chown(&path, Some(12345), Some(54321)).unwrap();
+    let mut user = Command::new("setpriv");
+    user.current_dir(folder.path(".")).args(["--reuid", "50010", "--regid", "50011", "--clear-groups", "sh", "-c"]);
+    let status = user.args(["umask 027; exec ./feimos render ball.pbrt -o a.exr -q"]).status().unwrap();
+    assert!(status.success());
+    let found = std::fs::metadata(&path).unwrap();
+    assert_eq!((found.uid(), found.gid(), found.mode() & 0o7777), (50010, 50011, 0o640));
 }
 
 #[test]

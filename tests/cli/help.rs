@@ -9,7 +9,8 @@ const RENDER: &str = "--output --aov --view --colormap --range --scale --miss --
     --stats --json --strict";
 
 /// What `bench` promises.
-const BENCH: &str = "--accel --precision --threads --runs --warmup --reference --json --csv --plot --report";
+const BENCH: &str =
+    "--accel --precision --threads --runs --warmup --reference --json --json-file --csv --plot --report";
 
 /// The help on each flag of `command`, which begins with its name.
 fn blocks(folder: &Folder, command: &str) -> Vec<String> {

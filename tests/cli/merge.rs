@@ -131,11 +131,11 @@ fn progress_is_shown_where_it_is_wanted() {
 }
 
 #[test]
-fn the_whole_may_take_the_place_of_a_crop() {
+fn the_whole_does_not_take_the_place_of_a_crop() {
     let folder = Folder::new();
     folder.render("ball.pbrt -o a.exr --pixelbounds 0,6,0,7").succeeded();
     folder.render("ball.pbrt -o b.exr --pixelbounds 6,13,0,7").succeeded();
-    folder.render("ball.pbrt -o whole.exr").succeeded();
-    folder.merge("a.exr b.exr -o a.exr --threads 1").succeeded();
-    assert!(folder.bytes("a.exr") == folder.bytes("whole.exr"));
+    let crop = folder.bytes("a.exr");
+    folder.merge("a.exr b.exr -o ./a.exr --threads 1").failed(2, "./a.exr: -o would overwrite a crop");
+    assert!(folder.bytes("a.exr") == crop);
 }

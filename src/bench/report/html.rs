@@ -1,6 +1,7 @@
 //! Pieces of HTML.
 
 use crate::bench::TextTable;
+use crate::terminal_text;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 
@@ -14,7 +15,7 @@ pub(super) fn escaped(text: &str) -> String {
         '\'' => "&#39;".to_owned(),
         c => c.to_string(),
     };
-    text.chars().map(escape).collect()
+    terminal_text::line(text).chars().map(escape).collect()
 }
 
 /// A table, whose first line is of titles.

@@ -18,11 +18,19 @@ pub struct Section {
     pub pictures: PictureFiles,
 }
 
+/// Tells the page from others.
+const TITLE: &str = "<title>feimos: speed against error</title>";
+
+/// Returns true if `head`, the beginning of a page, is that of a page by [`to_html`].
+pub fn is_report(head: &str) -> bool {
+    head.contains(TITLE)
+}
+
 /// A page of HTML that needs no other file: the machine, and of each scene the plot, the tables, and the pictures. `command` is what was
 /// typed.
 pub fn to_html(machine: &Machine, command: &str, sections: &[Section]) -> String {
     let mut page = String::from("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
-    page += "<meta name=\"viewport\" content=\"width=device-width\">\n<title>feimos: speed against error</title>\n";
+    page += &format!("<meta name=\"viewport\" content=\"width=device-width\">\n{TITLE}\n");
     page += &format!("<style>\n{}</style>\n</head>\n<body>\n", include_str!("style.css"));
     page += "<h1>Speed against error</h1>\n";
     page += &format!("<p class=\"quiet\">{}<br><code>{}</code></p>\n", escaped(&machine.to_string()), escaped(command));

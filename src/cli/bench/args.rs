@@ -60,14 +60,17 @@ pub(crate) enum Reference {
 /// Where results go besides the table. `-` is standard output, in place of the table.
 #[derive(Debug, Args)]
 pub(crate) struct OutputArgs {
+    /// Print the rows as JSON on standard output, in place of the tables [default: off].
+    #[arg(long)]
+    pub(crate) json: bool,
     /// Write the rows as JSON; `-` writes them to standard output, in place of the tables, as it does below [default: none].
-    #[arg(long, value_name = "FILE")]
-    pub(crate) json: Option<PathBuf>,
+    #[arg(long, value_name = "FILE.json")]
+    pub(crate) json_file: Option<PathBuf>,
     /// Write the rows as comma-separated values [default: none].
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE.csv")]
     pub(crate) csv: Option<PathBuf>,
     /// Write the tables in Markdown [default: none].
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE.md")]
     pub(crate) markdown: Option<PathBuf>,
     /// Write a plot of error against speed, of several scenes together [default: none].
     #[arg(long, value_name = "FILE.svg")]

@@ -2,15 +2,19 @@
 
 mod args;
 mod outputs;
+mod page;
 
 pub(crate) use args::BenchArgs;
 
 use super::counted::counted;
 use super::failures::Failures;
+use super::inputs::Inputs;
+use super::panics::guarded;
 use super::plan::{build_options, first_repeated};
 use super::progress_bar::{Phase, ProgressBars};
 use super::reporter::Reporter;
-use super::stdout::write_to_stdout;
+use super::result_files::refuse_results;
+use super::stdout::{self, write_to_stdout};
 use super::summary;
 use super::thread_pool::thread_pool;
 use args::Reference;
@@ -20,32 +24,54 @@ use feimos::bench::{
     ray_table, timed, tree_table,
 };
 use feimos::error::{Error, Result};
+use feimos::file_id::InputFiles;
 use feimos::progress::Progress;
 use feimos::reference::MAX_PRIMITIVES;
 use feimos::scene::{self, LoadOptions, Scene};
 use feimos::simd::Level;
+use feimos::terminal_text;
 use indicatif::HumanCount;
 use outputs::Outputs;
 use std::path::Path;
 
 /// Measures all scenes, prints tables for each, and returns the exit code: the highest of any scene.
 pub(crate) fn bench(args: &BenchArgs, reporter: &Reporter) -> Result<u8> {
-    let outputs = Outputs::new(&args.output)?;
+    refuse_results(&args.scenes, args.output.json, Some("--json-file"))?;
+    let outputs = Outputs::new(&args.output, &Inputs::of_scenes(&args.scenes))?;
+    stdout::check_if(!args.talk.quiet || outputs.replace_tables())?;
     let runner = Runner::new(args, outputs.need_pictures(), reporter)?;
-    let pool = thread_pool(args.configurations.threads)?;
+    // All of it: pictures are encoded in parallel, too.
+    thread_pool(args.configurations.threads, reporter)?.install(|| measure_all(args, &runner, outputs, reporter))
+}
+
+fn measure_all(args: &BenchArgs, runner: &Runner, mut outputs: Outputs, reporter: &Reporter) -> Result<u8> {
     let machine = Machine::detect(Level::detect().as_str());
     let (mut rows, mut sections) = (Vec::new(), Vec::new());
     let (mut failures, mut code) = (Failures::default(), 0);
+    let mut told = Ok(());
     for path in &args.scenes {
-        let (title, measured) = match pool.install(|| runner.measure(path)) {
+        let load = || Ok(runner.load(path));
+        let (scene, files) = guarded(Some(path), load).unwrap_or_else(|error| (Err(error), InputFiles::default()));
+        if let Err(error) = outputs.check_against_scene(&files) {
+            if rows.is_empty() {
+                return Err(error);
+            }
+            // What was measured so far is not lost; what would overwrite the file is left out.
+            code = code.max(failures.add(&path.display(), &error, reporter));
+            outputs.leave_out(&files);
+            continue;
+        }
+        let measure = |scene| guarded(Some(path), || runner.measure(path, scene));
+        let (title, measured) = match scene.and_then(measure) {
             Ok(measured) => measured,
             Err(error) => {
                 code = code.max(failures.add(&path.display(), &error, reporter));
                 continue;
             }
         };
-        if !outputs.replace_tables() && !args.talk.quiet {
-            print_tables(rows.is_empty(), &machine, &title, &measured.rows)?;
+        // Where nobody reads tables any more, files still want what was measured.
+        if !outputs.replace_tables() && !args.talk.quiet && told.is_ok() {
+            told = print_tables(rows.is_empty(), &machine, &title, &measured.rows);
         }
         rows.extend(measured.rows.iter().cloned());
         if let Some(pictures) = measured.pictures {
@@ -54,8 +80,8 @@ pub(crate) fn bench(args: &BenchArgs, reporter: &Reporter) -> Result<u8> {
         }
     }
     failures.report("scenes", args.scenes.len(), 0, reporter);
-    outputs.write(&machine, &rows, &sections)?;
-    Ok(code)
+    code = code.max(outputs.write(&machine, &rows, &sections, reporter));
+    told.map(|()| code)
 }
 
 /// Options as meant.
@@ -86,12 +112,18 @@ impl<'a> Runner<'a> {
         })
     }
 
-    /// Loads `path`, judges and measures it, on the threads of the current pool; with a title that says so.
-    fn measure(&self, path: &Path) -> Result<(String, Measured)> {
+    /// Loads `path`, on the threads of the current pool, and tells how many milliseconds it took;
+    /// also returns the files that were read, up to an error too.
+    fn load(&self, path: &Path) -> (Result<(Scene, f64)>, InputFiles) {
         let options = LoadOptions { roundings: self.reference == Reference::Exact, ..LoadOptions::default() };
-        let load_scene = |progress: Progress<'_>| scene::load(path, &options, progress);
-        let (scene, load_ms) = timed(|| self.bars.during(Phase::Loading, load_scene));
-        let scene = scene?;
+        let load_scene = |progress: Progress<'_>| scene::load_listing_files(path, &options, progress);
+        let ((scene, files), load_ms) = timed(|| self.bars.during(Phase::Loading, load_scene));
+        (scene.map(|scene| (scene, load_ms)), files)
+    }
+
+    /// Judges and measures the scene `path`, on the threads of the current pool; with a title that
+    /// says so.
+    fn measure(&self, path: &Path, (scene, load_ms): (Scene, f64)) -> Result<(String, Measured)> {
         summary::report_scene(&scene, self.reporter);
         let builds = self.methods.iter().map(|method| build_options(*method, &scene.accelerator)).collect();
         let plan =
@@ -146,5 +178,6 @@ fn print_tables(is_first: bool, machine: &Machine, title: &str, rows: &[Row]) ->
     let machine_line = if is_first { format!("{machine}\n") } else { String::new() };
     let notes: String = notes(rows).iter().map(|note| format!("{note}\n")).collect();
     let tables = format!("{}\n{}", tree_table(rows).aligned(), ray_table(rows, machine.mhz).aligned());
-    write_to_stdout(Ok(format!("{machine_line}\n{title}\n\n{tables}{notes}").into_bytes()))
+    let text = format!("{machine_line}\n{}\n\n{tables}{notes}", terminal_text::line(title));
+    write_to_stdout(Ok(text.into_bytes()))
 }

@@ -1,19 +1,35 @@
 //! Where results of `bench` go.
 
 use super::args::OutputArgs;
+use super::page;
+use crate::cli::inputs::{Inputs, check_against_scene};
+use crate::cli::new_folders::NewFolders;
 use crate::cli::output_name::Destination;
+use crate::cli::place::Places;
+use crate::cli::reporter::Reporter;
+use crate::cli::result_files::check_extension;
 use crate::cli::stdout::write_to_stdout;
 use feimos::bench::{Machine, Row, Section, to_csv, to_html, to_json, to_markdown, to_svg, totals};
 use feimos::error::{Error, Result};
+use feimos::file_id::InputFiles;
 use feimos::film::atomic_file::{self, Overwrite};
-use std::fs;
+use feimos::terminal_text;
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-/// Files that were asked for, each with what goes into it.
+/// Results that were asked for.
 pub(super) struct Outputs {
-    files: Vec<(Content, Destination)>,
-    report: Option<PathBuf>,
+    results: Vec<Output>,
+    /// Made for the report.
+    _folders: Option<NewFolders>,
+}
+
+/// One of them.
+struct Output {
+    content: Content,
+    /// What asks for it.
+    flag: &'static str,
+    destination: Destination,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,79 +38,136 @@ enum Content {
     Csv,
     Markdown,
     Plot,
+    Page,
 }
-
-/// The page in the directory of a report.
-const PAGE: &str = "index.html";
 
 impl Outputs {
     /// # Errors
-    /// A place where no file can be made, before anybody waits for what should go there; two results that would go to one place.
-    pub(super) fn new(args: &OutputArgs) -> Result<Outputs> {
-        // First, since other files may go there.
-        if let Some(directory) = &args.report {
-            fs::create_dir_all(directory).map_err(|error| Error::creating(directory, &error))?;
-            atomic_file::check(&directory.join(PAGE))?;
-        }
-        let asked = [
-            (Content::Json, &args.json),
-            (Content::Csv, &args.csv),
-            (Content::Markdown, &args.markdown),
-            (Content::Plot, &args.plot),
-        ];
-        let destination =
-            |(content, path): (Content, &Option<PathBuf>)| Some((content, Destination::of_name(path.as_deref()?)));
-        let files: Vec<(Content, Destination)> = asked.into_iter().filter_map(destination).collect();
-        for (place, (_, destination)) in files.iter().enumerate() {
-            if files[..place].iter().any(|(_, other)| other.resolved() == destination.resolved()) {
-                return Err(Error::usage(format!("two results would both go to `{destination}`")));
-            }
+    /// A name of another kind of file, one of the `inputs`, two results that would go to one place;
+    /// a place where no file can be made, before anybody waits for what should go there.
+    pub(super) fn new(args: &OutputArgs, inputs: &Inputs) -> Result<Outputs> {
+        let results = results(args);
+        let mut taken = Places::default();
+        for Output { content, flag, destination } in &results {
             if let Destination::File(path) = destination {
-                atomic_file::check(path)?;
+                inputs.check(path, flag)?;
+                check_extension(path, flag, content.extensions())?;
+            }
+            if let Some(other) = taken.take(destination, *flag) {
+                let error = Error::usage(format!("two results would both go to `{destination}`"));
+                return Err(error.note(format!("of {other} and {flag}")));
             }
         }
-        Ok(Outputs { files, report: args.report.clone() })
+        // Other files may go into that folder, too.
+        let folders = args.report.as_deref().map(NewFolders::make).transpose()?;
+        results.iter().try_for_each(|output| output.destination.check())?;
+        args.report.as_deref().map_or(Ok(()), page::check)?;
+        Ok(Outputs { results, _folders: folders })
     }
 
-    /// Whether standard output has other things to hold than tables.
+    /// # Errors
+    /// A result that would overwrite one of the files that a scene reads.
+    pub(super) fn check_against_scene(&self, files: &InputFiles) -> Result<()> {
+        self.results.iter().try_for_each(|output| output.check_against_scene(files))
+    }
+
+    /// Gives up results that would overwrite one of the files that a scene reads.
+    pub(super) fn leave_out(&mut self, files: &InputFiles) {
+        self.results.retain(|output| output.check_against_scene(files).is_ok());
+    }
+
+    /// Returns true if a result replaces the tables on standard output.
     pub(super) fn replace_tables(&self) -> bool {
-        self.files.iter().any(|(_, destination)| *destination == Destination::Stdout)
+        self.results.iter().any(|output| output.destination == Destination::Stdout)
     }
 
-    /// Whether somebody wants to see pictures.
+    /// Returns true if the report needs pictures.
     pub(super) fn need_pictures(&self) -> bool {
-        self.report.is_some()
+        self.results.iter().any(|output| output.content == Content::Page)
     }
 
-    /// Writes what was asked for of all rows.
-    pub(super) fn write(&self, machine: &Machine, rows: &[Row], sections: &[Section]) -> Result<()> {
-        for (content, destination) in &self.files {
-            let bytes = content.bytes(machine, rows);
-            match destination {
-                Destination::Stdout => write_to_stdout(bytes)?,
-                Destination::File(path) => write_file(path, bytes)?,
-            }
+    /// Writes all results and returns the highest exit code. An error does not stop the other
+    /// results. Without rows, older results stay.
+    pub(super) fn write(&self, machine: &Machine, rows: &[Row], sections: &[Section], reporter: &Reporter) -> u8 {
+        if rows.is_empty() {
+            return 0;
         }
-        let Some(directory) = &self.report else { return Ok(()) };
-        write_file(&directory.join(PAGE), Ok(to_html(machine, &command_line(), sections).into_bytes()))
+        let failed = |output: &Output| output.write(machine, rows, sections).err();
+        let codes = self.results.iter().filter_map(failed).map(|error| {
+            reporter.error(&error);
+            error.kind().exit_code()
+        });
+        codes.max().unwrap_or(0)
+    }
+}
+
+fn results(args: &OutputArgs) -> Vec<Output> {
+    let stdout = args.json.then(|| "-".into());
+    let page = args.report.as_ref().map(|directory| directory.join(page::NAME));
+    let asked = [
+        (Content::Json, "--json", &stdout),
+        (Content::Json, "--json-file", &args.json_file),
+        (Content::Csv, "--csv", &args.csv),
+        (Content::Markdown, "--markdown", &args.markdown),
+        (Content::Plot, "--plot", &args.plot),
+        (Content::Page, "--report", &page),
+    ];
+    let output = |(content, flag, path): (Content, &'static str, &Option<_>)| {
+        let path: &std::path::PathBuf = path.as_ref()?;
+        Some(Output { content, flag, destination: Destination::of_name(path) })
+    };
+    asked.into_iter().filter_map(output).collect()
+}
+
+impl Output {
+    fn check_against_scene(&self, files: &InputFiles) -> Result<()> {
+        match &self.destination {
+            Destination::File(path) => check_against_scene(files, path, self.flag),
+            Destination::Stdout => Ok(()),
+        }
+    }
+
+    fn write(&self, machine: &Machine, rows: &[Row], sections: &[Section]) -> Result<()> {
+        let bytes = self.content.bytes(machine, rows, sections);
+        match &self.destination {
+            Destination::Stdout => write_to_stdout(bytes.map(printable)),
+            Destination::File(path) => write_file(path, bytes),
+        }
     }
 }
 
 impl Content {
-    fn bytes(self, machine: &Machine, rows: &[Row]) -> io::Result<Vec<u8>> {
+    /// What names of such files end in.
+    fn extensions(self) -> &'static [&'static str] {
+        match self {
+            Content::Json => &["json", "jsonl"],
+            Content::Csv => &["csv"],
+            Content::Markdown => &["md"],
+            Content::Plot => &["svg"],
+            Content::Page => &["html"],
+        }
+    }
+
+    fn bytes(self, machine: &Machine, rows: &[Row], sections: &[Section]) -> io::Result<Vec<u8>> {
         match self {
             Content::Json => Ok(to_json(machine, rows)),
             Content::Csv => to_csv(machine, rows),
             Content::Markdown => Ok(to_markdown(machine, rows).into_bytes()),
             Content::Plot => Ok(plot(rows).into_bytes()),
+            Content::Page => Ok(to_html(machine, &command_line(), sections).into_bytes()),
         }
     }
+}
+
+/// The same text where it may be read on a terminal.
+fn printable(bytes: Vec<u8>) -> Vec<u8> {
+    terminal_text::lines(&String::from_utf8_lossy(&bytes)).into_bytes()
 }
 
 /// Of one scene, or of all together.
 fn plot(rows: &[Row]) -> String {
     match rows.chunk_by(|a, b| a.scene == b.scene).count() {
-        0 | 1 => to_svg(rows.first().map_or("", |row| &row.scene), rows),
+        0 | 1 => to_svg(&terminal_text::line(rows.first().map_or("", |row| &row.scene)), rows),
         scenes => to_svg(&format!("{scenes} scenes together"), &totals(rows)),
     }
 }

@@ -8,11 +8,13 @@ pub(crate) use args::CheckArgs;
 
 use super::WARNED;
 use super::failures::Failures;
+use super::panics::guarded;
 use super::plan::note_on;
 use super::progress_bar::{Phase, ProgressBars};
 use super::reporter::Reporter;
+use super::result_files::refuse_results;
 use super::scene_files::scenes_of;
-use super::stdout::{write_json_line, write_to_stdout};
+use super::stdout::{self, write_json_line, write_to_stdout};
 use super::thread_pool::thread_pool;
 use block::Block;
 use feimos::error::Result;
@@ -24,7 +26,13 @@ use std::time::Instant;
 
 /// Checks all scenes and returns the exit code: the highest of any scene.
 pub(crate) fn check(args: &CheckArgs, reporter: &Reporter) -> Result<u8> {
-    let pool = thread_pool(args.threads)?;
+    refuse_results(&args.scenes, args.json, None)?;
+    stdout::check_if(args.json || !args.talk.quiet)?;
+    // All of it: printing counts in parallel, too.
+    thread_pool(args.threads, reporter)?.install(|| check_all(args, reporter))
+}
+
+fn check_all(args: &CheckArgs, reporter: &Reporter) -> Result<u8> {
     let mut check =
         Check { args, reporter, bars: ProgressBars::new(&args.talk), failures: Failures::default(), tried: 0 };
     let named: Vec<(&PathBuf, Result<Vec<PathBuf>>)> = args.scenes.iter().map(|path| (path, scenes_of(path))).collect();
@@ -36,7 +44,7 @@ pub(crate) fn check(args: &CheckArgs, reporter: &Reporter) -> Result<u8> {
             Err(error) => vec![(path.clone(), Some(error))],
         };
         for (scene, error) in results {
-            let result = error.map_or_else(|| pool.install(|| check.load(&scene)), Err);
+            let result = error.map_or_else(|| guarded(Some(&scene), || check.load(&scene)), Err);
             code = code.max(check.tell(&scene, result)?);
             if args.fail_fast && !check.failures.is_empty() {
                 break 'all;

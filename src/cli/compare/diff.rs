@@ -1,9 +1,9 @@
 //! The difference picture's file.
 
+use crate::cli::inputs::Inputs;
 use feimos::error::{Error, Result};
 use feimos::film::atomic_file::{self, Overwrite};
 use feimos::film::{Format, png_file};
-use std::fs;
 use std::path::Path;
 
 /// Tells of what is wrong with the name `diff` before any image is read.
@@ -15,11 +15,7 @@ pub(super) fn check(diff: &Path, inputs: [&Path; 2]) -> Result<()> {
         let error = Error::usage(format!("{}: the difference picture is a PNG", diff.display()));
         return Err(error.note("expected a name that ends in .png"));
     }
-    let is_diff = |input: &&Path| matches!((fs::canonicalize(input), fs::canonicalize(diff)), (Ok(a), Ok(b)) if a == b);
-    if inputs.iter().any(is_diff) {
-        let error = Error::usage(format!("{}: --diff would overwrite an image that is compared", diff.display()));
-        return Err(error.note("give it another name"));
-    }
+    Inputs::default().with(inputs, "an image that is compared").check(diff, "--diff")?;
     atomic_file::check(diff)
 }
 

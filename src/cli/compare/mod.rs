@@ -11,7 +11,8 @@ mod verdict;
 pub(crate) use args::CompareArgs;
 
 use super::reporter::Reporter;
-use super::stdout::{write_json_line, write_to_stdout};
+use super::stdout::{self, write_json_line, write_to_stdout};
+use super::thread_pool::thread_pool;
 use feimos::error::{Diagnostic, Error, ErrorKind, Result};
 use feimos::film::ImageFile;
 use serde::Serialize;
@@ -27,6 +28,11 @@ const LISTED_VERBOSE: usize = 100;
 /// Compares both images and returns the exit code: 1 where they differ by more than is allowed.
 pub(crate) fn compare(args: &CompareArgs, reporter: &Reporter) -> Result<u8> {
     args.diff.as_ref().map_or(Ok(()), |diff| diff::check(diff, [&args.expected, &args.found]))?;
+    stdout::check_if(args.json || !args.talk.quiet)?;
+    thread_pool(None, reporter)?.install(|| compare_files(args, reporter))
+}
+
+fn compare_files(args: &CompareArgs, reporter: &Reporter) -> Result<u8> {
     match (ImageFile::read(&args.expected)?, ImageFile::read(&args.found)?) {
         (ImageFile::Exr(expected), ImageFile::Exr(found)) => images::compare(args, &expected, &found, reporter),
         (ImageFile::Png(_), ImageFile::Png(_)) if args.max_ulp.is_some() => {

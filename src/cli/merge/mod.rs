@@ -5,12 +5,13 @@ mod args;
 pub(crate) use args::MergeArgs;
 
 use super::counted::counted;
+use super::inputs::Inputs;
 use super::output_name::{Destination, Encode};
 use super::progress_bar::{Phase, ProgressBars};
 use super::reporter::Reporter;
 use super::thread_pool::thread_pool;
 use feimos::error::{Error, Result};
-use feimos::film::atomic_file::{self, Overwrite};
+use feimos::film::atomic_file::Overwrite;
 use feimos::film::{Format, exr_file};
 use feimos::merge::{self, Merged};
 use feimos::progress::Progress;
@@ -21,9 +22,11 @@ use std::path::Path;
 pub(crate) fn merge(args: &MergeArgs, reporter: &Reporter) -> Result<u8> {
     let destination = Destination::of_name(&args.output);
     if let Destination::File(path) = &destination {
-        check_output(path)?;
+        check_format(path)?;
+        Inputs::default().with(&args.crops, "a crop").check(path, "-o")?;
     }
-    thread_pool(args.threads)?.install(|| {
+    destination.check()?;
+    thread_pool(args.threads, reporter)?.install(|| {
         let put_together = |progress: Progress<'_>| merge::merge(&args.crops, args.partial, progress);
         let merged = ProgressBars::new(&args.talk).during(Phase::Merging(args.crops.len()), put_together)?;
         destination.write(Overwrite::Yes, &merged)?;
@@ -42,12 +45,12 @@ pub(crate) fn merge(args: &MergeArgs, reporter: &Reporter) -> Result<u8> {
     })
 }
 
-fn check_output(path: &Path) -> Result<()> {
+fn check_format(path: &Path) -> Result<()> {
     if Format::of_path(path)? != Format::Exr {
         let error = Error::usage(format!("{}: the whole is an EXR, as its crops are", path.display()));
         return Err(error.note("expected a name that ends in .exr"));
     }
-    atomic_file::check(path)
+    Ok(())
 }
 
 impl Encode for Merged {

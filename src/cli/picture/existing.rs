@@ -14,12 +14,14 @@ pub(crate) enum Existing {
     Same,
     /// Another image by feimos: of a scene or options that have changed.
     Stale,
+    /// The image that would be written, but without its end.
+    CutOff,
     /// Something else.
     Foreign,
 }
 
 impl Picture {
-    /// What the file `path` is, as far as its header tells, beside `header`, the one that it would get.
+    /// Compares the file `path`, by its header and its end, with the image that would get `header`.
     ///
     /// # Errors
     /// A file that cannot be read.
@@ -29,7 +31,17 @@ impl Picture {
             Picture::View(_) => png_reader::read_text(path, exr_file::ATTRIBUTE)
                 .map(|text| text.map_or(Existing::Foreign, |text| same_or_stale(text == header))),
         };
-        found.or_else(not_an_image)
+        match found {
+            Ok(Existing::Same) if !self.is_whole(path)? => Ok(Existing::CutOff),
+            found => found.or_else(not_an_image),
+        }
+    }
+
+    fn is_whole(&self, path: &Path) -> Result<bool> {
+        match self {
+            Picture::Data(_) => exr_reader::is_whole(path),
+            Picture::View(_) => png_reader::is_whole(path),
+        }
     }
 }
 

@@ -9,7 +9,7 @@ pub(crate) use args::PixelArgs;
 use super::plan::build_options;
 use super::progress_bar::{Phase, ProgressBars};
 use super::reporter::Reporter;
-use super::stdout::{write_json_line, write_to_stdout};
+use super::stdout::{self, write_json_line, write_to_stdout};
 use super::summary;
 use super::thread_pool::thread_pool;
 use block::Block;
@@ -22,7 +22,8 @@ use record::Record;
 
 /// Explains a pixel and returns the exit code.
 pub(crate) fn pixel(args: &PixelArgs, reporter: &Reporter) -> Result<u8> {
-    let pool = thread_pool(args.threads)?;
+    stdout::check_if(args.json || !args.talk.quiet)?;
+    let pool = thread_pool(args.threads, reporter)?;
     let options = LoadOptions { resolution: args.resolution, places: true, ..LoadOptions::default() };
     let load = |progress: Progress<'_>| pool.install(|| scene::load(&args.scene, &options, progress));
     let scene = ProgressBars::new(&args.talk).during(Phase::Loading, load)?;

@@ -6,6 +6,7 @@
 
 mod blocks;
 mod convert;
+mod ending;
 mod part;
 #[cfg(test)]
 mod tests;
@@ -18,7 +19,7 @@ use exr::meta::MetaData;
 use part::Part;
 use rayon::prelude::*;
 use std::fs::File;
-use std::io::{self, BufRead, BufReader, Cursor};
+use std::io::{self, BufRead, BufReader, Cursor, Seek};
 use std::path::Path;
 
 /// The first bytes of any OpenEXR file.
@@ -67,6 +68,19 @@ pub fn read_outline(path: &Path) -> Result<Outline> {
         Ok(Outline { film, window, channels: channels.iter().map(|channel| channel.name).collect(), metadata })
     };
     outline().map_err(|error: Error| error.or_at(|| SourceLocation::file(path)))
+}
+
+/// Whether the file `path` reaches to its end, as far as its tables and its last chunks tell; no
+/// pixel is read.
+///
+/// # Errors
+/// As [`read_outline`]; a file that ends too early is no error.
+pub fn is_whole(path: &Path) -> Result<bool> {
+    let reading = |error: io::Error| Error::reading(path, &error);
+    let mut file = BufReader::new(File::open(path).map_err(reading)?);
+    let meta = meta_data(&mut file).map_err(|error| error.or_at(|| SourceLocation::file(path)))?;
+    let start = file.stream_position().map_err(reading)?;
+    ending::has_end(&mut file, start, &meta).map_err(reading)
 }
 
 /// The image in the file `path`, and what the file says of it beside: feimos's attribute and the camera's.

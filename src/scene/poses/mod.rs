@@ -24,6 +24,7 @@ use crate::camera::{Camera, Projection};
 use crate::error::{Diagnostic, Error, Result, SourceLocation, printable};
 use crate::geometry::{Matrix, Point, Transform, Vector};
 use crate::input;
+use crate::terminal_text::is_command;
 use intrinsics::Intrinsics;
 use scalar::Scalar;
 use serde::Deserialize;
@@ -168,7 +169,7 @@ fn wrong_json(path: &Path, bytes: &[u8], error: serde_path_to_error::Error<serde
 type Refusal = (String, String);
 
 fn check_name(name: &str) -> std::result::Result<(), Refusal> {
-    let is_bad = |c: char| c.is_control() || "/\\:*?\"<>|{}".contains(c);
+    let is_bad = |c: char| is_command(c) || "/\\:*?\"<>|{}".contains(c);
     if name.is_empty() || name.len() > MAX_NAME || name.starts_with('.') || name.chars().any(is_bad) {
         let expected = format!("a part of a file name, of {MAX_NAME} bytes at most");
         return Err(("the name cannot be part of a file name".to_owned(), expected));

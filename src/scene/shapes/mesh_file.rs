@@ -15,6 +15,7 @@ impl ShapeTarget<'_> {
             return Err(parameters.missing("filename", "a mesh without a file name").note(note));
         };
         let path = self.directory.join(&filename);
+        self.files.add(&path);
         let loaded = mesh::read(&path, format, self.keeps_uv).map_err(|error| {
             let place = parameters.place_of("filename");
             advise_beside(&place.path, &filename, &path, error).note(format!("named in {place}"))

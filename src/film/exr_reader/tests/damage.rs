@@ -34,6 +34,33 @@ fn files_that_are_cut_off_are_refused() {
 }
 
 #[test]
+fn the_end_of_a_file_is_missed_without_reading_pixels() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("a.exr");
+    let is_whole = |bytes: &[u8]| {
+        std::fs::write(&path, bytes).unwrap();
+        is_whole(&path)
+    };
+    for file in files() {
+        assert!(is_whole(&file).unwrap());
+        let table = {
+            let mut header = Cursor::new(&file[..]);
+            meta_data(&mut header).unwrap();
+            header.position() as usize
+        };
+        for end in table..file.len() {
+            assert!(!is_whole(&file[..end]).unwrap(), "{end} of {}", file.len());
+        }
+        for end in 0..table {
+            assert_eq!(is_whole(&file[..end]).unwrap_err().kind(), ErrorKind::BadInput);
+        }
+        // What was preallocated and never written holds zeros.
+        let zeros = [&file[..table], &vec![0; file.len() - table]].concat();
+        assert!(!is_whole(&zeros).unwrap());
+    }
+}
+
+#[test]
 fn changed_bytes_are_read_or_refused() {
     for file in files() {
         for place in 0..file.len() {

@@ -1,0 +1,37 @@
+//! Owner and permissions of a file that is replaced.
+
+use std::fs::{File, Metadata};
+
+/// Permissions to read, write and execute. A program that runs with the rights of its owner
+/// (setuid, setgid) is no image: the new content must not get these rights.
+#[cfg(unix)]
+const ACCESS: u32 = 0o777;
+
+/// Gives `file` the owner, the group and the permissions of the `replaced` file: all of them or
+/// none.
+///
+/// Permissions alone would mean something else: those that the old owner gave to a group would go
+/// to the group of the new owner. A file system that knows no permissions is no reason to fail.
+#[cfg(unix)]
+pub(super) fn keep(file: &File, replaced: &Metadata) {
+    use std::fs::Permissions;
+    use std::os::unix::fs::{MetadataExt, PermissionsExt, fchown};
+
+    let Ok(new) = file.metadata() else { return };
+    let owners = |metadata: &Metadata| (metadata.uid(), metadata.gid());
+    let give_to = |(user, group)| fchown(file, Some(user), Some(group));
+    let is_other = owners(&new) != owners(replaced);
+    if is_other && give_to(owners(replaced)).is_err() {
+        return;
+    }
+    let permissions = Permissions::from_mode(replaced.mode() & ACCESS);
+    if file.set_permissions(permissions).is_err() && is_other {
+        let _ = give_to(owners(&new));
+    }
+}
+
+/// Gives `file` the permissions of the `replaced` file, where the file system knows them.
+#[cfg(not(unix))]
+pub(super) fn keep(file: &File, replaced: &Metadata) {
+    let _ = file.set_permissions(replaced.permissions());
+}

@@ -1,0 +1,137 @@
+//! Where images go: two that would meet, and places that cannot be written to.
+
+use crate::folder::{BALL, Folder};
+use std::fs;
+
+fn two() -> Folder {
+    Folder::new().with("second.pbrt", BALL.replace("film.exr", "sub/../film.exr"))
+}
+
+#[test]
+fn images_that_meet_by_other_names_are_refused_before_the_work() {
+    let folder = two();
+    fs::create_dir(folder.path("sub")).unwrap();
+    folder.render("ball.pbrt second.pbrt").failed(2, "would both be written to sub/../film.exr");
+    folder.render("ball.pbrt sub/../ball.pbrt -o {stem}.exr").failed(2, "would both be written to ball.exr");
+    assert!(!folder.path("film.exr").exists());
+}
+
+#[cfg(unix)]
+#[test]
+fn images_that_meet_through_links_are_refused_before_the_work() {
+    use std::os::unix::fs::symlink;
+    let folder = Folder::new();
+    fs::create_dir(folder.path("real")).unwrap();
+    symlink("real", folder.path("link")).unwrap();
+    symlink("real/new.exr", folder.path("new.exr")).unwrap();
+    let named = |name: &str| BALL.replace("film.exr", name);
+    let folder = folder.with("a.pbrt", named("real/x.exr")).with("b.pbrt", named("link/x.exr"));
+    let folder = folder.with("c.pbrt", named("real/new.exr")).with("d.pbrt", named("new.exr"));
+    folder.render("a.pbrt b.pbrt").failed(2, "would both be written to link/x.exr");
+    folder.render("c.pbrt d.pbrt").failed(2, "would both be written to new.exr");
+    folder.render("a.pbrt").succeeded();
+    symlink("all.jsonl", folder.path("m.exr")).unwrap();
+    let message = "all.jsonl: the manifest and the image of a.pbrt would be one file";
+    folder.render("a.pbrt -o m.exr --manifest all.jsonl").failed(2, message);
+    assert!(!folder.path("all.jsonl").exists());
+    fs::hard_link(folder.path("real/x.exr"), folder.path("film.exr")).unwrap();
+    folder.render("ball.pbrt a.pbrt --force").failed(2, "would both be written to real/x.exr");
+}
+
+#[test]
+fn an_image_whose_name_is_known_late_does_not_replace_one_of_the_batch() {
+    let folder = Folder::new();
+    let run =
+        folder.render_input("ball.pbrt - --force", BALL).failed(2, "ball.pbrt and - would both be written to film.exr");
+    run.said("1 of 2 scenes failed");
+}
+
+#[test]
+fn a_name_of_a_folder_is_no_name_of_an_image() {
+    let folder = Folder::new();
+    for output in ["a.exr/", "a.exr/.", "a.exr//"] {
+        folder.render(&format!("ball.pbrt -v -o {output}")).failed(73, "cannot create").did_not_say("loaded ");
+    }
+    folder.render("ball.pbrt -o a.exr").succeeded();
+    folder.render("ball.pbrt -v -o a.exr/").failed(73, "a.exr/: cannot create").did_not_say("loaded ");
+}
+
+#[test]
+fn a_missing_folder_is_found_before_the_scene_is_read() {
+    let folder = Folder::new();
+    folder.render("ball.pbrt -v -o out/a.exr").failed(73, "create the directory `out` first").did_not_say("loaded ");
+    folder.render("ball.pbrt -v -o out/{accel}.exr").failed(73, "out/sah.exr: cannot create").did_not_say("built ");
+    folder.bench("ball.pbrt -v --csv out/a.csv").failed(73, "out/a.csv: cannot create").did_not_say("loaded ");
+    folder.render("ball.pbrt -o a.png").succeeded();
+    folder.compare("a.png a.png --diff out/a.png").failed(73, "out/a.png: cannot create");
+    folder.render("ball.pbrt -o a.exr").succeeded();
+    folder.merge("a.exr -o out/b.exr").failed(73, "out/b.exr: cannot create");
+}
+
+#[cfg(target_os = "linux")]
+mod rights {
+    use super::*;
+    use crate::folder::Run;
+    use std::os::unix::fs::{MetadataExt, PermissionsExt};
+    use std::process::Command;
+
+    fn set_mode(folder: &Folder, name: &str, mode: u32) {
+        fs::set_permissions(folder.path(name), fs::Permissions::from_mode(mode)).unwrap();
+    }
+
+    /// Runs the program without the rights of root, who may do anything; `None` where that is not
+    /// to be had.
+    fn without_rights(folder: &Folder, arguments: &str) -> Option<Run> {
+        let program = folder.command("");
+        let mut command = match fs::metadata(folder.path(".")).unwrap().uid() {
+            0 => {
+                let mut command = Command::new("setpriv");
+                command.args(["--reuid=65534", "--regid=65534", "--clear-groups"]).arg(program.get_program());
+                command
+            }
+            _ => Command::new(program.get_program()),
+        };
+        let output = command.args(arguments.split_whitespace()).current_dir(folder.path(".")).output().ok()?;
+        let stderr = String::from_utf8(output.stderr).unwrap();
+        let is_started = !stderr.contains("setpriv");
+        is_started.then(|| Run { code: output.status.code().unwrap(), stdout: output.stdout, stderr })
+    }
+
+    #[test]
+    fn a_folder_that_is_closed_to_the_user_is_found_before_the_render() {
+        let folder = Folder::new();
+        fs::create_dir(folder.path("closed")).unwrap();
+        set_mode(&folder, "closed", 0o555);
+        set_mode(&folder, ".", 0o755);
+        let scene = BALL.replace("film.exr", "closed/film.exr");
+        let folder = folder.with("film.pbrt", scene).with("r.csv", "");
+        set_mode(&folder, "r.csv", 0o444);
+        for arguments in
+            ["render ball.pbrt -v -o closed/a.exr", "render film.pbrt -v", "bench ball.pbrt -v --csv closed/a.csv"]
+        {
+            let Some(run) = without_rights(&folder, arguments) else { return };
+            run.failed(73, "cannot create: Permission denied").did_not_say("built ");
+        }
+        for arguments in ["bench ball.pbrt -v --csv r.csv", "bench ball.pbrt -v --report closed/new"] {
+            let Some(run) = without_rights(&folder, arguments) else { return };
+            run.failed(73, "cannot create: Permission denied").did_not_say("loaded ");
+        }
+        set_mode(&folder, "closed", 0o755);
+    }
+
+    #[test]
+    fn a_file_of_another_user_in_a_folder_of_all_is_found_before_the_render() {
+        let folder = Folder::new();
+        fs::create_dir(folder.path("all")).unwrap();
+        set_mode(&folder, "all", 0o1777);
+        set_mode(&folder, ".", 0o755);
+        let folder = folder.with("all/a.exr", "old");
+        set_mode(&folder, "all/a.exr", 0o666);
+        if fs::metadata(folder.path(".")).unwrap().uid() != 0 {
+            return;
+        }
+        let Some(run) = without_rights(&folder, "render ball.pbrt -v -o all/a.exr") else { return };
+        run.failed(73, "all/a.exr: cannot create: the file belongs to another user").did_not_say("loaded ");
+        assert_eq!(folder.text("all/a.exr"), "old");
+    }
+}
