@@ -51,14 +51,16 @@ fn missing_mesh() {
 
 #[test]
 fn index_out_of_range() {
-    let expected = "error: a.pbrt:3:27: index 3, number 3 of `indices`, names no vertex
+    let expected = "warning: a.pbrt:3:27: index 3, number 3 of `indices`, names no vertex
    |
  3 |   \"integer indices\" [ 0 1 3 ]
    |                           ^
    = expected an integer from 0 to 2
+   = the shape is left out, as in pbrt; its number stays
 ";
     let mesh = "Shape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0]\n  \"integer indices\" [ 0 1 3 ]";
-    assert_eq!(said_of(mesh), (expected.into(), 65));
+    let (said, code) = said_of(mesh);
+    assert!(said.starts_with(expected) && code == 0, "{said}");
 }
 
 #[test]
