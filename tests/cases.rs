@@ -35,6 +35,10 @@ const CASES: &[(&str, Right)] = &[
     ("cropwindow-out-of-range", SameWarned("cropwindow")),
     ("disk-v-negative-innerradius", Ends("check scene.pbrt", 0, &[])),
     ("end-without-begin", SameWarned("AttributeEnd")),
+    (
+        "environment-camera",
+        Ends("check scene.pbrt", 65, &["scene.pbrt:2:8", "the closest are several perspective cameras"]),
+    ),
     ("few-bytes-much-memory", Ends("check loop8.pbrt", 65, &["loop8.pbrt:", "--"])),
     ("gzip-padded-with-zeros", Same),
     ("import-coordinate-system", Ends("render scene.pbrt -o found.exr", 0, &["288 hit", "`q`"])),

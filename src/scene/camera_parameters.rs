@@ -47,7 +47,7 @@ impl CameraParameters {
                 let error = parameters.error_at_name(message);
                 return Err(match spelling::closest(other, ["perspective", "orthographic"].into_iter()) {
                     Some(known) => error.note(format!("did you mean `{known}`?")),
-                    None => error.note("expected \"perspective\" or \"orthographic\""),
+                    None => error.note("expected \"perspective\" or \"orthographic\"").note(closest_camera(other)),
                 });
             }
         };
@@ -69,6 +69,17 @@ impl CameraParameters {
             screen_window: self.screen_window.unwrap_or_else(|| ScreenWindow::of_aspect(aspect)),
             resolution,
         }
+    }
+}
+
+/// Which camera comes closest to one that is not supported.
+fn closest_camera(name: &str) -> &'static str {
+    match name {
+        "environment" | "spherical" => {
+            "the closest are several perspective cameras that look around, each less than 180 degrees wide (--cameras)"
+        }
+        "realistic" => "the closest is a perspective camera with the field of view of the lens",
+        _ => "the closest is a perspective camera",
     }
 }
 
