@@ -18,7 +18,7 @@ use std::time::Duration;
 const ENDING: [c_int; 10] = [SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGUSR1, SIGUSR2, SIGALRM, SIGVTALRM, SIGPROF];
 
 /// How long the end waits for the note of it to be read.
-const PATIENCE: Duration = Duration::from_millis(100);
+const PATIENCE: Duration = Duration::from_millis(300);
 
 /// From now on the program ends by these signals as programs do, with all that it has begun removed.
 ///

@@ -106,13 +106,22 @@ fn replace(
     let target = follow_links(path).map_err(|error| Error::creating(path, &error))?;
     let (file, unfinished) = Unfinished::beside(&target).map_err(|error| creating(path, &target, &error))?;
     // From here on, dropping `unfinished` removes the file, by an error or a panic.
-    let mut file = fill(file, replaced, write).map_err(|error| Error::writing(path, &error))?;
-    let size = file.metadata().map_err(|error| Error::writing(path, &error))?.len();
+    let mut file = fill(file, replaced, write).map_err(|error| writing(path, &error))?;
+    let size = file.metadata().map_err(|error| writing(path, &error))?.len();
     unfinished.finish(&mut file, &target, overwrite).map_err(|error| match error.kind() {
         io::ErrorKind::AlreadyExists => exists(path),
-        _ => Error::writing(path, &error),
+        _ => writing(path, &error),
     })?;
     Ok(size)
+}
+
+/// The error of a file that cannot be completed, with advice where a limit is the reason.
+fn writing(path: &Path, error: &io::Error) -> Error {
+    let writing = Error::writing(path, error);
+    match error.kind() {
+        io::ErrorKind::FileTooLarge => writing.note("raise the limit on the size of files (`ulimit -f`)"),
+        _ => writing,
+    }
 }
 
 /// The directory that `path` is in, `.` where it names none.

@@ -46,6 +46,7 @@ fn a_file_beyond_the_limit_of_files_is_an_error() {
             let (code, stderr) = limited(&folder, &limit, &format!("ball.pbrt --resolution 300x300 -o {name}"));
             assert_eq!(code, Some(74), "{stderr}");
             assert!(stderr.contains(&format!("{name}: cannot write: File too large")), "{stderr}");
+            assert!(stderr.contains("raise the limit on the size of files (`ulimit -f`)"), "{stderr}");
         }
         assert_eq!(folder.images(), ["old.exr"]);
         assert_eq!(folder.text("old.exr"), "old");
