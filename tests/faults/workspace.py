@@ -49,7 +49,11 @@ COMMANDS = {
     "check": "check ball.pbrt --json",
     "pixel": "pixel ball.pbrt 20,15",
     "stdout": "render ball.pbrt -o -",
+    "bench": "bench ball.pbrt --csv rows.csv --json-file rows.json --runs 1 --warmup 0 --accel sah,none"
+    " --precision fast --reference none",
 }
+# What `bench` writes holds times: rows of an earlier run, or as many of this one.
+RESULTS = {"rows.csv": "an earlier run,\n", "rows.json": '{"rows": []}\n'}
 
 
 class Workspace:
@@ -74,6 +78,7 @@ class Workspace:
     def _make_inputs(self):
         texts = {"ball.pbrt": SCENE, "second.pbrt": SCENE, "more.pbrt": MORE, "mesh.ply": MESH}
         texts["poses.json"] = json.dumps(POSES)
+        texts |= RESULTS
         for name, text in texts.items():
             with open(os.path.join(self.inputs, name), "w") as file:
                 file.write(text)
@@ -110,6 +115,9 @@ class Workspace:
                     yield f"{path} is left"
             elif path.endswith(".jsonl"):
                 yield from manifest_faults(content or b"", found, after)
+            elif path in RESULTS and name == "bench":
+                if content != before[path] and rows(path, content) != rows(path, after[path]):
+                    yield f"{path} holds neither the old rows nor the new ones"
             elif content not in (before.get(path), after.get(path)):
                 size = "gone" if content is None else f"{len(content)} bytes"
                 yield f"{path} is neither the old file nor the new one: {size}"
@@ -127,6 +135,15 @@ def files(folder):
             with open(entry.path, "rb") as file:
                 contents[entry.name] = file.read()
     return contents
+
+
+def rows(path, content):
+    """How many rows a file of results holds; none where it is damaged."""
+    try:
+        text = (content or b"").decode()
+        return len(json.loads(text)["rows"]) if path.endswith(".json") else text.count("\n")
+    except (KeyError, ValueError):
+        return None
 
 
 def manifest_faults(content, found, after):
