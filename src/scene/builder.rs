@@ -227,8 +227,10 @@ impl<'a> Builder<'a> {
             Statement::Include(_) => {}
             Statement::Import(name) => self.import(name, keyword, source)?,
             Statement::Material(name) => self.state.material = materials::of_type(name),
-            Statement::MakeNamedMaterial(entity) => self.materials.make(entity),
-            Statement::NamedMaterial(name) => self.state.material = self.materials.named(name),
+            Statement::MakeNamedMaterial(entity) => self.make_material(entity, source),
+            Statement::NamedMaterial(name) => {
+                self.state.material = self.materials.named(name, &self.state.material);
+            }
             Statement::Attribute(entity) => self.attribute(entity, source)?,
             Statement::Camera(entity) => self.camera(entity, keyword, source)?,
             Statement::Film(entity) => self.film(entity, keyword, source)?,

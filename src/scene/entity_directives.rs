@@ -64,6 +64,16 @@ impl Builder<'_> {
         Ok(())
     }
 
+    pub(super) fn make_material(&mut self, entity: &Entity, source: &Rc<Source>) {
+        if !self.materials.make(entity) {
+            self.warnings.add("material without type", || {
+                let message = "a named material without `\"string type\"`: shapes under it only bound a medium";
+                let diagnostic = Diagnostic::new(message).at(source.at(&entity.name.span));
+                diagnostic.note("pbrt-v3 reads it so; pbrt-v4 refuses it")
+            });
+        }
+    }
+
     /// Of the defaults that v4 can set, only those of shapes matter.
     pub(super) fn attribute(&mut self, entity: &Entity, source: &Rc<Source>) -> Result<()> {
         let target = Parameters::new("Attribute", entity, source)?.entity_name();

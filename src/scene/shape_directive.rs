@@ -23,9 +23,7 @@ impl Builder<'_> {
             self.check_usable("Shape", keyword, source)?;
             self.warn_if_moving(keyword, source);
         }
-        if let Material::NotMade(material) = &self.state.material {
-            self.materials.wait(material, number);
-        }
+        self.materials.wait(&self.state.material, number);
         let is_in_object = self.objects.open.is_some();
         let (shapes, transforms) = match &mut self.objects.open {
             Some(Definition { shapes, transforms, .. }) => (shapes, transforms),

@@ -25,6 +25,7 @@ fn what_bounds_a_medium_is_left_out_with_its_numbers() {
         "MakeNamedMaterial \"caf\u{e9}\" \"string type\" \"none\" NamedMaterial \"cafe\u{301}\"",
         "Material \"diffuse\" AttributeBegin AttributeEnd Material \"interface\"",
         "Material \"interface\" AttributeBegin Material \"diffuse\" AttributeEnd",
+        "Material \"interface\" NamedMaterial \"nowhere\" Material \"interface\"",
         "Material \"interface\" TransformBegin Material \"diffuse\" TransformEnd",
     ];
     for material in materials {
@@ -46,7 +47,6 @@ fn other_materials_are_surfaces() {
         "Material \"diffuse\"",
         "Material \"Interface\"",
         "MakeNamedMaterial \"interface\" \"string type\" \"diffuse\" NamedMaterial \"interface\"",
-        "MakeNamedMaterial \"none\" NamedMaterial \"none\"",
         "NamedMaterial \"nowhere\"",
         "AttributeBegin Material \"interface\" AttributeEnd",
         "Material \"interface\" Material \"diffuse\"",
@@ -98,4 +98,18 @@ element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0
     let scene = load_files(&[("a.pbrt", &text), ("m.ply", ply)]).unwrap();
     let last = Placed::alone(Primitive::triangle(0));
     assert_eq!((scene.shapes.number(last), scene.shapes.shape_number(last)), (6, 4));
+}
+
+#[test]
+fn a_name_that_is_never_made_changes_nothing() {
+    let scene = with_material("Material \"none\" NamedMaterial \"nowhere\" NamedMaterial \"neither\"");
+    let hit = scene.shapes.all().filter(|placed| scene.shapes.surface(*placed).can_be_hit()).count();
+    assert_eq!((hit, scene.shapes.primitive_count()), (2, 5));
+}
+
+#[test]
+fn a_material_without_a_type_bounds_a_medium_with_a_warning() {
+    let scene = with_material("MakeNamedMaterial \"a\" \"float roughness\" 1 NamedMaterial \"a\"");
+    assert_eq!((scene.shapes.own_count(), scene.census.boundaries().count), (2, 2));
+    assert!(warnings(&scene)[0].0.starts_with("a named material without `\"string type\"`"));
 }
