@@ -18,7 +18,7 @@ pub struct Census {
     unused_objects: Listed<UnusedObject>,
 }
 
-/// The first [`MAX_LISTED`] of something, and the number of all.
+/// The first 20 of something, and the number of all.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Listed<T> {
     /// The first of them.

@@ -8,6 +8,7 @@ use super::shape_defaults::ShapeDefaults;
 use super::source::Place;
 use crate::geometry::{RoundedTransform, Transform};
 use std::collections::HashMap;
+use std::rc::Rc;
 use std::sync::Arc;
 
 /// The transform at the start time and, where it is another, at the end time.
@@ -16,7 +17,7 @@ pub(super) struct Transforms {
     start: Transform,
     rounded: Option<Arc<RoundedTransform>>,
     end: Option<Box<Transform>>,
-    unusable: Option<Arc<Unusable>>,
+    unusable: Option<Rc<Unusable>>,
 }
 
 /// Why a transform takes points nowhere, and the matrix that began it.
@@ -55,7 +56,7 @@ pub(super) struct GraphicsState {
     /// What the current material makes of shapes.
     pub(super) material: Material,
     /// Why nothing can be placed by the current transform, where that is so.
-    pub(super) unusable: Option<Arc<Unusable>>,
+    pub(super) unusable: Option<Rc<Unusable>>,
     open: Vec<OpenBlock>,
     named: HashMap<Name, Transforms>,
     /// Of each open import, what the names that it gave meant before.

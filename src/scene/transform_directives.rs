@@ -8,7 +8,6 @@ use super::source::{Place, Source};
 use crate::error::{Diagnostic, Result};
 use crate::geometry::{Point, RoundedTransform, Transform, Vector};
 use std::rc::Rc;
-use std::sync::Arc;
 
 impl Builder<'_> {
     /// Multiplies the current transform, and remembers where it first went wrong.
@@ -53,7 +52,7 @@ impl Builder<'_> {
                 self.state.replace(&nowhere, || RoundedTransform::of_numbers(&nowhere, false));
                 if self.state.changes_start() && (replaces || self.state.unusable.is_none()) {
                     let (message, place) = (why_unusable(m), Place::new(source, &directive.span));
-                    self.state.unusable = Some(Arc::new(Unusable { message, place }));
+                    self.state.unusable = Some(Rc::new(Unusable { message, place }));
                 }
             }
         }
