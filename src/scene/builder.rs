@@ -262,6 +262,7 @@ impl<'a> Builder<'a> {
             number,
             world_from_object,
             is_in_object,
+            keeps_orientation: self.keeps_orientation,
             is_turned: self.keeps_orientation && is_turned(),
             keeps_uv: self.keeps_uv,
         };

@@ -24,7 +24,7 @@ pub struct SurfacePoint {
     /// Where the ray meets the surface.
     pub point: Point,
     /// u and v, as in pbrt-v3: of a triangle the mean of those at the corners, which are (0, 0), (1, 0) and (1, 1) where its mesh has
-    /// none; of a sphere, a cylinder or a disk from 0 to 1.
+    /// none; of a sphere, a cylinder or a disk from 0 to 1, but for v of a disk where one of its radii is below 0.
     pub uv: [f64; 2],
 }
 

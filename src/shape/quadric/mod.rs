@@ -65,7 +65,7 @@ impl Quadric {
         match &self.form {
             Form::Sphere(_) => true,
             Form::Cylinder(cut) => cut.z_min.is_finite() && cut.z_max.is_finite(),
-            Form::Disk(disk) => disk.height.is_finite() && disk.inner_radius <= self.radius,
+            Form::Disk(disk) => disk.height.is_finite() && disk.hole() <= self.radius,
         }
     }
 

@@ -30,12 +30,19 @@ impl Sector {
     pub(super) fn holds(&self, beyond: impl Fn([f64; 3], f64) -> Option<bool>) -> Option<bool> {
         let first_half = beyond([0.0, 1.0, 0.0], 0.0);
         let before_end = beyond([self.sine, -self.cosine, 0.0], 0.0);
-        if self.degrees == 0.0 {
-            // There `x sin m - y cos m` is -y: 0 at an angle of 180 degrees too.
-            return both(both(first_half, before_end), beyond([1.0, 0.0, 0.0], 0.0));
+        if self.sine < 0.0 {
+            return either(first_half, before_end);
         }
         // At 180 degrees both conditions are y >= 0.
-        if self.degrees <= 180.0 { both(first_half, before_end) } else { either(first_half, before_end) }
+        let within = both(first_half, before_end);
+        // Where the sine is 0, `x sin m - y cos m` is -y: 0 at an angle of 180 degrees too.
+        if self.is_narrow() { both(within, beyond([1.0, 0.0, 0.0], 0.0)) } else { within }
+    }
+
+    /// Whether the sine of the end is 0 for some test of the surface, in `f64` or `f32`, though the end is not at 180 degrees. The
+    /// numbers that the test uses decide, not the degrees: the sine of 1e-322 degrees is rounded to 0.
+    fn is_narrow(&self) -> bool {
+        self.cosine > 0.0 && self.sine as f32 == 0.0
     }
 }
 
