@@ -66,7 +66,8 @@ impl ShapeTarget<'_> {
         radius: f64,
         form: Form,
     ) -> Result<()> {
-        let world_from_object = mirror.map_or(self.world_from_object, |mirror| mirrored(&self.world_from_object, mirror));
+        let world_from_object =
+            mirror.map_or(self.world_from_object, |mirror| mirrored(&self.world_from_object, mirror));
         let quadric = Quadric { world_from_object, radius, form };
         let name = parameters.entity_name();
         if !(radius > 0.0 && radius.is_finite()) {
