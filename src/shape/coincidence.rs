@@ -116,3 +116,65 @@ impl Quadric {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Matrix, Point};
+    use crate::shape::{Cut, Triangle};
+
+    fn disk(world_from_object: Matrix, height: f64, radius: f64) -> Surface {
+        let form = Form::Disk(Disk::new(height, 0.0, 360.0));
+        Surface::Quadric(Quadric { world_from_object, radius, form })
+    }
+
+    fn triangle(z: [f64; 3]) -> Surface {
+        let corner = |x: f64, y: f64, k: usize| Point::new(x, y, z[k]);
+        Surface::Triangle(Triangle([corner(0.0, 0.0, 0), corner(4.0, 0.1, 1), corner(0.3, 4.0, 2)]))
+    }
+
+    #[track_caller]
+    fn assert_coplanar(a: &Surface, b: &Surface, expected: bool) {
+        for (a, b) in [(a, b), (b, a)] {
+            assert_eq!(a.is_coplanar_with(b), expected, "{a:?} {b:?}");
+            assert!(a.may_be_coplanar_with(b).is_none_or(|found| found == expected), "{a:?} {b:?}");
+        }
+    }
+
+    #[test]
+    fn disks_and_triangles_share_planes() {
+        let flat = triangle([1.5; 3]);
+        assert_coplanar(&flat, &disk(Matrix::translate([9.0, -2.0, 1.0]), 0.5, 3.0), true);
+        assert_coplanar(&flat, &disk(Matrix::IDENTITY, 1.5, 0.1), true);
+        assert_coplanar(&flat, &disk(Matrix::IDENTITY, 1.5f64.next_up(), 0.1), false);
+        assert_coplanar(&flat, &triangle([1.5, 1.5f64.next_down(), 1.5]), false);
+        assert_coplanar(&disk(Matrix::IDENTITY, 1.5, 1.0), &disk(Matrix::scale([2.0, -1.0, 3.0]), 0.5, 2.0), true);
+        assert_coplanar(&disk(Matrix::IDENTITY, 1.5, 1.0), &disk(Matrix::IDENTITY, 1.5, 2.0), true);
+        assert_coplanar(&disk(Matrix::IDENTITY, 1.5, 1.0), &disk(Matrix::IDENTITY, 1.25, 1.0), false);
+        // The z of a plane is the same, and nothing else is.
+        assert_coplanar(&flat, &triangle([1.5, 1.5, 2.5]), false);
+        // Products of the coordinates are lost to underflow, or overflow.
+        for size in [1e-200, 1e200] {
+            let scaled = |z: f64| disk(Matrix::scale([size; 3]), z, 1.0);
+            assert_coplanar(&scaled(1.0), &disk(Matrix::translate([0.0, 0.0, size]), 0.0, 1.0), true);
+            assert_coplanar(&scaled(1.0), &disk(Matrix::translate([0.0, 0.0, size]), size, 1.0), false);
+        }
+    }
+
+    #[test]
+    fn round_surfaces_share_roots() {
+        let surface = |radius: f64, form: Form| Quadric { world_from_object: Matrix::IDENTITY, radius, form };
+        let sphere = |phi_max: f64| Form::Sphere(Cut::new(2.0, -2.0, 2.0, phi_max));
+        let cylinder = |z_max: f64| Form::Cylinder(Cut::of_cylinder(0.0, z_max, 360.0));
+        let between = |a: Form, b: Form| surface(2.0, a).coincidence(&surface(2.0, b));
+        assert_eq!(between(sphere(360.0), sphere(360.0)), Coincidence::SameHit);
+        assert_eq!(between(sphere(90.0), sphere(90.0)), Coincidence::SameHit);
+        assert_eq!(between(sphere(360.0), sphere(90.0)), Coincidence::SameRoots);
+        assert_eq!(between(cylinder(1.0), cylinder(2.0)), Coincidence::SameRoots);
+        assert_eq!(between(cylinder(1.0), sphere(90.0)), Coincidence::None);
+        assert_eq!(between(cylinder(1.0), Form::Disk(Disk::new(0.0, 0.0, 360.0))), Coincidence::None);
+        assert_eq!(surface(2.0, sphere(360.0)).coincidence(&surface(2.5, sphere(360.0))), Coincidence::None);
+        let moved = Quadric { world_from_object: Matrix::translate([1.0, 0.0, 0.0]), ..surface(2.0, sphere(360.0)) };
+        assert_eq!(moved.coincidence(&surface(2.0, sphere(360.0))), Coincidence::None);
+    }
+}

@@ -99,3 +99,61 @@ impl<T: Copy> Cache<T> {
         self.places[Self::place(a, b)] = Some((a, b, known));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Matrix, Point};
+    use crate::shape::Primitive;
+    use proptest::prelude::*;
+
+    /// Triangles with corners that are whole numbers, in planes through the origin, or shifted.
+    fn shapes_of(triangles: &[([[i32; 2]; 3], [i32; 3])]) -> Shapes {
+        let mut shapes = Shapes::default();
+        for (corners, [slope, other, height]) in triangles {
+            let corner = |[x, y]: [i32; 2]| Point::from([x, y, slope * x + other * y + height].map(f64::from));
+            shapes.add_mesh(corners.map(corner).to_vec(), vec![[0, 1, 2]], &Matrix::IDENTITY, 1).unwrap();
+        }
+        shapes
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(500))]
+
+        /// Whatever was asked before, in whatever order.
+        #[test]
+        fn answers_depend_on_the_pair_alone(
+            triangles in prop::collection::vec(
+                (prop::array::uniform3(prop::array::uniform2(-9i32..10)), prop::array::uniform3(1i32..3)), 2..8),
+            order in prop::collection::vec((0usize..8, 0usize..8), 1..40),
+        ) {
+            let shapes = shapes_of(&triangles);
+            let mut ties = Ties::default();
+            for (a, b) in order {
+                let [a, b] = [a, b].map(|k| k % triangles.len());
+                let [p, q] = [a, b].map(|k| Placed::alone(Primitive::triangle(k)));
+                if [p, q].iter().any(|placed| !shapes.surface(*placed).can_be_hit()) {
+                    continue;
+                }
+                let expected = if triangles[a].1 == triangles[b].1 { Coincidence::SameHit } else { Coincidence::None };
+                prop_assert_eq!(ties.between(&shapes, p, q), expected);
+                prop_assert_eq!(Ties::default().between(&shapes, p, q), expected);
+            }
+        }
+    }
+
+    #[test]
+    fn a_cache_forgets_and_does_not_grow() {
+        let mut cache = Cache::default();
+        let placed = |k: usize| Placed::in_instance(k % 7, Primitive::triangle(k));
+        assert_eq!(cache.get(placed(0), placed(1)), None);
+        let count = 4 << Cache::<usize>::BITS;
+        for k in 0..count {
+            cache.put(placed(k), placed(k + 1), k);
+            assert_eq!(cache.get(placed(k), placed(k + 1)), Some(k));
+        }
+        assert_eq!(cache.places.len(), 1 << Cache::<usize>::BITS);
+        let known: Vec<usize> = (0..count).filter(|k| cache.get(placed(*k), placed(k + 1)) == Some(*k)).collect();
+        assert!(known.len() <= cache.places.len() && known.len() > cache.places.len() / 2, "{}", known.len());
+    }
+}
