@@ -121,3 +121,71 @@ fn ties_go_to_the_first_in_the_file() {
     assert_eq!(seen(&format!("{tube} {disk}")), Some((1, 7.0, 7.0)));
     assert_eq!(seen(&format!("{disk} {tube}")), Some((1, 7.0, 7.0)));
 }
+
+/// The two pictures are the same, and show something.
+#[track_caller]
+fn assert_alike(text: &str, other: &str) {
+    let place = "WorldBegin Translate 0 0 10 Rotate 37 1 2 3";
+    let [found, expected] = [text, other].map(|text| answers(&format!("{GRID} {place} {text}")));
+    assert!(expected.iter().any(|pixel| pixel.is_some()));
+    assert_eq!(found, expected, "{text}");
+    let instance = |text: &str| format!("{GRID} WorldBegin ObjectBegin \"a\" Rotate 37 1 2 3 {text} ObjectEnd");
+    let [found, expected] =
+        [text, other].map(|text| answers(&format!("{} Translate 0 0 10 ObjectInstance \"a\"", instance(text))));
+    assert_eq!(found, expected, "{text}, in an instance");
+}
+
+/// pbrt squares the radius. Before it looks at the angle, it mirrors a sphere's point in the middle, and a cylinder's in the axis.
+#[test]
+fn a_radius_below_0_is_that_above_it() {
+    for rest in
+        ["", "\"float innerradius\" 2", "\"float innerradius\" -2", "\"float phimax\" 100", "\"float height\" -1"]
+    {
+        let disk = |radius: i32| format!("Shape \"disk\" \"float radius\" {radius} {rest}");
+        assert_alike(&disk(-4), &disk(4));
+    }
+    for rest in ["", "\"float phimax\" 100", "\"float phimax\" 200"] {
+        let sphere = |radius: i32| format!("Shape \"sphere\" \"float radius\" {radius} {rest}");
+        assert_alike(&sphere(-4), &format!("Scale -1 -1 -1 {}", sphere(4)));
+        let cylinder = |radius: i32| format!("Shape \"cylinder\" \"float radius\" {radius} {rest} \"float zmax\" 3");
+        assert_alike(&cylinder(-4), &format!("Scale -1 -1 1 {}", cylinder(4)));
+    }
+}
+
+/// Both are clamped to a range that ends before it begins.
+#[test]
+fn ends_cut_nothing_from_a_sphere_of_a_radius_below_0() {
+    let sphere = "WorldBegin Translate 0 0 9 Shape \"sphere\" \"float radius\"";
+    let whole = answers(&format!("{GRID} {sphere} 4"));
+    for ends in ["\"float zmin\" 0", "\"float zmax\" -1", "\"float zmin\" 1 \"float zmax\" 2"] {
+        let scene = load(&format!("{GRID} {sphere} -4 {ends}"));
+        let messages: Vec<&str> = scene.warnings.iter().map(|warning| &*warning.first.message).collect();
+        assert_eq!(messages, ["`zmin` and `zmax` are ignored, as in pbrt: the radius is below 0"]);
+        let prim = bits_of(&agreed_picture(&scene.camera, &scene.shapes, Precision::Exact).image, ChannelName::Prim);
+        assert!(prim.iter().zip(&whole).all(|(prim, pixel)| (*prim > 0) == pixel.is_some()), "{ends}");
+    }
+}
+
+/// The sine of an end above 0 is rounded to 0 somewhere below 1.4e-322 degrees: no number lies between, so it is as 0.
+#[test]
+fn the_least_angles_keep_one_side() {
+    for phi_max in ["0", "1e-322", "5e-324", "1e-300", "1e-40", "-0", "-30"] {
+        let cut = format!("\"float phimax\" {phi_max}");
+        let sphere = format!("Translate 0 0 9 Shape \"sphere\" \"float radius\" 5 {cut}");
+        let z = |x: i32| 9.0 - f64::from(25 - x * x).sqrt();
+        assert_grid(&sphere, |x, y| (y == 0 && x >= 0).then(|| z(x)));
+        assert_grid(&format!("Translate 0 0 9 Shape \"disk\" \"float radius\" 5 {cut}"), |x, y| {
+            (y == 0 && x >= 0).then_some(9.0)
+        });
+        // The axis goes down the picture, and the angle 0 is at the side of x.
+        let cylinder = format!("{CYLINDER} {cut}");
+        assert_grid(&cylinder, |x, y| (x == 5 && (-3..=2).contains(&y)).then_some(10.0));
+    }
+    for (phi_max, keeps_180) in [(180f64.next_down(), false), (180.0, true), (180f64.next_up(), true)] {
+        let disk = format!("Translate 0 0 9 Shape \"disk\" \"float radius\" 5 \"float phimax\" {phi_max:?}");
+        let is_there = |x: i32, y: i32| y > 0 || y == 0 && (x >= 0 || keeps_180);
+        assert_grid(&disk, |x, y| (x * x + y * y <= 25 && is_there(x, y)).then_some(9.0));
+    }
+    let most = format!("Translate 0 0 9 Shape \"disk\" \"float radius\" 5 \"float phimax\" {:?}", 360f64.next_down());
+    assert_grid(&most, |x, y| (x * x + y * y <= 25).then_some(9.0));
+}

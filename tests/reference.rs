@@ -50,7 +50,7 @@ fn point(corner: Corner) -> Point {
 /// A whole sphere, most of the time, what `zmin`, `zmax` and `phimax` leave of one, a cylinder or a disk.
 fn form(radius: f64) -> impl Strategy<Value = Form> {
     let z = || prop::sample::select(vec![-1.0, -0.8, -0.6, 0.0, 0.1, 0.6, 1.0]);
-    let phi = || prop::sample::select(vec![0.0, 30.0, 90.0, 180.0, 217.5, 270.0, 360.0, 360.0]);
+    let phi = || prop::sample::select(vec![0.0, 1e-322, 30.0, 90.0, 180.0, 217.5, 270.0, 360.0, 360.0]);
     let cut_sphere = (z(), z(), phi())
         .prop_map(move |(low, high, phi)| Form::Sphere(Cut::new(radius, low * radius, high * radius, phi)));
     // Whole numbers, so that the ends are on the grid.

@@ -174,7 +174,11 @@ fn triangles_show_the_side_of_their_corners_whatever_mirrors_them() {
     let bilinear = "Shape \"bilinearmesh\" \"point3 P\" [ -1 -1 2  1 -1 2  -1 1 2  1 1 2 ]";
     assert_normal(bilinear, 1.0);
     let subdivided = "Shape \"loopsubdiv\" \"integer indices\" [ 0 1 2 ] \"integer levels\" 3 \"point3 P\" [ -4 -4 2  4 -4 2  0 4 2 ]";
-    assert_normal(subdivided, 1.0);
+    // pbrt's vertex normals of a subdivision surface point against the right hand of its faces, and the faces follow them.
+    assert_normal(subdivided, -1.0);
+    assert_normal(&format!("ReverseOrientation {subdivided}"), 1.0);
+    assert_normal(&format!("Scale -1 1 1 {subdivided}"), -1.0);
+    assert_normal(&format!("ObjectBegin \"a\" {subdivided} ObjectEnd Scale -1 1 1 ObjectInstance \"a\""), -1.0);
 }
 
 #[test]
@@ -194,6 +198,31 @@ fn spheres_look_outwards_unless_they_are_mirrored() {
     // Its z axis points to the eye, and it is turned round.
     assert_normal("Scale 1 1 -1 Shape \"disk\" \"float height\" -2", 1.0);
     assert_normal("Rotate 180 1 0 0 Shape \"disk\" \"float height\" -2", -1.0);
+}
+
+/// pbrt's dp/du x dp/dv changes sides with the radius, but for a sphere, whose is no normal then.
+#[test]
+fn a_radius_below_0_turns_what_is_not_a_sphere() {
+    let negative = "\"float radius\" -1";
+    assert_normal(&format!("{SPHERE} {negative}"), -1.0);
+    let cylinder = format!("Translate 0 0 3 Rotate 90 1 0 0 Shape \"cylinder\" {negative}");
+    assert_normal(&cylinder, 1.0);
+    assert_normal(&format!("ReverseOrientation {cylinder}"), -1.0);
+    let disk = format!("Shape \"disk\" \"float height\" 2 {negative}");
+    assert_normal(&disk, -1.0);
+    assert_normal(&format!("ReverseOrientation {disk}"), 1.0);
+}
+
+/// Both radii of a disk count for v with the signs they are given, as (r - distance) / (r - innerradius).
+#[test]
+fn signs_count_for_v_of_a_disk() {
+    let corner = 0.5f64.hypot(0.5);
+    for (radius, inner) in [(1.0, 0.5), (1.0, -0.5), (-1.0, 0.0), (-1.0, 0.5), (-1.0, -0.5), (1.0, 0.0)] {
+        let disk = format!("Translate 0 0 2 Shape \"disk\" \"float radius\" {radius} \"float innerradius\" {inner}");
+        let image = image_of(&seen_by("orthographic\" \"float screenwindow\" [ -1.025 1.025 -1.025 1.025 ]", &disk));
+        let v = f64::from(measures(&image, ChannelName::V)[10 * 41 + 30]);
+        assert!((v - (radius - corner) / (radius - inner)).abs() < 1e-6, "{radius} {inner}: {v}");
+    }
 }
 
 #[test]

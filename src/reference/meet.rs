@@ -136,7 +136,7 @@ fn meet_disk(m: &Matrix, radius: f64, disk: &Disk, ray: &Ray) -> Option<Root> {
     let distance = &coordinates[0].square() + &coordinates[1].square();
     let unit = (&slope * &normal.dot(&normal)).square();
     let compare = |limit: f64| distance.cmp(&(&Dyadic::from(limit).square() * &unit));
-    if compare(radius) == Greater || compare(disk.inner_radius) == Less {
+    if compare(radius) == Greater || compare(disk.hole()) == Less {
         return None;
     }
     let sign = |weights: [f64; 3]| {

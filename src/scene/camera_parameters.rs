@@ -100,10 +100,10 @@ fn screen_window(parameters: &mut Parameters, warnings: &mut Warnings) -> Result
     Ok(Some(ScreenWindow { x0, x1, y0, y1 }))
 }
 
-/// In degrees; pbrt's `halffov` counts twice and wins.
+/// In degrees; pbrt's `halffov` counts twice, and wins where it is above 0.
 fn field_of_view(parameters: &mut Parameters) -> Result<f64> {
     let fov = parameters.number("fov")?;
-    let half = parameters.number("halffov")?;
+    let half = parameters.number("halffov")?.filter(|half| *half > 0.0);
     let (name, fov) = match (half, fov) {
         (Some(half), _) => ("halffov", 2.0 * half),
         (None, Some(fov)) => ("fov", fov),

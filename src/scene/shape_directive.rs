@@ -40,6 +40,7 @@ impl Builder<'_> {
             number,
             world_from_object,
             is_in_object,
+            keeps_orientation: self.keeps_orientation,
             is_turned: self.keeps_orientation && is_turned(),
             keeps_uv: self.keeps_uv,
             bounds_medium,

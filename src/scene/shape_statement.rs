@@ -25,7 +25,9 @@ pub(super) struct ShapeTarget<'a> {
     /// Within an object definition this leads to the space of its instances only, and meshes stay as they are in their files.
     pub(super) world_from_object: Matrix,
     pub(super) is_in_object: bool,
-    /// Whether its normals are turned round, and somebody wants to know.
+    /// Whether somebody wants to know on which side its normals are.
+    pub(super) keeps_orientation: bool,
+    /// Whether they are turned round; false where nobody wants to know.
     pub(super) is_turned: bool,
     /// Whether to keep what meshes say of u and v.
     pub(super) keeps_uv: bool,
@@ -80,6 +82,11 @@ impl ShapeTarget<'_> {
         self.warn_of_moved_and_cut(&mut parameters);
         parameters.finish(self.warnings);
         Ok(true)
+    }
+
+    /// Has the normals be on the other side than they would be.
+    pub(super) fn turn_round(&mut self) {
+        self.is_turned = self.keeps_orientation && !self.is_turned;
     }
 
     fn warn_of_moved_and_cut(&mut self, parameters: &mut Parameters) {

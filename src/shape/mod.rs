@@ -3,6 +3,7 @@
 //! There are three tests of each kind of primitive: `filter` in `f64`, which says when it does not know; `exact`, which
 //! always knows; and one in `f32`, which never says.
 
+mod coincidence;
 mod extent;
 mod filter_ray;
 mod numbers;
@@ -17,6 +18,7 @@ mod triangle;
 pub(crate) mod vector32;
 mod verdict;
 
+pub use coincidence::Coincidence;
 pub use filter_ray::FilterRay;
 pub use numbers::Numbers;
 pub use object::{Instance, Object, Pose};

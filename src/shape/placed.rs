@@ -3,7 +3,7 @@
 use super::Primitive;
 
 /// A primitive where it stands in the world: by itself, or in an instance of the object that it belongs to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Placed {
     instance: u32,
     primitive: Primitive,
@@ -39,6 +39,11 @@ impl Placed {
     #[inline(always)]
     pub fn primitive(self) -> Primitive {
         self.primitive
+    }
+
+    /// All that there is to it, for hashing.
+    pub(crate) fn to_bits(self) -> u64 {
+        u64::from(self.instance) << 32 | u64::from(self.primitive.to_bits())
     }
 
     /// Another primitive of the same instance, or one by itself too.

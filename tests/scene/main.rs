@@ -114,6 +114,12 @@ fn camera_parameters() {
         scene(&format!("Camera \"perspective\" {parameters}\n{film}\nWorldBegin")).camera
     };
     assert_eq!(camera("\"float halffov\" 45").ray(3, 0).direction.to_array(), [1.5, 0.5, 1.0]);
+    assert_eq!(camera("\"float halffov\" 45 \"float fov\" 10").ray(3, 0).direction.to_array(), [1.5, 0.5, 1.0]);
+    for half in ["0", "-1", "-45"] {
+        // pbrt's value for "not there" is -1, and it takes what is above 0.
+        let found = camera(&format!("\"float halffov\" {half} \"float fov\" 90"));
+        assert_eq!(found.ray(3, 0).direction.to_array(), [1.5, 0.5, 1.0], "{half}");
+    }
     assert_eq!(camera("\"float frameaspectratio\" 1").ray(3, 0).direction.to_array(), [0.75, 0.5, 1.0]);
     let window = camera("\"float screenwindow\" [ 0 8 0 4 ] \"float fov\" 90");
     assert_eq!(window.ray(3, 0).direction.to_array(), [7.0, 3.0, 1.0]);

@@ -1,32 +1,20 @@
 //! The nearest hit of a ray, decided exactly.
 
+use super::nearest::Nearest;
+use super::ties::Ties;
 use super::traversal::Search;
 use crate::accel::hit::{Fallbacks, Hit};
 use crate::accel::space::SlabRay;
-use crate::exact::{Bracket, Root};
 use crate::geometry::Ray;
-use crate::shape::{FilterRay, Placed, Shapes, Surface, Verdict};
-use std::cmp::Ordering;
+use crate::shape::{Placed, Shapes};
 
-/// The best hit so far of a ray among the primitives that were tested.
-///
-/// The answer is that of exact arithmetic on all of them, in whatever order they come: the filter's verdicts are right, its
-/// brackets hold the true `t`, and where two brackets overlap the true numbers are compared.
+/// The best hit so far of a ray on its way through a tree.
 pub(in crate::accel) struct ExactSearch<'a> {
     shapes: &'a Shapes,
-    ray: FilterRay,
+    nearest: Nearest<'a>,
     slab: &'a SlabRay,
-    best: Option<Candidate>,
     /// The upper end of the best bracket in the units of the slab test: what is entered later is culled.
     limit: f32,
-    fallbacks: &'a mut Fallbacks,
-}
-
-struct Candidate {
-    primitive: Placed,
-    t: Bracket,
-    /// The exact `t`, once it has been asked for.
-    root: Option<Root>,
 }
 
 impl<'a> ExactSearch<'a> {
@@ -34,56 +22,10 @@ impl<'a> ExactSearch<'a> {
         shapes: &'a Shapes,
         ray: &Ray,
         slab: &'a SlabRay,
+        ties: &'a mut Ties,
         fallbacks: &'a mut Fallbacks,
     ) -> ExactSearch<'a> {
-        ExactSearch { shapes, ray: FilterRay::new(ray), slab, best: None, limit: f32::INFINITY, fallbacks }
-    }
-
-    /// Takes a hit, if it is nearer than the best, or as near and before it in the file (rule E3).
-    #[inline]
-    fn offer(&mut self, mut candidate: Candidate) {
-        let t = candidate.t;
-        if let Some(best) = &self.best {
-            if best.t.is_below(&t) {
-                return;
-            }
-            if !t.is_below(&best.t) && !self.wins_close(&mut candidate) {
-                return;
-            }
-        }
-        self.best = Some(candidate);
-        self.limit = self.slab.scaled_limit(t.high);
-    }
-
-    #[cold]
-    fn test_exactly(&mut self, primitive: Placed, surface: &Surface) {
-        self.fallbacks.unsure_tests += 1;
-        if let Some(root) = surface.exact(&self.ray.ray) {
-            self.offer(Candidate { primitive, t: root.bracket(), root: Some(root) });
-        }
-    }
-
-    /// Whether a hit beats the best one, where the brackets overlap.
-    #[cold]
-    fn wins_close(&mut self, candidate: &mut Candidate) -> bool {
-        let shapes = self.shapes;
-        let best = self.best.as_mut().expect("there is a best hit to compare with");
-        let comes_first = shapes.precedes(candidate.primitive, best.primitive);
-        if shapes.surface(candidate.primitive).coincides_with(&shapes.surface(best.primitive)) {
-            return comes_first;
-        }
-        self.fallbacks.comparisons += 1;
-        match candidate.root(shapes, &self.ray.ray).cmp(best.root(shapes, &self.ray.ray)) {
-            Ordering::Less => true,
-            Ordering::Equal => comes_first,
-            Ordering::Greater => false,
-        }
-    }
-}
-
-impl Candidate {
-    fn root(&mut self, shapes: &Shapes, ray: &Ray) -> &Root {
-        self.root.get_or_insert_with(|| shapes.surface(self.primitive).exact_t(ray))
+        ExactSearch { shapes, nearest: Nearest::new(shapes, ray, ties, fallbacks), slab, limit: f32::INFINITY }
     }
 }
 
@@ -91,10 +33,10 @@ impl Search for ExactSearch<'_> {
     #[inline]
     fn test(&mut self, primitive: Placed) {
         let Some(surface) = self.shapes.surface_in_tree(primitive) else { return };
-        match surface.filter(&self.ray) {
-            Verdict::Miss => {}
-            Verdict::Hit(t) => self.offer(Candidate { primitive, t, root: None }),
-            Verdict::Unsure => self.test_exactly(primitive, &surface),
+        if self.nearest.test(primitive, &surface)
+            && let Some(t) = self.nearest.best_t()
+        {
+            self.limit = self.slab.scaled_limit(t.high);
         }
     }
 
@@ -105,12 +47,11 @@ impl Search for ExactSearch<'_> {
 
     #[inline]
     fn has_hit(&self) -> bool {
-        self.best.is_some()
+        self.nearest.best_t().is_some()
     }
 
     fn into_hit(self) -> Option<Hit> {
-        let is_hard = self.fallbacks.is_any();
-        self.best.map(|best| Hit { primitive: best.primitive, t: best.t, is_hard })
+        self.nearest.into_hit()
     }
 }
 
@@ -147,8 +88,8 @@ mod tests {
             let primitive = Placed::alone(Primitive::triangle(0));
             let Some(root) = shapes.surface(primitive).exact(&ray) else { return Ok(()) };
             let slab = AnchorSpace::new(origin, 4.0).ray(&ray);
-            let mut fallbacks = Fallbacks::default();
-            let mut search = ExactSearch::new(&shapes, &ray, &slab, &mut fallbacks);
+            let (mut ties, mut fallbacks) = (Ties::default(), Fallbacks::default());
+            let mut search = ExactSearch::new(&shapes, &ray, &slab, &mut ties, &mut fallbacks);
             search.test(primitive);
             // Narrowed to f32 as the limit is, the true number is not above it.
             let truth = slab.scaled_limit(root.bracket().low);

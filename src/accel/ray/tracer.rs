@@ -4,6 +4,7 @@ use super::any_hit::AnyHit;
 use super::exact_search::ExactSearch;
 use super::fast_search::FastSearch;
 use super::foreign_search::ForeignSearch;
+use super::ties::Ties;
 use super::traversal::{Search, Stacks, traverse};
 use crate::accel::hit::{Fallbacks, Hit, Work};
 use crate::accel::space::SlabRay;
@@ -17,13 +18,15 @@ pub struct Tracer<'a> {
     shapes: &'a Shapes,
     precision: Precision,
     stacks: Stacks,
+    ties: Ties,
     fallbacks: Fallbacks,
 }
 
 impl<'a> Tracer<'a> {
     /// For rays through `aggregate`, which was built over `shapes`.
     pub fn new(aggregate: &'a Aggregate, shapes: &'a Shapes, precision: Precision) -> Tracer<'a> {
-        Tracer { aggregate, shapes, precision, stacks: Stacks::new(), fallbacks: Fallbacks::default() }
+        let (stacks, ties, fallbacks) = (Stacks::new(), Ties::default(), Fallbacks::default());
+        Tracer { aggregate, shapes, precision, stacks, ties, fallbacks }
     }
 
     /// The nearest hit of `ray`; of several at one `t`, the primitive that comes first in the file (rule E3).
@@ -53,7 +56,8 @@ impl<'a> Tracer<'a> {
             return None;
         }
         let slab = self.aggregate.space.ray(ray);
-        self.search::<COUNTED, false, _>(&slab, ForeignSearch::new(&slab, intersect), work)
+        let search = ForeignSearch::new(&slab, intersect);
+        traverse::<COUNTED, _>(self.aggregate, self.shapes, &slab, search, &mut self.stacks, work)
     }
 
     /// How far away the `hit` of `ray` is.
@@ -83,8 +87,8 @@ impl Tracer<'_> {
         match self.precision {
             Precision::Exact => {
                 let mut fallbacks = Fallbacks::default();
-                let search = ExactSearch::new(shapes, ray, &slab, &mut fallbacks);
-                let hit = self.search::<COUNTED, ANY, _>(&slab, search, work);
+                let search = ExactSearch::new(shapes, ray, &slab, &mut self.ties, &mut fallbacks);
+                let hit = run::<COUNTED, ANY, _>(aggregate, shapes, &slab, search, &mut self.stacks, work);
                 if fallbacks.is_any() {
                     self.fallbacks += Fallbacks { rays: 1, ..fallbacks };
                 }
@@ -92,22 +96,25 @@ impl Tracer<'_> {
             }
             Precision::Fast => {
                 let search = FastSearch::new(shapes, &aggregate.space, ray, &slab);
-                self.search::<COUNTED, ANY, _>(&slab, search, work)
+                run::<COUNTED, ANY, _>(aggregate, shapes, &slab, search, &mut self.stacks, work)
             }
         }
     }
+}
 
-    #[inline]
-    fn search<const COUNTED: bool, const ANY: bool, S: Search>(
-        &mut self,
-        slab: &SlabRay,
-        search: S,
-        work: &mut Work,
-    ) -> Option<Hit> {
-        if ANY {
-            traverse::<COUNTED, _>(self.aggregate, self.shapes, slab, AnyHit::new(search), &mut self.stacks, work)
-        } else {
-            traverse::<COUNTED, _>(self.aggregate, self.shapes, slab, search, &mut self.stacks, work)
-        }
+/// Takes a search through the tree, to its end or to its first hit.
+#[inline]
+fn run<const COUNTED: bool, const ANY: bool, S: Search>(
+    aggregate: &Aggregate,
+    shapes: &Shapes,
+    slab: &SlabRay,
+    search: S,
+    stacks: &mut Stacks,
+    work: &mut Work,
+) -> Option<Hit> {
+    if ANY {
+        traverse::<COUNTED, _>(aggregate, shapes, slab, AnyHit::new(search), stacks, work)
+    } else {
+        traverse::<COUNTED, _>(aggregate, shapes, slab, search, stacks, work)
     }
 }

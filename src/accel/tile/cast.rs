@@ -14,6 +14,7 @@ use super::traced::TracedTile;
 use super::view_node::ViewNode;
 use super::walk::{Occlusion, Stack, ViewTree};
 use crate::accel::Fallbacks;
+use crate::accel::ray::Ties;
 use crate::shape::{Placed, Primitive};
 use crate::simd::{Kernel, LANES, Lanes};
 
@@ -26,12 +27,14 @@ pub(super) struct Scratch {
     pub(super) object_stack: Stack,
     planes: Planes,
     contested: Vec<Contested>,
+    ties: Ties,
 }
 
 impl Scratch {
     pub(super) fn new() -> Scratch {
         let (stack, object_stack, contested) = (Stack::default(), Stack::default(), Vec::new());
-        Scratch { pixels: Pixels::new(), stack, object_stack, planes: Planes::new(), contested }
+        let ties = Ties::default();
+        Scratch { pixels: Pixels::new(), stack, object_stack, planes: Planes::new(), contested, ties }
     }
 }
 
@@ -167,8 +170,8 @@ impl Tile<'_> {
     /// Decides what was contested.
     fn settle(&mut self) {
         if !self.scratch.contested.is_empty() {
-            let Scratch { pixels, contested, .. } = &mut *self.scratch;
-            self.searcher.settle(self.frame.first, contested, pixels, self.fallbacks);
+            let Scratch { pixels, contested, ties, .. } = &mut *self.scratch;
+            self.searcher.settle(self.frame.first, contested, pixels, ties, self.fallbacks);
         }
     }
 

@@ -146,10 +146,14 @@ impl Pixels {
 
     /// Keeps a hit that was searched for.
     pub(super) fn set(&mut self, pixel: Pixel, hit: Hit, nearness: f32) {
-        let slot = SEARCHED | self.hits.len() as u32;
-        self.hits.push(hit);
         let (block, lane) = (pixel.block(), pixel.lane());
-        self.slots[block][lane] = f32::from_bits(slot);
+        if let Held::Hit(place) = self.held(pixel) {
+            // A place belongs to one pixel, so that there are never more of them than pixels.
+            self.hits[place] = hit;
+        } else {
+            self.slots[block][lane] = f32::from_bits(SEARCHED | self.hits.len() as u32);
+            self.hits.push(hit);
+        }
         self.nearness[block][lane] = nearness;
         self.changed |= 1 << block;
     }

@@ -1,13 +1,13 @@
 //! Pixels that lanes could not decide, one after the other.
 
 use super::draw::Contested;
-use super::pixels::{Pixel, Pixels};
+use super::pixels::{Held, Pixel, Pixels};
 use super::view::View;
-use crate::accel::ray::{ExactSearch, FastSearch, Search};
+use crate::accel::ray::{FastSearch, Nearest, Search, Ties};
 use crate::accel::{Aggregate, Depth, Fallbacks, Hit, Precision};
 use crate::camera::Camera;
 use crate::geometry::Ray;
-use crate::shape::{FilterRay, Placed, Shapes};
+use crate::shape::{Coincidence, FilterRay, Placed, Shapes, Surface};
 
 /// Casts single rays at single primitives.
 pub(super) struct Searcher<'a> {
@@ -27,26 +27,31 @@ impl Searcher<'_> {
         self.camera.ray(first[0] + pixel.column(), first[1] + pixel.row())
     }
 
-    /// Decides between a contested triangle and what its pixel hit so far, for each.
+    /// Decides between a contested primitive and what its pixel hit so far, for each.
     pub(super) fn settle(
         &self,
         first: [u32; 2],
         contested: &mut Vec<Contested>,
         pixels: &mut Pixels,
+        ties: &mut Ties,
         fallbacks: &mut Fallbacks,
     ) {
+        // They come primitive by primitive.
+        let mut last: Option<(Placed, Option<Surface>)> = None;
         for Contested { pixel, primitive } in contested.drain(..) {
             let best = pixels.primitive(pixel);
-            if self.hits_only && best.is_some() {
+            if best.is_some() && (self.hits_only || best == Some(primitive)) {
                 continue;
             }
-            let ray = self.ray(first, pixel);
-            if !ray.can_hit() {
-                continue;
-            }
+            let (_, surface) = match &last {
+                Some(last) if last.0 == primitive => last,
+                _ => last.insert((primitive, self.shapes.surface_in_tree(primitive))),
+            };
+            let Some(surface) = surface else { continue };
+            let ray = || Some(self.ray(first, pixel)).filter(Ray::can_hit);
             let found = match self.precision {
-                Precision::Exact => self.search_exactly(&ray, best, primitive, fallbacks),
-                Precision::Fast => self.search_fast(&ray, primitive, pixels, pixel),
+                Precision::Exact => self.search_exactly(ray, pixels, pixel, (primitive, surface), ties, fallbacks),
+                Precision::Fast => ray().and_then(|ray| self.search_fast(&ray, primitive, pixels, pixel)),
             };
             if let Some((hit, nearness)) = found {
                 pixels.set(pixel, hit, if self.hits_only { f32::INFINITY } else { nearness });
@@ -54,28 +59,45 @@ impl Searcher<'_> {
         }
     }
 
-    /// The hit with `primitive`, if it is before the one with `best`.
+    /// The hit with a primitive that can be hit, if it is before what the pixel hit.
     fn search_exactly(
         &self,
-        ray: &Ray,
-        best: Option<Placed>,
-        primitive: Placed,
+        ray: impl Fn() -> Option<Ray>,
+        pixels: &Pixels,
+        pixel: Pixel,
+        (primitive, surface): (Placed, &Surface),
+        ties: &mut Ties,
         fallbacks: &mut Fallbacks,
     ) -> Option<(Hit, f32)> {
-        let slab = self.aggregate.space.ray(ray);
+        let best = pixels.primitive(pixel);
+        let is_tie = best.is_some_and(|best| ties.between(self.shapes, best, primitive) == Coincidence::SameHit);
+        if is_tie && best.is_some_and(|best| self.shapes.precedes(best, primitive)) {
+            return None;
+        }
+        let ray = ray()?;
         let mut counted = Fallbacks::default();
-        let mut search = ExactSearch::new(self.shapes, ray, &slab, &mut counted);
-        best.into_iter().for_each(|best| search.test(best));
-        search.test(primitive);
-        let hit = search.into_hit();
+        let mut nearest = Nearest::new(self.shapes, &ray, ties, &mut counted);
+        // What ties with the best and comes before it only has to be hit.
+        if !is_tie {
+            match pixels.held(pixel) {
+                Held::Nothing => {}
+                Held::Triangle(place) => {
+                    let held = pixels.kept.primitive(place);
+                    nearest.test(held, &self.shapes.surface(held));
+                }
+                Held::Hit(place) => nearest.hold(pixels.hits[place].primitive, pixels.hits[place].t),
+            }
+        }
+        let wins = nearest.test(primitive, surface);
+        let hit = nearest.into_hit();
         if counted.is_any() {
             *fallbacks += Fallbacks { rays: 1, ..counted };
         }
-        let mut hit = hit.filter(|hit| hit.primitive == primitive && best != Some(primitive))?;
+        let mut hit = hit.filter(|_| wins)?;
         let width = hit.t.high - hit.t.low;
         let allowed = if self.view.is_perspective { hit.t.low * NARROW } else { f64::from(self.view.tolerance) / 8.0 };
         if width > allowed || width.is_nan() {
-            hit.t = self.shapes.surface(primitive).exact_t(ray).bracket();
+            hit.t = surface.exact_t(&ray).bracket();
         }
         Some((hit, self.view.nearness(hit.t.low)))
     }

@@ -10,16 +10,35 @@ use std::cmp::Ordering::{self, Greater, Less};
 pub struct Disk {
     /// Its z.
     pub height: f64,
-    /// 0 where there is no hole. Where it is the radius, a circle is left, and nothing where it is larger.
+    /// As the file gives it: 0 where there is no hole. Its sign counts for v alone. Where its absolute value is the radius, a circle is
+    /// left, and nothing where it is larger.
     pub inner_radius: f64,
     /// `None` for a full turn.
     pub sector: Option<Sector>,
+    /// Whether the file gives the radius below 0, which counts for v alone.
+    pub has_negative_radius: bool,
 }
 
 impl Disk {
-    /// What pbrt-v3 makes of the parameters: it squares the inner radius, so that its sign does not count.
+    /// What pbrt-v3 makes of the parameters, for a radius above 0.
     pub fn new(height: f64, inner_radius: f64, phi_max: f64) -> Disk {
-        Disk { height, inner_radius: inner_radius.abs(), sector: Sector::new(phi_max) }
+        Disk { height, inner_radius, sector: Sector::new(phi_max), has_negative_radius: false }
+    }
+
+    /// The radius of the hole: pbrt-v3 squares the inner radius.
+    pub fn hole(&self) -> f64 {
+        self.inner_radius.abs()
+    }
+
+    /// pbrt-v3's v at a distance from the axis, in units of the radius: (r - distance) / (r - innerradius), where both radii count with
+    /// their signs. If they are above 0, it is 0 at the rim and 1 at the hole.
+    pub(super) fn v_at(&self, from_axis: f64, radius: f64) -> f64 {
+        let (inner, hole) = (self.inner_radius / radius, self.hole() / radius);
+        let rim = if self.has_negative_radius { -1.0 } else { 1.0 };
+        // The distance may have been rounded to beyond a rim.
+        let from_axis = from_axis.min(1.0).max(hole);
+        let whole = rim - inner;
+        if whole == 0.0 { 0.0 } else { (rim - from_axis) / whole }
     }
 
     /// Whether the point of the plane is there of which `from_axis` tells how its distance from the axis compares with a number,
@@ -31,7 +50,8 @@ impl Disk {
         side: impl Fn(&Plane) -> Option<Ordering>,
     ) -> Option<bool> {
         let within = from_axis(radius).map(|distance| distance != Greater);
-        let without = if self.inner_radius > 0.0 { from_axis(self.inner_radius) } else { Some(Greater) };
+        let hole = self.hole();
+        let without = if hole > 0.0 { from_axis(hole) } else { Some(Greater) };
         let in_ring = both(within, without.map(|distance| distance != Less));
         let beyond = |normal, offset| side(&Plane { normal, offset }).map(|side| side != Less);
         match &self.sector {

@@ -26,7 +26,7 @@ use crate::geometry::Matrix;
 pub struct Quadric {
     /// Places and stretches it.
     pub world_from_object: Matrix,
-    /// In object space.
+    /// In object space. No ray can hit what has none above 0: rule E7 says what a file means by one below.
     pub radius: f64,
     /// What has that radius.
     pub form: Form,
@@ -65,7 +65,7 @@ impl Quadric {
         match &self.form {
             Form::Sphere(_) => true,
             Form::Cylinder(cut) => cut.z_min.is_finite() && cut.z_max.is_finite(),
-            Form::Disk(disk) => disk.height.is_finite() && disk.inner_radius <= self.radius,
+            Form::Disk(disk) => disk.height.is_finite() && disk.hole() <= self.radius,
         }
     }
 

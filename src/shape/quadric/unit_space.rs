@@ -64,7 +64,7 @@ impl UnitSpace {
         }
     }
 
-    /// pbrt-v3's u and v of a point of the surface, from 0 to 1.
+    /// pbrt-v3's u and v of a point of the surface, from 0 to 1; v of a disk may be beyond where one of its radii is below 0.
     ///
     /// u is the angle about the z axis over `phimax`. v is, of a sphere, how far the angle from the z axis has come from that of
     /// `zmin` to that of `zmax`; of a cylinder, how far z has come from `zmin` to `zmax`; of a disk, how far the point has come from
@@ -80,10 +80,7 @@ impl UnitSpace {
                 (cut.and_then(|cut| cut.sector), part(angle - first, last - first))
             }
             Form::Cylinder(cut) => (cut.sector, part(point.z * radius - cut.z_min, cut.z_max - cut.z_min)),
-            Form::Disk(disk) => {
-                let hole = disk.inner_radius / radius;
-                (disk.sector, part(1.0 - from_axis, 1.0 - hole))
-            }
+            Form::Disk(disk) => (disk.sector, disk.v_at(from_axis, radius)),
         };
         [part_of_turn(point, sector.map_or(360.0, |sector| sector.degrees)), v]
     }

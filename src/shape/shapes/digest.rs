@@ -50,6 +50,8 @@ fn words_of_form(place: u32, form: &Form) -> [u64; 4] {
         Form::Sphere(None) => words(0, 0.0, 0.0, None),
         Form::Sphere(Some(Cut { z_min, z_max, sector })) => words(1, *z_min, *z_max, *sector),
         Form::Cylinder(Cut { z_min, z_max, sector }) => words(2, *z_min, *z_max, *sector),
-        Form::Disk(Disk { height, inner_radius, sector }) => words(3, *height, *inner_radius, *sector),
+        Form::Disk(Disk { height, inner_radius, sector, has_negative_radius }) => {
+            words(3 + u64::from(*has_negative_radius), *height, *inner_radius, *sector)
+        }
     }
 }

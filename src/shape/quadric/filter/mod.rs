@@ -56,6 +56,12 @@ impl Quadric {
 #[inline]
 fn first_hit(roots: Roots, is_there: impl Fn(Approximation) -> Option<bool>) -> Verdict {
     let Some(roots) = roots else { return Verdict::Unsure };
+    if let [Some(nearer), Some(farther)] = &roots
+        && !nearer.bracket().is_below(&farther.bracket())
+    {
+        // Brackets tell which root is meant: what is decided once for two surfaces with the same roots relies on it.
+        return Verdict::Unsure;
+    }
     for t in roots.into_iter().flatten() {
         match is_there(t) {
             Some(true) => {

@@ -1,0 +1,113 @@
+//! The nearest of the primitives that a ray is tested against, decided exactly.
+
+use super::ties::Ties;
+use crate::accel::hit::{Fallbacks, Hit};
+use crate::exact::{Bracket, Root};
+use crate::geometry::Ray;
+use crate::shape::{Coincidence, FilterRay, Placed, Shapes, Surface, Verdict};
+use std::cmp::Ordering;
+
+/// The best hit so far of a ray among the primitives that were tested.
+///
+/// The answer is that of exact arithmetic on all of them, in whatever order they come: the filter's verdicts are right, its
+/// brackets hold the true `t`, and where two brackets overlap the true numbers are compared.
+pub(in crate::accel) struct Nearest<'a> {
+    shapes: &'a Shapes,
+    ray: FilterRay,
+    best: Option<Candidate>,
+    ties: &'a mut Ties,
+    fallbacks: &'a mut Fallbacks,
+}
+
+struct Candidate {
+    primitive: Placed,
+    t: Bracket,
+    /// The exact `t`, once it has been asked for.
+    root: Option<Root>,
+}
+
+impl<'a> Nearest<'a> {
+    pub(in crate::accel) fn new(
+        shapes: &'a Shapes,
+        ray: &Ray,
+        ties: &'a mut Ties,
+        fallbacks: &'a mut Fallbacks,
+    ) -> Nearest<'a> {
+        Nearest { shapes, ray: FilterRay::new(ray), best: None, ties, fallbacks }
+    }
+
+    /// Begins with a hit that is known, at a `t` within the bracket.
+    pub(in crate::accel) fn hold(&mut self, primitive: Placed, t: Bracket) {
+        self.best = Some(Candidate { primitive, t, root: None });
+    }
+
+    /// Where the best hit is, if there is any.
+    #[inline]
+    pub(in crate::accel) fn best_t(&self) -> Option<&Bracket> {
+        self.best.as_ref().map(|best| &best.t)
+    }
+
+    /// Tests a primitive that can be hit. Whether it is the best hit now.
+    #[inline]
+    pub(in crate::accel) fn test(&mut self, primitive: Placed, surface: &Surface) -> bool {
+        match surface.filter(&self.ray) {
+            Verdict::Miss => false,
+            Verdict::Hit(t) => self.offer(Candidate { primitive, t, root: None }),
+            Verdict::Unsure => self.test_exactly(primitive, surface),
+        }
+    }
+
+    /// Takes a hit, if it is nearer than the best, or as near and before it in the file (rule E3).
+    #[inline]
+    fn offer(&mut self, mut candidate: Candidate) -> bool {
+        let t = candidate.t;
+        if let Some(best) = &self.best {
+            if best.t.is_below(&t) {
+                return false;
+            }
+            if !t.is_below(&best.t) && !self.wins_close(&mut candidate) {
+                return false;
+            }
+        }
+        self.best = Some(candidate);
+        true
+    }
+
+    #[cold]
+    fn test_exactly(&mut self, primitive: Placed, surface: &Surface) -> bool {
+        self.fallbacks.unsure_tests += 1;
+        let root = surface.exact(&self.ray.ray);
+        root.is_some_and(|root| self.offer(Candidate { primitive, t: root.bracket(), root: Some(root) }))
+    }
+
+    /// Whether a hit beats the best one, where the brackets overlap.
+    #[cold]
+    fn wins_close(&mut self, candidate: &mut Candidate) -> bool {
+        let shapes = self.shapes;
+        let best = self.best.as_mut().expect("there is a best hit to compare with");
+        let comes_first = shapes.precedes(candidate.primitive, best.primitive);
+        match self.ties.between(shapes, best.primitive, candidate.primitive) {
+            Coincidence::SameHit => return comes_first,
+            // The filter tells one bracket of each root, and brackets of two roots that are apart.
+            Coincidence::SameRoots if candidate.root.is_none() && candidate.t == best.t => return comes_first,
+            Coincidence::SameRoots | Coincidence::None => {}
+        }
+        self.fallbacks.comparisons += 1;
+        match candidate.root(shapes, &self.ray.ray).cmp(best.root(shapes, &self.ray.ray)) {
+            Ordering::Less => true,
+            Ordering::Equal => comes_first,
+            Ordering::Greater => false,
+        }
+    }
+
+    pub(in crate::accel) fn into_hit(self) -> Option<Hit> {
+        let is_hard = self.fallbacks.is_any();
+        self.best.map(|best| Hit { primitive: best.primitive, t: best.t, is_hard })
+    }
+}
+
+impl Candidate {
+    fn root(&mut self, shapes: &Shapes, ray: &Ray) -> &Root {
+        self.root.get_or_insert_with(|| shapes.surface(self.primitive).exact_t(ray))
+    }
+}

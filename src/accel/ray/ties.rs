@@ -1,0 +1,159 @@
+//! Which primitives a ray can only meet at the same `t`, found out once and not for every ray.
+
+use crate::shape::{Coincidence, Placed, Shapes, Surface};
+
+/// What a thread knows of primitives that coincide.
+///
+/// The answers depend on the primitives alone, never on what was asked before: what is forgotten is found out again.
+#[derive(Debug, Default)]
+pub(in crate::accel) struct Ties {
+    last: Option<(Placed, Placed, Coincidence)>,
+    /// A primitive, and one whose plane it lies in: those with the same one are coplanar.
+    leaders: Cache<Placed>,
+    /// Pairs that look coplanar and are not.
+    apart: Cache<()>,
+}
+
+impl Ties {
+    /// What two primitives have in common, both of which can be hit.
+    #[inline]
+    pub(in crate::accel) fn between(&mut self, shapes: &Shapes, a: Placed, b: Placed) -> Coincidence {
+        if let Some((first, second, known)) = self.last
+            && first == a
+            && second == b
+        {
+            return known;
+        }
+        let found = self.find(shapes, a, b);
+        self.last = Some((a, b, found));
+        found
+    }
+
+    fn find(&mut self, shapes: &Shapes, a: Placed, b: Placed) -> Coincidence {
+        let leaders = [a, b].map(|placed| self.leaders.get(placed, placed));
+        if leaders[0].is_some() && leaders[0] == leaders[1] {
+            return Coincidence::SameHit;
+        }
+        match (shapes.surface(a), shapes.surface(b)) {
+            (p, q) if p.is_flat() && q.is_flat() => {
+                let leaders = [leaders[0].unwrap_or(a), leaders[1].unwrap_or(b)];
+                if self.are_coplanar((a, &p), (b, &q), leaders) { Coincidence::SameHit } else { Coincidence::None }
+            }
+            (Surface::Quadric(p), Surface::Quadric(q)) => p.coincidence(&q),
+            _ => Coincidence::None,
+        }
+    }
+
+    fn are_coplanar(&mut self, (a, p): (Placed, &Surface), (b, q): (Placed, &Surface), leaders: [Placed; 2]) -> bool {
+        if let Some(known) = p.may_be_coplanar_with(q) {
+            return known;
+        }
+        if self.apart.get(a, b).is_some() {
+            return false;
+        }
+        if !p.is_coplanar_with(q) {
+            self.apart.put(a, b, ());
+            return false;
+        }
+        // The smaller one, so that groups grow together instead of changing sides.
+        let [first, second] = leaders;
+        let leader = if second < first { second } else { first };
+        self.leaders.put(a, a, leader);
+        self.leaders.put(b, b, leader);
+        true
+    }
+}
+
+/// What is known of pairs of primitives, as far as there is room: each has one place, where the last one to come stays.
+#[derive(Debug)]
+struct Cache<T> {
+    /// Nothing as long as it is not used.
+    places: Vec<Option<(Placed, Placed, T)>>,
+}
+
+impl<T> Default for Cache<T> {
+    fn default() -> Cache<T> {
+        Cache { places: Vec::new() }
+    }
+}
+
+impl<T: Copy> Cache<T> {
+    const BITS: u32 = 14;
+
+    fn place(a: Placed, b: Placed) -> usize {
+        // Fibonacci hashing: the upper bits of a product with 2^64 over the golden ratio.
+        const FACTOR: u64 = 0x9e37_79b9_7f4a_7c15;
+        let word = a.to_bits().wrapping_mul(FACTOR) ^ b.to_bits().rotate_left(32);
+        (word.wrapping_mul(FACTOR) >> (64 - Self::BITS)) as usize
+    }
+
+    fn get(&self, a: Placed, b: Placed) -> Option<T> {
+        let (first, second, known) = (*self.places.get(Self::place(a, b))?)?;
+        (first == a && second == b).then_some(known)
+    }
+
+    fn put(&mut self, a: Placed, b: Placed, known: T) {
+        if self.places.is_empty() {
+            self.places = vec![None; 1 << Self::BITS];
+        }
+        self.places[Self::place(a, b)] = Some((a, b, known));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Matrix, Point};
+    use crate::shape::Primitive;
+    use proptest::prelude::*;
+
+    /// Triangles with corners that are whole numbers, in planes through the origin, or shifted.
+    fn shapes_of(triangles: &[([[i32; 2]; 3], [i32; 3])]) -> Shapes {
+        let mut shapes = Shapes::default();
+        for (corners, [slope, other, height]) in triangles {
+            let corner = |[x, y]: [i32; 2]| Point::from([x, y, slope * x + other * y + height].map(f64::from));
+            shapes.add_mesh(corners.map(corner).to_vec(), vec![[0, 1, 2]], &Matrix::IDENTITY, 1).unwrap();
+        }
+        shapes
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(500))]
+
+        /// Whatever was asked before, in whatever order.
+        #[test]
+        fn answers_depend_on_the_pair_alone(
+            triangles in prop::collection::vec(
+                (prop::array::uniform3(prop::array::uniform2(-9i32..10)), prop::array::uniform3(1i32..3)), 2..8),
+            order in prop::collection::vec((0usize..8, 0usize..8), 1..40),
+        ) {
+            let shapes = shapes_of(&triangles);
+            let mut ties = Ties::default();
+            for (a, b) in order {
+                let [a, b] = [a, b].map(|k| k % triangles.len());
+                let [p, q] = [a, b].map(|k| Placed::alone(Primitive::triangle(k)));
+                if [p, q].iter().any(|placed| !shapes.surface(*placed).can_be_hit()) {
+                    continue;
+                }
+                let expected = if triangles[a].1 == triangles[b].1 { Coincidence::SameHit } else { Coincidence::None };
+                prop_assert_eq!(ties.between(&shapes, p, q), expected);
+                prop_assert_eq!(Ties::default().between(&shapes, p, q), expected);
+            }
+        }
+    }
+
+    #[test]
+    fn a_cache_forgets_and_does_not_grow() {
+        let mut cache = Cache::default();
+        let placed = |k: usize| Placed::in_instance(k % 7, Primitive::triangle(k));
+        assert_eq!(cache.get(placed(0), placed(1)), None);
+        let count = 4 << Cache::<usize>::BITS;
+        for k in 0..count {
+            cache.put(placed(k), placed(k + 1), k);
+            assert_eq!(cache.get(placed(k), placed(k + 1)), Some(k));
+        }
+        assert_eq!(cache.places.len(), 1 << Cache::<usize>::BITS);
+        let known: Vec<usize> = (0..count).filter(|k| cache.get(placed(*k), placed(k + 1)) == Some(*k)).collect();
+        assert!(known.len() <= cache.places.len() && known.len() > cache.places.len() / 2, "{}", known.len());
+    }
+}
