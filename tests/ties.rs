@@ -161,7 +161,7 @@ fn shapes_of(pieces: &[(Piece, bool)], place: &Matrix, level: i32) -> Shapes {
 }
 
 proptest! {
-    #![proptest_config(cases(300))]
+    #![proptest_config(cases(150))]
 
     #[test]
     fn coincident_pieces_are_right(

@@ -5,10 +5,11 @@ use super::block::Block;
 use super::corners::{Corners, Cover, WideTriangles};
 use super::draw::{Batch, Canvas, Contested, Rule, Source};
 use super::frame::{Frame, PixelArea};
+use super::fronts::Fronts;
 use super::pixels::{Pixel, Pixels};
 use super::planes::{Planes, Prepared};
 use super::resolve::{Wanted, resolve};
-use super::search::Searcher;
+use super::search::{Known, Searcher};
 use super::spheres::Seen;
 use super::traced::TracedTile;
 use super::view_node::ViewNode;
@@ -27,14 +28,14 @@ pub(super) struct Scratch {
     pub(super) object_stack: Stack,
     planes: Planes,
     contested: Vec<Contested>,
-    ties: Ties,
+    pub(super) known: Known,
 }
 
 impl Scratch {
     pub(super) fn new() -> Scratch {
         let (stack, object_stack, contested) = (Stack::default(), Stack::default(), Vec::new());
-        let ties = Ties::default();
-        Scratch { pixels: Pixels::new(), stack, object_stack, planes: Planes::new(), contested, ties }
+        let known = Known { ties: Ties::default(), fronts: Fronts::new() };
+        Scratch { pixels: Pixels::new(), stack, object_stack, planes: Planes::new(), contested, known }
     }
 }
 
@@ -170,8 +171,8 @@ impl Tile<'_> {
     /// Decides what was contested.
     fn settle(&mut self) {
         if !self.scratch.contested.is_empty() {
-            let Scratch { pixels, contested, ties, .. } = &mut *self.scratch;
-            self.searcher.settle(self.frame.first, contested, pixels, ties, self.fallbacks);
+            let Scratch { pixels, contested, known, .. } = &mut *self.scratch;
+            self.searcher.settle(self.frame.first, contested, pixels, known, self.fallbacks);
         }
     }
 

@@ -13,6 +13,7 @@ mod cast;
 mod corners;
 mod draw;
 mod frame;
+mod fronts;
 mod instances;
 mod kept;
 mod narrow;

@@ -1,13 +1,14 @@
 //! Pixels that lanes could not decide, one after the other.
 
 use super::draw::Contested;
+use super::fronts::Fronts;
 use super::pixels::{Held, Pixel, Pixels};
 use super::view::View;
 use crate::accel::ray::{FastSearch, Nearest, Search, Ties};
 use crate::accel::{Aggregate, Depth, Fallbacks, Hit, Precision};
 use crate::camera::Camera;
 use crate::geometry::Ray;
-use crate::shape::{Coincidence, FilterRay, Placed, Shapes, Surface};
+use crate::shape::{Coincidence, FilterRay, Placed, Shapes, Surface, Verdict};
 
 /// Casts single rays at single primitives.
 pub(super) struct Searcher<'a> {
@@ -17,6 +18,13 @@ pub(super) struct Searcher<'a> {
     pub(super) view: &'a View,
     pub(super) precision: Precision,
     pub(super) hits_only: bool,
+}
+
+/// What a thread remembers of surfaces that coincide.
+#[derive(Debug)]
+pub(super) struct Known {
+    pub(super) ties: Ties,
+    pub(super) fronts: Fronts,
 }
 
 /// Relative width of a bracket of t that is narrow enough to be compared as nearness.
@@ -33,11 +41,12 @@ impl Searcher<'_> {
         first: [u32; 2],
         contested: &mut Vec<Contested>,
         pixels: &mut Pixels,
-        ties: &mut Ties,
+        Known { ties, fronts }: &mut Known,
         fallbacks: &mut Fallbacks,
     ) {
         // They come primitive by primitive.
         let mut last: Option<(Placed, Option<Surface>)> = None;
+        let mut is_part = false;
         for Contested { pixel, primitive } in contested.drain(..) {
             let best = pixels.primitive(pixel);
             if best.is_some() && (self.hits_only || best == Some(primitive)) {
@@ -45,10 +54,18 @@ impl Searcher<'_> {
             }
             let (_, surface) = match &last {
                 Some(last) if last.0 == primitive => last,
-                _ => last.insert((primitive, self.shapes.surface_in_tree(primitive))),
+                _ => {
+                    let last = last.insert((primitive, self.shapes.surface_in_tree(primitive)));
+                    is_part = last.1.as_ref().is_some_and(|surface| fronts.turn_to(surface));
+                    last
+                }
             };
             let Some(surface) = surface else { continue };
             let ray = || Some(self.ray(first, pixel)).filter(Ray::can_hit);
+            let is_exact = self.precision == Precision::Exact;
+            if is_exact && is_part && self.is_behind(&fronts.at(pixel, ray), pixels, pixel, primitive, ties) {
+                continue;
+            }
             let found = match self.precision {
                 Precision::Exact => self.search_exactly(ray, pixels, pixel, (primitive, surface), ties, fallbacks),
                 Precision::Fast => ray().and_then(|ray| self.search_fast(&ray, primitive, pixels, pixel)),
@@ -56,6 +73,22 @@ impl Searcher<'_> {
             if let Some((hit, nearness)) = found {
                 pixels.set(pixel, hit, if self.hits_only { f32::INFINITY } else { nearness });
             }
+        }
+    }
+
+    /// Whether a part of a surface cannot win at a pixel, given where the whole of it is met first: it is not met, or the pixel has hit
+    /// another part of it there that comes before in the file.
+    fn is_behind(&self, front: &Verdict, pixels: &Pixels, pixel: Pixel, primitive: Placed, ties: &mut Ties) -> bool {
+        match (front, pixels.held(pixel)) {
+            (Verdict::Miss, _) => true,
+            (Verdict::Hit(front), Held::Hit(place)) => {
+                let best = &pixels.hits[place];
+                // One bracket for each root, and brackets of two roots that are apart: it is the same root.
+                best.t == *front
+                    && ties.between(self.shapes, best.primitive, primitive) != Coincidence::None
+                    && self.shapes.precedes(best.primitive, primitive)
+            }
+            _ => false,
         }
     }
 

@@ -144,6 +144,7 @@ impl TileTracer<'_> {
         let wanted = Wanted { z: options.with_z, t: options.with_t, miss: options.miss };
         let TileTracer { scratch, traced, fallbacks, .. } = self;
         scratch.pixels.clear(view.least_nearness());
+        scratch.known.fronts.clear();
         let [columns, rows] = part_of(first, window);
         scratch.pixels.keep_only(columns, rows);
         let tree = ViewTree { nodes, blocks: &aggregate.wide.blocks };

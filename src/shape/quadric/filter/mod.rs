@@ -50,6 +50,18 @@ impl Quadric {
             Form::Disk(disk) => first_hit(space.crossing(disk), |t| space.is_in_ring(t, disk, self.radius)),
         }
     }
+
+    /// The same of the whole sphere or cylinder that it is a part of. A hit has the bracket that the part has where it is hit at the same
+    /// root, and no bracket of the other root overlaps it.
+    pub fn filter_whole(&self, ray: &FilterRay) -> Verdict {
+        let space = ScaledSpace::new(self, ray);
+        let (o, d) = (&space.origin, &space.direction);
+        match &self.form {
+            Form::Sphere(_) => first_hit(space.roots(o, d), |_| Some(true)),
+            Form::Cylinder(_) => first_hit(space.roots(&across(o), &across(d)), |_| Some(true)),
+            Form::Disk(_) => Verdict::Unsure,
+        }
+    }
 }
 
 /// The first of the roots that is there.
