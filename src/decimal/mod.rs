@@ -1,15 +1,19 @@
 //! Decimal number tokens, as scene files and ASCII meshes write them (rule R1 of `docs/accuracy.md`).
 
 mod eight_bytes;
+mod windows;
 
 use self::eight_bytes::EightBytes;
+pub(crate) use self::windows::continues_at_hash;
 
 /// The `f64` nearest to the decimal number `token`, ties to even; infinite beyond the range of `f64`.
 ///
 /// Takes what C's `strtod` takes in the C locale except hexadecimal: a sign, digits with or without a point,
-/// an exponent, `inf` and `nan`. `None` where the token is anything else or has something after the number.
+/// an exponent, `inf` and `nan`; and what C libraries of Windows print for these two, such as `-1.#IND` and `nan(ind)`.
+/// `None` where the token is anything else or has something after the number.
 pub fn parse(token: &[u8]) -> Option<f64> {
-    parse_short(token).or_else(|| std::str::from_utf8(token).ok()?.parse().ok())
+    let standard = || std::str::from_utf8(token).ok()?.parse().ok();
+    parse_short(token).or_else(standard).or_else(|| windows::parse(token))
 }
 
 /// Powers of ten that an `f64` holds exactly.

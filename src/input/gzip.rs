@@ -4,12 +4,9 @@ use std::borrow::Cow;
 use std::io::Read;
 use std::path::Path;
 
-use flate2::bufread::MultiGzDecoder;
-
 use super::Storage;
+use super::gzip_members::{MAGIC, Members};
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
-
-const MAGIC: &[u8] = b"\x1f\x8b";
 
 /// A mesh or a scene does not shrink to less than this part of its size, unless it is made to fill the memory.
 const MOST_TIMES: u64 = 256;
@@ -43,7 +40,7 @@ pub(crate) fn stream<T>(storage: &Storage, read: impl FnOnce(&mut Stream) -> Opt
     let size = storage.size();
     let end = storage.piece(size.saturating_sub(4)..size, &mut buffer).ok()?;
     let trusted_size = trusted_size(end, usize::try_from(size).ok()?);
-    let content = MultiGzDecoder::new(storage.reader()).take(limit(size) + 1);
+    let content = Members::new(storage.reader()).take(limit(size) + 1);
     read(&mut Stream { content: Box::new(content), trusted_size })
 }
 
@@ -69,7 +66,7 @@ fn decompressed<'a>(path: &Path, bytes: &'a [u8]) -> Result<Cow<'a, [u8]>> {
     }
     let limit = limit(bytes.len() as u64);
     let mut content = Vec::with_capacity(trusted_size(bytes, bytes.len()));
-    let read = MultiGzDecoder::new(bytes).take(limit + 1).read_to_end(&mut content);
+    let read = Members::new(bytes).take(limit + 1).read_to_end(&mut content);
     read.map_err(|error| damaged(path, &error))?;
     if content.len() as u64 > limit {
         return Err(bomb(path, bytes.len(), limit));

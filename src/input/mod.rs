@@ -1,6 +1,7 @@
 //! Reading input files: whole, or in pieces.
 
 pub(crate) mod gzip;
+mod gzip_members;
 mod storage;
 
 pub(crate) use storage::Storage;

@@ -73,10 +73,7 @@ fn read(path: &Path, text: &[u8], corners: Option<&mut Vec<[u32; 3]>>) -> Result
     let mut faces = models.into_iter().next().map(|model| model.mesh).unwrap_or_default();
     let vertices = points(std::mem::take(&mut faces.positions));
     let triangles = triangles(&faces, &vertices, |face| blame::face(path, text, face), corners).map_err(at_file)?;
-    let small = plain.small.in_text(path, text, "face of fewer than 3 corners, left out");
-    let unknown = plain.unknown.in_text(path, text, "statement that OBJ does not know, left out");
-    let warnings = small.into_iter().chain(unknown).collect();
-    Ok(Loaded::new(path, TriangleMesh { vertices, triangles, uv: None }, warnings))
+    Ok(Loaded::new(path, TriangleMesh { vertices, triangles, uv: None }, plain.warnings(path)))
 }
 
 fn points(coordinates: Vec<f64>) -> Vec<Point> {

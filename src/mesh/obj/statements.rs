@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use crate::decimal;
+
 /// The statements of a text as spans. Lines end with LF, CR LF or CR; a backslash right before the end
 /// continues a line, but not in a comment.
 #[derive(Clone)]
@@ -73,7 +75,8 @@ impl Iterator for Words<'_> {
     fn next(&mut self) -> Option<Range<usize>> {
         let start = self.at + gap_length(&self.text[self.at..]);
         let rest = &self.text[start..];
-        let ends = |at: &usize| is_blank(rest[*at]) || rest[*at] == b'#' || is_continuation(&rest[*at..]);
+        let is_comment = |at: usize| rest[at] == b'#' && !decimal::continues_at_hash(&rest[..at], &rest[at..]);
+        let ends = |at: &usize| is_blank(rest[*at]) || is_comment(*at) || is_continuation(&rest[*at..]);
         let length = (0..rest.len()).find(ends).unwrap_or(rest.len());
         // Nothing but a comment may come after a word that is empty.
         self.at = if length == 0 { self.text.len() } else { start + length };

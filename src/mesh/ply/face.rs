@@ -48,10 +48,8 @@ impl<V: Values> Body<'_, V> {
             return Err(self.wrong_header("a second list of corners", element));
         }
         match property.shape {
-            Shape::List { item, .. } if item.is_integer() => Ok(at),
-            Shape::List { .. } => {
-                Err(self.wrong_header(format!("the indices in `{}` are not integers", property.name), element))
-            }
+            // Whole numbers of a floating-point type are indices as well: rply, and so pbrt, reads them.
+            Shape::List { .. } => Ok(at),
             Shape::One(_) => Err(self.wrong_header(format!("property `{}` is not a list", property.name), element)),
         }
     }
