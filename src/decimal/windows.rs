@@ -72,7 +72,8 @@ mod tests {
 
     #[test]
     fn nothing_else_is() {
-        for token in ["1.#", "2.#INF", "1#INF", "1.#INF1", "1.#FOO", "nan(", "nan(ind", "nan(a b)", "inf(ind)", "--nan"] {
+        for token in ["1.#", "2.#INF", "1#INF", "1.#INF1", "1.#FOO", "nan(", "nan(ind", "nan(a b)", "inf(ind)", "--nan"]
+        {
             assert_eq!(parse(token.as_bytes()), None, "{token}");
         }
     }

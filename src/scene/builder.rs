@@ -6,6 +6,7 @@ use super::census::Census;
 use super::film::FilmParameters;
 use super::graphics_state::{Block, GraphicsState};
 use super::includes::Includes;
+use super::mesh_cache::MeshCache;
 use super::objects::{Definition, Objects};
 use super::parameters::Parameters;
 use super::parser::{Directive, Directives, Entity, Span, Statement};
@@ -18,6 +19,7 @@ use super::warnings::Warnings;
 use super::{LoadOptions, Roundings, Scene, SceneOptions};
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::geometry::{RoundedTransform, Transform, Vector};
+use crate::input::{Budget, BudgetFactor};
 use crate::progress::Progress;
 use crate::shape::Shapes;
 use std::path::{Path, PathBuf};
@@ -54,10 +56,14 @@ pub(super) struct Builder<'a> {
     pub(super) roundings: Option<Roundings>,
     keeps_orientation: bool,
     keeps_uv: bool,
+    /// What the scene's files may expand to.
+    pub(super) budget: Budget,
+    /// Meshes that are named more than once.
+    mesh_cache: MeshCache,
 }
 
 impl<'a> Builder<'a> {
-    pub(super) fn new(path: &Path, progress: Progress<'a>) -> Builder<'a> {
+    pub(super) fn new(path: &Path, factor: BudgetFactor, progress: Progress<'a>) -> Builder<'a> {
         Builder {
             path: path.to_path_buf(),
             directory: path.parent().unwrap_or(Path::new("")).to_path_buf(),
@@ -82,12 +88,14 @@ impl<'a> Builder<'a> {
             roundings: None,
             keeps_orientation: false,
             keeps_uv: false,
+            budget: Budget::new(factor),
+            mesh_cache: MeshCache::default(),
         }
     }
 
     /// The same, keeping what is wanted from the first directive on.
     pub(super) fn with_options(path: &Path, options: &LoadOptions, progress: Progress<'a>) -> Builder<'a> {
-        let mut builder = Builder::new(path, progress);
+        let mut builder = Builder::new(path, options.input_budget, progress);
         builder.places = options.places.then(Places::default);
         builder.state.rounded = options.roundings.then(|| Arc::new(RoundedTransform::IDENTITY));
         builder.roundings = options.roundings.then(Roundings::default);
@@ -104,12 +112,13 @@ impl<'a> Builder<'a> {
 
     /// Obeys the directives of the file that the builder is for.
     pub(super) fn read_top_level(&mut self) -> Result<()> {
-        let source = Source::read_top_level(&self.path)?;
+        let source = Source::read_top_level(&self.path, &self.budget)?;
         self.read(Rc::new(source))
     }
 
     /// Obeys the directives in `text`, as if it were the file that the builder is for.
     pub(super) fn read_text(&mut self, text: Vec<u8>) -> Result<()> {
+        self.budget.enter_bytes(text.len() as u64);
         self.read(Rc::new(Source { path: self.path.clone(), text }))
     }
 
@@ -264,6 +273,8 @@ impl<'a> Builder<'a> {
             is_in_object,
             is_turned: self.keeps_orientation && is_turned(),
             keeps_uv: self.keeps_uv,
+            budget: &self.budget,
+            mesh_cache: &mut self.mesh_cache,
         };
         let before = target.shapes.own_count();
         let is_added = target.add(Parameters::of_shape(entity, source, &self.state.defaults)?)?;

@@ -7,6 +7,7 @@ use super::parser;
 use super::source::Source;
 use super::{LoadOptions, Scene};
 use crate::error::Result;
+use crate::input::{Budget, BudgetFactor};
 use crate::mesh::{self, MeshFormat};
 use crate::progress::Progress;
 use std::path::Path;
@@ -16,7 +17,10 @@ use std::path::Path;
 /// `progress` counts bytes of scene files.
 pub fn load(path: &Path, options: &LoadOptions, progress: Progress) -> Result<Scene> {
     match bare_mesh(path) {
-        Some((shape, format)) => scene_of_mesh(path, shape, mesh::read(path, format, options.uv)?, options),
+        Some((shape, format)) => {
+            let budget = Budget::new(options.input_budget);
+            scene_of_mesh(path, shape, mesh::read_within(path, format, options.uv, &budget)?, options)
+        }
         None => {
             let mut builder = Builder::with_options(path, options, progress);
             builder.read_top_level()?;
@@ -41,12 +45,12 @@ pub struct SceneOptions {
     pub accelerator: AcceleratorParameters,
 }
 
-/// Reads a scene no further than `WorldBegin`, and no mesh.
-pub fn read_options(path: &Path) -> Result<SceneOptions> {
+/// Reads a scene no further than `WorldBegin`, and no mesh; its files may expand to so many times the usual limits.
+pub fn read_options(path: &Path, factor: BudgetFactor) -> Result<SceneOptions> {
     if is_bare_mesh(path) {
         return Ok(SceneOptions::default());
     }
-    Builder::new(path, Progress::SILENT).read_options()
+    Builder::new(path, factor, Progress::SILENT).read_options()
 }
 
 /// Whether a path names a mesh and not a scene: by its extension, `.gz` left aside.
@@ -56,7 +60,7 @@ pub fn is_bare_mesh(path: &Path) -> bool {
 
 /// Whether the file `path` is a scene by itself: it begins a world, or cannot be read to find out.
 pub fn is_top_level(path: &Path) -> bool {
-    Source::read(path).map_or(true, |source| parser::begins_world(&source.text))
+    Source::read_top_level(path, &Budget::default()).map_or(true, |source| parser::begins_world(&source.text))
 }
 
 /// What a scene would call the mesh, and its format.

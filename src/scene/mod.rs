@@ -12,6 +12,7 @@ mod film;
 mod graphics_state;
 mod includes;
 mod load;
+mod mesh_cache;
 mod objects;
 mod parameters;
 pub mod parser;
@@ -38,6 +39,7 @@ pub use roundings::Roundings;
 pub use warnings::{Warning, Warnings};
 
 use crate::camera::Camera;
+use crate::input::BudgetFactor;
 use crate::shape::Shapes;
 
 /// Everything that the picture depends on.
@@ -78,4 +80,6 @@ pub struct LoadOptions {
     pub orientation: bool,
     /// Whether to keep the coordinates that meshes give to their surface, for the channels `u` and `v`.
     pub uv: bool,
+    /// How many times the usual limits the scene's files may expand to.
+    pub input_budget: BudgetFactor,
 }

@@ -1,10 +1,12 @@
 //! The `Shape` directive: from parameters to geometry.
 
+use super::mesh_cache::MeshCache;
 use super::parameters::Parameters;
 use super::transform_cache::TransformCache;
 use super::warnings::Warnings;
 use crate::error::{Diagnostic, Error, Result};
 use crate::geometry::Matrix;
+use crate::input::Budget;
 use crate::mesh::{MeshFormat, TriangleMesh};
 use crate::shape::{Broken, CapacityError, Shapes};
 use std::path::Path;
@@ -25,6 +27,9 @@ pub(super) struct ShapeTarget<'a> {
     pub(super) is_turned: bool,
     /// Whether to keep what meshes say of u and v.
     pub(super) keeps_uv: bool,
+    /// What the scene's files may expand to.
+    pub(super) budget: &'a Budget,
+    pub(super) mesh_cache: &'a mut MeshCache,
 }
 
 /// Shapes of pbrt that feimos has, and its own.
@@ -86,6 +91,8 @@ impl ShapeTarget<'_> {
 
     /// Adds a mesh of triangles in object space, with indices in range.
     pub(super) fn add_mesh(&mut self, parameters: &Parameters, mesh: TriangleMesh) -> Result<()> {
+        let stored = self.budget.charge_stored(mesh.bytes());
+        stored.map_err(|error| error.or_at(|| parameters.place_of_name()))?;
         let TriangleMesh { vertices, triangles, uv } = mesh;
         let transform = self.transforms.intern(&self.world_from_object, self.shapes);
         let added = if self.is_in_object {

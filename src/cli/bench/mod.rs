@@ -20,6 +20,7 @@ use feimos::bench::{
     ray_table, timed, tree_table,
 };
 use feimos::error::{Error, Result};
+use feimos::input::BudgetFactor;
 use feimos::progress::Progress;
 use feimos::reference::MAX_PRIMITIVES;
 use feimos::scene::{self, LoadOptions, Scene};
@@ -65,6 +66,7 @@ struct Runner<'a> {
     rounds: Rounds,
     reference: Reference,
     with_pictures: bool,
+    input_budget: BudgetFactor,
     reporter: &'a Reporter,
     bars: ProgressBars,
 }
@@ -81,6 +83,7 @@ impl<'a> Runner<'a> {
             rounds: Rounds { warmup: args.measurement.warmup, runs: args.measurement.runs },
             reference: args.measurement.reference,
             with_pictures,
+            input_budget: args.input.input_budget,
             reporter,
             bars: ProgressBars::new(&args.talk),
         })
@@ -88,7 +91,8 @@ impl<'a> Runner<'a> {
 
     /// Loads `path`, judges and measures it, on the threads of the current pool; with a title that says so.
     fn measure(&self, path: &Path) -> Result<(String, Measured)> {
-        let options = LoadOptions { roundings: self.reference == Reference::Exact, ..LoadOptions::default() };
+        let roundings = self.reference == Reference::Exact;
+        let options = LoadOptions { roundings, input_budget: self.input_budget, ..LoadOptions::default() };
         let load_scene = |progress: Progress<'_>| scene::load(path, &options, progress);
         let (scene, load_ms) = timed(|| self.bars.during(Phase::Loading, load_scene));
         let scene = scene?;
@@ -96,7 +100,8 @@ impl<'a> Runner<'a> {
         let builds = self.methods.iter().map(|method| build_options(*method, &scene.accelerator)).collect();
         let plan =
             Plan { builds, kernels: self.kernels.clone(), rounds: self.rounds, with_pictures: self.with_pictures };
-        let bench = Bench { path, scene: &scene, load_ms, judge: self.judge(path, &scene) };
+        let bench =
+            Bench { path, scene: &scene, load_ms, input_budget: self.input_budget, judge: self.judge(path, &scene) };
         let run = |progress: Progress<'_>| bench.measure(&plan, progress);
         let measured = self.bars.during(Phase::Measuring(plan.steps()), run)?;
         Ok((self.title(path, &scene), measured))

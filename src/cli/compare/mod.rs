@@ -27,7 +27,8 @@ const LISTED_VERBOSE: usize = 100;
 /// Compares both images and returns the exit code: 1 where they differ by more than is allowed.
 pub(crate) fn compare(args: &CompareArgs, reporter: &Reporter) -> Result<u8> {
     args.diff.as_ref().map_or(Ok(()), |diff| diff::check(diff, [&args.expected, &args.found]))?;
-    match (ImageFile::read(&args.expected)?, ImageFile::read(&args.found)?) {
+    let [expected, found] = [&args.expected, &args.found].map(|path| ImageFile::read(path, args.input.input_budget));
+    match (expected?, found?) {
         (ImageFile::Exr(expected), ImageFile::Exr(found)) => images::compare(args, &expected, &found, reporter),
         (ImageFile::Png(_), ImageFile::Png(_)) if args.max_ulp.is_some() => {
             let error = Error::usage("--max-ulp is about depths, and PNG files hold colours");

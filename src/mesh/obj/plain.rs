@@ -117,7 +117,10 @@ impl<'a> Plain<'a> {
                 self.push_line(b'v', words.take(numbers).map(|word| number(&text[word])));
             }
             b"f" if words.clone().count() < 3 => self.small.add(statement.span.clone()),
-            b"f" => self.push_line(b'f', words.map(|word| if is_corner(&text[word.clone()]) { position(&text[word]) } else { b"?" })),
+            b"f" => self.push_line(
+                b'f',
+                words.map(|word| if is_corner(&text[word.clone()]) { position(&text[word]) } else { b"?" }),
+            ),
             other if is_one_of(other, &IGNORED) => {}
             other if is_one_of(other, &SURFACES) => self.surfaces.add(keyword),
             other if is_one_of(other, &CALLS) => self.calls.add(keyword),
@@ -153,7 +156,9 @@ pub(super) fn is_corner(corner: &[u8]) -> bool {
     match (others.next(), others.next(), others.next()) {
         (None, ..) => true,
         (Some(texture), None, _) => is_integer(texture),
-        (Some(texture), Some(normal), None) => [texture, normal].iter().all(|index| index.is_empty() || is_integer(index)),
+        (Some(texture), Some(normal), None) => {
+            [texture, normal].iter().all(|index| index.is_empty() || is_integer(index))
+        }
         _ => false,
     }
 }

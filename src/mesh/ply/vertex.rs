@@ -22,7 +22,7 @@ impl<V: Values> Body<'_, V> {
     pub(super) fn vertices(&mut self, element: &Element) -> Result<Vec<Point>> {
         let axes = self.axes(element)?;
         check_count(element.count, "vertices").map_err(|error| error.or_at(|| self.in_header(element.span.clone())))?;
-        let uv = names_of_uv(element).filter(|_| self.with_uv);
+        let uv = names_of_uv(element).filter(|_| self.wanted.with_uv);
         let uv = uv.map(|names| self.places_of(element, names)).transpose()?;
         if uv.is_none()
             && let Some(points) = self.fixed_points(element, axes)

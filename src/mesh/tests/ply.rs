@@ -88,7 +88,10 @@ fn whole_numbers_of_a_floating_point_type_are_indices() {
         }
         for (index, found) in [("0.5", "0.5"), ("nan", "NaN"), ("-inf", "-inf"), ("1e40", "")] {
             let text = message(ply(text.replace("3 0 1 2", &format!("3 0 {index} 2"))));
-            assert!(text.contains(&format!("{found} is not an index: expected a whole number")) || found.is_empty(), "{text}");
+            assert!(
+                text.contains(&format!("{found} is not an index: expected a whole number")) || found.is_empty(),
+                "{text}"
+            );
             assert!(text.starts_with("a.ply:13:5: "), "{text}");
         }
         for index in ["-1", "3", "4294967296"] {

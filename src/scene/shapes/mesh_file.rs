@@ -1,7 +1,8 @@
 //! `Shape "plymesh"` and `Shape "objmesh"`: meshes in files of their own.
 
 use crate::error::Result;
-use crate::mesh::{self, MeshFormat};
+use crate::input;
+use crate::mesh::MeshFormat;
 use crate::scene::parameters::Parameters;
 use crate::scene::shape_statement::{SURFACE, ShapeTarget};
 use std::path::PathBuf;
@@ -15,8 +16,9 @@ impl ShapeTarget<'_> {
             return Err(parameters.missing("filename", "a mesh without a file name").note(note));
         };
         let path: PathBuf = self.directory.join(filename);
-        let loaded = mesh::read(&path, format, self.keeps_uv)
-            .map_err(|error| error.note(format!("named in {}", parameters.place_of("filename"))))?;
+        let read =
+            input::refuse_special(&path).and_then(|()| self.mesh_cache.read(&path, format, self.keeps_uv, self.budget));
+        let loaded = read.map_err(|error| error.note(format!("named in {}", parameters.place_of("filename"))))?;
         for warning in loaded.warnings {
             let place = || parameters.place_of("filename");
             self.warnings.add(warning.to_string(), || warning.clone().note(format!("named in {}", place())));

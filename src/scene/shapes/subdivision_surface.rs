@@ -22,6 +22,11 @@ impl ShapeTarget<'_> {
             let message = "a subdivision surface without faces";
             return Err(parameters.missing("indices", message).note("expected \"integer indices\" [ ... ]"));
         };
+        let control = faces.len() as u64;
+        let made = u128::from(control) << (2 * levels);
+        self.budget
+            .charge_faces(control, made)
+            .map_err(|error| error.or_at(|| parameters.place_of(if of_v4.is_some() { "levels" } else { "nlevels" })))?;
         let refined = loop_subdivision::subdivide(vertices, &faces, levels);
         let mesh = refined.map_err(|Refusal { place, message, advice }| {
             let error = match place {
