@@ -8,6 +8,7 @@ use super::Storage;
 use super::budget::Budget;
 use super::gzip_members::{MAGIC, Members};
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
+use crate::memory;
 
 /// The memory that is taken on trust in the size that the file claims to have.
 const TRUSTED_TIMES: usize = 16;
@@ -73,6 +74,8 @@ fn decompressed<'a>(path: &Path, bytes: &'a [u8], budget: &Budget) -> Result<Cow
     }
     let limit = budget.decompressed_left();
     let trusted = trusted_size(bytes, bytes.len()).min(usize::try_from(limit).unwrap_or(usize::MAX));
+    let too_large = || "these gzip data are too large for this machine's memory".to_owned();
+    memory::check(trusted as u64, too_large).map_err(|error| error.or_at(|| SourceLocation::file(path)))?;
     let mut content = Vec::with_capacity(trusted);
     let read = Members::new(bytes).take(limit.saturating_add(1)).read_to_end(&mut content);
     read.map_err(|error| damaged(path, &error))?;

@@ -51,11 +51,14 @@ const PART_OF_MEMORY: u64 = 4;
 /// # Errors
 /// A file that is missing, unreadable, or a device, some of which never end.
 pub(crate) fn read(path: &Path) -> Result<Vec<u8>> {
-    let file_type = fs::metadata(path).map_err(|error| Error::reading(path, &error))?.file_type();
+    let metadata = fs::metadata(path).map_err(|error| Error::reading(path, &error))?;
+    let file_type = metadata.file_type();
     if is_device(file_type) {
         return Err(no_file(path, "a device"));
     }
     if file_type.is_file() || file_type.is_dir() {
+        let too_large = || "this file is too large for this machine's memory".to_owned();
+        memory::check(metadata.len(), too_large).map_err(|error| error.or_at(|| SourceLocation::file(path)))?;
         return read_whole(path).map_err(|error| Error::reading(path, &error));
     }
     let mut pipe = File::open(path).map_err(|error| Error::reading(path, &error))?;

@@ -131,7 +131,7 @@ pub struct Clipper<'a> {
     flat: Vec<Flat>,
     previous: Vec<usize>,
     next: Vec<usize>,
-    /// Corners whose turn is not positive, in their order, and perhaps some that have been cut.
+    /// Corners that are left and whose turn is not positive, in their order.
     blockers: Vec<usize>,
     /// The corner that blocked a corner when it was last looked at: likely to do so still.
     blocked_by: Vec<Option<usize>>,
@@ -189,7 +189,7 @@ impl<'a> Clipper<'a> {
     fn collect_blockers(&mut self) {
         let mut blockers = std::mem::take(&mut self.blockers);
         blockers.clear();
-        blockers.extend((0..self.flat.len()).filter(|at| !self.is_cut[*at] && !self.is_left_turn(*at)));
+        blockers.extend((0..self.flat.len()).filter(|at| !self.is_left_turn(*at)));
         self.blockers = blockers;
     }
 
@@ -243,13 +243,21 @@ impl<'a> Clipper<'a> {
 
     fn cut(&mut self, corner: usize) {
         let (previous, next) = (self.previous[corner], self.next[corner]);
-        let were_left = [previous, next].map(|at| self.is_left_turn(at));
         self.next[previous] = next;
         self.previous[next] = previous;
         self.is_cut[corner] = true;
-        let are_left = [previous, next].map(|at| self.is_left_turn(at));
-        if were_left != are_left {
-            self.collect_blockers();
+        self.set_blocking(corner, false);
+        // No other corner turns otherwise than before.
+        self.set_blocking(previous, !self.is_left_turn(previous));
+        self.set_blocking(next, !self.is_left_turn(next));
+    }
+
+    /// Adds `corner` to the blockers, which are in order, or removes it.
+    fn set_blocking(&mut self, corner: usize, is_blocker: bool) {
+        match (self.blockers.binary_search(&corner), is_blocker) {
+            (Ok(place), false) => _ = self.blockers.remove(place),
+            (Err(place), true) => self.blockers.insert(place, corner),
+            _ => {}
         }
     }
 }
