@@ -14,6 +14,8 @@ mod loaded_scene;
 mod man;
 mod manifest;
 mod merge;
+#[cfg(unix)]
+mod out_of_memory;
 mod output_name;
 mod outputs;
 mod picture;
@@ -66,7 +68,10 @@ fn report(talk: &TalkArgs, command: impl FnOnce(&Reporter) -> Result<u8>) -> Exi
 /// Runs a command and tells of the error that ended it, if one did.
 fn conclude(reporter: &Reporter, command: impl FnOnce(&Reporter) -> Result<u8>) -> ExitCode {
     #[cfg(unix)]
-    signals::end_cleanly(reporter);
+    {
+        signals::end_cleanly(reporter);
+        out_of_memory::end_with_its_own_code();
+    }
     let code = command(reporter).unwrap_or_else(|error| {
         reporter.error(&error);
         error.kind().exit_code()
