@@ -26,7 +26,7 @@ pub enum ErrorKind {
     Output,
     /// Reading or writing failed on the way (74, `EX_IOERR`).
     Io,
-    /// Reading or writing failed for a reason that may pass: no space, a stale handle (75, `EX_TEMPFAIL`).
+    /// Something failed for a reason that may pass: no space, no memory, a stale handle (75, `EX_TEMPFAIL`).
     TryAgain,
 }
 
@@ -48,7 +48,7 @@ impl ErrorKind {
     fn of_io(error: &std::io::Error, otherwise: ErrorKind) -> ErrorKind {
         use std::io::ErrorKind as Io;
         match error.kind() {
-            Io::StorageFull | Io::QuotaExceeded | Io::StaleNetworkFileHandle => ErrorKind::TryAgain,
+            Io::StorageFull | Io::QuotaExceeded | Io::StaleNetworkFileHandle | Io::OutOfMemory => ErrorKind::TryAgain,
             _ => otherwise,
         }
     }

@@ -5,11 +5,18 @@ mod common;
 use common::{agreed_picture, assert_same, picture, whole};
 use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::film::{Channel, ChannelName, Image, PixelBounds};
+use feimos::input::BudgetFactor;
 use feimos::scene::{LoadOptions, Scene, parse};
 use std::path::Path;
 
-const SURFACE: LoadOptions =
-    LoadOptions { resolution: None, places: false, roundings: false, orientation: true, uv: true };
+const SURFACE: LoadOptions = LoadOptions {
+    resolution: None,
+    places: false,
+    roundings: false,
+    orientation: true,
+    uv: true,
+    input_budget: BudgetFactor::ONCE,
+};
 
 /// The scene of a text, as far as the picture depends on it.
 fn scene_of(text: &str) -> Scene {

@@ -4,11 +4,13 @@ use super::Statistics;
 use super::build::{BuildOptions, Collected, Visibility, collect, space_around};
 use super::instance::{InstanceTrees, Outlines};
 use super::space::AnchorSpace;
-use super::tile::{Block, WideTree, blocks_of};
+use super::tile::{BLOCK, Block, WideTree, blocks_of};
 use super::tree::Tree;
 use crate::camera::Camera;
+use crate::error::Result;
 use crate::film::PixelBounds;
 use crate::geometry::Point;
+use crate::memory;
 use crate::progress::Progress;
 use crate::shape::{Primitive, Shapes};
 
@@ -58,6 +60,22 @@ impl Aggregate {
         drop(visibility);
         progress.advance(shapes.own_count() - collected.primitives.len());
         Aggregate::over(collected, instances, space, shapes, options, progress)
+    }
+
+    /// Whether there is memory for a build: over all of `shapes`, or `for_view`, which may be over none of them.
+    ///
+    /// # Errors
+    /// Where less is left than any such build takes.
+    pub fn check_memory(shapes: &Shapes, for_view: bool) -> Result<()> {
+        // A primitive has a lane of a block, and a place in the order of leaves; a view looks at vertices first.
+        let each = size_of::<Block>() / BLOCK + size_of::<Primitive>();
+        let bytes = match for_view {
+            false => shapes.own_count() as u64 * each as u64,
+            true => size_of_val(shapes.vertices()) as u64 / 2,
+        };
+        let message =
+            || format!("a tree over {} primitives is too large for this machine's memory", shapes.own_count());
+        memory::check(bytes, message)
     }
 
     fn over(

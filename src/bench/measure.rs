@@ -9,6 +9,7 @@ use super::surface_points::SurfacePoints;
 use super::{Errors, Pictures, Plan, Row, Spread};
 use crate::accel::{Aggregate, BuildOptions, Statistics, Work};
 use crate::error::Result;
+use crate::input::BudgetFactor;
 use crate::progress::Progress;
 use crate::scene::{self, LoadOptions, Scene};
 use std::hint::black_box;
@@ -32,6 +33,8 @@ pub struct Bench<'a> {
     pub scene: &'a Scene,
     /// Milliseconds that this took.
     pub load_ms: f64,
+    /// How many times the usual limits its files may expand to.
+    pub input_budget: BudgetFactor,
     /// Exact answers, if errors are wanted.
     pub judge: Option<Judge>,
 }
@@ -53,11 +56,12 @@ impl Bench<'_> {
         for build in &plan.builds {
             trees.push(trial.tree(*build, pictures.as_mut())?);
         }
+        let options = LoadOptions { input_budget: self.input_budget, ..LoadOptions::default() };
         let mut load_ms = vec![self.load_ms];
         for round in 0..plan.rounds.warmup.saturating_add(plan.rounds.runs.max(1)) {
             let is_counted = round >= plan.rounds.warmup;
             if self.path != Path::new("-") {
-                let (again, ms) = timed(|| scene::load(self.path, &LoadOptions::default(), Progress::SILENT));
+                let (again, ms) = timed(|| scene::load(self.path, &options, Progress::SILENT));
                 drop(again?);
                 load_ms.extend(is_counted.then_some(ms));
             }

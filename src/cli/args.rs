@@ -11,6 +11,7 @@ use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 use feimos::accel::{Precision, SplitMethod};
 use feimos::film::view::Depth16;
 use feimos::film::{Aov, ChannelName, ColorMap, PixelBounds, View};
+use feimos::input::BudgetFactor;
 use std::path::PathBuf;
 
 /// Hit and depth images of PBRT scenes.
@@ -74,6 +75,8 @@ pub(crate) struct RenderArgs {
     pub(crate) cameras: CameraArgs,
     #[command(flatten, next_help_heading = "Batch")]
     pub(crate) batch: BatchArgs,
+    #[command(flatten, next_help_heading = "Input")]
+    pub(crate) input: InputArgs,
     #[command(flatten, next_help_heading = "Talk")]
     pub(crate) talk: TalkArgs,
     #[command(flatten, next_help_heading = "Talk")]
@@ -194,6 +197,20 @@ pub(crate) struct ReportArgs {
     /// Take warnings for errors: exit with 1 [default: off].
     #[arg(long)]
     pub(crate) strict: bool,
+}
+
+/// What input files may cost.
+#[derive(Debug, Args)]
+pub(crate) struct InputArgs {
+    /// Multiply every limit on what input files may expand to: bytes decompressed, text read again, memory of meshes and images, faces
+    /// made by subdivision, files included, pairs of corners looked at to cut polygons.
+    #[arg(long, value_name = "FACTOR", default_value_t, value_parser = budget_factor)]
+    pub(crate) input_budget: BudgetFactor,
+}
+
+fn budget_factor(text: &str) -> Result<BudgetFactor, String> {
+    let factor = text.parse().ok().and_then(BudgetFactor::new);
+    factor.ok_or_else(|| format!("expected an integer from 1 to {}", BudgetFactor::MAX))
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

@@ -189,7 +189,7 @@ impl Renderer<'_> {
     fn make(&self, loaded: &LoadedScene, view: &Viewpoint, target: Target) -> Result<Finished> {
         let Target { destination, picture, window, header } = target;
         let shapes = &loaded.scene.shapes;
-        let (tree, build_ms) = self.tree(loaded, view, &picture, &window);
+        let (tree, build_ms) = self.tree(loaded, view, &picture, &window)?;
         let Built { aggregate, statistics } = tree.built();
         let options = RenderOptions {
             data_window: window,
@@ -221,16 +221,18 @@ impl Renderer<'_> {
         view: &Viewpoint,
         picture: &Picture,
         window: &PixelBounds,
-    ) -> (Tree<'a>, f64) {
+    ) -> Result<(Tree<'a>, f64)> {
         let (shapes, build) = (&loaded.scene.shapes, loaded.build);
         // Answers of f32, and costs, depend on where boxes are the most precise: each view has a tree of its own, as if it were alone.
         let depends_on_view = self.plan.precision == Precision::Fast || picture.needs_whole_tree();
         let is_shared = loaded.views.len() > 1 && !depends_on_view;
         if let (true, Some(built)) = (is_shared, loaded.shared()) {
-            return (Tree::Shared(built), 0.0);
+            return Ok((Tree::Shared(built), 0.0));
         }
+        let is_whole = is_shared || self.plan.stats || picture.needs_whole_tree();
+        Aggregate::check_memory(shapes, !is_whole)?;
         // Statistics and costs are those of the whole tree; other pictures alone need only what they show.
-        let make = |progress: Progress<'_>| match self.plan.stats || picture.needs_whole_tree() {
+        let make = |progress: Progress<'_>| match is_whole {
             _ if is_shared => Aggregate::build(shapes, loaded.middle(), build, progress),
             true => Aggregate::build(shapes, view.camera.anchor(), build, progress),
             false => Aggregate::build_for_view(shapes, &view.camera, window, build, progress),
@@ -239,7 +241,7 @@ impl Renderer<'_> {
         let built = Built::new(aggregate, shapes);
         summary::report_tree(&built, shapes, build.method, self.reporter);
         let tree = if is_shared { Tree::Shared(loaded.share(built)) } else { Tree::Own(Box::new(built)) };
-        (tree, ms)
+        Ok((tree, ms))
     }
 }
 

@@ -19,6 +19,8 @@ mod manifest;
 mod merge;
 mod new_folders;
 mod open_folders;
+#[cfg(unix)]
+mod out_of_memory;
 mod output_name;
 mod outputs;
 mod panics;
@@ -76,7 +78,10 @@ fn report(talk: &TalkArgs, command: impl FnOnce(&Reporter) -> Result<u8>) -> Exi
 fn conclude(reporter: &Reporter, command: impl FnOnce(&Reporter) -> Result<u8>) -> ExitCode {
     panics::keep_messages();
     #[cfg(unix)]
-    signals::end_cleanly(reporter);
+    {
+        signals::end_cleanly(reporter);
+        out_of_memory::end_with_its_own_code();
+    }
     let code = panics::guarded(None, || command(reporter)).unwrap_or_else(|error| {
         reporter.error(&error);
         error.kind().exit_code()

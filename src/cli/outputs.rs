@@ -141,7 +141,7 @@ fn destinations(path: &Path, plan: &Plan) -> Option<Vec<Destination>> {
         if path == Path::new("-") {
             return None;
         }
-        let SceneOptions { film_filename, accelerator } = scene::read_options(path).ok()?;
+        let SceneOptions { film_filename, accelerator } = scene::read_options(path, plan.load.input_budget).ok()?;
         (film_filename, plan.build_options(&accelerator, &Reporter::silent()).method)
     } else {
         (None, plan.accel.unwrap_or(SplitMethod::Sah))

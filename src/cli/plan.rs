@@ -58,6 +58,7 @@ impl Plan {
             resolution,
             orientation: asks(Aov::Normal) || *view == Some(View::Normal),
             uv: asks(Aov::Uv),
+            input_budget: args.input.input_budget,
             ..LoadOptions::default()
         };
         let plan = Plan {

@@ -2,10 +2,12 @@
 
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::film::PixelBounds;
-use image::{ColorType, DynamicImage, ImageFormat, ImageReader, Limits};
+use crate::input::BudgetFactor;
+use crate::memory;
+use png::{BitDepth, Decoder, Limits, OutputInfo, Transformations};
 use std::fmt::Display;
 use std::fs::File;
-use std::io::{self, BufReader, Cursor, Read, Seek, SeekFrom};
+use std::io::{self, BufRead, BufReader, Cursor, Read, Seek, SeekFrom};
 use std::path::Path;
 
 /// The first bytes of any PNG file.
@@ -35,28 +37,72 @@ pub fn recognises(bytes: &[u8]) -> bool {
 /// The picture in `bytes`, the content of the file `path`; grays become colours.
 ///
 /// # Errors
-/// What is no PNG file, damaged, cut off, or too large for the decoder's limits.
+/// What is no PNG file, damaged, cut off, or takes far more memory than the file.
 pub fn decode(path: &Path, bytes: &[u8]) -> Result<Picture> {
-    let mut reader = ImageReader::with_format(Cursor::new(bytes), ImageFormat::Png);
-    let mut limits = Limits::default();
-    (limits.max_image_width, limits.max_image_height) = (Some(PixelBounds::MAX_SIDE), Some(PixelBounds::MAX_SIDE));
-    reader.limits(limits);
-    reader.decode().map(Picture::of).map_err(|error| refused(path, &error))
+    decode_within(path, bytes, BudgetFactor::default())
 }
+
+/// As [`decode`], where pixels may take so many times the usual memory.
+pub(super) fn decode_within(path: &Path, bytes: &[u8], factor: BudgetFactor) -> Result<Picture> {
+    let limit = factor.image_limit(bytes.len() as u64);
+    let mut decoder = decoder(Cursor::new(bytes));
+    decoder.set_limits(Limits { bytes: usize::try_from(limit).unwrap_or(usize::MAX) });
+    // Words and colour profiles are nothing that is compared.
+    decoder.set_ignore_text_chunk(true);
+    decoder.set_transformations(Transformations::EXPAND);
+    let mut reader = decoder.read_info().map_err(|error| refused(path, &error))?;
+    let (width, height) = (reader.info().width, reader.info().height);
+    check_size(path, (width, height), bytes.len(), factor)?;
+    let too_large = || refused(path, &"it is too large for this machine's memory");
+    let mut samples = Vec::new();
+    let size = reader.output_buffer_size().ok_or_else(too_large)?;
+    samples.try_reserve_exact(size).map_err(|_| too_large())?;
+    samples.resize(size, 0);
+    let frame = reader.next_frame(&mut samples).map_err(|error| refused(path, &error))?;
+    Ok(Picture::of(&samples[..frame.buffer_size()], &frame))
+}
+
+/// Refuses pictures that are too wide or high, and those whose pixels take far more memory than the file.
+fn check_size(path: &Path, (width, height): (u32, u32), size: usize, factor: BudgetFactor) -> Result<()> {
+    let limit = PixelBounds::MAX_SIDE;
+    if width.max(height) > limit {
+        return Err(refused(path, &format!("it is {width} x {height} pixels, and a side has {limit} at most")));
+    }
+    let taken = (u64::from(width) * u64::from(height)).saturating_mul(size_of::<[u16; 4]>() as u64);
+    if taken > factor.image_limit(size as u64) {
+        let found = format!("{size} bytes of PNG hold {width} x {height} pixels, which take {taken} bytes of memory");
+        let diagnostic = Diagnostic::new(found).at(SourceLocation::file(path));
+        return Err(Error::bad_input(diagnostic.note(factor.advice())));
+    }
+    memory::check(taken, || format!("{}: this image is too large for this machine's memory", path.display()))
+}
+
+/// A decoder that leaves colour profiles alone.
+fn decoder<R: BufRead + Seek>(file: R) -> Decoder<R> {
+    let mut decoder = Decoder::new(file);
+    decoder.set_ignore_iccp_chunk(true);
+    decoder
+}
+
+/// Bytes of a text at most, when it is decompressed.
+const MOST_TEXT: usize = 1 << 20;
 
 /// The words that the file `path` has under `keyword`, where it has some; pixels are not read.
 ///
 /// # Errors
-/// What is no PNG file, damaged, or cannot be read.
+/// What is no PNG file, damaged, or cannot be read; words of more than a megabyte.
 pub fn read_text(path: &Path, keyword: &str) -> Result<Option<String>> {
     let file = File::open(path).map_err(|error| Error::reading(path, &error))?;
-    let reader = png::Decoder::new(BufReader::new(file)).read_info().map_err(|error| refused(path, &error))?;
+    let reader = decoder(BufReader::new(file)).read_info().map_err(|error| refused(path, &error))?;
     let info = reader.info();
     if let Some(chunk) = info.uncompressed_latin1_text.iter().find(|chunk| chunk.keyword == keyword) {
         return Ok(Some(chunk.text.clone()));
     }
-    let utf8 = info.utf8_text.iter().find(|chunk| chunk.keyword == keyword);
-    utf8.map(|chunk| chunk.get_text()).transpose().map_err(|error| refused(path, &error))
+    let Some(mut chunk) = info.utf8_text.iter().find(|chunk| chunk.keyword == keyword).cloned() else {
+        return Ok(None);
+    };
+    let text = chunk.decompress_text_with_limit(MOST_TEXT).and_then(|()| chunk.get_text());
+    text.map(Some).map_err(|error| refused(path, &error))
 }
 
 /// Whether the file `path` has the end that every PNG file has; no pixel is read.
@@ -84,20 +130,38 @@ fn refused(path: &Path, error: &impl Display) -> Error {
 }
 
 impl Picture {
-    fn of(decoded: DynamicImage) -> Picture {
-        let (width, height) = (decoded.width(), decoded.height());
-        let is_deep =
-            matches!(decoded.color(), ColorType::L16 | ColorType::La16 | ColorType::Rgb16 | ColorType::Rgba16);
-        match is_deep {
-            true => {
-                let pixels = decoded.into_rgba16().pixels().map(|pixel| pixel.0).collect();
-                Picture { width, height, pixels, full: u16::MAX }
-            }
-            false => {
-                let pixels = decoded.into_rgba8().pixels().map(|pixel| pixel.0.map(u16::from)).collect();
-                Picture { width, height, pixels, full: u8::MAX.into() }
-            }
-        }
+    /// The picture of `samples`, a frame without palette whose samples have 8 or 16 bits.
+    fn of(samples: &[u8], frame: &OutputInfo) -> Picture {
+        let channels = frame.color_type.samples();
+        let is_deep = frame.bit_depth == BitDepth::Sixteen;
+        let full = if is_deep { u16::MAX } else { u8::MAX.into() };
+        let pixel = |values: &[u16]| match *values {
+            [gray] => [gray, gray, gray, full],
+            [gray, alpha] => [gray, gray, gray, alpha],
+            [red, green, blue] => [red, green, blue, full],
+            [red, green, blue, alpha] => [red, green, blue, alpha],
+            _ => [0; 4],
+        };
+        let mut values = [0; 4];
+        let values = &mut values[..channels];
+        let pixels = match is_deep {
+            true => samples
+                .chunks_exact(2 * channels)
+                .map(|bytes| {
+                    let deep = bytes.as_chunks().0.iter().map(|bytes| u16::from_be_bytes(*bytes));
+                    values.iter_mut().zip(deep).for_each(|(value, sample)| *value = sample);
+                    pixel(values)
+                })
+                .collect(),
+            false => samples
+                .chunks_exact(channels)
+                .map(|bytes| {
+                    values.iter_mut().zip(bytes).for_each(|(value, sample)| *value = (*sample).into());
+                    pixel(values)
+                })
+                .collect(),
+        };
+        Picture { width: frame.width, height: frame.height, pixels, full }
     }
 }
 
@@ -105,7 +169,7 @@ impl Picture {
 mod tests {
     use super::*;
     use crate::error::ErrorKind;
-    use image::{GrayImage, ImageBuffer, Luma, Rgb};
+    use image::{DynamicImage, GrayImage, ImageBuffer, ImageFormat, Luma, Rgb};
 
     fn encoded(image: impl Into<DynamicImage>) -> Vec<u8> {
         let mut file = Cursor::new(Vec::new());

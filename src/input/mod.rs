@@ -1,13 +1,19 @@
 //! Reading input files: whole, or in pieces.
 
+mod budget;
 pub(crate) mod gzip;
+mod gzip_members;
+mod identity;
 mod missing;
 mod storage;
 
+pub use budget::BudgetFactor;
+pub(crate) use budget::{Budget, pairs_of};
 pub(crate) use missing::advise_beside;
 pub(crate) use storage::Storage;
 
 use crate::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
+use crate::memory;
 use std::fs::{self, File, FileType};
 use std::io::{self, Read};
 use std::path::Path;
@@ -20,26 +26,72 @@ const PIECE: usize = 1 << 20;
 /// The bytes of standard input.
 ///
 /// # Errors
-/// Where reading fails.
+/// Where reading fails, or the input does not end within a part of the memory that there is.
 pub(crate) fn read_stdin() -> Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    let read = io::stdin().read_to_end(&mut bytes);
-    read.map(|_| bytes).map_err(|error| Error::reading(Path::new("-"), &error))
+    read_stream(Path::new("-"), &mut io::stdin().lock())
 }
 
-/// The bytes of a file.
+/// The bytes of an input without a size, which may never end.
+fn read_stream(path: &Path, stream: &mut impl Read) -> Result<Vec<u8>> {
+    let limit = memory::available().map_or(u64::MAX - 1, |available| available / PART_OF_MEMORY);
+    let mut bytes = Vec::new();
+    let read = stream.take(limit + 1).read_to_end(&mut bytes);
+    read.map_err(|error| Error::reading(path, &error))?;
+    if bytes.len() as u64 > limit {
+        let message = format!("the input has more than {limit} bytes, a quarter of the memory that is to be had");
+        let diagnostic = Diagnostic::new(message).at(SourceLocation::file(path));
+        return Err(Error::new(ErrorKind::TryAgain, diagnostic.note("does it never end? else put it into a file")));
+    }
+    Ok(bytes)
+}
+
+/// The part of the memory that there is that an input without a size may take.
+const PART_OF_MEMORY: u64 = 4;
+
+/// The bytes of a file that the command line names, which may be a pipe.
 ///
 /// # Errors
 /// A file that is missing, unreadable, or a device, some of which never end.
 pub(crate) fn read(path: &Path) -> Result<Vec<u8>> {
-    refuse_device(path).and_then(|()| read_whole(path)).map_err(|error| match error.kind() {
-        io::ErrorKind::Unsupported => {
-            let diagnostic = Diagnostic::new("this is a device, not a file").at(SourceLocation::file(path));
-            Error::new(ErrorKind::MissingInput, diagnostic)
-        }
-        io::ErrorKind::NotFound | io::ErrorKind::NotADirectory => missing::advise(path, Error::reading(path, &error)),
-        _ => Error::reading(path, &error),
-    })
+    let metadata = fs::metadata(path).map_err(|error| missing::advise(path, Error::reading(path, &error)))?;
+    let file_type = metadata.file_type();
+    if is_device(file_type) {
+        return Err(no_file(path, "a device"));
+    }
+    if file_type.is_file() || file_type.is_dir() {
+        let too_large = || "this file is too large for this machine's memory".to_owned();
+        memory::check(metadata.len(), too_large).map_err(|error| error.or_at(|| SourceLocation::file(path)))?;
+        return read_whole(path).map_err(|error| Error::reading(path, &error));
+    }
+    let mut pipe = File::open(path).map_err(|error| Error::reading(path, &error))?;
+    read_stream(path, &mut pipe)
+}
+
+/// Refuses a file that an input names and that is none: opening a pipe may wait for ever, and a device may never end.
+///
+/// # Errors
+/// What is there and is no regular file with a size. What is not there is its reader's to tell.
+pub(crate) fn refuse_special(path: &Path) -> Result<()> {
+    let Ok(metadata) = fs::metadata(path) else { return Ok(()) };
+    let file_type = metadata.file_type();
+    if is_device(file_type) {
+        return Err(no_file(path, "a device"));
+    }
+    if !file_type.is_file() && !file_type.is_dir() {
+        return Err(no_file(path, "a pipe or a socket"));
+    }
+    // Files of the kernel claim to be regular and empty.
+    let is_of_kernel =
+        || fs::canonicalize(path).is_ok_and(|path| path.starts_with("/proc") || path.starts_with("/sys"));
+    if metadata.len() == 0 && is_of_kernel() {
+        return Err(no_file(path, "a window to the kernel"));
+    }
+    Ok(())
+}
+
+fn no_file(path: &Path, found: &str) -> Error {
+    let diagnostic = Diagnostic::new(format!("this is {found}, not a file")).at(SourceLocation::file(path));
+    Error::new(ErrorKind::MissingInput, diagnostic)
 }
 
 fn read_whole(path: &Path) -> io::Result<Vec<u8>> {
@@ -58,10 +110,6 @@ fn read_pieces(file: &File, size: u64) -> io::Result<Vec<u8>> {
     let pieces = bytes.par_chunks_mut(PIECE).enumerate();
     pieces.try_for_each(|(number, piece)| storage::read_at(file, piece, (number * PIECE) as u64))?;
     Ok(bytes)
-}
-
-fn refuse_device(path: &Path) -> io::Result<()> {
-    if is_device(fs::metadata(path)?.file_type()) { Err(io::ErrorKind::Unsupported.into()) } else { Ok(()) }
 }
 
 #[cfg(unix)]
@@ -96,6 +144,26 @@ mod tests {
         let beyond = bytes.len() as u64 - 1..bytes.len() as u64 + 1;
         assert!(storage.piece(beyond.clone(), &mut buffer).is_err());
         assert!(Storage::Memory(&bytes).piece(beyond, &mut buffer).is_err());
+    }
+
+    #[test]
+    fn streams_are_read_up_to_a_part_of_the_memory() {
+        let path = Path::new("-");
+        assert_eq!(read_stream(path, &mut &b"all of it"[..]), Ok(b"all of it".to_vec()));
+    }
+
+    #[test]
+    fn what_an_input_names_must_be_a_file() {
+        let directory = tempfile::tempdir().expect("a directory");
+        let socket = directory.path().join("socket");
+        let _listener = std::os::unix::net::UnixListener::bind(&socket).expect("a socket");
+        assert!(refuse_special(&socket).unwrap_err().to_string().ends_with("this is a pipe or a socket, not a file"));
+        assert!(refuse_special(Path::new("/dev/zero")).is_err());
+        assert!(refuse_special(Path::new("Cargo.toml")).is_ok());
+        assert!(refuse_special(Path::new("no/such")).is_ok());
+        if Path::new("/proc/self/status").exists() {
+            assert!(refuse_special(Path::new("/proc/self/status")).is_err());
+        }
     }
 
     #[test]

@@ -13,26 +13,33 @@ pub(super) struct Holes {
 impl Holes {
     /// Those that `parts` leave of `window`. Looks at bands of rows in which the same parts are, so at no pixel by itself.
     pub(super) fn of(window: &PixelBounds, parts: &[PixelBounds]) -> Holes {
-        let mut parts: Vec<PixelBounds> = parts.iter().map(|part| part.intersection(window)).collect();
-        parts.retain(|part| !part.is_empty());
-        parts.sort_unstable_by_key(|part| part.x0);
-        let mut cuts: Vec<u32> = parts.iter().flat_map(|part| [part.y0, part.y1]).collect();
-        cuts.extend([window.y0, window.y1]);
-        cuts.sort_unstable();
-        cuts.dedup();
         let mut holes = Holes { count: 0, first: None };
-        for band in cuts.windows(2) {
-            let in_band = parts.iter().filter(|part| part.y0 <= band[0] && band[1] <= part.y1);
-            let mut covered = window.x0;
-            for part in in_band.map(|part| [part.x0, part.x1]).chain([[window.x1, window.x1]]) {
-                if part[0] > covered {
-                    holes.count += u64::from(part[0] - covered) * u64::from(band[1] - band[0]);
-                    holes.first = holes.first.or(Some([covered, band[0]]));
-                }
-                covered = covered.max(part[1]);
-            }
-        }
+        each(window, parts, |hole| {
+            holes.count += hole.area();
+            holes.first = holes.first.or(Some([hole.x0, hole.y0]));
+        });
         holes
+    }
+}
+
+/// Shows `visit` the rectangles that make up what `parts` leave of `window`, from the topmost on.
+pub(super) fn each(window: &PixelBounds, parts: &[PixelBounds], mut visit: impl FnMut(&PixelBounds)) {
+    let mut parts: Vec<PixelBounds> = parts.iter().map(|part| part.intersection(window)).collect();
+    parts.retain(|part| !part.is_empty());
+    parts.sort_unstable_by_key(|part| part.x0);
+    let mut cuts: Vec<u32> = parts.iter().flat_map(|part| [part.y0, part.y1]).collect();
+    cuts.extend([window.y0, window.y1]);
+    cuts.sort_unstable();
+    cuts.dedup();
+    for band in cuts.windows(2) {
+        let in_band = parts.iter().filter(|part| part.y0 <= band[0] && band[1] <= part.y1);
+        let mut covered = window.x0;
+        for part in in_band.map(|part| [part.x0, part.x1]).chain([[window.x1, window.x1]]) {
+            if part[0] > covered {
+                visit(&PixelBounds { x0: covered, x1: part[0], y0: band[0], y1: band[1] });
+            }
+            covered = covered.max(part[1]);
+        }
     }
 }
 

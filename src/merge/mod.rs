@@ -10,6 +10,7 @@ mod tests;
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::film::exr_reader::{self, Outline};
 use crate::film::{Channel, Image, Metadata, PixelBounds, Samples};
+use crate::input::BudgetFactor;
 use crate::progress::Progress;
 use crate::render;
 use holes::Holes;
@@ -32,11 +33,11 @@ pub struct Merged {
 /// Puts the EXR files `crops` together by their data windows. Pixels that several crops have must be the same in all of them.
 /// Without `partial` every pixel of the film must be in one; with it, the image ends where the crops do, and may have holes.
 ///
-/// `progress` counts crops.
+/// The pixels of a crop may take `factor` times the usual memory. `progress` counts crops.
 ///
 /// # Errors
 /// Files that cannot be read, or are not of one film, scene and set of options; pixels that are missing, or differ.
-pub fn merge(crops: &[PathBuf], partial: bool, progress: Progress) -> Result<Merged> {
+pub fn merge(crops: &[PathBuf], partial: bool, factor: BudgetFactor, progress: Progress) -> Result<Merged> {
     let outlines = crops.iter().map(|path| exr_reader::read_outline(path)).collect::<Result<Vec<Outline>>>()?;
     let Some(first) = outlines.first() else { return Err(Error::usage("no crop to merge")) };
     for (path, outline) in crops.iter().zip(&outlines).skip(1) {
@@ -49,9 +50,10 @@ pub fn merge(crops: &[PathBuf], partial: bool, progress: Progress) -> Result<Mer
     if let (false, Some(hole)) = (partial, holes.first) {
         return Err(missing(&holes, hole, first.film));
     }
-    let mut image = blank(first, window, holes.count > 0)?;
+    let channels = render::allocate(&first.channels, &window)?;
+    let mut image = Image { display_window: first.film, data_window: window, channels };
     for (place, path) in crops.iter().enumerate() {
-        let (crop, _) = exr_reader::read_with_metadata(path)?;
+        let (crop, _) = exr_reader::read_with_metadata(path, factor)?;
         if crop.data_window != windows[place] || crop.channels.len() != image.channels.len() {
             return Err(Error::bad_input(Diagnostic::new("the file changed").at(SourceLocation::file(path))));
         }
@@ -64,6 +66,8 @@ pub fn merge(crops: &[PathBuf], partial: bool, progress: Progress) -> Result<Mer
     }
     let mut metadata = first.metadata.clone();
     if holes.count > 0 {
+        // Only now: memory that is not written to is not taken, and any of the crops might have been damaged.
+        fill_holes(&mut image, &windows, metadata.miss());
         metadata.json = with_holes(&metadata.json, holes.count);
     }
     Ok(Merged { image, metadata, holes: holes.count })
@@ -131,17 +135,16 @@ fn around(windows: &[PixelBounds]) -> PixelBounds {
     })
 }
 
-/// An image of misses with the channels of `outline`.
-fn blank(outline: &Outline, window: PixelBounds, has_holes: bool) -> Result<Image> {
-    let channels = render::allocate(&outline.channels, &window)?;
-    let mut image = Image { display_window: outline.film, data_window: window, channels };
-    let miss = outline.metadata.miss();
-    for channel in image.channels.iter_mut().filter(|channel| has_holes && channel.name.is_depth()) {
-        if let Samples::F32(values) = &mut channel.samples {
-            values.fill(miss);
+/// Puts `miss` into the depths of the pixels that are in none of `windows`.
+fn fill_holes(image: &mut Image, windows: &[PixelBounds], miss: f32) {
+    let whole = image.data_window;
+    holes::each(&whole, windows, |hole| {
+        for channel in image.channels.iter_mut().filter(|channel| channel.name.is_depth()) {
+            if let Samples::F32(values) = &mut channel.samples {
+                (hole.y0..hole.y1).for_each(|y| values[row(&whole, hole, y)].fill(miss));
+            }
         }
-    }
-    Ok(image)
+    });
 }
 
 /// The places of the pixels of a row of `part` among the samples of `window`.

@@ -45,12 +45,12 @@ impl Crops {
     }
 
     fn merged(&self, partial: bool) -> Merged {
-        merge(&self.paths, partial, Progress::SILENT).unwrap()
+        merge(&self.paths, partial, BudgetFactor::default(), Progress::SILENT).unwrap()
     }
 
     /// The message, without the folder's name.
     fn refused(&self) -> String {
-        let error = merge(&self.paths, false, Progress::SILENT).unwrap_err();
+        let error = merge(&self.paths, false, BudgetFactor::default(), Progress::SILENT).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::BadInput);
         error.to_string().replace(&format!("{}/", self.folder.path().display()), "")
     }
@@ -77,7 +77,10 @@ fn what_overlaps_may_be_the_same_and_nothing_else() {
     crops.add(&other, JSON);
     let expected = "2.exr: 1.exr has other values for the same pixels: id differs in pixel (3, 4)";
     assert!(crops.refused().starts_with(expected), "{}", crops.refused());
-    assert!(merge(&crops.paths, true, Progress::SILENT).is_err(), "a choice between two answers is none");
+    assert!(
+        merge(&crops.paths, true, BudgetFactor::default(), Progress::SILENT).is_err(),
+        "a choice between two answers is none"
+    );
 }
 
 #[test]

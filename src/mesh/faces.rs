@@ -6,12 +6,13 @@ use super::polygon::{self, Clipper};
 use super::tally::Tally;
 use crate::error::{Diagnostic, Error, Result};
 use crate::geometry::Point;
+use crate::input::Budget;
 
 /// The triangles of the faces so far.
 pub(super) struct Faces<'a> {
     vertices: &'a [Point],
     triangles: Vec<[u32; 3]>,
-    clipper: Clipper,
+    clipper: Clipper<'a>,
     /// Which corners of their faces the corners of the triangles are, if somebody wants to know.
     places: Option<Vec<[u32; 3]>>,
     /// Faces of fewer than three corners, which give no triangle.
@@ -19,15 +20,15 @@ pub(super) struct Faces<'a> {
 }
 
 impl<'a> Faces<'a> {
-    /// No faces yet, over `vertices`, and memory for `triangles`.
-    pub(super) fn new(vertices: &'a [Point], triangles: usize) -> Faces<'a> {
+    /// No faces yet, over `vertices`, and memory for `triangles`. To cut polygons is charged to `budget`.
+    pub(super) fn new(vertices: &'a [Point], triangles: usize, budget: &'a Budget) -> Faces<'a> {
         let triangles = Vec::with_capacity(triangles);
-        Faces { vertices, triangles, clipper: Clipper::default(), places: None, small: Tally::default() }
+        Faces { vertices, triangles, clipper: Clipper::within(budget), places: None, small: Tally::default() }
     }
 
     /// The same, to [tell](Faces::take_places) which corner of a face is which corner of a triangle.
-    pub(super) fn with_places(vertices: &'a [Point], triangles: usize) -> Faces<'a> {
-        Faces { places: Some(Vec::with_capacity(triangles)), ..Faces::new(vertices, triangles) }
+    pub(super) fn with_places(vertices: &'a [Point], triangles: usize, budget: &'a Budget) -> Faces<'a> {
+        Faces { places: Some(Vec::with_capacity(triangles)), ..Faces::new(vertices, triangles, budget) }
     }
 
     /// Of the triangles of all faces that were [added](Faces::push), which corners of their faces their corners are, from 0.
@@ -59,7 +60,12 @@ impl<'a> Faces<'a> {
             // A face may name a vertex twice: its triangles are those of its corners, each by itself.
             let points: Vec<Point> = corners.iter().map(|corner| self.vertices[*corner as usize]).collect();
             let numbers: Vec<u32> = (0..corners.len() as u32).collect();
+            let first = places.len();
             polygon::triangulate(&numbers, &points, &mut self.clipper, places)?;
+            if corners.len() >= 3 {
+                self.triangles.extend(places[first..].iter().map(|cut| cut.map(|number| corners[number as usize])));
+                return Ok(());
+            }
         }
         match *corners {
             [a, b, c] => self.triangles.push([a, b, c]),

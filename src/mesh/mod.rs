@@ -23,11 +23,8 @@ use rayon::prelude::*;
 
 use crate::error::{Diagnostic, Result, SourceLocation};
 use crate::geometry::Point;
-use crate::input;
+use crate::input::{self, Budget};
 use crate::shape::CornerUv;
-
-pub use obj::parse_obj;
-pub use ply::parse_ply;
 
 /// The geometry of one file, in object space.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -40,6 +37,14 @@ pub struct TriangleMesh {
     pub uv: Option<Vec<CornerUv>>,
 }
 
+impl TriangleMesh {
+    /// Bytes that it takes.
+    pub(crate) fn bytes(&self) -> u64 {
+        let uv = self.uv.as_deref().map_or(0, size_of_val);
+        (size_of_val(&self.vertices[..]) + size_of_val(&self.triangles[..]) + uv) as u64
+    }
+}
+
 /// A mesh, and what is odd about the file without making it unusable.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Loaded {
@@ -50,7 +55,7 @@ pub struct Loaded {
 }
 
 /// The formats of mesh files.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum MeshFormat {
     /// By the Stanford 3D Scanning Repository.
     Ply,
@@ -61,32 +66,51 @@ pub enum MeshFormat {
 /// Reads the mesh file `path`. Where `with_uv` says so, that is with the coordinates of the surface, if it has some: these take the
 /// slower readers.
 pub fn read(path: &Path, format: MeshFormat, with_uv: bool) -> Result<Loaded> {
-    match (format, with_uv) {
-        (MeshFormat::Ply, false) => read_ply(path),
-        (MeshFormat::Obj, false) => read_obj(path),
-        (_, true) => parse(path, &input::read(path)?, format, true),
+    read_within(path, format, with_uv, &Budget::default())
+}
+
+/// As [`read`], for a scene with this `budget`.
+pub(crate) fn read_within(path: &Path, format: MeshFormat, with_uv: bool, budget: &Budget) -> Result<Loaded> {
+    budget.enter(path);
+    if (format, with_uv) == (MeshFormat::Ply, false) {
+        let plain = input::Storage::open(path).and_then(|storage| ply::read_plain(path, &storage, budget));
+        return plain.map_or_else(|| ply::parse_odd(path, &input::read(path)?, budget), Ok);
     }
+    parse_within(path, &input::read(path)?, format, with_uv, budget)
 }
 
 /// As [`read`], of the bytes of a file; `path` is for messages only.
 pub fn parse(path: &Path, bytes: &[u8], format: MeshFormat, with_uv: bool) -> Result<Loaded> {
+    parse_within(path, bytes, format, with_uv, &Budget::of_bytes(bytes.len()))
+}
+
+fn parse_within(path: &Path, bytes: &[u8], format: MeshFormat, with_uv: bool, budget: &Budget) -> Result<Loaded> {
     match (format, with_uv) {
-        (MeshFormat::Ply, false) => parse_ply(path, bytes),
-        (MeshFormat::Obj, false) => parse_obj(path, bytes),
-        (MeshFormat::Ply, true) => ply::parse_with_uv(path, bytes),
-        (MeshFormat::Obj, true) => obj::parse_with_uv(path, bytes),
+        (MeshFormat::Ply, false) => ply::parse_any(path, bytes, budget),
+        (MeshFormat::Obj, false) => obj::parse_any(path, bytes, budget),
+        (MeshFormat::Ply, true) => ply::parse_with_uv(path, bytes, budget),
+        (MeshFormat::Obj, true) => obj::parse_with_uv(path, bytes, budget),
     }
 }
 
 /// Reads the PLY file `path`.
 pub fn read_ply(path: &Path) -> Result<Loaded> {
-    let plain = input::Storage::open(path).and_then(|storage| ply::read_plain(path, &storage));
-    plain.map_or_else(|| ply::parse_odd(path, &input::read(path)?), Ok)
+    read(path, MeshFormat::Ply, false)
 }
 
 /// Reads the OBJ file `path`. Material libraries that it names are not opened.
 pub fn read_obj(path: &Path) -> Result<Loaded> {
-    parse_obj(path, &input::read(path)?)
+    read(path, MeshFormat::Obj, false)
+}
+
+/// Reads the bytes of a PLY file, compressed or not; `path` is for messages only.
+pub fn parse_ply(path: &Path, bytes: &[u8]) -> Result<Loaded> {
+    parse(path, bytes, MeshFormat::Ply, false)
+}
+
+/// Reads the bytes of an OBJ file, compressed or not; `path` is for messages only.
+pub fn parse_obj(path: &Path, bytes: &[u8]) -> Result<Loaded> {
+    parse(path, bytes, MeshFormat::Obj, false)
 }
 
 impl Loaded {

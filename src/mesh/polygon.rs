@@ -24,10 +24,12 @@
 //! 7. **The last three** come out from the lowest number on, in order.
 //!
 //! A face that is not convex is refused where it has more than 10,000 corners, or where steps 5 and 6 look at more
-//! than 8 n^2 pairs of corners, which only outlines do that cross themselves everywhere: so no file takes forever.
+//! than 8 n^2 pairs of corners, which only outlines do that cross themselves everywhere. All faces of a scene's files together
+//! may look at as many as the largest one, and at 1,000 pairs more for each byte of the files: so no file takes forever.
 
 use crate::error::{Diagnostic, Error, Result};
 use crate::geometry::{Point, Vector};
+use crate::input::{Budget, pairs_of};
 
 const MOST_CORNERS: usize = 10_000;
 
@@ -35,7 +37,7 @@ const MOST_CORNERS: usize = 10_000;
 pub fn triangulate(
     corners: &[u32],
     vertices: &[Point],
-    clipper: &mut Clipper,
+    clipper: &mut Clipper<'_>,
     triangles: &mut Vec<[u32; 3]>,
 ) -> Result<()> {
     if corners.len() <= 4 || !flatten(corners, vertices, &mut clipper.flat) || is_convex(&clipper.flat) {
@@ -48,7 +50,8 @@ pub fn triangulate(
     }
     clipper.clip(corners, triangles).ok_or_else(|| {
         let message = format!("the outline of a face of {} corners crosses itself too often", corners.len());
-        refused(message, "split the face into simple polygons".to_string())
+        let error = refused(message, "split the face into simple polygons".to_string());
+        clipper.budget.iter().fold(error, |error, budget| error.note(budget.advice()))
     })
 }
 
@@ -124,23 +127,37 @@ fn goes_around_once(flat: &[Flat]) -> bool {
 
 /// Working memory of steps 2 to 7, kept from face to face.
 #[derive(Debug, Default)]
-pub struct Clipper {
+pub struct Clipper<'a> {
     flat: Vec<Flat>,
     previous: Vec<usize>,
     next: Vec<usize>,
-    /// Corners whose turn is not positive, in their order, and perhaps some that have been cut.
+    /// Corners that are left and whose turn is not positive, in their order.
     blockers: Vec<usize>,
     /// The corner that blocked a corner when it was last looked at: likely to do so still.
     blocked_by: Vec<Option<usize>>,
     is_cut: Vec<bool>,
     /// Pairs of corners that may still be looked at.
-    budget: usize,
+    pairs: u64,
+    /// What they are charged to.
+    budget: Option<&'a Budget>,
 }
 
-impl Clipper {
-    /// Steps 5 to 7; `None` when the budget is spent.
+impl<'a> Clipper<'a> {
+    /// A clipper of polygons that belong to a scene.
+    pub(crate) fn within(budget: &'a Budget) -> Clipper<'a> {
+        Clipper { budget: Some(budget), ..Clipper::default() }
+    }
+
+    /// Steps 5 to 7; `None` when no more pairs may be looked at.
     fn clip(&mut self, corners: &[u32], triangles: &mut Vec<[u32; 3]>) -> Option<()> {
         self.begin();
+        let before = self.pairs;
+        let cut = self.cut_all(corners, triangles);
+        self.budget.iter().for_each(|budget| budget.charge_pairs(before - self.pairs));
+        cut
+    }
+
+    fn cut_all(&mut self, corners: &[u32], triangles: &mut Vec<[u32; 3]>) -> Option<()> {
         let mut start = 0;
         for left in (4..=corners.len()).rev() {
             let corner = self.choose(start, left)?;
@@ -165,14 +182,14 @@ impl Clipper {
         self.blocked_by.resize(count, None);
         self.is_cut.clear();
         self.is_cut.resize(count, false);
-        self.budget = 8 * count * count;
+        self.pairs = self.budget.map_or_else(|| pairs_of(count as u64), |budget| budget.pairs_left(count));
         self.collect_blockers();
     }
 
     fn collect_blockers(&mut self) {
         let mut blockers = std::mem::take(&mut self.blockers);
         blockers.clear();
-        blockers.extend((0..self.flat.len()).filter(|at| !self.is_cut[*at] && !self.is_left_turn(*at)));
+        blockers.extend((0..self.flat.len()).filter(|at| !self.is_left_turn(*at)));
         self.blockers = blockers;
     }
 
@@ -189,7 +206,7 @@ impl Clipper {
         let mut flat_corner = None;
         let mut corner = start;
         for _ in 0..left {
-            self.budget = self.budget.checked_sub(1)?;
+            self.pairs = self.pairs.checked_sub(1)?;
             if self.is_ear(corner)? {
                 return Some(corner);
             }
@@ -210,7 +227,8 @@ impl Clipper {
         }
         let found = self.blockers.iter().position(|blocker| self.blocks(*blocker, corner));
         self.blocked_by[corner] = found.map(|at| self.blockers[at]);
-        self.budget = self.budget.checked_sub(found.unwrap_or(self.blockers.len()))?;
+        let looked_at = found.unwrap_or(self.blockers.len()) as u64;
+        self.pairs = self.pairs.checked_sub(looked_at)?;
         Some(found.is_none())
     }
 
@@ -225,13 +243,21 @@ impl Clipper {
 
     fn cut(&mut self, corner: usize) {
         let (previous, next) = (self.previous[corner], self.next[corner]);
-        let were_left = [previous, next].map(|at| self.is_left_turn(at));
         self.next[previous] = next;
         self.previous[next] = previous;
         self.is_cut[corner] = true;
-        let are_left = [previous, next].map(|at| self.is_left_turn(at));
-        if were_left != are_left {
-            self.collect_blockers();
+        self.set_blocking(corner, false);
+        // No other corner turns otherwise than before.
+        self.set_blocking(previous, !self.is_left_turn(previous));
+        self.set_blocking(next, !self.is_left_turn(next));
+    }
+
+    /// Adds `corner` to the blockers, which are in order, or removes it.
+    fn set_blocking(&mut self, corner: usize, is_blocker: bool) {
+        match (self.blockers.binary_search(&corner), is_blocker) {
+            (Ok(place), false) => _ = self.blockers.remove(place),
+            (Err(place), true) => self.blockers.insert(place, corner),
+            _ => {}
         }
     }
 }

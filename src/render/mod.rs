@@ -8,6 +8,7 @@ use crate::accel::{Aggregate, Fallbacks, Precision, TILE, TileOptions, TileTrace
 use crate::camera::Camera;
 use crate::error::{Diagnostic, Error, ErrorKind, Result};
 use crate::film::{Channel, ChannelName, Image, PixelBounds, Samples};
+use crate::memory;
 use crate::progress::Progress;
 use crate::shape::Shapes;
 use crate::simd::Level;
@@ -151,32 +152,43 @@ pub fn render_into(
     Traced { work, ..by_tiles.or(by_cost).unwrap_or_default() }
 }
 
+const IN_PARTS: &str = "render it in parts, with --pixelbounds";
+
 /// Channels of zeros over the pixels of `window`.
 ///
 /// # Errors
 /// Where they are larger than memory can hold.
 pub(crate) fn allocate(names: &[ChannelName], window: &PixelBounds) -> Result<Vec<Channel>> {
-    let too_large = || {
+    let message = || {
         let (width, height) = (window.width(), window.height());
-        let message = format!("an image of {width} x {height} pixels is too large for this machine's memory");
-        Error::new(ErrorKind::Usage, Diagnostic::new(message).note("render it in parts, with --pixelbounds"))
+        format!("an image of {width} x {height} pixels is too large for this machine's memory")
     };
+    let too_large = |kind| Error::new(kind, Diagnostic::new(message()).note(IN_PARTS));
     let count = match window.area() {
         area if area <= MAX_PIXELS => area as usize,
-        _ => return Err(too_large()),
+        _ => return Err(too_large(ErrorKind::Usage)),
     };
+    let bytes = (names.len() * size_of::<f32>()) as u64 * count as u64;
+    memory::check(bytes, message).map_err(|error| error.note(IN_PARTS))?;
     // All of them before the first is touched, so that too much is refused at once.
     let reserve = |name: &ChannelName| {
         let samples =
             if name.is_integer() { reserved(count).map(Samples::U32) } else { reserved(count).map(Samples::F32) };
-        Ok(Channel { name: *name, samples: samples.map_err(|_| too_large())? })
+        Ok(Channel { name: *name, samples: samples.map_err(|_| too_large(ErrorKind::TryAgain))? })
     };
     let mut channels = names.iter().map(reserve).collect::<Result<Vec<Channel>>>()?;
-    // Now that there is room, memory that the system clears when it is first touched: by the threads, then.
+    // Now that there is room, memory that the system clears when it is first touched: by the threads, then. What was reserved is
+    // given back first, so that no channel is there twice.
     for channel in &mut channels {
         match &mut channel.samples {
-            Samples::F32(values) => *values = vec![0.0; count],
-            Samples::U32(values) => *values = vec![0; count],
+            Samples::F32(values) => {
+                *values = Vec::new();
+                *values = vec![0.0; count];
+            }
+            Samples::U32(values) => {
+                *values = Vec::new();
+                *values = vec![0; count];
+            }
         }
     }
     Ok(channels)

@@ -7,7 +7,8 @@ use super::census::{Census, MAX_LISTED};
 use super::film::FilmParameters;
 use super::graphics_state::GraphicsState;
 use super::includes::{Includes, Tail};
-use super::materials::{self, Materials};
+use super::materials::{Material, Materials};
+use super::mesh_cache::MeshCache;
 use super::name::Name;
 use super::objects::Objects;
 use super::parser::{Directive, Directives, Next, Span, Statement, Text, end_of_arguments, is_last};
@@ -19,6 +20,7 @@ use super::{LoadOptions, Roundings, Scene, SceneOptions};
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::file_id::InputFiles;
 use crate::geometry::{RoundedTransform, Transform, Vector};
+use crate::input::{Budget, BudgetFactor};
 use crate::progress::Progress;
 use crate::shape::Shapes;
 use std::path::{Path, PathBuf};
@@ -58,10 +60,14 @@ pub(super) struct Builder<'a> {
     pub(super) roundings: Option<Roundings>,
     pub(super) keeps_orientation: bool,
     pub(super) keeps_uv: bool,
+    /// What the scene's files may expand to.
+    pub(super) budget: Budget,
+    /// Meshes that are named more than once.
+    pub(super) mesh_cache: MeshCache,
 }
 
 impl<'a> Builder<'a> {
-    pub(super) fn new(path: &Path, progress: Progress<'a>) -> Builder<'a> {
+    pub(super) fn new(path: &Path, factor: BudgetFactor, progress: Progress<'a>) -> Builder<'a> {
         Builder {
             path: path.to_path_buf(),
             directory: path.parent().unwrap_or(Path::new("")).to_path_buf(),
@@ -88,12 +94,14 @@ impl<'a> Builder<'a> {
             roundings: None,
             keeps_orientation: false,
             keeps_uv: false,
+            budget: Budget::new(factor),
+            mesh_cache: MeshCache::default(),
         }
     }
 
     /// The same, keeping what is wanted from the first directive on.
     pub(super) fn with_options(path: &Path, options: &LoadOptions, progress: Progress<'a>) -> Builder<'a> {
-        let mut builder = Builder::new(path, progress);
+        let mut builder = Builder::new(path, options.input_budget, progress);
         builder.places = options.places.then(Places::default);
         builder.state.rounded = options.roundings.then(|| Arc::new(RoundedTransform::IDENTITY));
         builder.roundings = options.roundings.then(Roundings::default);
@@ -111,12 +119,13 @@ impl<'a> Builder<'a> {
     /// Obeys the directives of the file that the builder is for.
     pub(super) fn read_top_level(&mut self) -> Result<()> {
         self.files.add_named(&self.path);
-        let source = Source::read_top_level(&self.path)?;
+        let source = Source::read_top_level(&self.path, &self.budget)?;
         self.read(Rc::new(source), false).map(|_| ())
     }
 
     /// Obeys the directives in `text`, as if it were the file that the builder is for.
     pub(super) fn read_text(&mut self, text: Vec<u8>) -> Result<()> {
+        self.budget.enter_bytes(text.len() as u64);
         self.read(Rc::new(Source::new(&self.path, text)), false).map(|_| ())
     }
 
@@ -214,6 +223,7 @@ impl<'a> Builder<'a> {
             Statement::CoordinateSystem(name) => self.state.name(Name::new(name)),
             Statement::CoordSysTransform(name) => self.recall(name, source),
             Statement::ReverseOrientation => self.state.reverses_orientation ^= true,
+            Statement::Ignored("AreaLightSource") => self.state.is_light = true,
             Statement::TransformTimes(_) | Statement::Ignored(_) => {}
             Statement::AttributeBegin => self.state.begin(Block::Attribute, Place::new(source, keyword)),
             Statement::AttributeEnd => self.end(Block::Attribute, keyword, source),
@@ -226,7 +236,7 @@ impl<'a> Builder<'a> {
             Statement::WorldEnd => self.end_world(keyword, source)?,
             Statement::Include(_) => {}
             Statement::Import(name) => self.import(name, keyword, source)?,
-            Statement::Material(name) => self.state.material = materials::of_type(name),
+            Statement::Material(name) => self.state.material = Material::of_type(name),
             Statement::MakeNamedMaterial(entity) => self.make_material(entity, source),
             Statement::NamedMaterial(name) => {
                 self.state.material = self.materials.named(name, &self.state.material);

@@ -32,6 +32,7 @@ pub(super) struct Saved {
     active: ActiveTransform,
     reverses_orientation: bool,
     material: Material,
+    is_light: bool,
     /// How many defaults of shapes there were.
     defaults: usize,
 }
@@ -55,6 +56,8 @@ pub(super) struct GraphicsState {
     pub(super) defaults: ShapeDefaults,
     /// What the current material makes of shapes.
     pub(super) material: Material,
+    /// Whether shapes emit light: `AreaLightSource`.
+    pub(super) is_light: bool,
     /// Why nothing can be placed by the current transform, where that is so.
     pub(super) unusable: Option<Rc<Unusable>>,
     open: Vec<OpenBlock>,
@@ -73,6 +76,7 @@ impl GraphicsState {
             reverses_orientation: false,
             defaults: ShapeDefaults::default(),
             material: Material::default(),
+            is_light: false,
             unusable: None,
             open: Vec::new(),
             named: HashMap::new(),
@@ -84,7 +88,7 @@ impl GraphicsState {
     pub(super) fn begin_world(&mut self) {
         (self.current, self.end, self.active) = (Transform::IDENTITY, None, ActiveTransform::All);
         self.reverses_orientation = false;
-        self.material = Material::default();
+        (self.material, self.is_light) = (Material::default(), false);
         self.unusable = None;
         self.rounded = self.rounded.as_ref().map(|_| Arc::new(RoundedTransform::IDENTITY));
         self.name(Name::from("world"));
@@ -142,6 +146,7 @@ impl GraphicsState {
             active: self.active,
             reverses_orientation: self.reverses_orientation,
             material: self.material.clone(),
+            is_light: self.is_light,
             defaults: self.defaults.len(),
         };
         if block == Block::Import {
@@ -176,7 +181,7 @@ impl GraphicsState {
         self.restore(saved.transforms);
         self.active = saved.active;
         self.reverses_orientation = saved.reverses_orientation;
-        self.material = saved.material;
+        (self.material, self.is_light) = (saved.material, saved.is_light);
         self.defaults.truncate(saved.defaults);
     }
 

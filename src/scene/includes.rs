@@ -12,22 +12,17 @@ use std::rc::Rc;
 /// Files that include each other, at most.
 const MAX_DEPTH: usize = 64;
 
-/// Files read, at most: a few that include each other twice would be read for ever.
-const MAX_FILES: usize = 100_000;
-
 /// The files of a scene that have been read so far.
 #[derive(Debug, Default)]
 pub(super) struct Includes {
     /// Those being read, each included by the one before.
     open: Vec<PathBuf>,
-    count: usize,
 }
 
 impl Includes {
     /// The file `path` is read from now on.
     pub(super) fn enter(&mut self, path: &Path) {
         self.open.push(identity(path));
-        self.count += 1;
     }
 
     /// The file entered last has been read.
@@ -41,8 +36,6 @@ impl Includes {
             Some(format!("{} includes itself", path.display()))
         } else if self.open.len() >= MAX_DEPTH {
             Some(format!("more than {MAX_DEPTH} files include each other"))
-        } else if self.count >= MAX_FILES {
-            Some(format!("the scene includes more than {MAX_FILES} files"))
         } else {
             None
         }
@@ -83,7 +76,10 @@ impl Builder<'_> {
             return Err(source.error(&name.span, refusal));
         }
         self.files.add(&path);
-        let read = Source::read(&path).and_then(|included| self.read(Rc::new(included), is_continued));
+        // What says nothing of its own place is about this directive.
+        let included = Source::read_included(&path, &self.budget);
+        let included = included.map_err(|error| error.or_at(|| source.at(&name.span)));
+        let read = included.and_then(|included| self.read(Rc::new(included), is_continued));
         read.map_err(|error| {
             let place = source.at(&name.span);
             let error = advise_beside(&place.path, &name.path(), &path, error);

@@ -8,6 +8,7 @@ use super::source::Source;
 use super::{LoadOptions, Scene};
 use crate::error::Result;
 use crate::file_id::InputFiles;
+use crate::input::{Budget, BudgetFactor};
 use crate::mesh::{self, MeshFormat};
 use crate::progress::Progress;
 use std::path::Path;
@@ -24,7 +25,8 @@ pub fn load_listing_files(path: &Path, options: &LoadOptions, progress: Progress
     if let Some((shape, format)) = bare_mesh(path) {
         let mut files = InputFiles::default();
         files.add(path);
-        let loaded = mesh::read(path, format, options.uv);
+        let budget = Budget::new(options.input_budget);
+        let loaded = mesh::read_within(path, format, options.uv, &budget);
         return (loaded.and_then(|loaded| scene_of_mesh(path, shape, loaded, options)), files);
     }
     let mut builder = Builder::with_options(path, options, progress);
@@ -49,12 +51,12 @@ pub struct SceneOptions {
     pub accelerator: AcceleratorParameters,
 }
 
-/// Reads a scene no further than `WorldBegin`, and no mesh.
-pub fn read_options(path: &Path) -> Result<SceneOptions> {
+/// Reads a scene no further than `WorldBegin`, and no mesh; its files may expand to so many times the usual limits.
+pub fn read_options(path: &Path, factor: BudgetFactor) -> Result<SceneOptions> {
     if is_bare_mesh(path) {
         return Ok(SceneOptions::default());
     }
-    Builder::new(path, Progress::SILENT).read_options()
+    Builder::new(path, factor, Progress::SILENT).read_options()
 }
 
 /// Whether a path names a mesh and not a scene: by its extension, `.gz` left aside.
@@ -64,7 +66,7 @@ pub fn is_bare_mesh(path: &Path) -> bool {
 
 /// Whether the file `path` is a scene by itself: it begins a world, or cannot be read to find out.
 pub fn is_top_level(path: &Path) -> bool {
-    Source::read(path).map_or(true, |source| parser::begins_world(&source.text))
+    Source::read_top_level(path, &Budget::default()).map_or(true, |source| parser::begins_world(&source.text))
 }
 
 /// What a scene would call the mesh, and its format.

@@ -4,27 +4,74 @@ use super::name::{Name, key};
 use super::parser::{Entity, Text, Values};
 use std::collections::{HashMap, HashSet};
 
-/// What the current material makes of the shapes under it.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub(super) enum Material {
+/// What a material makes of the shapes under it.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(super) enum Kind {
     /// Rays meet them.
     #[default]
     Surface,
-    /// Rays pass through: they only tell where one medium ends and another begins.
-    MediumBoundary,
-    /// Not known yet: pbrt-v4 looks named materials up at the end of the file.
+    /// `interface` of pbrt-v4: rays pass through, whether they emit light or not.
+    Interface,
+    /// `none` and the empty name of pbrt-v3: rays pass through, but an area light is seen.
+    Absent,
+}
+
+impl Kind {
+    fn of_type(type_name: &str) -> Kind {
+        match type_name {
+            "interface" => Kind::Interface,
+            "none" | "" => Kind::Absent,
+            _ => Kind::Surface,
+        }
+    }
+
+    /// Whether a shape, which may be an area light, only tells where one medium ends and another begins.
+    fn only_bounds_media(self, is_light: bool) -> bool {
+        match self {
+            Kind::Surface => false,
+            Kind::Interface => true,
+            Kind::Absent => !is_light,
+        }
+    }
+}
+
+/// The current material.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Material {
+    Known(Kind),
+    /// Named and not made yet: pbrt-v4 looks named materials up at the end of the file. In v3 a name that is never made
+    /// changes nothing.
     NotMade {
         name: Name,
-        /// Whether the material before it only bounds a medium: in pbrt-v3 a name that is never made changes nothing.
-        otherwise_bounds: bool,
+        before: Kind,
     },
+}
+
+impl Default for Material {
+    fn default() -> Material {
+        Material::Known(Kind::default())
+    }
+}
+
+impl Material {
+    /// The material of a `Material` directive.
+    pub(super) fn of_type(type_name: &Text) -> Material {
+        Material::Known(Kind::of_type(&type_name.text))
+    }
+
+    /// Whether a shape under it, which may be an area light, is known to only bound a medium.
+    pub(super) fn only_bounds_media(&self, is_light: bool) -> bool {
+        match self {
+            Material::Known(kind) => kind.only_bounds_media(is_light),
+            Material::NotMade { .. } => false,
+        }
+    }
 }
 
 /// The named materials of a scene.
 #[derive(Debug, Default)]
 pub(super) struct Materials {
-    /// Whether each one is that of surfaces that only bound a medium.
-    made: HashMap<Name, bool>,
+    made: HashMap<Name, Kind>,
     /// Shapes whose material had not been made when they were read, by the names of the materials.
     waiting: HashMap<Name, Vec<Waiting>>,
 }
@@ -34,17 +81,8 @@ pub(super) struct Materials {
 struct Waiting {
     /// The number of the `Shape` statement.
     shape: u32,
-    otherwise_bounds: bool,
-}
-
-/// Whether a material of this type leaves no surface: `interface` of pbrt-v4, `none` and the empty name of v3.
-fn bounds_media(type_name: &str) -> bool {
-    matches!(type_name, "interface" | "none" | "")
-}
-
-/// The material of a `Material` directive.
-pub(super) fn of_type(type_name: &Text) -> Material {
-    if bounds_media(&type_name.text) { Material::MediumBoundary } else { Material::Surface }
+    before: Kind,
+    is_light: bool,
 }
 
 impl Materials {
@@ -56,32 +94,25 @@ impl Materials {
             Values::Strings(types) => types.first(),
             _ => None,
         });
-        let only_bounds_media = type_name.is_none_or(|type_name| bounds_media(&type_name.text));
-        self.made.insert(Name::new(&entity.name), only_bounds_media);
+        let kind = type_name.map_or(Kind::Absent, |type_name| Kind::of_type(&type_name.text));
+        self.made.insert(Name::new(&entity.name), kind);
         type_name.is_some()
     }
 
     /// The material of a `NamedMaterial` directive after the material `before`.
     pub(super) fn named(&self, name: &Text, before: &Material) -> Material {
-        match self.made.get(&*key(name)) {
-            Some(true) => Material::MediumBoundary,
-            Some(false) => Material::Surface,
-            None => Material::NotMade {
-                name: Name::new(name),
-                otherwise_bounds: match before {
-                    Material::Surface => false,
-                    Material::MediumBoundary => true,
-                    Material::NotMade { otherwise_bounds, .. } => *otherwise_bounds,
-                },
-            },
+        match (self.made.get(&*key(name)), before) {
+            (Some(kind), _) => Material::Known(*kind),
+            (None, Material::Known(before) | Material::NotMade { before, .. }) => {
+                Material::NotMade { name: Name::new(name), before: *before }
+            }
         }
     }
 
     /// Notes that `Shape` statement `shape` has a material that may still have to be made.
-    pub(super) fn wait(&mut self, material: &Material, shape: u32) {
-        if let Material::NotMade { name, otherwise_bounds } = material {
-            let waiting = Waiting { shape, otherwise_bounds: *otherwise_bounds };
-            self.waiting.entry(name.clone()).or_default().push(waiting);
+    pub(super) fn wait(&mut self, material: &Material, shape: u32, is_light: bool) {
+        if let Material::NotMade { name, before } = material {
+            self.waiting.entry(name.clone()).or_default().push(Waiting { shape, before: *before, is_light });
         }
     }
 
@@ -89,8 +120,8 @@ impl Materials {
     pub(super) fn late_boundaries(&mut self) -> HashSet<u32> {
         let mut boundaries = HashSet::new();
         for (name, shapes) in self.waiting.drain() {
-            let made = self.made.get(&name);
-            let bounds = |waiting: &Waiting| made.copied().unwrap_or(waiting.otherwise_bounds);
+            let made = self.made.get(&name).copied();
+            let bounds = |waiting: &Waiting| made.unwrap_or(waiting.before).only_bounds_media(waiting.is_light);
             boundaries.extend(shapes.iter().filter(|waiting| bounds(waiting)).map(|waiting| waiting.shape));
         }
         boundaries

@@ -14,6 +14,7 @@ mod graphics_state;
 mod includes;
 mod load;
 mod materials;
+mod mesh_cache;
 mod name;
 mod objects;
 mod parameters;
@@ -44,6 +45,7 @@ pub use roundings::Roundings;
 pub use warnings::{Warning, Warnings};
 
 use crate::camera::Camera;
+use crate::input::BudgetFactor;
 use crate::shape::Shapes;
 
 /// Everything that the picture depends on.
@@ -84,4 +86,6 @@ pub struct LoadOptions {
     pub orientation: bool,
     /// Whether to keep the coordinates that meshes give to their surface, for the channels `u` and `v`.
     pub uv: bool,
+    /// How many times the usual limits the scene's files may expand to.
+    pub input_budget: BudgetFactor,
 }

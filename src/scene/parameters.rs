@@ -183,6 +183,11 @@ impl<'a> Parameters<'a> {
         source.at(span)
     }
 
+    /// Where the name behind the keyword is.
+    pub(super) fn place_of_name(&self) -> SourceLocation {
+        self.source.at(&self.entity.name.span)
+    }
+
     fn span_of(&self, name: &str) -> (&'a Span, &'a Source) {
         let found = self.last(name).map(|(parameter, source)| (&parameter.values_span, source));
         found.unwrap_or((&self.entity.name.span, self.source))

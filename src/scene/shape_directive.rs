@@ -1,7 +1,6 @@
 //! The `Shape` directive among what surrounds it: numbers, transforms, materials, objects.
 
 use super::builder::Builder;
-use super::materials::Material;
 use super::objects::Definition;
 use super::parameters::Parameters;
 use super::parser::{Entity, Span};
@@ -16,14 +15,14 @@ impl Builder<'_> {
         self.check_in_world("Shape", keyword, source)?;
         let number = self.next_shape(entity, keyword, source)?;
         let name = &entity.name.text;
-        let bounds_medium = self.state.material == Material::MediumBoundary;
+        let bounds_medium = self.state.material.only_bounds_media(self.state.is_light);
         if bounds_medium {
             self.census.add_boundary(name, || source.at(keyword));
         } else if is_supported(name) {
             self.check_usable("Shape", keyword, source)?;
             self.warn_if_moving(keyword, source);
         }
-        self.materials.wait(&self.state.material, number);
+        self.materials.wait(&self.state.material, number, self.state.is_light);
         let is_in_object = self.objects.open.is_some();
         let (shapes, transforms) = match &mut self.objects.open {
             Some(Definition { shapes, transforms, .. }) => (shapes, transforms),
@@ -44,6 +43,8 @@ impl Builder<'_> {
             is_turned: self.keeps_orientation && is_turned(),
             keeps_uv: self.keeps_uv,
             bounds_medium,
+            budget: &self.budget,
+            mesh_cache: &mut self.mesh_cache,
         };
         let before = target.shapes.own_count();
         let is_added = target.add(Parameters::of_shape(entity, source, &self.state.defaults)?)?;

@@ -1,5 +1,6 @@
 //! The `Shape` directive: from parameters to geometry.
 
+use super::mesh_cache::MeshCache;
 use super::parameters::Parameters;
 use super::shape_refusal::ShapeRefusal;
 use super::transform_cache::TransformCache;
@@ -7,6 +8,7 @@ use super::warnings::Warnings;
 use crate::error::{Diagnostic, Error, Result};
 use crate::file_id::InputFiles;
 use crate::geometry::Matrix;
+use crate::input::Budget;
 use crate::mesh::{MeshFormat, TriangleMesh};
 use crate::shape::{Broken, CapacityError, Shapes};
 use std::path::Path;
@@ -33,6 +35,9 @@ pub(super) struct ShapeTarget<'a> {
     pub(super) keeps_uv: bool,
     /// Whether the shape only bounds a medium: then its primitives have numbers, and nothing else.
     pub(super) bounds_medium: bool,
+    /// What the scene's files may expand to.
+    pub(super) budget: &'a Budget,
+    pub(super) mesh_cache: &'a mut MeshCache,
 }
 
 /// Shapes of pbrt that feimos has, and its own.
@@ -112,6 +117,8 @@ impl ShapeTarget<'_> {
 
     /// Adds a mesh of triangles in object space, with indices in range.
     pub(super) fn add_mesh(&mut self, parameters: &Parameters, mesh: TriangleMesh) -> Result<()> {
+        let stored = self.budget.charge_stored(mesh.bytes());
+        stored.map_err(|error| error.or_at(|| parameters.place_of_name()))?;
         let TriangleMesh { vertices, triangles, uv } = mesh;
         if self.bounds_medium {
             return self.shapes.leave_out(triangles.len()).map_err(|error| too_many(parameters, error));

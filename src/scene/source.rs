@@ -2,7 +2,7 @@
 
 use super::parser::{Directives, Piece, Span, locate};
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
-use crate::input::{self, gzip};
+use crate::input::{self, Budget, gzip};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
@@ -30,21 +30,31 @@ impl Part {
 }
 
 impl Source {
-    /// Reads a file, compressed with gzip or not; places in it count in what is decompressed.
-    pub(super) fn read(path: &Path) -> Result<Source> {
-        Source::of(path, input::read(path)?)
-    }
-
     /// Reads the scene that the user named, `-` for standard input; within a scene `-` is a file like any other.
-    pub(super) fn read_top_level(path: &Path) -> Result<Source> {
-        if path != Path::new("-") {
-            return Source::read(path);
+    /// It may be compressed with gzip; places in it count in what is decompressed.
+    pub(super) fn read_top_level(path: &Path, budget: &Budget) -> Result<Source> {
+        let is_stdin = path == Path::new("-");
+        let is_known = !is_stdin && budget.enter(path);
+        let bytes = if is_stdin { input::read_stdin()? } else { input::read(path)? };
+        if !is_known {
+            // A pipe has no size before it is read.
+            budget.enter_stream(path, bytes.len() as u64);
         }
-        Source::of(path, input::read_stdin()?)
+        Source::of(path, bytes, is_known, budget)
     }
 
-    fn of(path: &Path, bytes: Vec<u8>) -> Result<Source> {
-        Ok(Source::new(path, gzip::content(path, bytes)?))
+    /// Reads a file that a scene includes, compressed or not. It has to be a regular one.
+    pub(super) fn read_included(path: &Path, budget: &Budget) -> Result<Source> {
+        budget.charge_file()?;
+        input::refuse_special(path)?;
+        let is_known = budget.enter(path);
+        Source::of(path, input::read(path)?, is_known, budget)
+    }
+
+    fn of(path: &Path, bytes: Vec<u8>, is_known: bool, budget: &Budget) -> Result<Source> {
+        let text = gzip::content(path, bytes, budget)?;
+        budget.charge_text(text.len() as u64, is_known)?;
+        Ok(Source::new(path, text))
     }
 
     /// The text of the file `path`.

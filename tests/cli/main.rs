@@ -13,6 +13,7 @@ mod files;
 mod folder;
 mod formats;
 mod help;
+mod limits;
 mod man;
 mod manifest;
 mod merge;

@@ -11,6 +11,7 @@ mod parameters;
 use feimos::error::ErrorKind;
 use feimos::film::PixelBounds;
 use feimos::geometry::{Matrix, Point};
+use feimos::input::BudgetFactor;
 use feimos::progress::Progress;
 use feimos::scene::{LoadOptions, Scene, load, read_options};
 use feimos::shape::{Form, Instance, Placed, Primitive};
@@ -389,8 +390,9 @@ fn what_cannot_be_subdivided_is_shown() {
         assert!(found.starts_with(&format!("a.pbrt:{expected}")), "{found}");
     }
     let found = complaint(&format!("WorldBegin\nShape \"loopsubdiv\" {TETRAHEDRON}\n  \"integer nlevels\" 13"));
-    let expected = "a.pbrt:3:21: 4 faces would be 268435456 after 13 levels of subdivision\n   |\n 3 |   \"integer nlevels\" 13\n   \
-        |                     ^^\n   = at most 16777216 are supported: take fewer levels";
+    let expected = "a.pbrt:3:21: subdivision would make 268435456 faces of the scene's 4: at most 4210688 are made of so many\n   \
+        |\n 3 |   \"integer nlevels\" 13\n   |                     ^^\n   = if this is meant, raise what input files may \
+        expand to: --input-budget 2\n   = else take fewer levels";
     assert_eq!(found, expected);
 }
 
@@ -494,7 +496,7 @@ fn options_are_read_without_the_world() {
          \"integer maxnodeprims\" 2 WorldBegin Shape \"plymesh\" \"string filename\" \"missing.ply\" nonsense",
     )];
     let folder = folder(&files);
-    let options = read_options(&folder.path().join("a.pbrt")).unwrap();
+    let options = read_options(&folder.path().join("a.pbrt"), BudgetFactor::default()).unwrap();
     assert_eq!(options.film_filename.as_deref(), Some("a.png"));
     assert_eq!(options.accelerator.split_method.as_deref(), Some("hlbvh"));
     assert_eq!(options.accelerator.max_leaf, Some(2));

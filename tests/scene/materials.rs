@@ -26,6 +26,8 @@ fn what_bounds_a_medium_is_left_out_with_its_numbers() {
         "Material \"diffuse\" AttributeBegin AttributeEnd Material \"interface\"",
         "Material \"interface\" AttributeBegin Material \"diffuse\" AttributeEnd",
         "Material \"interface\" NamedMaterial \"nowhere\" Material \"interface\"",
+        "Material \"interface\" AreaLightSource \"diffuse\"",
+        "AttributeBegin AreaLightSource \"diffuse\" AttributeEnd Material \"none\"",
         "Material \"interface\" TransformBegin Material \"diffuse\" TransformEnd",
     ];
     for material in materials {
@@ -52,6 +54,10 @@ fn other_materials_are_surfaces() {
         "Material \"interface\" Material \"diffuse\"",
         "Material \"mix\" \"string materials\" [ \"none\" \"none\" ]",
         "MediumInterface \"a\" \"\"",
+        // An area light of pbrt-v3 is seen without a material.
+        "AreaLightSource \"diffuse\" AttributeBegin Material \"none\"",
+        "Material \"\" AreaLightSource \"area\"",
+        "NamedMaterial \"late\" AreaLightSource \"diffuse\" MakeNamedMaterial \"late\" \"string type\" \"none\"",
     ];
     for material in materials {
         let scene = with_material(material);

@@ -26,7 +26,7 @@ pub(crate) struct Block {
 }
 
 /// The largest run of primitives that one block holds.
-pub(super) const BLOCK: usize = LANES;
+pub(in crate::accel) const BLOCK: usize = LANES;
 
 impl Block {
     /// Lanes that hold a sphere, a cylinder or a disk.

@@ -30,7 +30,7 @@ mod walk;
 mod wide;
 mod wide_tree;
 
-pub(super) use block::{Block, blocks_of};
+pub(super) use block::{BLOCK, Block, blocks_of};
 pub(crate) use frame::TILE;
 pub use traced::TracedTile;
 pub use tracer::{TileOptions, TileTracer, Tiles};

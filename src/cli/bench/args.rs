@@ -1,6 +1,6 @@
 //! Options of `bench` as typed.
 
-use crate::cli::args::{TalkArgs, threads};
+use crate::cli::args::{InputArgs, TalkArgs, threads};
 use clap::{Args, ValueEnum};
 use feimos::accel::SplitMethod;
 use feimos::bench::Kernel;
@@ -17,6 +17,8 @@ pub(crate) struct BenchArgs {
     pub(crate) measurement: MeasurementArgs,
     #[command(flatten, next_help_heading = "Output")]
     pub(crate) output: OutputArgs,
+    #[command(flatten, next_help_heading = "Input")]
+    pub(crate) input: InputArgs,
     #[command(flatten, next_help_heading = "Talk")]
     pub(crate) talk: TalkArgs,
 }

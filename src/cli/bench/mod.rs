@@ -25,6 +25,7 @@ use feimos::bench::{
 };
 use feimos::error::{Error, Result};
 use feimos::file_id::InputFiles;
+use feimos::input::BudgetFactor;
 use feimos::progress::Progress;
 use feimos::reference::MAX_PRIMITIVES;
 use feimos::scene::{self, LoadOptions, Scene};
@@ -91,6 +92,7 @@ struct Runner<'a> {
     rounds: Rounds,
     reference: Reference,
     with_pictures: bool,
+    input_budget: BudgetFactor,
     reporter: &'a Reporter,
     bars: ProgressBars,
 }
@@ -107,6 +109,7 @@ impl<'a> Runner<'a> {
             rounds: Rounds { warmup: args.measurement.warmup, runs: args.measurement.runs },
             reference: args.measurement.reference,
             with_pictures,
+            input_budget: args.input.input_budget,
             reporter,
             bars: ProgressBars::new(&args.talk),
         })
@@ -115,7 +118,11 @@ impl<'a> Runner<'a> {
     /// Loads `path`, on the threads of the current pool, and tells how many milliseconds it took;
     /// also returns the files that were read, up to an error too.
     fn load(&self, path: &Path) -> (Result<(Scene, f64)>, InputFiles) {
-        let options = LoadOptions { roundings: self.reference == Reference::Exact, ..LoadOptions::default() };
+        let options = LoadOptions {
+            roundings: self.reference == Reference::Exact,
+            input_budget: self.input_budget,
+            ..LoadOptions::default()
+        };
         let load_scene = |progress: Progress<'_>| scene::load_listing_files(path, &options, progress);
         let ((scene, files), load_ms) = timed(|| self.bars.during(Phase::Loading, load_scene));
         (scene.map(|scene| (scene, load_ms)), files)
@@ -128,7 +135,8 @@ impl<'a> Runner<'a> {
         let builds = self.methods.iter().map(|method| build_options(*method, &scene.accelerator)).collect();
         let plan =
             Plan { builds, kernels: self.kernels.clone(), rounds: self.rounds, with_pictures: self.with_pictures };
-        let bench = Bench { path, scene: &scene, load_ms, judge: self.judge(path, &scene) };
+        let bench =
+            Bench { path, scene: &scene, load_ms, input_budget: self.input_budget, judge: self.judge(path, &scene) };
         let run = |progress: Progress<'_>| bench.measure(&plan, progress);
         let measured = self.bars.during(Phase::Measuring(plan.steps()), run)?;
         Ok((self.title(path, &scene), measured))

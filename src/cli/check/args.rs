@@ -1,6 +1,6 @@
 //! Options of `check` as typed.
 
-use crate::cli::args::{TalkArgs, threads};
+use crate::cli::args::{InputArgs, TalkArgs, threads};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -22,6 +22,8 @@ pub(crate) struct CheckArgs {
     /// Threads to use [default: all that the process may use].
     #[arg(long, alias = "nthreads", value_name = "N", value_parser = threads, help_heading = "Checking")]
     pub(crate) threads: Option<usize>,
+    #[command(flatten, next_help_heading = "Input")]
+    pub(crate) input: InputArgs,
     #[command(flatten, next_help_heading = "Talk")]
     pub(crate) talk: TalkArgs,
 }

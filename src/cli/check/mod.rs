@@ -68,7 +68,8 @@ impl Check<'_> {
     /// All of `render` that comes before the aggregate.
     fn load(&self, path: &Path) -> Result<Scene> {
         let start = Instant::now();
-        let load = |progress: Progress<'_>| scene::load(path, &LoadOptions::default(), progress);
+        let options = LoadOptions { input_budget: self.args.input.input_budget, ..LoadOptions::default() };
+        let load = |progress: Progress<'_>| scene::load(path, &options, progress);
         let loaded = self.bars.during(Phase::Loading, load);
         self.reporter.detail(format_args!("{}: read in {:.0} ms", path.display(), start.elapsed().as_secs_f64() * 1e3));
         loaded

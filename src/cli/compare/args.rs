@@ -1,6 +1,6 @@
 //! Options of `compare` as typed.
 
-use crate::cli::args::TalkArgs;
+use crate::cli::args::{InputArgs, TalkArgs};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -25,6 +25,8 @@ pub(crate) struct CompareArgs {
     /// Print a line of JSON [default: a block for people].
     #[arg(long, help_heading = "Output")]
     pub(crate) json: bool,
+    #[command(flatten, next_help_heading = "Input")]
+    pub(crate) input: InputArgs,
     #[command(flatten, next_help_heading = "Talk")]
     pub(crate) talk: TalkArgs,
 }

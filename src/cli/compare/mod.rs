@@ -33,7 +33,8 @@ pub(crate) fn compare(args: &CompareArgs, reporter: &Reporter) -> Result<u8> {
 }
 
 fn compare_files(args: &CompareArgs, reporter: &Reporter) -> Result<u8> {
-    match (ImageFile::read(&args.expected)?, ImageFile::read(&args.found)?) {
+    let [expected, found] = [&args.expected, &args.found].map(|path| ImageFile::read(path, args.input.input_budget));
+    match (expected?, found?) {
         (ImageFile::Exr(expected), ImageFile::Exr(found)) => images::compare(args, &expected, &found, reporter),
         (ImageFile::Png(_), ImageFile::Png(_)) if args.max_ulp.is_some() => {
             let error = Error::usage("--max-ulp is about depths, and PNG files hold colours");

@@ -1,6 +1,6 @@
 //! Options of `merge` as typed.
 
-use crate::cli::args::{TalkArgs, threads};
+use crate::cli::args::{InputArgs, TalkArgs, threads};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -18,6 +18,8 @@ pub(crate) struct MergeArgs {
     /// Threads to use [default: all that the process may use].
     #[arg(long, alias = "nthreads", value_name = "N", value_parser = threads, help_heading = "Engine")]
     pub(crate) threads: Option<usize>,
+    #[command(flatten, next_help_heading = "Input")]
+    pub(crate) input: InputArgs,
     #[command(flatten, next_help_heading = "Talk")]
     pub(crate) talk: TalkArgs,
 }

@@ -27,7 +27,8 @@ pub(crate) fn merge(args: &MergeArgs, reporter: &Reporter) -> Result<u8> {
     }
     destination.check()?;
     thread_pool(args.threads, reporter)?.install(|| {
-        let put_together = |progress: Progress<'_>| merge::merge(&args.crops, args.partial, progress);
+        let put_together =
+            |progress: Progress<'_>| merge::merge(&args.crops, args.partial, args.input.input_budget, progress);
         let merged = ProgressBars::new(&args.talk).during(Phase::Merging(args.crops.len()), put_together)?;
         destination.write(Overwrite::Yes, &merged)?;
         let window = &merged.image.data_window;

@@ -1,6 +1,6 @@
 //! Options of `pixel` as typed.
 
-use crate::cli::args::{TalkArgs, pixel, resolution, threads};
+use crate::cli::args::{InputArgs, TalkArgs, pixel, resolution, threads};
 use clap::Args;
 use feimos::accel::SplitMethod;
 use std::path::PathBuf;
@@ -25,6 +25,8 @@ pub(crate) struct PixelArgs {
     /// Threads to use [default: all that the process may use].
     #[arg(long, alias = "nthreads", value_name = "N", value_parser = threads, help_heading = "Engine")]
     pub(crate) threads: Option<usize>,
+    #[command(flatten, next_help_heading = "Input")]
+    pub(crate) input: InputArgs,
     #[command(flatten, next_help_heading = "Talk")]
     pub(crate) talk: TalkArgs,
 }

@@ -24,7 +24,12 @@ use record::Record;
 pub(crate) fn pixel(args: &PixelArgs, reporter: &Reporter) -> Result<u8> {
     stdout::check_if(args.json || !args.talk.quiet)?;
     let pool = thread_pool(args.threads, reporter)?;
-    let options = LoadOptions { resolution: args.resolution, places: true, ..LoadOptions::default() };
+    let options = LoadOptions {
+        resolution: args.resolution,
+        places: true,
+        input_budget: args.input.input_budget,
+        ..LoadOptions::default()
+    };
     let load = |progress: Progress<'_>| pool.install(|| scene::load(&args.scene, &options, progress));
     let scene = ProgressBars::new(&args.talk).during(Phase::Loading, load)?;
     summary::report_scene(&scene, reporter);

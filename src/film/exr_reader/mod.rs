@@ -13,7 +13,8 @@ mod tests;
 
 use super::{Channel, ChannelName, Image, Metadata, PixelBounds, Samples};
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
-use crate::input;
+use crate::input::{self, BudgetFactor};
+use crate::memory;
 use blocks::{Block, blocks};
 use exr::meta::MetaData;
 use part::Part;
@@ -83,12 +84,13 @@ pub fn is_whole(path: &Path) -> Result<bool> {
     ending::has_end(&mut file, start, &meta).map_err(reading)
 }
 
-/// The image in the file `path`, and what the file says of it beside: feimos's attribute and the camera's.
+/// The image in the file `path`, and what the file says of it beside: feimos's attribute and the camera's. Its pixels may take so
+/// many times the usual memory.
 ///
 /// # Errors
 /// As [`read`].
-pub fn read_with_metadata(path: &Path) -> Result<(Image, Metadata)> {
-    decoded(&input::read(path)?).map_err(|error| error.or_at(|| SourceLocation::file(path)))
+pub fn read_with_metadata(path: &Path, factor: BudgetFactor) -> Result<(Image, Metadata)> {
+    decoded(&input::read(path)?, factor).map_err(|error| error.or_at(|| SourceLocation::file(path)))
 }
 
 /// The image in `bytes`, the content of the file `path`: the channels that feimos knows of the first part that has any, each in
@@ -99,17 +101,35 @@ pub fn read_with_metadata(path: &Path) -> Result<(Image, Metadata)> {
 /// What is no such file, is damaged or cut off; deep data, subsampled channels, DWA and B44; a data window that reaches out of the display window
 /// or is too large; numbers that are none of a channel's type. Memory is taken only for what the file can hold.
 pub fn decode(path: &Path, bytes: &[u8]) -> Result<Image> {
-    let decoded = decoded(bytes).map_err(|error| error.or_at(|| SourceLocation::file(path)));
+    decode_within(path, bytes, BudgetFactor::default())
+}
+
+/// As [`decode`], where pixels may take so many times the usual memory.
+pub(super) fn decode_within(path: &Path, bytes: &[u8], factor: BudgetFactor) -> Result<Image> {
+    let decoded = decoded(bytes, factor).map_err(|error| error.or_at(|| SourceLocation::file(path)));
     decoded.map(|(image, _)| image)
 }
 
-fn decoded(bytes: &[u8]) -> Result<(Image, Metadata)> {
+fn decoded(bytes: &[u8], factor: BudgetFactor) -> Result<(Image, Metadata)> {
     let mut file = Cursor::new(bytes);
     let meta = meta_data(&mut file)?;
     let part = Part::find(&meta)?;
+    check_size(&part, bytes.len(), factor)?;
     let blocks = blocks(bytes, file.position(), &meta, &part)?;
     let image = fill(&meta, &part, &blocks)?;
     Ok((image, part.metadata))
+}
+
+/// Refuses pixels that take far more memory than the file: zeros shrink a thousand times.
+fn check_size(part: &Part, size: usize, factor: BudgetFactor) -> Result<()> {
+    let bytes_each = part.bytes_per_pixel().max(part.channels.len() * size_of::<f32>());
+    let bytes = part.window.area().saturating_mul(bytes_each as u64);
+    if bytes <= factor.image_limit(size as u64) {
+        return Ok(());
+    }
+    let (width, height) = (part.window.width(), part.window.height());
+    let found = format!("{size} bytes of OpenEXR hold {width} x {height} pixels, which take {bytes} bytes of memory");
+    Err(Error::bad_input(Diagnostic::new(found).note(factor.advice())))
 }
 
 /// The headers of a file, checked; what follows them is not read.
@@ -131,6 +151,7 @@ fn fill(meta: &MetaData, part: &Part, blocks: &[Block]) -> Result<Image> {
     let area = part.window.area() as usize;
     let bytes = area.saturating_mul(part.channels.len() * size_of::<f32>());
     // Zeroed memory costs nothing before it is used, but is refused by ending the program: so ask politely first.
+    memory::check(bytes as u64, || "this image is too large for this machine's memory".to_owned())?;
     Vec::<u8>::new()
         .try_reserve_exact(bytes)
         .map_err(|_| wrong(format!("the image takes {bytes} bytes of memory"), "as many to be had"))?;

@@ -13,8 +13,12 @@ use crate::geometry::Point;
 /// No more levels are taken: even a single face would give too many.
 pub const MOST_LEVELS: u32 = 30;
 
-/// Faces at most after all levels. They take about 80 bytes each while the last level is made.
-const MOST_FACES: u64 = 1 << 24;
+/// Faces at most after all levels: with three edges each, their vertices can still be numbered. They take about 80 bytes each
+/// while the last level is made, so that scenes have a budget for them that is far smaller.
+const MOST_FACES: u64 = 1 << 30;
+
+/// Vertices at most before the first level.
+const MOST_VERTICES: u64 = 3 << 24;
 
 /// Why a surface cannot be subdivided.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -41,7 +45,7 @@ pub enum Place {
 ///
 /// # Errors
 /// Where faces do not make a surface: more than two at an edge, parts that only share a vertex, a face that names a vertex twice,
-/// two of the same vertices; and where there would be more than 2^24 faces.
+/// two of the same vertices; and where there would be more than 2^30 faces.
 pub fn subdivide(vertices: Vec<Point>, faces: &[[u32; 3]], levels: u32) -> Result<TriangleMesh, Refusal> {
     check_size(vertices.len(), faces.len(), levels)?;
     let mut surface = control_mesh::connect(vertices, faces)?;
@@ -61,7 +65,7 @@ fn check_size(vertices: usize, faces: usize, levels: u32) -> Result<(), Refusal>
         let message = format!("{faces} faces would be {refined} after {levels} levels of subdivision");
         return refuse(message, &format!("at most {MOST_FACES} are supported: take fewer levels"));
     }
-    if vertices as u64 > 3 * MOST_FACES {
+    if vertices as u64 > MOST_VERTICES {
         return refuse(format!("{vertices} vertices for {faces} faces"), "leave out vertices that no face names");
     }
     Ok(())

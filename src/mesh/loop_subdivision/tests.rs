@@ -147,8 +147,8 @@ fn faces_either_way_round_make_a_surface() {
 #[test]
 fn sizes_are_checked_before_anything_is_made() {
     let refused = |faces: usize, levels| check_size(0, faces, levels).unwrap_err().message;
-    assert!(check_size(3, 1, 12).is_ok());
-    assert_eq!(refused(1, 13), "1 faces would be 67108864 after 13 levels of subdivision");
+    assert!(check_size(3, 1, 15).is_ok());
+    assert_eq!(refused(1, 16), "1 faces would be 4294967296 after 16 levels of subdivision");
     assert_eq!(refused(8, 30), "8 faces would be 9223372036854775808 after 30 levels of subdivision");
     assert!(check_size(3, usize::MAX, MOST_LEVELS).is_err() && check_size(usize::MAX, 1, 0).is_err());
 }

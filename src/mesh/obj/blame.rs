@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::Path;
 
-use super::plain::position;
+use super::plain::{is_corner, position};
 use super::statements::Statements;
 use crate::decimal;
 use crate::error::{Diagnostic, SourceLocation};
@@ -80,8 +80,9 @@ impl Scan<'_> {
     }
 
     fn check_corner(&self, span: &Range<usize>) -> Option<Mistake> {
-        let index = std::str::from_utf8(position(&self.text[span.clone()])).ok().and_then(|word| word.parse().ok());
-        let diagnostic = match index {
+        let word = &self.text[span.clone()];
+        let index = std::str::from_utf8(position(word)).ok().and_then(|index| index.parse().ok());
+        let diagnostic = match index.filter(|_| is_corner(word)) {
             None => Diagnostic::new(format!("{} is not a corner", self.word(span)))
                 .note("expected the index of a vertex, perhaps followed by /TEXTURE/NORMAL"),
             Some(0_i64) => Diagnostic::new("face index 0").note("indices of OBJ count from 1"),

@@ -20,26 +20,26 @@ use super::faces::{Faces, check_count};
 use super::{Loaded, TriangleMesh, signature};
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::geometry::Point;
-use crate::input::gzip;
+use crate::input::{Budget, gzip};
 
 /// Polygons are ours to cut, and what `tobj` calls lines and points are faces that it finds too small.
 const OPTIONS: tobj::LoadOptions =
     tobj::LoadOptions { single_index: false, triangulate: false, ignore_points: true, ignore_lines: true };
 
 /// Reads the bytes of an OBJ file, compressed or not; `path` is for messages only.
-pub fn parse_obj(path: &Path, bytes: &[u8]) -> Result<Loaded> {
-    gzip::parsed(path, bytes, |content| parse(path, signature::without_utf8_mark(content)))
+pub(super) fn parse_any(path: &Path, bytes: &[u8], budget: &Budget) -> Result<Loaded> {
+    gzip::parsed(path, bytes, budget, |content| parse(path, signature::without_utf8_mark(content), budget))
 }
 
-/// As [`parse_obj`], with u and v of the corners, if the file has them.
-pub(super) fn parse_with_uv(path: &Path, bytes: &[u8]) -> Result<Loaded> {
-    gzip::parsed(path, bytes, |content| {
+/// As [`parse_any`], with u and v of the corners, if the file has them.
+pub(super) fn parse_with_uv(path: &Path, bytes: &[u8], budget: &Budget) -> Result<Loaded> {
+    gzip::parsed(path, bytes, budget, |content| {
         let text = signature::without_utf8_mark(content);
         if signature::describe(text).is_some() || !Texture::is_in(text) {
-            return parse(path, text);
+            return parse(path, text, budget);
         }
         let mut uv = Vec::new();
-        let mut loaded = read(path, text, Some(&mut uv))?;
+        let mut loaded = read(path, text, Some(&mut uv), budget)?;
         let texture = Texture::read(path, text)?;
         loaded.mesh.uv = texture.uv(&uv);
         loaded.warnings.extend(texture.warning);
@@ -47,24 +47,24 @@ pub(super) fn parse_with_uv(path: &Path, bytes: &[u8]) -> Result<Loaded> {
     })
 }
 
-fn parse(path: &Path, text: &[u8]) -> Result<Loaded> {
+fn parse(path: &Path, text: &[u8], budget: &Budget) -> Result<Loaded> {
     if let Some(found) = signature::describe(text) {
         let diagnostic = Diagnostic::new(format!("not an OBJ mesh: this is {found}"));
         return Err(Error::bad_input(diagnostic.at(SourceLocation::file(path))));
     }
-    match simple::read(text) {
+    match simple::read(text, budget) {
         Some(mesh) => Ok(Loaded::new(path, mesh, Vec::new())),
-        None => parse_odd(path, text),
+        None => parse_odd(path, text, budget),
     }
 }
 
 /// Reads any OBJ file.
-fn parse_odd(path: &Path, text: &[u8]) -> Result<Loaded> {
-    read(path, text, None)
+fn parse_odd(path: &Path, text: &[u8], budget: &Budget) -> Result<Loaded> {
+    read(path, text, None, budget)
 }
 
 /// Reads any OBJ file. Where `corners` are wanted, they become those of the triangles, numbered through all faces.
-fn read(path: &Path, text: &[u8], corners: Option<&mut Vec<[u32; 3]>>) -> Result<Loaded> {
+fn read(path: &Path, text: &[u8], corners: Option<&mut Vec<[u32; 3]>>, budget: &Budget) -> Result<Loaded> {
     let mut plain = Plain::new(text);
     let models = tobj::load_obj_buf(&mut plain, &OPTIONS, |_| Ok(Default::default()));
     let (models, _) = models.map_err(|error| refused(path, text, &error))?;
@@ -72,44 +72,45 @@ fn read(path: &Path, text: &[u8], corners: Option<&mut Vec<[u32; 3]>>) -> Result
     check_count(plain.vertices, "vertices").map_err(at_file)?;
     let mut faces = models.into_iter().next().map(|model| model.mesh).unwrap_or_default();
     let vertices = points(std::mem::take(&mut faces.positions));
-    let triangles = triangles(&faces, &vertices, |face| blame::face(path, text, face), corners).map_err(at_file)?;
-    let small = plain.small.in_text(path, text, "face of fewer than 3 corners, left out");
-    let unknown = plain.unknown.in_text(path, text, "statement that OBJ does not know, left out");
-    let warnings = small.into_iter().chain(unknown).collect();
-    Ok(Loaded::new(path, TriangleMesh { vertices, triangles, uv: None }, warnings))
+    let count = face_count(&faces);
+    let triangles = faces.indices.len() - 2 * count;
+    let mut collected = match corners {
+        Some(_) => Faces::with_places(&vertices, triangles, budget),
+        None => Faces::new(&vertices, triangles, budget),
+    };
+    push_all(&faces, &mut collected, |face| blame::face(path, text, face))?;
+    if let Some(wanted) = corners {
+        check_count(faces.indices.len() as u64, "corners").map_err(at_file)?;
+        *wanted = collected.take_places();
+        number_through(wanted, (0..count).map(|face| corners_of(&faces, face)));
+    }
+    let triangles = collected.finish().map_err(at_file)?.0;
+    Ok(Loaded::new(path, TriangleMesh { vertices, triangles, uv: None }, plain.warnings(path)))
 }
 
 fn points(coordinates: Vec<f64>) -> Vec<Point> {
     coordinates.chunks_exact(3).map(|point| Point::new(point[0], point[1], point[2])).collect()
 }
 
-fn triangles(
-    mesh: &tobj::Mesh,
-    vertices: &[Point],
-    location: impl Fn(usize) -> SourceLocation,
-    corners_wanted: Option<&mut Vec<[u32; 3]>>,
-) -> Result<Vec<[u32; 3]>> {
-    let arities = &mesh.face_arities;
-    // No arities at all mean that all faces are triangles.
-    let count = if arities.is_empty() { mesh.indices.len() / 3 } else { arities.len() };
-    let triangles = mesh.indices.len() - 2 * count;
-    let mut faces = match corners_wanted {
-        Some(_) => Faces::with_places(vertices, triangles),
-        None => Faces::new(vertices, triangles),
-    };
+/// No arities at all mean that all faces are triangles.
+fn face_count(mesh: &tobj::Mesh) -> usize {
+    if mesh.face_arities.is_empty() { mesh.indices.len() / 3 } else { mesh.face_arities.len() }
+}
+
+fn corners_of(mesh: &tobj::Mesh, face: usize) -> u32 {
+    mesh.face_arities.get(face).map_or(3, |arity| *arity)
+}
+
+/// Adds all faces of `mesh` to `faces`.
+fn push_all(mesh: &tobj::Mesh, faces: &mut Faces, location: impl Fn(usize) -> SourceLocation) -> Result<()> {
     let mut rest = mesh.indices.as_slice();
-    for face in 0..count {
-        let (corners, others) = rest.split_at(arities.get(face).map_or(3, |arity| *arity as usize));
+    for face in 0..face_count(mesh) {
+        let (corners, others) = rest.split_at(corners_of(mesh, face) as usize);
         // Faces of fewer corners have been left out before.
         faces.push(corners, || 0..0).map_err(|error| error.or_at(|| location(face)))?;
         rest = others;
     }
-    if let Some(wanted) = corners_wanted {
-        check_count(mesh.indices.len() as u64, "corners")?;
-        *wanted = faces.take_places();
-        number_through(wanted, (0..count).map(|face| arities.get(face).map_or(3, |arity| *arity)));
-    }
-    Ok(faces.finish()?.0)
+    Ok(())
 }
 
 /// Makes numbers of corners within their faces, which have so many, numbers through all faces.

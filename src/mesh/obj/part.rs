@@ -1,6 +1,6 @@
 //! A part of a simple OBJ file: whole lines, read by themselves.
 
-use super::plain::IGNORED;
+use super::plain::{IGNORED, is_corner};
 use crate::decimal;
 use crate::geometry::Point;
 use crate::mesh::faces::Faces;
@@ -125,10 +125,10 @@ fn corner(line: &[u8]) -> Option<(u32, &[u8])> {
     let place = u32::try_from(number.checked_sub(1)?).ok()?;
     let rest = &line[length..];
     match rest {
-        [b'/', others @ ..] => {
-            let length = others.iter().position(|byte| !matches!(byte, b'/' | b'-' | b'0'..=b'9'));
-            let rest = &others[length.unwrap_or(others.len())..];
-            ends_at(rest, 0).then_some((place, rest))
+        [b'/', ..] => {
+            let length = rest.iter().position(|byte| !matches!(byte, b'/' | b'-' | b'0'..=b'9')).unwrap_or(rest.len());
+            let (others, rest) = rest.split_at(length);
+            (is_corner(others) && ends_at(rest, 0)).then_some((place, rest))
         }
         _ => ends_at(line, length).then_some((place, rest)),
     }

@@ -6,12 +6,15 @@
 //! that are not UTF-8, wants a colour for every vertex or for none, and copies vertices for each group.
 
 use std::io::{self, BufRead, Read};
+use std::path::Path;
 
 use super::statements::{Statement, Statements};
+use crate::decimal;
+use crate::error::Diagnostic;
 use crate::mesh::tally::Tally;
 
 /// Statements that OBJ knows and that do not shape the mesh read here.
-pub(super) const IGNORED: [&str; 37] = [
+pub(super) const IGNORED: [&str; 34] = [
     "vt",
     "vn",
     "vp",
@@ -37,7 +40,6 @@ pub(super) const IGNORED: [&str; 37] = [
     "step",
     "curv",
     "curv2",
-    "surf",
     "parm",
     "trim",
     "hole",
@@ -47,9 +49,16 @@ pub(super) const IGNORED: [&str; 37] = [
     "con",
     "ctech",
     "stech",
-    "call",
-    "csh",
 ];
+
+/// Statements that make free-form surfaces, those of the format's first version among them.
+const SURFACES: [&str; 5] = ["surf", "bsp", "bzp", "cdp", "res"];
+/// Statements that would bring in what another file or program says.
+const CALLS: [&str; 2] = ["call", "csh"];
+
+fn is_one_of(keyword: &[u8], statements: &[&str]) -> bool {
+    statements.iter().any(|known| known.as_bytes() == keyword)
+}
 
 /// A reader of the plain form, made line by line.
 pub(super) struct Plain<'a> {
@@ -59,10 +68,14 @@ pub(super) struct Plain<'a> {
     taken: usize,
     /// Vertices so far.
     pub(super) vertices: u64,
-    /// Faces of fewer than three corners, which are left out.
-    pub(super) small: Tally,
+    /// Faces of fewer than three corners.
+    small: Tally,
     /// Statements that OBJ does not know.
-    pub(super) unknown: Tally,
+    unknown: Tally,
+    /// Free-form surfaces.
+    surfaces: Tally,
+    /// Statements of [`CALLS`].
+    calls: Tally,
 }
 
 impl<'a> Plain<'a> {
@@ -70,8 +83,26 @@ impl<'a> Plain<'a> {
     const CHUNK: usize = 1 << 16;
 
     pub(super) fn new(text: &'a [u8]) -> Plain<'a> {
-        let (small, unknown) = Default::default();
-        Plain { text, statements: Statements::new(text), lines: Vec::new(), taken: 0, vertices: 0, small, unknown }
+        let [small, unknown, surfaces, calls] = Default::default();
+        let (statements, lines) = (Statements::new(text), Vec::new());
+        Plain { text, statements, lines, taken: 0, vertices: 0, small, unknown, surfaces, calls }
+    }
+
+    /// What was left out of the mesh.
+    pub(super) fn warnings(self, path: &Path) -> Vec<Diagnostic> {
+        let told = |tally: Tally, noun, note: Option<&str>| {
+            let warning = tally.in_text(path, self.text, noun)?;
+            Some(note.into_iter().fold(warning, Diagnostic::note))
+        };
+        let finer = "free-form surfaces are not supported: turn them into polygons where the file was made";
+        let inline = "what it would bring in is missing: put it into this file";
+        let warnings = [
+            told(self.small, "face of fewer than 3 corners, left out", None),
+            told(self.unknown, "statement that OBJ does not know, left out", None),
+            told(self.surfaces, "surface in free form, left out", Some(finer)),
+            told(self.calls, "statement `call` or `csh`, not executed", Some(inline)),
+        ];
+        warnings.into_iter().flatten().collect()
     }
 
     /// Adds the plain form of `statement` to the lines.
@@ -83,11 +114,16 @@ impl<'a> Plain<'a> {
             b"v" => {
                 self.vertices += 1;
                 let numbers = if words.clone().count() == 4 { 4 } else { 3 };
-                self.push_line(b'v', words.take(numbers).map(|word| &text[word]));
+                self.push_line(b'v', words.take(numbers).map(|word| number(&text[word])));
             }
             b"f" if words.clone().count() < 3 => self.small.add(statement.span.clone()),
-            b"f" => self.push_line(b'f', words.map(|word| position(&text[word]))),
-            other if IGNORED.iter().any(|known| known.as_bytes() == other) => {}
+            b"f" => self.push_line(
+                b'f',
+                words.map(|word| if is_corner(&text[word.clone()]) { position(&text[word]) } else { b"?" }),
+            ),
+            other if is_one_of(other, &IGNORED) => {}
+            other if is_one_of(other, &SURFACES) => self.surfaces.add(keyword),
+            other if is_one_of(other, &CALLS) => self.calls.add(keyword),
             _ => self.unknown.add(keyword),
         }
     }
@@ -107,6 +143,37 @@ impl<'a> Plain<'a> {
 /// The first of the indices of a corner, `position/texture/normal`; the others are not looked at.
 pub(super) fn position(corner: &[u8]) -> &[u8] {
     corner.split(|byte| *byte == b'/').next().unwrap_or(corner)
+}
+
+/// Whether a corner has the form `position/texture/normal`, as far as the last two go: integers. Either may be missing, and so may the
+/// slashes before what is missing; some exporters write both slashes even so, as in `1//`.
+pub(super) fn is_corner(corner: &[u8]) -> bool {
+    let is_integer = |index: &[u8]| {
+        let digits = index.strip_prefix(b"-").unwrap_or(index);
+        !digits.is_empty() && digits.iter().all(u8::is_ascii_digit)
+    };
+    let mut others = corner.split(|byte| *byte == b'/').skip(1);
+    match (others.next(), others.next(), others.next()) {
+        (None, ..) => true,
+        (Some(texture), None, _) => is_integer(texture),
+        (Some(texture), Some(normal), None) => {
+            [texture, normal].iter().all(|index| index.is_empty() || is_integer(index))
+        }
+        _ => false,
+    }
+}
+
+/// A coordinate in a form that `tobj` reads.
+fn number(word: &[u8]) -> &[u8] {
+    if !word.iter().any(|byte| matches!(byte, b'#' | b'(')) {
+        return word;
+    }
+    match decimal::parse(word) {
+        None => word,
+        Some(f64::INFINITY) => b"inf",
+        Some(f64::NEG_INFINITY) => b"-inf",
+        Some(_) => b"nan",
+    }
 }
 
 impl Read for Plain<'_> {

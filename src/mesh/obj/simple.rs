@@ -10,6 +10,7 @@ use rayon::prelude::*;
 
 use super::part::Part;
 use crate::geometry::Point;
+use crate::input::Budget;
 use crate::mesh::TriangleMesh;
 use crate::mesh::faces::Faces;
 
@@ -17,18 +18,18 @@ use crate::mesh::faces::Faces;
 const BLOCK: usize = 1 << 20;
 
 /// The mesh in `text`, if it is simple.
-pub(super) fn read(text: &[u8]) -> Option<TriangleMesh> {
-    read_in_blocks(text, BLOCK)
+pub(super) fn read(text: &[u8], budget: &Budget) -> Option<TriangleMesh> {
+    read_in_blocks(text, BLOCK, budget)
 }
 
-pub(super) fn read_in_blocks(text: &[u8], block: usize) -> Option<TriangleMesh> {
+pub(super) fn read_in_blocks(text: &[u8], block: usize, budget: &Budget) -> Option<TriangleMesh> {
     let parts: Option<Vec<Part>> = cut(text, block).into_par_iter().map(|lines| Part::read(&text[lines])).collect();
     let mut parts = parts?;
     let positions = positions(&mut parts);
     let (vertices, corners) = in_order_of_use(&positions, parts.iter_mut().map(|part| &mut part.corners))?;
     drop(positions);
     let triangles = corners.iter().map(Vec::len).sum::<usize>() - 2 * parts.iter().map(Part::face_count).sum::<usize>();
-    let mut faces = Faces::new(&vertices, triangles);
+    let mut faces = Faces::new(&vertices, triangles, budget);
     for (part, corners) in parts.iter().zip(corners) {
         part.push_faces(&corners, &mut faces)?;
     }

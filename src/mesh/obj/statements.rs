@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use crate::decimal;
+
 /// The statements of a text as spans. Lines end with LF, CR LF or CR; a backslash right before the end
 /// continues a line, but not in a comment.
 #[derive(Clone)]
@@ -74,7 +76,13 @@ impl Iterator for Words<'_> {
         let start = self.at + gap_length(&self.text[self.at..]);
         let rest = &self.text[start..];
         let ends = |at: &usize| is_blank(rest[*at]) || rest[*at] == b'#' || is_continuation(&rest[*at..]);
-        let length = (0..rest.len()).find(ends).unwrap_or(rest.len());
+        let mut length = (0..rest.len()).find(ends).unwrap_or(rest.len());
+        // What looks like a comment may be a number that is none: `1.#INF`.
+        if rest.get(length) == Some(&b'#')
+            && let Some(whole) = decimal::leading_non_finite(rest, |byte| !is_blank(byte) && byte != b'#')
+        {
+            length = whole;
+        }
         // Nothing but a comment may come after a word that is empty.
         self.at = if length == 0 { self.text.len() } else { start + length };
         (length > 0).then_some(start..start + length)

@@ -7,23 +7,25 @@ use proptest::sample::Index;
 
 use super::simple::read_in_blocks;
 use super::{parse, parse_odd};
+use crate::input::Budget;
 use crate::mesh::Loaded;
 use crate::mesh::tests::told;
 
 /// Reads `text` in blocks of several sizes; whatever is read must be what `tobj` says. Whether it is simple.
 fn check(text: &[u8]) -> bool {
     let path = Path::new("a.obj");
-    let expected = told(&parse_odd(path, text));
+    let budget = || Budget::of_bytes(text.len());
+    let expected = told(&parse_odd(path, text, &budget()));
     let mut times_read = 0;
     for block in [1, 9, 50, 1 << 20] {
-        if let Some(mesh) = read_in_blocks(text, block) {
+        if let Some(mesh) = read_in_blocks(text, block, &budget()) {
             assert_eq!(told(&Ok(Loaded::new(path, mesh, Vec::new()))), expected, "in blocks of {block} bytes");
             times_read += 1;
         }
     }
     assert!(times_read == 0 || times_read == 4, "the size of blocks has no influence");
     if !text.is_empty() && crate::mesh::signature::describe(text).is_none() {
-        assert_eq!(told(&parse(path, text)), expected);
+        assert_eq!(told(&parse(path, text, &budget())), expected);
     }
     times_read > 0
 }

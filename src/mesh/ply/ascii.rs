@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use super::header::Scalar;
-use super::values::{Fault, Run, Values};
+use super::values::{Fault, Run, Values, whole};
 use crate::decimal;
 use crate::error::{Diagnostic, SourceLocation};
 use crate::mesh::tally::Tally;
@@ -55,7 +55,10 @@ impl Values for Ascii<'_> {
     }
 
     #[inline]
-    fn integer(&mut self, _: Scalar) -> Result<i64, Fault> {
+    fn integer(&mut self, kind: Scalar) -> Result<i64, Fault> {
+        if !kind.is_integer() {
+            return self.real(kind).and_then(whole);
+        }
         parse_integer(self.token()?).ok_or(Fault::NotAnInteger)
     }
 

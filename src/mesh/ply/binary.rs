@@ -6,7 +6,7 @@ use std::path::Path;
 
 use super::header::Scalar;
 use super::step::Layout;
-use super::values::{Fault, Run, Values};
+use super::values::{Fault, Run, Values, whole};
 use crate::error::{Diagnostic, SourceLocation};
 use crate::geometry::Point;
 use crate::mesh::faces::Faces;
@@ -120,7 +120,7 @@ impl<Order: ByteOrder> Values for Binary<'_, Order> {
             Scalar::U16 => self.take().map(|bytes| i64::from(u16::from_le_bytes(bytes))),
             Scalar::I32 => self.take().map(|bytes| i64::from(i32::from_le_bytes(bytes))),
             Scalar::U32 => self.take().map(|bytes| i64::from(u32::from_le_bytes(bytes))),
-            Scalar::F32 | Scalar::F64 => Err(Fault::NotAnInteger),
+            Scalar::F32 | Scalar::F64 => self.real(kind).and_then(whole),
         }
     }
 

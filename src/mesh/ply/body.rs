@@ -6,15 +6,29 @@ use super::header::{Element, Header, Scalar};
 use super::step::{Step, least_run, plan};
 use super::values::{Fault, Run, Values};
 use crate::error::{Diagnostic, Result, SourceLocation};
+use crate::input::Budget;
 use crate::mesh::faces::Faces;
 use crate::mesh::tally::counted;
 use crate::mesh::{Loaded, TriangleMesh, uv_of_corners};
 
-/// Reads the `values` of all elements that `header` promises; they follow it in `content`. Coordinates of the surface are read where
-/// `with_uv` says so and there are some.
-pub(super) fn read<V: Values>(path: &Path, content: &[u8], values: V, header: Header, with_uv: bool) -> Result<Loaded> {
+/// What is wanted of a file, and what it may cost.
+#[derive(Clone, Copy)]
+pub(super) struct Wanted<'a> {
+    /// Coordinates of the surface are read if there are some.
+    pub(super) with_uv: bool,
+    pub(super) budget: &'a Budget,
+}
+
+/// Reads the `values` of all elements that `header` promises; they follow it in `content`.
+pub(super) fn read<V: Values>(
+    path: &Path,
+    content: &[u8],
+    values: V,
+    header: Header,
+    wanted: Wanted,
+) -> Result<Loaded> {
     let elements = &header.elements;
-    let mut body = Body { path, content, values, with_uv, uv: Vec::new(), warnings: header.warnings };
+    let mut body = Body { path, content, values, wanted, uv: Vec::new(), warnings: header.warnings };
     let vertex = body.vertex(elements)?.ok_or_else(|| body.no_vertex(elements, header.end))?;
     let mesh = body.mesh(elements, vertex)?;
     body.note_rest();
@@ -35,7 +49,7 @@ pub(super) struct Body<'a, V> {
     pub(super) path: &'a Path,
     pub(super) content: &'a [u8],
     pub(super) values: V,
-    pub(super) with_uv: bool,
+    pub(super) wanted: Wanted<'a>,
     /// Of the vertices, where they are wanted and there are some.
     pub(super) uv: Vec<[f32; 2]>,
     pub(super) warnings: Vec<Diagnostic>,
@@ -60,7 +74,7 @@ impl<V: Values> Body<'_, V> {
             self.visit(element, Self::skip)?;
         }
         let vertices = self.visit(&elements[vertex], Self::vertices)?;
-        let mut faces = Faces::new(&vertices, 0);
+        let mut faces = Faces::new(&vertices, 0, self.wanted.budget);
         for (values, element) in early_faces {
             let next = std::mem::replace(&mut self.values, values);
             self.any_faces(element, &mut faces)?;

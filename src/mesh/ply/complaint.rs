@@ -50,6 +50,7 @@ impl<V: Values> Body<'_, V> {
             Fault::End => return self.at(format!("the file ends in {place}"), end),
             Fault::NotANumber => (format!("{found} is not a number"), last),
             Fault::NotAnInteger => (format!("{found} is not a whole number"), last),
+            Fault::NotAnIndex(value) => (format!("{value} is not an index: expected a whole number"), last),
             Fault::NegativeLength => ("a list of negative length".to_string(), last),
             Fault::ListTooLong => ("a list that is longer than the rest of the file".to_string(), last),
         };

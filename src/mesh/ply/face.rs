@@ -5,6 +5,7 @@ use super::header::{Element, Property, Scalar, Shape};
 use super::step::{Layout, Step, least_run, plan};
 use super::values::{Run, Values};
 use crate::error::Result;
+use crate::memory;
 use crate::mesh::faces::Faces;
 
 impl<V: Values> Body<'_, V> {
@@ -16,7 +17,11 @@ impl<V: Values> Body<'_, V> {
             _ => None,
         });
         let layout = Layout::of(&plan);
-        faces.reserve(self.likely_triangles(element));
+        let triangles = self.likely_triangles(element);
+        let too_large = || format!("{} faces are too many for this machine's memory", element.count);
+        memory::check((triangles * size_of::<[u32; 3]>()) as u64, too_large)
+            .map_err(|error| error.or_at(|| self.in_header(element.span.clone())))?;
+        faces.reserve(triangles);
         let mut corners = Vec::new();
         let mut number = 0;
         loop {
@@ -48,10 +53,8 @@ impl<V: Values> Body<'_, V> {
             return Err(self.wrong_header("a second list of corners", element));
         }
         match property.shape {
-            Shape::List { item, .. } if item.is_integer() => Ok(at),
-            Shape::List { .. } => {
-                Err(self.wrong_header(format!("the indices in `{}` are not integers", property.name), element))
-            }
+            // Whole numbers of a floating-point type are indices as well: rply, and so pbrt, reads them.
+            Shape::List { .. } => Ok(at),
             Shape::One(_) => Err(self.wrong_header(format!("property `{}` is not a list", property.name), element)),
         }
     }

@@ -21,60 +21,62 @@ use std::path::Path;
 
 use self::ascii::Ascii;
 use self::binary::{BigEndian, Binary, LittleEndian};
+use self::body::Wanted;
 use self::header::{Encoding, Header};
 use self::vertex::names_of_uv;
 use super::Loaded;
 use crate::error::Result;
-use crate::input::{Storage, gzip};
+use crate::input::{Budget, Storage, gzip};
 
 /// Reads the bytes of a PLY file, compressed or not; `path` is for messages only.
-pub fn parse_ply(path: &Path, bytes: &[u8]) -> Result<Loaded> {
-    read_plain(path, &Storage::Memory(bytes)).map_or_else(|| parse_odd(path, bytes), Ok)
+pub(super) fn parse_any(path: &Path, bytes: &[u8], budget: &Budget) -> Result<Loaded> {
+    read_plain(path, &Storage::Memory(bytes), budget).map_or_else(|| parse_odd(path, bytes, budget), Ok)
 }
 
 /// The mesh in `storage`, compressed or not, if it is a plain PLY file: the quick way, which has no messages.
-pub(super) fn read_plain(path: &Path, storage: &Storage) -> Option<Loaded> {
+pub(super) fn read_plain(path: &Path, storage: &Storage, budget: &Budget) -> Option<Loaded> {
     let is_compressed = gzip::is_in(storage);
     if is_compressed {
-        gzip::stream(storage, |text| plain::read_stream(path, text))
+        gzip::stream(storage, budget, |text| plain::read_stream(path, text))
     } else {
         plain::read(path, storage)
     }
 }
 
 /// The mesh in the bytes of any PLY file that [`read_plain`] has left alone.
-pub(super) fn parse_odd(path: &Path, bytes: &[u8]) -> Result<Loaded> {
-    gzip::parsed(path, bytes, |content| {
+pub(super) fn parse_odd(path: &Path, bytes: &[u8], budget: &Budget) -> Result<Loaded> {
+    gzip::parsed(path, bytes, budget, |content| {
         // A compressed file may be plain, if not as a stream.
         let plain = gzip::is_in(&Storage::Memory(bytes)).then(|| plain::read(path, &Storage::Memory(content)));
-        plain.flatten().map_or_else(|| parse(path, content), Ok)
+        plain.flatten().map_or_else(|| parse(path, content, budget), Ok)
     })
 }
 
-/// As [`parse_ply`], with u and v of the vertices, if the file has them.
-pub(super) fn parse_with_uv(path: &Path, bytes: &[u8]) -> Result<Loaded> {
-    gzip::parsed(path, bytes, |content| {
+/// As [`parse_any`], with u and v of the vertices, if the file has them.
+pub(super) fn parse_with_uv(path: &Path, bytes: &[u8], budget: &Budget) -> Result<Loaded> {
+    gzip::parsed(path, bytes, budget, |content| {
         let header = Header::parse(path, content)?;
         if header.elements.iter().any(|element| element.name == "vertex" && names_of_uv(element).is_some()) {
-            return read(path, content, header, true);
+            return read(path, content, header, true, budget);
         }
-        plain::read(path, &Storage::Memory(content)).map_or_else(|| read(path, content, header, false), Ok)
+        plain::read(path, &Storage::Memory(content)).map_or_else(|| read(path, content, header, false, budget), Ok)
     })
 }
 
-fn parse(path: &Path, content: &[u8]) -> Result<Loaded> {
-    read(path, content, Header::parse(path, content)?, false)
+fn parse(path: &Path, content: &[u8], budget: &Budget) -> Result<Loaded> {
+    read(path, content, Header::parse(path, content)?, false, budget)
 }
 
-fn read(path: &Path, content: &[u8], header: Header, with_uv: bool) -> Result<Loaded> {
+fn read(path: &Path, content: &[u8], header: Header, with_uv: bool, budget: &Budget) -> Result<Loaded> {
     let start = header.size;
+    let wanted = Wanted { with_uv, budget };
     match header.encoding {
-        Encoding::Ascii => body::read(path, content, Ascii::new(path, content, start), header, with_uv),
+        Encoding::Ascii => body::read(path, content, Ascii::new(path, content, start), header, wanted),
         Encoding::LittleEndian => {
-            body::read(path, content, Binary::<LittleEndian>::new(path, content, start), header, with_uv)
+            body::read(path, content, Binary::<LittleEndian>::new(path, content, start), header, wanted)
         }
         Encoding::BigEndian => {
-            body::read(path, content, Binary::<BigEndian>::new(path, content, start), header, with_uv)
+            body::read(path, content, Binary::<BigEndian>::new(path, content, start), header, wanted)
         }
     }
 }

@@ -10,13 +10,23 @@ use crate::mesh::faces::Faces;
 use crate::mesh::tally::Tally;
 
 /// Why a value could not be read.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Fault {
     End,
     NotANumber,
     NotAnInteger,
+    /// A number of a floating-point type that is no index.
+    NotAnIndex(f64),
     NegativeLength,
     ListTooLong,
+}
+
+/// The whole number `value`, which a file holds as one of a floating-point type.
+#[inline]
+pub(super) fn whole(value: f64) -> Result<i64, Fault> {
+    /// Below it every `f64` without a fraction is an `i64`; NaN is not below it.
+    const LIMIT: f64 = 9_223_372_036_854_775_808.0;
+    if value.abs() < LIMIT && value.fract() == 0.0 { Ok(value as i64) } else { Err(Fault::NotAnIndex(value)) }
 }
 
 /// Values in a row: how many, and the bytes that they take in a binary file.

@@ -6,6 +6,7 @@ use super::step::{Step, plan};
 use super::values::{Fault, Values};
 use crate::error::Result;
 use crate::geometry::Point;
+use crate::memory;
 use crate::mesh::faces::check_count;
 
 /// What u and v are called, in the order in which pbrt-v3 looks for them.
@@ -22,7 +23,10 @@ impl<V: Values> Body<'_, V> {
     pub(super) fn vertices(&mut self, element: &Element) -> Result<Vec<Point>> {
         let axes = self.axes(element)?;
         check_count(element.count, "vertices").map_err(|error| error.or_at(|| self.in_header(element.span.clone())))?;
-        let uv = names_of_uv(element).filter(|_| self.with_uv);
+        let too_large = || format!("{} vertices are too many for this machine's memory", element.count);
+        memory::check(element.count.saturating_mul(size_of::<Point>() as u64), too_large)
+            .map_err(|error| error.or_at(|| self.in_header(element.span.clone())))?;
+        let uv = names_of_uv(element).filter(|_| self.wanted.with_uv);
         let uv = uv.map(|names| self.places_of(element, names)).transpose()?;
         if uv.is_none()
             && let Some(points) = self.fixed_points(element, axes)

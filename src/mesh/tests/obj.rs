@@ -89,6 +89,43 @@ fn says_which_statement_is_wrong() {
 }
 
 #[test]
+fn refuses_corners_of_another_form() {
+    for corner in ["1/1/1/7/7", "1/1/1/", "1///", "1/", "1/x", "1/1/x", "1/1.5", "1//--2", "1/+1", "/", "1/1/1/1"] {
+        let expected = format!("a.obj:5:3: `{corner}` is not a corner");
+        let text = message(obj(with(&format!("f {corner} 2 3\n"))));
+        assert!(text.starts_with(&expected), "{text}");
+    }
+    for corner in ["1", "1/7", "1//", "1/7/", "1/7/-7", "1//9"] {
+        assert_eq!(triangles(obj(with(&format!("f {corner} 2 3\n")))), [[0, 1, 2]], "{corner}");
+    }
+}
+
+#[test]
+fn warns_of_surfaces_and_calls_left_out() {
+    let surface = "cstype bezier\ndeg 3 3\nsurf 0 1 0 1 1 2 3 4\nparm u 0 1\nend\nsurf 0 1 0 1 4 3 2 1\nend\n";
+    let expected = "a.obj:8:1: 2 surfaces in free form, left out\n   |\n 8 | surf 0 1 0 1 1 2 3 4\n   | ^^^^\n   \
+                    = free-form surfaces are not supported: turn them into polygons where the file was made";
+    assert_eq!(warnings(obj(with(&format!("f 1 2 3\n{surface}")))), [expected]);
+    for (keyword, count) in [("bsp", 1), ("bzp", 1), ("cdp", 1), ("res", 1), ("call other.obj", 1), ("csh -make", 1)] {
+        assert_eq!(warnings(obj(with(&format!("f 1 2 3\n{keyword} 1 2 3 4\n")))).len(), count, "{keyword}");
+    }
+    let call = &warnings(obj(with("f 1 2 3\ncall a.obj\ncall b.obj\n")))[0];
+    assert!(call.starts_with("a.obj:6:1: 2 statements `call` or `csh`, not executed"), "{call}");
+    // Curves of points and lines have no area.
+    assert_eq!(triangles(obj(with("f 1 2 3\np 1\nl 1 2\ncstype bezier\ndeg 3\ncurv 0 1 1 2 3 4\nend\n"))), [[0, 1, 2]]);
+}
+
+#[test]
+fn reads_numbers_that_are_none_as_windows_prints_them() {
+    let content = "v 1.#INF 0 -1.#IND\nv nan(ind) 1.#QNAN0 0 # 1.#INF\nv 0 0 1.# comment\nf 1 2 3\n";
+    let loaded = obj(content).unwrap();
+    let bits = |value: f64| if value.is_nan() { "nan".to_owned() } else { value.to_string() };
+    let found: Vec<_> = loaded.mesh.vertices.iter().map(|vertex| vertex.to_array().map(bits).join(" ")).collect();
+    assert_eq!(found, ["inf 0 nan", "nan nan 0", "0 0 1"]);
+    assert_eq!(loaded.warnings.len(), 1);
+}
+
+#[test]
 fn says_where_a_hopeless_polygon_is() {
     let corners = 10_001;
     let radius = |k: i32| if k == 7 { 0.5 } else { 1.0 };

@@ -69,7 +69,7 @@ fn reads_text() {
 fn reads_bytes_of_every_type_and_order() {
     for is_big in [false, true] {
         for coordinate in ["float", "double", "int", "short", "int8"] {
-            for index in ["int", "uint", "uint16", "uchar"] {
+            for index in ["int", "uint", "uint16", "uchar", "float", "double"] {
                 let bytes = binary(is_big, coordinate, index);
                 assert_eq!(triangles(ply(&bytes)), [[0, 1, 2], [0, 2, 3], [3, 1, 0]], "{coordinate} {index}");
                 let expected = [[0.0, 0.0, 5.0], [1.0, 0.0, 5.0], [1.0, -1.0, 5.0], [0.0, -1.0, 6.0]];
@@ -77,6 +77,30 @@ fn reads_bytes_of_every_type_and_order() {
             }
         }
     }
+}
+
+#[test]
+fn whole_numbers_of_a_floating_point_type_are_indices() {
+    for kind in ["float", "double"] {
+        let text = TRIANGLE.replace("uchar int", &format!("uchar {kind}"));
+        for list in ["3 0 1 2", "3 0.0 1.0 2.", "3 -0 1e0 0.2e1"] {
+            assert_eq!(triangles(ply(text.replace("3 0 1 2", list))), [[0, 1, 2]], "{kind} {list}");
+        }
+        for (index, found) in [("0.5", "0.5"), ("nan", "NaN"), ("-inf", "-inf"), ("1e40", "")] {
+            let text = message(ply(text.replace("3 0 1 2", &format!("3 0 {index} 2"))));
+            assert!(
+                text.contains(&format!("{found} is not an index: expected a whole number")) || found.is_empty(),
+                "{text}"
+            );
+            assert!(text.starts_with("a.ply:13:5: "), "{text}");
+        }
+        for index in ["-1", "3", "4294967296"] {
+            let text = message(ply(text.replace("3 0 1 2", &format!("3 0 {index} 2"))));
+            assert!(text.contains("which does not exist"), "{text}");
+        }
+    }
+    let strips = TRIANGLE.replace("element face", "element tristrips").replace("uchar int", "uchar float");
+    assert_eq!(triangles(ply(strips.replace("3 0 1 2", "7 0 1 2 -1.0 2 1 0"))), [[0, 1, 2], [2, 1, 0]]);
 }
 
 #[test]
@@ -222,8 +246,6 @@ fn says_what_is_wrong_with_a_header() {
     let expected = "a.ply:8:15: the length of a list cannot be a `float`\n   |\n 8 | property list float int vertex_indices\n   \
                     |               ^^^^^\n   = expected an integer type, such as uchar";
     assert_eq!(message(ply(TRIANGLE.replace("uchar int", "float int"))), expected);
-    let expected = "a.ply:7:1: the indices in `vertex_indices` are not integers";
-    assert!(message(ply(TRIANGLE.replace("uchar int", "uchar double"))).starts_with(expected));
     assert!(message(ply(TRIANGLE.replace("float y", "real y"))).starts_with("a.ply:5:10: unknown type `real`"));
     assert!(
         message(ply(TRIANGLE.replace("vertex 3", "vertex three"))).starts_with("a.ply:3:16: `three` is not a number")

@@ -83,7 +83,7 @@ fn mistakes_in_ply_have_a_place() {
 
 #[test]
 fn obj_has_those_of_corners() {
-    let file = format!("{SQUARE}vt .5\nvt .25 1 9\nf 1/1 2/-1/1 3/3 4/2\nvt 7 8\nf 4/-3 2/-1 1/-2//\n");
+    let file = format!("{SQUARE}vt .5\nvt .25 1 9\nf 1/1 2/-1/1 3/3 4/2\nvt 7 8\nf 4/-3 2/-1 1/-2/\n");
     let (first, second, third) = ([0.5, 0.0], [0.25, 1.0], [7.0, 8.0]);
     let expected = [[first, second, third], [first, third, second], [first, third, second]];
     assert_eq!(uv(&file, Obj).unwrap(), expected);
@@ -118,7 +118,7 @@ fn mistakes_in_obj_have_a_place() {
         ("vt 1 1\nf 1/1 2/2 3\n", "a.mesh:6:7: the corner `2/2` has texture coordinates that do not exist"),
         ("vt 1 1\nf 1/0 2/1 3\n", "a.mesh:6:3: the corner `1/0` has"),
         ("f 1/1 2/-1 3\nvt 1 1\n", "a.mesh:5:7: the corner `2/-1` has"),
-        ("vt 1 1\nf 1/a 2/1 3\n", "a.mesh:6:3: the corner `1/a` has"),
+        ("vt 1 1\nf 1/a 2/1 3\n", "a.mesh:6:3: `1/a` is not a corner"),
     ] {
         let found = message(with_uv(format!("{SQUARE}{rest}").as_bytes(), Obj));
         assert!(found.starts_with(expected), "{found}");

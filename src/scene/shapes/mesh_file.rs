@@ -1,8 +1,8 @@
 //! `Shape "plymesh"` and `Shape "objmesh"`: meshes in files of their own.
 
 use crate::error::Result;
-use crate::input::advise_beside;
-use crate::mesh::{self, MeshFormat};
+use crate::input::{self, advise_beside};
+use crate::mesh::MeshFormat;
 use crate::scene::parameters::Parameters;
 use crate::scene::shape_statement::{SURFACE, ShapeTarget};
 
@@ -16,7 +16,9 @@ impl ShapeTarget<'_> {
         };
         let path = self.directory.join(&filename);
         self.files.add(&path);
-        let loaded = mesh::read(&path, format, self.keeps_uv).map_err(|error| {
+        let read =
+            input::refuse_special(&path).and_then(|()| self.mesh_cache.read(&path, format, self.keeps_uv, self.budget));
+        let loaded = read.map_err(|error| {
             let place = parameters.place_of("filename");
             advise_beside(&place.path, &filename, &path, error).note(format!("named in {place}"))
         })?;

@@ -23,6 +23,11 @@ impl ShapeTarget<'_> {
             let error = parameters.missing("indices", message).note("expected \"integer indices\" [ ... ]");
             return Err(ShapeRefusal::shape("without indices", error));
         };
+        let control = faces.len() as u64;
+        let made = u128::from(control) << (2 * levels);
+        self.budget
+            .charge_faces(control, made)
+            .map_err(|error| error.or_at(|| parameters.place_of(if of_v4.is_some() { "levels" } else { "nlevels" })))?;
         let refined = loop_subdivision::subdivide(vertices, &faces, levels);
         let mesh = refined.map_err(|Refusal { place, message, advice }| {
             let levels = if of_v4.is_some() { "levels" } else { "nlevels" };

@@ -38,7 +38,7 @@ pub(super) fn read(text: &[u8], form: &Form, vertices: &[Point], triangles: &mut
 struct FaceLines<'a> {
     lines: Lines<'a>,
     vertices: &'a [Point],
-    clipper: Clipper,
+    clipper: Clipper<'a>,
     cut: Vec<[u32; 3]>,
 }
 

@@ -24,6 +24,7 @@ use self::form::Form;
 use super::binary::{BigEndian, LittleEndian};
 use super::header::{Encoding, Header};
 use crate::input::Storage;
+use crate::memory;
 use crate::mesh::Loaded;
 
 pub(super) use self::stream::read as read_stream;
@@ -52,9 +53,13 @@ fn read_in_blocks(path: &Path, storage: &Storage, block: u64) -> Option<Loaded> 
     Some(Loaded::new(path, mesh, header.warnings))
 }
 
-/// `count` defaults, made by all threads: most of the work is the system's, which makes room.
-fn defaults<T: Copy + Default + Send + Sync>(count: usize) -> Vec<T> {
+/// `count` defaults, made by all threads: most of the work is the system's, which makes room. Nothing where there is no memory for
+/// them.
+fn defaults<T: Copy + Default + Send + Sync>(count: usize) -> Option<Vec<T>> {
+    let bytes = count.checked_mul(size_of::<T>())?;
+    memory::check(bytes as u64, String::new).ok()?;
     let mut values = Vec::new();
+    values.try_reserve_exact(count).ok()?;
     rayon::iter::repeat_n(T::default(), count).collect_into_vec(&mut values);
-    values
+    Some(values)
 }

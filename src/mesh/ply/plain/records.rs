@@ -55,7 +55,7 @@ impl Records<'_> {
     where
         T: Copy + Default + Send + Sync,
     {
-        let mut values = defaults(self.count.checked_mul(N)?);
+        let mut values = defaults(self.count.checked_mul(N)?)?;
         let at_once = (self.block as usize / self.stride).max(1);
         let blocks = values.par_chunks_mut(at_once * N).enumerate();
         blocks.try_for_each_init(Vec::new, |buffer, (number, places)| {

@@ -6,6 +6,7 @@ use proptest::prelude::*;
 use proptest::sample::Index;
 
 use super::read_in_blocks;
+use crate::input::Budget;
 use crate::input::Storage;
 use crate::input::gzip::{self, Stream};
 use crate::mesh::tests::told;
@@ -15,7 +16,7 @@ const PATH: &str = "a.ply";
 
 /// What the reader of everything makes of `bytes`; NaN and negative zero made to differ from other numbers, and NaN from none.
 fn slowly(bytes: &[u8]) -> String {
-    told(&ply::parse(Path::new(PATH), bytes))
+    told(&ply::parse(Path::new(PATH), bytes, &Budget::default()))
 }
 
 /// Reads `bytes` in blocks of every kind of size; whatever is read must be what the reader of everything says.
@@ -37,7 +38,7 @@ fn check(bytes: &[u8]) -> bool {
             assert_eq!(told(&Ok(loaded)), expected, "as a stream of {block} bytes");
         }
     }
-    assert_eq!(told(&ply::parse_ply(path, bytes)), expected);
+    assert_eq!(told(&ply::parse_any(path, bytes, &Budget::of_bytes(bytes.len()))), expected);
     times_read > 0
 }
 
@@ -259,10 +260,14 @@ fn compressed_files_are_read_as_a_stream() {
     let compressed = crate::mesh::tests::gzipped(text.as_bytes());
     let path = Path::new(PATH);
     let storage = Storage::Memory(&compressed);
-    let loaded = gzip::stream(&storage, |stream| super::read_stream(path, stream)).expect("it is plain");
+    let loaded =
+        gzip::stream(&storage, &Budget::default(), |stream| super::read_stream(path, stream)).expect("it is plain");
     assert_eq!(told(&Ok(loaded)), slowly(text.as_bytes()));
     for length in 0..compressed.len() {
         let cut = Storage::Memory(&compressed[..length]);
-        assert!(gzip::stream(&cut, |stream| super::read_stream(path, stream)).is_none(), "cut off at {length}");
+        assert!(
+            gzip::stream(&cut, &Budget::default(), |stream| super::read_stream(path, stream)).is_none(),
+            "cut off at {length}"
+        );
     }
 }

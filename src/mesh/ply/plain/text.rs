@@ -24,10 +24,10 @@ pub(super) fn read(storage: &Storage, start: u64, form: &Form, block: u64) -> Op
     let (vertex_blocks, face_blocks) = parted(storage, blocks, form.vertices)?;
     let room = room(&face_blocks, form)?;
 
-    let mut vertices = defaults(form.vertices);
+    let mut vertices = defaults(form.vertices)?;
     let read_vertices = |text: &[u8], points: &mut [Point]| vertex_lines::read(text, &form.properties, points);
     fill(storage, &vertex_blocks, &mut vertices, |block| block.tally.lines(), read_vertices)?;
-    let mut triangles = defaults(room);
+    let mut triangles = defaults(room)?;
     let read_faces = |text: &[u8], places: &mut [[u32; 3]]| face_lines::read(text, form, &vertices, places);
     fill(storage, &face_blocks, &mut triangles, |block| block.tally.triangles(), read_faces)?;
     Some(TriangleMesh { vertices, triangles, uv: None })
