@@ -78,7 +78,7 @@ impl<T> Default for Cache<T> {
 }
 
 impl<T: Copy> Cache<T> {
-    const BITS: u32 = 14;
+    const BITS: u32 = 16;
 
     fn place(a: Placed, b: Placed) -> usize {
         // Fibonacci hashing: the upper bits of a product with 2^64 over the golden ratio.
