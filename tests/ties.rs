@@ -1,4 +1,5 @@
-//! Surfaces that coincide: the first in the file wins everywhere, and no ray needs integers to know.
+//! Surfaces that coincide: the first in the file wins everywhere, and no ray needs integers to
+//! know.
 
 mod common;
 
@@ -24,8 +25,8 @@ fn many(count: u32, shape: impl Fn(u32) -> String) -> String {
     (0..count).map(|k| shape(k) + " ").collect()
 }
 
-/// Renders, in tiles and with rays alone, and asserts that the answers are those of the reference and that no two hits were compared by
-/// integers.
+/// Renders, in tiles and with rays alone, and asserts that the answers are those of the reference
+/// and that no two hits were compared by integers.
 #[track_caller]
 fn assert_decided_once(world: &str) {
     let Scene { camera, shapes, .. } = scene(world);
@@ -130,8 +131,8 @@ fn piece() -> impl Strategy<Value = Piece> {
     ]
 }
 
-/// Triangles and disks in one plane, spheres and cylinders around one middle, some of them in instances: with few sizes to choose
-/// from, so that many are the same.
+/// Triangles and disks in one plane, spheres and cylinders around one middle, some of them in
+/// instances: with few sizes to choose from, so that many are the same.
 fn shapes_of(pieces: &[(Piece, bool)], place: &Matrix, level: i32) -> Shapes {
     let (mut shapes, mut object) = (Shapes::default(), Shapes::default());
     let transforms = [shapes.add_transform(*place), object.add_transform(Matrix::IDENTITY)];

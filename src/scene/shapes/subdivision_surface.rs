@@ -31,7 +31,8 @@ impl ShapeTarget<'_> {
             };
             error.note(advice)
         })?;
-        // pbrt gives the vertices normals of their own, against the right hand of the faces, and turns the faces to their side.
+        // pbrt gives the vertices normals of their own, against the right hand of the faces, and
+        // turns the faces to their side.
         self.turn_round();
         self.add_mesh(parameters, mesh)
     }
