@@ -135,7 +135,8 @@ fn assert_alike(text: &str, other: &str) {
     assert_eq!(found, expected, "{text}, in an instance");
 }
 
-/// pbrt squares the radius. Before it looks at the angle, it mirrors a sphere's point in the middle, and a cylinder's in the axis.
+/// pbrt squares the radius. Before it looks at the angle, it mirrors a sphere's point in the
+/// middle, and a cylinder's in the axis.
 #[test]
 fn a_radius_below_0_is_that_above_it() {
     for rest in
@@ -166,7 +167,8 @@ fn ends_cut_nothing_from_a_sphere_of_a_radius_below_0() {
     }
 }
 
-/// The sine of an end above 0 is rounded to 0 somewhere below 1.4e-322 degrees: no number lies between, so it is as 0.
+/// The sine of an end above 0 is rounded to 0 somewhere below 1.4e-322 degrees: no number lies
+/// between, so it is as 0.
 #[test]
 fn the_least_angles_keep_one_side() {
     for phi_max in ["0", "1e-322", "5e-324", "1e-300", "1e-40", "-0", "-30"] {

@@ -181,7 +181,8 @@ fn triangles_show_the_side_of_their_corners_whatever_mirrors_them() {
     let bilinear = "Shape \"bilinearmesh\" \"point3 P\" [ -1 -1 2  1 -1 2  -1 1 2  1 1 2 ]";
     assert_normal(bilinear, 1.0);
     let subdivided = "Shape \"loopsubdiv\" \"integer indices\" [ 0 1 2 ] \"integer levels\" 3 \"point3 P\" [ -4 -4 2  4 -4 2  0 4 2 ]";
-    // pbrt's vertex normals of a subdivision surface point against the right hand of its faces, and the faces follow them.
+    // pbrt's vertex normals of a subdivision surface point against the right hand of its faces, and
+    // the faces follow them.
     assert_normal(subdivided, -1.0);
     assert_normal(&format!("ReverseOrientation {subdivided}"), 1.0);
     assert_normal(&format!("Scale -1 1 1 {subdivided}"), -1.0);
@@ -220,7 +221,8 @@ fn a_radius_below_0_turns_what_is_not_a_sphere() {
     assert_normal(&format!("ReverseOrientation {disk}"), 1.0);
 }
 
-/// Both radii of a disk count for v with the signs they are given, as (r - distance) / (r - innerradius).
+/// Both radii of a disk count for v with the signs they are given, as (r - distance) / (r -
+/// innerradius).
 #[test]
 fn signs_count_for_v_of_a_disk() {
     let corner = 0.5f64.hypot(0.5);

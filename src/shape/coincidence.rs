@@ -1,4 +1,5 @@
-//! Surfaces that rays meet at the same `t`, whichever ray it is: what decides a tie once, not for every ray.
+//! Surfaces that rays meet at the same `t`, whichever ray it is: what decides a tie once, not for
+//! every ray.
 
 use super::{Disk, Form, Quadric, Surface};
 use crate::exact::{Approximation, Dyadic, ExactVector};
@@ -11,7 +12,8 @@ pub enum Coincidence {
     None,
     /// A plane, or all points: every ray that hits both hits them at the same `t`.
     SameHit,
-    /// A sphere or a cylinder that each is a part of: a ray hits them at roots of the same equation.
+    /// A sphere or a cylinder that each is a part of: a ray hits them at roots of the same
+    /// equation.
     SameRoots,
 }
 
@@ -27,7 +29,8 @@ impl Surface {
         }
     }
 
-    /// Whether both lie in one plane, as far as a glance can tell. Both are flat, and [can be hit](Surface::can_be_hit).
+    /// Whether both lie in one plane, as far as a glance can tell. Both are flat, and [can be
+    /// hit](Surface::can_be_hit).
     pub fn may_be_coplanar_with(&self, other: &Surface) -> Option<bool> {
         match (self, other) {
             (Surface::Triangle(a), Surface::Triangle(b)) => {
@@ -89,7 +92,8 @@ impl Surface {
 }
 
 impl Quadric {
-    /// What it has in common with another one. Both [can be hit](Quadric::can_be_hit). Only equal transforms are recognised.
+    /// What it has in common with another one. Both [can be hit](Quadric::can_be_hit). Only equal
+    /// transforms are recognised.
     pub fn coincidence(&self, other: &Quadric) -> Coincidence {
         if self.world_from_object != other.world_from_object {
             return Coincidence::None;

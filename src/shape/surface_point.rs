@@ -19,15 +19,16 @@ pub struct SurfacePoint {
     /// the other one, as in pbrt-v3. In an instance the normal is that of the object, as it was defined, taken to the world by the
     /// transposed inverse of the instance's transform: there both show the same side as before.
     ///
-    /// Triangles of `loopsubdiv` are turned round once more, to the side of the vertex normals that pbrt gives them, and so is what is
-    /// not a sphere where the radius is below 0 (rule E7).
+    /// Triangles of `loopsubdiv` are turned round once more, to the side of the vertex normals that
+    /// pbrt gives them, and so is what is not a sphere where the radius is below 0 (rule E7).
     ///
     /// Vertex normals (`N`) are not looked at, though pbrt turns the normals of triangles to their side.
     pub normal: Vector,
     /// Where the ray meets the surface.
     pub point: Point,
-    /// u and v, as in pbrt-v3: of a triangle the mean of those at the corners, which are (0, 0), (1, 0) and (1, 1) where its mesh has
-    /// none; of a sphere, a cylinder or a disk from 0 to 1, but for v of a disk where one of its radii is below 0.
+    /// u and v, as in pbrt-v3: of a triangle the mean of those at the corners, which are (0, 0),
+    /// (1, 0) and (1, 1) where its mesh has none; of a sphere, a cylinder or a disk from 0 to 1,
+    /// but for v of a disk where one of its radii is below 0.
     pub uv: [f64; 2],
 }
 

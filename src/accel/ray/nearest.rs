@@ -9,8 +9,9 @@ use std::cmp::Ordering;
 
 /// The best hit so far of a ray among the primitives that were tested.
 ///
-/// The answer is that of exact arithmetic on all of them, in whatever order they come: the filter's verdicts are right, its
-/// brackets hold the true `t`, and where two brackets overlap the true numbers are compared.
+/// The answer is that of exact arithmetic on all of them, in whatever order they come: the filter's
+/// verdicts are right, its brackets hold the true `t`, and where two brackets overlap the true
+/// numbers are compared.
 pub(in crate::accel) struct Nearest<'a> {
     shapes: &'a Shapes,
     ray: FilterRay,

@@ -4,7 +4,8 @@ use crate::shape::{Coincidence, Placed, Shapes, Surface};
 
 /// What a thread knows of primitives that coincide.
 ///
-/// The answers depend on the primitives alone, never on what was asked before: what is forgotten is found out again.
+/// The answers depend on the primitives alone, never on what was asked before: what is forgotten is
+/// found out again.
 #[derive(Debug, Default)]
 pub(in crate::accel) struct Ties {
     last: Option<(Placed, Placed, Coincidence)>,
@@ -64,7 +65,8 @@ impl Ties {
     }
 }
 
-/// What is known of pairs of primitives, as far as there is room: each has one place, where the last one to come stays.
+/// What is known of pairs of primitives, as far as there is room: each has one place, where the
+/// last one to come stays.
 #[derive(Debug)]
 struct Cache<T> {
     /// Nothing as long as it is not used.
@@ -78,7 +80,7 @@ impl<T> Default for Cache<T> {
 }
 
 impl<T: Copy> Cache<T> {
-    const BITS: u32 = 14;
+    const BITS: u32 = 16;
 
     fn place(a: Placed, b: Placed) -> usize {
         // Fibonacci hashing: the upper bits of a product with 2^64 over the golden ratio.

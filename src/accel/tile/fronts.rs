@@ -5,7 +5,8 @@ use crate::geometry::Ray;
 use crate::shape::{Coincidence, FilterRay, Quadric, Surface, Verdict};
 use crate::simd::LANES;
 
-/// The fronts of one such surface, worked out pixel by pixel when they are asked for: no part of it is met before them.
+/// The fronts of one such surface, worked out pixel by pixel when they are asked for: no part of it
+/// is met before them.
 #[derive(Debug)]
 pub(super) struct Fronts {
     /// The primitive that was drawn last of all that have roots, and those that share them.

@@ -76,14 +76,15 @@ impl Searcher<'_> {
         }
     }
 
-    /// Whether a part of a surface cannot win at a pixel, given where the whole of it is met first: it is not met, or the pixel has hit
-    /// another part of it there that comes before in the file.
+    /// Whether a part of a surface cannot win at a pixel, given where the whole of it is met first:
+    /// it is not met, or the pixel has hit another part of it there that comes before in the file.
     fn is_behind(&self, front: &Verdict, pixels: &Pixels, pixel: Pixel, primitive: Placed, ties: &mut Ties) -> bool {
         match (front, pixels.held(pixel)) {
             (Verdict::Miss, _) => true,
             (Verdict::Hit(front), Held::Hit(place)) => {
                 let best = &pixels.hits[place];
-                // One bracket for each root, and brackets of two roots that are apart: it is the same root.
+                // One bracket for each root, and brackets of two roots that are apart: it is the
+                // same root.
                 best.t == *front
                     && ties.between(self.shapes, best.primitive, primitive) != Coincidence::None
                     && self.shapes.precedes(best.primitive, primitive)

@@ -1,8 +1,9 @@
 //! `Shape "sphere"`, `"cylinder"` and `"disk"`.
 //!
-//! pbrt-v3 squares the radius to find where a ray meets the surface, so a radius below 0 is as good as one above. But it scales the
-//! point by the radius to mend its roundings, before it looks at the angle: so a sphere's point is mirrored in the middle, and a
-//! cylinder's in the axis. Here the transform mirrors object space instead, and the radius loses its sign.
+//! pbrt-v3 squares the radius to find where a ray meets the surface, so a radius below 0 is as good
+//! as one above. But it scales the point by the radius to mend its roundings, before it looks at
+//! the angle: so a sphere's point is mirrored in the middle, and a cylinder's in the axis. Here the
+//! transform mirrors object space instead, and the radius loses its sign.
 
 use crate::error::{Diagnostic, Result};
 use crate::geometry::Matrix;
@@ -19,7 +20,8 @@ impl ShapeTarget<'_> {
         let is_negative = radius < 0.0;
         let radius = radius.abs();
         let (mirror, z_min, z_max) = if is_negative {
-            // pbrt clamps both to a range that ends before it begins: then no point lies beyond them.
+            // pbrt clamps both to a range that ends before it begins: then no point lies beyond
+            // them.
             if let Some(name) = [("zmin", z_min), ("zmax", z_max)].iter().find_map(|(name, z)| z.map(|_| *name)) {
                 let message = "`zmin` and `zmax` are ignored, as in pbrt: the radius is below 0";
                 parameters.warn(name, message, self.warnings);

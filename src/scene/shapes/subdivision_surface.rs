@@ -39,7 +39,8 @@ impl ShapeTarget<'_> {
                 Place::Levels => parameters.error_at(levels, message).note(advice).into(),
             }
         })?;
-        // pbrt gives the vertices normals of their own, against the right hand of the faces, and turns the faces to their side.
+        // pbrt gives the vertices normals of their own, against the right hand of the faces, and
+        // turns the faces to their side.
         self.turn_round();
         Ok(self.add_mesh(parameters, mesh)?)
     }

@@ -10,8 +10,8 @@ use std::cmp::Ordering::{self, Greater, Less};
 pub struct Disk {
     /// Its z.
     pub height: f64,
-    /// As the file gives it: 0 where there is no hole. Its sign counts for v alone. Where its absolute value is the radius, a circle is
-    /// left, and nothing where it is larger.
+    /// As the file gives it: 0 where there is no hole. Its sign counts for v alone. Where its
+    /// absolute value is the radius, a circle is left, and nothing where it is larger.
     pub inner_radius: f64,
     /// `None` for a full turn.
     pub sector: Option<Sector>,
@@ -30,8 +30,9 @@ impl Disk {
         self.inner_radius.abs()
     }
 
-    /// pbrt-v3's v at a distance from the axis, in units of the radius: (r - distance) / (r - innerradius), where both radii count with
-    /// their signs. If they are above 0, it is 0 at the rim and 1 at the hole.
+    /// pbrt-v3's v at a distance from the axis, in units of the radius: (r - distance) / (r -
+    /// innerradius), where both radii count with their signs. If they are above 0, it is 0 at the
+    /// rim and 1 at the hole.
     pub(super) fn v_at(&self, from_axis: f64, radius: f64) -> f64 {
         let (inner, hole) = (self.inner_radius / radius, self.hole() / radius);
         let rim = if self.has_negative_radius { -1.0 } else { 1.0 };

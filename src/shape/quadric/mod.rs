@@ -26,7 +26,8 @@ use crate::geometry::Matrix;
 pub struct Quadric {
     /// Places and stretches it.
     pub world_from_object: Matrix,
-    /// In object space. No ray can hit what has none above 0: rule E7 says what a file means by one below.
+    /// In object space. No ray can hit what has none above 0: rule E7 says what a file means by one
+    /// below.
     pub radius: f64,
     /// What has that radius.
     pub form: Form,

@@ -39,8 +39,9 @@ impl Sector {
         if self.is_narrow() { both(within, beyond([1.0, 0.0, 0.0], 0.0)) } else { within }
     }
 
-    /// Whether the sine of the end is 0 for some test of the surface, in `f64` or `f32`, though the end is not at 180 degrees. The
-    /// numbers that the test uses decide, not the degrees: the sine of 1e-322 degrees is rounded to 0.
+    /// Whether the sine of the end is 0 for some test of the surface, in `f64` or `f32`, though the
+    /// end is not at 180 degrees. The numbers that the test uses decide, not the degrees: the sine
+    /// of 1e-322 degrees is rounded to 0.
     fn is_narrow(&self) -> bool {
         self.cosine > 0.0 && self.sine as f32 == 0.0
     }
@@ -68,7 +69,8 @@ mod tests {
         sector.holds(|normal, offset| Some(normal[0] * x + normal[1] * y >= offset)).unwrap()
     }
 
-    /// Points whose angles are known without a sine: those of the axes and the diagonals, and some that are next to the axes.
+    /// Points whose angles are known without a sine: those of the axes and the diagonals, and some
+    /// that are next to the axes.
     #[test]
     fn points_of_known_angles_are_there_up_to_the_end() {
         let tiny = 1e-310;

@@ -64,7 +64,8 @@ impl UnitSpace {
         }
     }
 
-    /// pbrt-v3's u and v of a point of the surface, from 0 to 1; v of a disk may be beyond where one of its radii is below 0.
+    /// pbrt-v3's u and v of a point of the surface, from 0 to 1; v of a disk may be beyond where
+    /// one of its radii is below 0.
     ///
     /// u is the angle about the z axis over `phimax`. v is, of a sphere, how far the angle from the z axis has come from that of
     /// `zmin` to that of `zmax`; of a cylinder, how far z has come from `zmin` to `zmax`; of a disk, how far the point has come from

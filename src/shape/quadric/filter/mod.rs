@@ -51,8 +51,8 @@ impl Quadric {
         }
     }
 
-    /// The same of the whole sphere or cylinder that it is a part of. A hit has the bracket that the part has where it is hit at the same
-    /// root, and no bracket of the other root overlaps it.
+    /// The same of the whole sphere or cylinder that it is a part of. A hit has the bracket that
+    /// the part has where it is hit at the same root, and no bracket of the other root overlaps it.
     pub fn filter_whole(&self, ray: &FilterRay) -> Verdict {
         let space = ScaledSpace::new(self, ray);
         let (o, d) = (&space.origin, &space.direction);
@@ -71,7 +71,8 @@ fn first_hit(roots: Roots, is_there: impl Fn(Approximation) -> Option<bool>) -> 
     if let [Some(nearer), Some(farther)] = &roots
         && !nearer.bracket().is_below(&farther.bracket())
     {
-        // Brackets tell which root is meant: what is decided once for two surfaces with the same roots relies on it.
+        // Brackets tell which root is meant: what is decided once for two surfaces with the same
+        // roots relies on it.
         return Verdict::Unsure;
     }
     for t in roots.into_iter().flatten() {
