@@ -9,8 +9,8 @@ use super::tree::Tree;
 use crate::camera::Camera;
 use crate::error::Result;
 use crate::film::PixelBounds;
-use crate::memory;
 use crate::geometry::Point;
+use crate::memory;
 use crate::progress::Progress;
 use crate::shape::{Primitive, Shapes};
 
@@ -73,7 +73,8 @@ impl Aggregate {
             false => shapes.own_count() as u64 * each as u64,
             true => size_of_val(shapes.vertices()) as u64 / 2,
         };
-        let message = || format!("a tree over {} primitives is too large for this machine's memory", shapes.own_count());
+        let message =
+            || format!("a tree over {} primitives is too large for this machine's memory", shapes.own_count());
         memory::check(bytes, message)
     }
 
