@@ -286,7 +286,9 @@ mod tests {
         let budget = Budget::default();
         assert!(!budget.enter(&path));
         assert!(budget.enter(&folder.path().join(".").join("a")));
-        assert_eq!((budget.account().distinct, budget.account().read), (1000, 2000));
+        let account = budget.account();
+        assert_eq!((account.distinct, account.read), (1000, 2000));
+        drop(account);
         assert!(!budget.enter(&folder.path().join("missing")));
     }
 }
