@@ -1,6 +1,7 @@
 //! Any bytes as two crops to be merged: the first bytes tell how long the first is.
 #![no_main]
 
+use feimos::input::BudgetFactor;
 use feimos::merge::merge;
 use feimos::progress::Progress;
 use libfuzzer_sys::fuzz_target;
@@ -14,7 +15,7 @@ fuzz_target!(|input: (bool, u16, &[u8])| {
         std::fs::write(path, bytes).expect("room");
     }
     for crops in [&crops[..], &crops[..1]] {
-        if let Ok(merged) = merge(crops, partial, Progress::SILENT) {
+        if let Ok(merged) = merge(crops, partial, BudgetFactor::ONCE, Progress::SILENT) {
             assert_eq!(merged.image.validate(), Ok(()));
         }
     }
