@@ -23,9 +23,12 @@ const MOST_FILES: u64 = 100_000;
 const FREE_FACES: u64 = 1 << 22;
 const FACES_PER_FACE: u64 = 1 << 12;
 const MOST_FACES: u64 = 1 << 24;
-/// Pairs of corners that may be looked at to cut polygons, for the square of the corners of the largest and for each byte read.
+/// Pairs of corners that may be looked at to cut a polygon, for the square of its corners.
 const PAIRS_PER_SQUARE: u64 = 8;
-const PAIRS_PER_BYTE: u64 = 1_000;
+/// Those that may have been looked at before another one is begun, for the square of the corners of the largest and for each byte
+/// read. A pair takes up to 10 ns.
+const PAIRS_BEFORE_PER_SQUARE: u64 = 2;
+const PAIRS_BEFORE_PER_BYTE: u64 = 1_000;
 
 /// The flag of the command line that raises all limits.
 const FLAG: &str = "--input-budget";
@@ -206,9 +209,10 @@ impl Budget {
     pub(crate) fn pairs_left(&self, corners: usize) -> u64 {
         let mut account = self.account();
         account.largest_polygon = account.largest_polygon.max(corners as u64);
-        let own = self.factor.times(pairs_of(corners as u64));
-        let pairs = pairs_of(account.largest_polygon).saturating_add(account.read.saturating_mul(PAIRS_PER_BYTE));
-        self.factor.times(pairs).saturating_sub(account.pairs).min(own)
+        let of_largest = account.largest_polygon.saturating_mul(account.largest_polygon);
+        let of_bytes = account.read.saturating_mul(PAIRS_BEFORE_PER_BYTE);
+        let before = of_largest.saturating_mul(PAIRS_BEFORE_PER_SQUARE).saturating_add(of_bytes);
+        if account.pairs <= self.factor.times(before) { self.factor.times(pairs_of(corners as u64)) } else { 0 }
     }
 
     /// `pairs` have been looked at.
@@ -271,11 +275,12 @@ mod tests {
     fn pairs_are_those_of_all_polygons() {
         let budget = Budget::default();
         assert_eq!(budget.pairs_left(100), 80_000);
-        budget.charge_pairs(79_000);
-        assert_eq!((budget.pairs_left(100), budget.pairs_left(50)), (1000, 1000));
-        budget.enter_bytes(5);
-        assert_eq!(budget.pairs_left(100), 6000);
-        assert_eq!(budget.pairs_left(10), 800, "none has more than its own");
+        budget.charge_pairs(20_000);
+        assert_eq!((budget.pairs_left(100), budget.pairs_left(10)), (80_000, 800));
+        budget.charge_pairs(1);
+        assert_eq!((budget.pairs_left(100), budget.pairs_left(10)), (0, 0));
+        budget.enter_bytes(1);
+        assert_eq!(budget.pairs_left(100), 80_000);
     }
 
     #[test]

@@ -24,8 +24,8 @@
 //! 7. **The last three** come out from the lowest number on, in order.
 //!
 //! A face that is not convex is refused where it has more than 10,000 corners, or where steps 5 and 6 look at more
-//! than 8 n^2 pairs of corners, which only outlines do that cross themselves everywhere. All faces of a scene's files together
-//! may look at as many as the largest one, and at 1,000 pairs more for each byte of the files: so no file takes forever.
+//! than 8 n^2 pairs of corners, which only outlines do that cross themselves everywhere; and where the faces before it in a scene's
+//! files have looked at more than 2 n^2 pairs, of the largest, and 1,000 for each byte of the files: so no file takes forever.
 
 use crate::error::{Diagnostic, Error, Result};
 use crate::geometry::{Point, Vector};

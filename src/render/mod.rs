@@ -169,7 +169,8 @@ pub(crate) fn allocate(names: &[ChannelName], window: &PixelBounds) -> Result<Ve
         _ => return Err(too_large(ErrorKind::Usage)),
     };
     let bytes = (names.len() * size_of::<f32>()) as u64 * count as u64;
-    memory::check(bytes, message).map_err(|error| error.note(IN_PARTS))?;
+    // To write the file takes some more.
+    memory::check(bytes.saturating_add(bytes / 8), message).map_err(|error| error.note(IN_PARTS))?;
     // All of them before the first is touched, so that too much is refused at once.
     let reserve = |name: &ChannelName| {
         let samples =
