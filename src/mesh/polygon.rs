@@ -134,7 +134,7 @@ pub struct Clipper<'a> {
     /// Corners that are left and whose turn is not positive, in their order.
     blockers: Vec<usize>,
     /// The corner that blocked a corner when it was last looked at: likely to do so still.
-    blocked_by: Vec<Option<usize>>,
+    blocked_by: Vec<Option<u32>>,
     is_cut: Vec<bool>,
     /// Pairs of corners that may still be looked at.
     pairs: u64,
@@ -222,11 +222,11 @@ impl<'a> Clipper<'a> {
         if !self.is_left_turn(corner) {
             return Some(false);
         }
-        if self.blocked_by[corner].is_some_and(|blocker| self.blocks(blocker, corner)) {
+        if self.blocked_by[corner].is_some_and(|blocker| self.blocks(blocker as usize, corner)) {
             return Some(false);
         }
         let found = self.blockers.iter().position(|blocker| self.blocks(*blocker, corner));
-        self.blocked_by[corner] = found.map(|at| self.blockers[at]);
+        self.blocked_by[corner] = found.map(|at| self.blockers[at] as u32);
         let looked_at = found.unwrap_or(self.blockers.len()) as u64;
         self.pairs = self.pairs.checked_sub(looked_at)?;
         Some(found.is_none())
