@@ -366,16 +366,17 @@ fn meshes_without_coordinates_have_those_of_pbrt() {
 }
 
 #[test]
-fn coordinates_in_the_wrong_number_are_an_error() {
-    for (uv, found) in
-        [("point2 uv\" [ 0 0 1 0 ]", "`uv` has 4 numbers"), ("float st\" [ 0 0 1 0 1 1 2 ]", "`st` has 7 numbers")]
-    {
+fn coordinates_in_the_wrong_number_are_a_warning() {
+    for (uv, found) in [
+        ("point2 uv\" [ 0 0 1 0 ]", "`uv` has 4 numbers, expected two a vertex: 6; they are ignored"),
+        ("float st\" [ 0 0 1 0 1 1 2 ]", "`st` has 7 numbers, expected two a vertex: 6; the rest are dropped"),
+    ] {
         let text = format!("WorldBegin\nShape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 0 0 0 1 0 ] \"{uv}");
-        let error = parse(Path::new("a.pbrt"), text.clone().into_bytes(), &SURFACE).unwrap_err().to_string();
-        assert!(
-            error.starts_with("a.pbrt:2:") && error.contains(&format!("{found}, expected two a vertex: 6")),
-            "{error}"
-        );
-        assert!(parse(Path::new("a.pbrt"), text.into_bytes(), &LoadOptions::default()).is_ok());
+        let scene = parse(Path::new("a.pbrt"), text.clone().into_bytes(), &SURFACE).unwrap();
+        let said: Vec<String> = scene.warnings.iter().map(|warning| warning.first.to_string()).collect();
+        assert!(said.len() == 1 && said[0].starts_with("a.pbrt:2:") && said[0].contains(found), "{said:?}");
+        assert_eq!(scene.shapes.triangle_count(), 1);
+        let without = parse(Path::new("a.pbrt"), text.into_bytes(), &LoadOptions::default()).unwrap();
+        assert!(without.warnings.is_empty());
     }
 }
