@@ -18,8 +18,13 @@ type Inner = PathBuf;
 impl FileId {
     /// The file at the end of `path`; `None` where there is no regular file.
     pub fn of(path: &Path) -> Option<FileId> {
+        FileId::with_size(path).map(|(id, _)| id)
+    }
+
+    /// Likewise, and the size of the file in bytes.
+    pub(crate) fn with_size(path: &Path) -> Option<(FileId, u64)> {
         let metadata = fs::metadata(path).ok().filter(Metadata::is_file)?;
-        FileId::of_any(path, &metadata)
+        Some((FileId::of_any(path, &metadata)?, metadata.len()))
     }
 
     /// The directory `path`; `None` where there is none.

@@ -6,8 +6,8 @@ use std::num::NonZeroU32;
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use super::identity::Identity;
 use crate::error::{Diagnostic, Error};
+use crate::file_id::FileId;
 
 /// A file does not expand to more times its size than this, unless it is made to fill the memory.
 const MOST_TIMES: u64 = 256;
@@ -86,7 +86,7 @@ pub(crate) struct Budget {
 #[derive(Debug, Default)]
 struct Account {
     /// The files that have been read.
-    known: HashSet<Identity>,
+    known: HashSet<FileId>,
     /// Their bytes, each once.
     distinct: u64,
     /// Bytes of all readings.
@@ -123,9 +123,9 @@ impl Budget {
     /// The file `path` is about to be read. Whether it was read before; a file that is not there has no bytes, and its reader
     /// says so.
     pub(crate) fn enter(&self, path: &Path) -> bool {
-        let Some((identity, size)) = Identity::of(path) else { return false };
+        let Some((id, size)) = FileId::with_size(path) else { return false };
         let mut account = self.account();
-        let is_new = account.known.insert(identity);
+        let is_new = account.known.insert(id);
         account.read = account.read.saturating_add(size);
         if is_new {
             account.distinct = account.distinct.saturating_add(size);
@@ -135,7 +135,7 @@ impl Budget {
 
     /// `size` bytes have been read from `path`, which is standard input or a pipe: a file has been counted by its size.
     pub(crate) fn enter_stream(&self, path: &Path, size: u64) {
-        if Identity::of(path).is_none_or(|(_, known)| known == 0) {
+        if FileId::with_size(path).is_none_or(|(_, known)| known == 0) {
             self.enter_bytes(size);
         }
     }

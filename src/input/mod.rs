@@ -3,7 +3,6 @@
 mod budget;
 pub(crate) mod gzip;
 mod gzip_members;
-mod identity;
 mod missing;
 mod storage;
 
