@@ -144,7 +144,8 @@ impl<'a> Builder<'a> {
         let mut directives = source.directives();
         let mut seen = 0;
         loop {
-            let start = directives.offset();
+            // Only a directive that is handed back has to be found again.
+            let start = if is_continued { directives.offset() } else { 0 };
             let directive = match directives.next() {
                 None => return Ok(None),
                 // What follows the end of the world may be anything.
