@@ -12,6 +12,7 @@ use feimos::accel::{Precision, SplitMethod};
 use feimos::film::view::Depth16;
 use feimos::film::{Aov, ChannelName, ColorMap, PixelBounds, View};
 use feimos::input::BudgetFactor;
+use feimos::simd::{Level, UnavailableLevel};
 use std::path::PathBuf;
 
 /// Hit and depth images of PBRT scenes.
@@ -139,6 +140,10 @@ pub(crate) struct EngineArgs {
     /// computing in f32.
     #[arg(long, value_name = "HOW", default_value = "exact")]
     pub(crate) precision: Precision,
+    /// Instruction set of the kernels: auto (the widest that this machine has), avx512, avx2, sse4.1 or portable.
+    /// Images are the same with each.
+    #[arg(long, value_name = "SET", default_value = "auto", value_parser = simd)]
+    pub(crate) simd: Level,
     /// Threads to use [default: all that the process may use].
     #[arg(long, alias = "nthreads", value_name = "N", value_parser = threads)]
     pub(crate) threads: Option<usize>,
@@ -279,6 +284,13 @@ impl PbrtArgs {
             (self.log_level.is_some(), "--log-level"),
         ];
         flags.into_iter().filter_map(|(given, name)| given.then_some(name)).collect()
+    }
+}
+
+fn simd(name: &str) -> Result<Level, String> {
+    match name {
+        "auto" => Ok(Level::detect()),
+        name => name.parse().map_err(|error: UnavailableLevel| format!("{error}; auto takes the widest")),
     }
 }
 

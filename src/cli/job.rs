@@ -58,6 +58,7 @@ pub(super) struct Finished {
     pub(super) destination: Destination,
     pub(super) method: SplitMethod,
     pub(super) precision: Precision,
+    pub(super) simd: Level,
     pub(super) statistics: Statistics,
     pub(super) rendering: Rendering,
     /// What the colours of a view mean.
@@ -196,7 +197,7 @@ impl Renderer<'_> {
             channels: picture.channels(),
             miss: picture.miss(),
             counted: self.plan.stats,
-            level: Level::detect(),
+            level: self.plan.simd,
             precision: self.plan.precision,
         };
         let trace = |progress: Progress<'_>| render(&view.camera, shapes, aggregate, &options, progress);
@@ -210,8 +211,8 @@ impl Renderer<'_> {
         });
         let legend = written?;
         let ms = Milliseconds { build: build_ms, trace: trace_ms, write: write_ms, ..Milliseconds::default() };
-        let (statistics, precision) = (*statistics, self.plan.precision);
-        Ok(Finished { destination, method: loaded.build.method, precision, statistics, rendering, legend, ms })
+        let (statistics, precision, simd) = (*statistics, self.plan.precision, self.plan.simd);
+        Ok(Finished { destination, method: loaded.build.method, precision, simd, statistics, rendering, legend, ms })
     }
 
     /// The aggregate for a picture, and the milliseconds that it took now.
@@ -255,7 +256,7 @@ fn record(loaded: &LoadedScene, view: &Viewpoint, finished: &Finished) -> Record
         accel: finished.method.name(),
         precision: finished.precision.name(),
         threads: rayon::current_num_threads(),
-        simd: Level::detect().as_str(),
+        simd: finished.simd.as_str(),
         width: window.width(),
         height: window.height(),
         rays: window.area(),

@@ -9,6 +9,7 @@ use feimos::error::{Error, Result};
 use feimos::film::view::Depth16;
 use feimos::film::{Aov, ChannelName, ColorMap, CostRange, DepthRange, Format, PixelBounds, View};
 use feimos::scene::{self, AcceleratorParameters, Film, LoadOptions, Pose, spelling};
+use feimos::simd::Level;
 
 /// How every scene of the command is rendered.
 #[derive(Debug)]
@@ -17,6 +18,8 @@ pub(crate) struct Plan {
     pub(crate) load: LoadOptions,
     pub(crate) accel: Option<SplitMethod>,
     pub(crate) precision: Precision,
+    /// The instruction set of the kernels.
+    pub(crate) simd: Level,
     /// All that the process may use, where nothing is said.
     pub(crate) threads: Option<usize>,
     pub(crate) stats: bool,
@@ -66,6 +69,7 @@ impl Plan {
             load,
             accel: args.engine.accel,
             precision: args.engine.precision,
+            simd: args.engine.simd,
             threads: args.engine.threads,
             poses,
             skip_existing: args.batch.skip_existing,

@@ -3,6 +3,7 @@
 use super::Lanes;
 use super::portable::Portable;
 use std::fmt;
+use std::str::FromStr;
 
 /// A set of instructions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -58,7 +59,7 @@ impl Level {
         }
     }
 
-    /// The name, as in reports.
+    /// The name, as in reports and on the command line.
     pub fn as_str(self) -> &'static str {
         match self {
             Level::Portable => "portable",
@@ -98,6 +99,29 @@ impl Level {
         kernel.run(Portable)
     }
 }
+
+impl FromStr for Level {
+    type Err = UnavailableLevel;
+
+    fn from_str(name: &str) -> Result<Level, UnavailableLevel> {
+        let mut available = Level::ALL.iter().copied().filter(|level| level.is_available());
+        available.find(|level| level.as_str() == name).ok_or(UnavailableLevel)
+    }
+}
+
+/// The name is not one of an instruction set that this machine has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct UnavailableLevel;
+
+impl fmt::Display for UnavailableLevel {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let available = Level::ALL.iter().copied().filter(|level| level.is_available());
+        let names: Vec<_> = available.map(Level::as_str).collect();
+        write!(f, "this machine has {}", names.join(", "))
+    }
+}
+
+impl std::error::Error for UnavailableLevel {}
 
 impl fmt::Display for Level {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

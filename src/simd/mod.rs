@@ -14,7 +14,7 @@ mod x86;
 
 pub(crate) use lanes::{F32s, F64s, LANES, Lanes, Mask};
 pub(crate) use level::Kernel;
-pub use level::Level;
+pub use level::{Level, UnavailableLevel};
 
 #[cfg(test)]
 mod tests;

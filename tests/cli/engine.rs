@@ -43,6 +43,28 @@ fn any_number_of_threads_makes_the_same_bytes() {
     }
 }
 
+#[test]
+fn every_instruction_set_makes_the_same_bytes() {
+    let folder = crowded();
+    for (precision, channels) in [("exact", "Z,t,A,id,N,P"), ("fast", "Z,t,A,id"), ("exact", "A")] {
+        let made_with = |set: &str| {
+            let flags = format!("--simd {set} --precision {precision} --aov {channels} --resolution 61x43");
+            let run = folder.render(&format!("crowd.pbrt -o out.exr --json {flags}"));
+            (run.code == 0).then(|| (run.json()[0]["simd"].clone(), folder.bytes("out.exr")))
+        };
+        let (_, expected) = made_with("portable").expect("every machine has it");
+        for set in ["sse4.1", "avx2", "avx512"] {
+            if let Some((simd, found)) = made_with(set) {
+                assert_eq!(simd, set);
+                assert!(found == expected, "{set} {precision} {channels}");
+            }
+        }
+    }
+    let unknown = folder.render("crowd.pbrt --simd neon9");
+    assert_eq!(unknown.code, 2);
+    assert!(unknown.stderr.contains("this machine has portable"), "{}", unknown.stderr);
+}
+
 /// Two squares in one plane, cut in two along different diagonals: every ray hits both at the same place.
 const IN_ONE_PLANE: &str = r#"
 LookAt 0.3 1.7 -5.1  0.1 0.2 0  0 1 0
