@@ -18,7 +18,9 @@ pub enum Projection {
 impl Projection {
     /// A perspective projection with a field of view of `fov` degrees, between 0 and 180.
     pub fn perspective(fov: f64) -> Projection {
-        Projection::Perspective { tangent: degrees::tangent_of_half(fov) }
+        Projection::Perspective {
+            tangent: degrees::tangent_of_half(fov),
+        }
     }
 
     /// What scene files call it.
@@ -56,9 +58,19 @@ impl ScreenWindow {
     /// pbrt's window for a film `aspect` times as wide as high: -1 to 1 along the shorter side.
     pub fn of_aspect(aspect: f64) -> ScreenWindow {
         if aspect > 1.0 {
-            ScreenWindow { x0: -aspect, x1: aspect, y0: -1.0, y1: 1.0 }
+            ScreenWindow {
+                x0: -aspect,
+                x1: aspect,
+                y0: -1.0,
+                y1: 1.0,
+            }
         } else {
-            ScreenWindow { x0: -1.0, x1: 1.0, y0: -1.0 / aspect, y1: 1.0 / aspect }
+            ScreenWindow {
+                x0: -1.0,
+                x1: 1.0,
+                y0: -1.0 / aspect,
+                y1: 1.0 / aspect,
+            }
         }
     }
 }
@@ -107,16 +119,23 @@ impl Camera {
     /// The ray that passes the plane at distance 1 at X and Y in camera space.
     pub fn ray_through(&self, [x, y]: [f64; 2]) -> Ray {
         let c = &self.world_from_camera.rows;
-        let component = |k: usize, x: f64, y: f64, last: usize| (c[k][0] * x + c[k][1] * y) + c[k][last];
+        let component =
+            |k: usize, x: f64, y: f64, last: usize| (c[k][0] * x + c[k][1] * y) + c[k][last];
         match self.projection {
             Projection::Perspective { .. } => {
                 let direction = |k| component(k, x, y, 2);
-                Ray { origin: self.anchor(), direction: Vector::new(direction(0), direction(1), direction(2)) }
+                Ray {
+                    origin: self.anchor(),
+                    direction: Vector::new(direction(0), direction(1), direction(2)),
+                }
             }
             Projection::Orthographic => {
                 let origin = |k| component(k, x, y, 3);
                 let origin = Point::new(origin(0), origin(1), origin(2));
-                Ray { origin, direction: self.world_from_camera.column(2).into() }
+                Ray {
+                    origin,
+                    direction: self.world_from_camera.column(2).into(),
+                }
             }
         }
     }
@@ -135,14 +154,22 @@ mod tests {
     fn camera(projection: Projection, resolution: [u32; 2]) -> Camera {
         let aspect = f64::from(resolution[0]) / f64::from(resolution[1]);
         let screen_window = ScreenWindow::of_aspect(aspect);
-        Camera { world_from_camera: Matrix::IDENTITY, projection, screen_window, resolution }
+        Camera {
+            world_from_camera: Matrix::IDENTITY,
+            projection,
+            screen_window,
+            resolution,
+        }
     }
 
     #[test]
     fn the_middle_pixel_looks_along_the_view() {
         let camera = camera(Projection::perspective(90.0), [33, 33]);
         assert_eq!(camera.ray(16, 16).direction, Vector::new(0.0, 0.0, 1.0));
-        assert_eq!(camera.ray(0, 0).direction, Vector::new(-32.0 / 33.0, 32.0 / 33.0, 1.0));
+        assert_eq!(
+            camera.ray(0, 0).direction,
+            Vector::new(-32.0 / 33.0, 32.0 / 33.0, 1.0)
+        );
     }
 
     #[test]
@@ -157,6 +184,9 @@ mod tests {
     fn orthographic_rays_are_parallel() {
         let camera = camera(Projection::Orthographic, [2, 2]);
         let ray = camera.ray(1, 1);
-        assert_eq!((ray.origin, ray.direction), (Point::new(0.5, -0.5, 0.0), Vector::new(0.0, 0.0, 1.0)));
+        assert_eq!(
+            (ray.origin, ray.direction),
+            (Point::new(0.5, -0.5, 0.0), Vector::new(0.0, 0.0, 1.0))
+        );
     }
 }

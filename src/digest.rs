@@ -38,11 +38,17 @@ impl Digester {
 
     /// Takes numbers in by their bits: the two zeros are different.
     pub fn measures(&mut self, measures: &[f64]) {
-        measures.iter().for_each(|measure| self.word(measure.to_bits()));
+        measures
+            .iter()
+            .for_each(|measure| self.word(measure.to_bits()));
     }
 
     /// Takes a list in, on all threads: how long it is, and each item as the words that `words` makes of it.
-    pub fn list<T: Sync, const N: usize>(&mut self, items: &[T], words: impl Fn(&T) -> [u64; N] + Sync) {
+    pub fn list<T: Sync, const N: usize>(
+        &mut self,
+        items: &[T],
+        words: impl Fn(&T) -> [u64; N] + Sync,
+    ) {
         self.word(items.len() as u64);
         let of_part = |bytes: &mut Vec<[[u8; 8]; N]>, part: &[T]| {
             bytes.clear();
@@ -51,7 +57,9 @@ impl Digester {
             XxHash3_128::oneshot(bytes.as_flattened().as_flattened())
         };
         let parts: Vec<u128> = items.par_chunks(PART).map_init(Vec::new, of_part).collect();
-        parts.iter().for_each(|part| self.0.write(&part.to_le_bytes()));
+        parts
+            .iter()
+            .for_each(|part| self.0.write(&part.to_le_bytes()));
     }
 
     /// What stands for all that was taken in.
@@ -73,7 +81,12 @@ mod tests {
     #[test]
     fn every_item_and_its_place_count() {
         let items: Vec<u64> = (0..3 * PART as u64).collect();
-        let mut digests = vec![of_list(&items), of_list(&items[1..]), of_list(&items[..PART]), of_list(&[])];
+        let mut digests = vec![
+            of_list(&items),
+            of_list(&items[1..]),
+            of_list(&items[..PART]),
+            of_list(&[]),
+        ];
         for place in [0, PART - 1, PART, 3 * PART - 1] {
             let mut changed = items.clone();
             changed[place] += 1;
@@ -90,7 +103,10 @@ mod tests {
     fn equal_contents_have_one_digest_on_any_number_of_threads() {
         let items: Vec<u64> = (0..5 * PART as u64 / 2).map(|x| x * x).collect();
         for threads in [1, 3] {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            let pool = rayon::ThreadPoolBuilder::new()
+                .num_threads(threads)
+                .build()
+                .unwrap();
             assert_eq!(pool.install(|| of_list(&items)), of_list(&items));
         }
     }
@@ -100,6 +116,9 @@ mod tests {
         let mut digester = Digester::default();
         digester.measures(&[0.0, 1.5]);
         digester.list(&[7, 8], |item| [*item, 1]);
-        assert_eq!(digester.finish().to_string(), "7fcb8f63820611111e7ed16d73fa0a73");
+        assert_eq!(
+            digester.finish().to_string(),
+            "7fcb8f63820611111e7ed16d73fa0a73"
+        );
     }
 }

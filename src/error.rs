@@ -48,7 +48,9 @@ impl ErrorKind {
     fn of_io(error: &std::io::Error, otherwise: ErrorKind) -> ErrorKind {
         use std::io::ErrorKind as Io;
         match error.kind() {
-            Io::StorageFull | Io::QuotaExceeded | Io::StaleNetworkFileHandle | Io::OutOfMemory => ErrorKind::TryAgain,
+            Io::StorageFull | Io::QuotaExceeded | Io::StaleNetworkFileHandle | Io::OutOfMemory => {
+                ErrorKind::TryAgain
+            }
             _ => otherwise,
         }
     }
@@ -68,7 +70,11 @@ pub struct Diagnostic {
 impl Diagnostic {
     /// A message that has no place yet.
     pub fn new(message: impl Into<String>) -> Diagnostic {
-        Diagnostic { message: message.into(), location: None, notes: Vec::new() }
+        Diagnostic {
+            message: message.into(),
+            location: None,
+            notes: Vec::new(),
+        }
     }
 
     /// The same message at `location`.
@@ -91,10 +97,17 @@ impl fmt::Display for Diagnostic {
             write!(f, "{}: ", printable(&location.to_string()))?;
         }
         write!(f, "{}", printable(&self.message))?;
-        if let Some(Position::Text { line, excerpt, .. }) = self.location.as_ref().map(|l| &l.position) {
+        if let Some(Position::Text { line, excerpt, .. }) =
+            self.location.as_ref().map(|l| &l.position)
+        {
             let number = line.to_string();
             let margin = " ".repeat(number.len());
-            write!(f, "\n {margin} |\n {number} | {}\n {margin} | {}", excerpt.text, excerpt.carets())?;
+            write!(
+                f,
+                "\n {margin} |\n {number} | {}\n {margin} | {}",
+                excerpt.text,
+                excerpt.carets()
+            )?;
         }
         for note in &self.notes {
             write!(f, "\n   = {}", printable(note))?;
@@ -158,7 +171,11 @@ impl Excerpt {
     /// Cuts a window out of `line` that shows the characters `marked`.
     fn new(line: &str, marked: Range<usize>) -> Excerpt {
         let length = line.chars().count();
-        let first = if length <= Self::WIDTH { 0 } else { marked.start.saturating_sub(Self::WIDTH / 2) };
+        let first = if length <= Self::WIDTH {
+            0
+        } else {
+            marked.start.saturating_sub(Self::WIDTH / 2)
+        };
         let last = (first + Self::WIDTH).min(length);
         let mut text = String::new();
         let mut shift = 0;
@@ -173,7 +190,10 @@ impl Excerpt {
         }
         let start = marked.start - first + shift;
         let end = (marked.end.min(last).max(marked.start) - first + shift).max(start + 1);
-        Excerpt { text, marked: start..end }
+        Excerpt {
+            text,
+            marked: start..end,
+        }
     }
 
     fn carets(&self) -> String {
@@ -184,17 +204,26 @@ impl Excerpt {
 impl SourceLocation {
     /// The file as a whole.
     pub fn file(path: &Path) -> SourceLocation {
-        SourceLocation { path: path.to_path_buf(), position: Position::File }
+        SourceLocation {
+            path: path.to_path_buf(),
+            position: Position::File,
+        }
     }
 
     /// A whole line, counted from 1.
     pub fn line(path: &Path, line: u64) -> SourceLocation {
-        SourceLocation { path: path.to_path_buf(), position: Position::Line(line) }
+        SourceLocation {
+            path: path.to_path_buf(),
+            position: Position::Line(line),
+        }
     }
 
     /// A byte of a binary file, counted from 0.
     pub fn byte(path: &Path, offset: u64) -> SourceLocation {
-        SourceLocation { path: path.to_path_buf(), position: Position::Byte(offset) }
+        SourceLocation {
+            path: path.to_path_buf(),
+            position: Position::Byte(offset),
+        }
     }
 
     /// The bytes `span` of the text `source`, which need not be UTF-8. A span that leaves its line is marked up
@@ -202,8 +231,14 @@ impl SourceLocation {
     pub fn text(path: &Path, source: &[u8], span: Range<usize>) -> SourceLocation {
         let start = span.start.min(source.len());
         let is_end = |byte: &u8| *byte == b'\n' || *byte == b'\r';
-        let line_start = source[..start].iter().rposition(is_end).map_or(0, |at| at + 1);
-        let line_end = source[start..].iter().position(is_end).map_or(source.len(), |at| start + at);
+        let line_start = source[..start]
+            .iter()
+            .rposition(is_end)
+            .map_or(0, |at| at + 1);
+        let line_end = source[start..]
+            .iter()
+            .position(is_end)
+            .map_or(source.len(), |at| start + at);
         let end = span.end.clamp(start, line_end.max(start));
         let characters = |bytes: &[u8]| String::from_utf8_lossy(bytes).chars().count();
         let column = characters(&source[line_start..start]);
@@ -224,7 +259,8 @@ impl SourceLocation {
 fn count_line_ends(text: &[u8]) -> u64 {
     let lone_cr = |pair: &[u8]| pair[0] == b'\r' && pair[1] != b'\n';
     let lf = text.iter().filter(|byte| **byte == b'\n').count();
-    let cr = text.windows(2).filter(|pair| lone_cr(pair)).count() + usize::from(text.last() == Some(&b'\r'));
+    let cr = text.windows(2).filter(|pair| lone_cr(pair)).count()
+        + usize::from(text.last() == Some(&b'\r'));
     (lf + cr) as u64
 }
 
@@ -263,21 +299,37 @@ impl Error {
     /// `path` could not be read.
     pub fn reading(path: &Path, error: &std::io::Error) -> Error {
         use std::io::ErrorKind as Io;
-        let missing = matches!(error.kind(), Io::NotFound | Io::IsADirectory | Io::NotADirectory | Io::InvalidFilename);
-        let kind = if missing { ErrorKind::MissingInput } else { ErrorKind::of_io(error, ErrorKind::Io) };
-        Error::new(kind, Diagnostic::new(format!("cannot read: {error}")).at(SourceLocation::file(path)))
+        let missing = matches!(
+            error.kind(),
+            Io::NotFound | Io::IsADirectory | Io::NotADirectory | Io::InvalidFilename
+        );
+        let kind = if missing {
+            ErrorKind::MissingInput
+        } else {
+            ErrorKind::of_io(error, ErrorKind::Io)
+        };
+        Error::new(
+            kind,
+            Diagnostic::new(format!("cannot read: {error}")).at(SourceLocation::file(path)),
+        )
     }
 
     /// `path` could not be created (as opposed to written to).
     pub fn creating(path: &Path, error: &std::io::Error) -> Error {
         let kind = ErrorKind::of_io(error, ErrorKind::Output);
-        Error::new(kind, Diagnostic::new(format!("cannot create: {error}")).at(SourceLocation::file(path)))
+        Error::new(
+            kind,
+            Diagnostic::new(format!("cannot create: {error}")).at(SourceLocation::file(path)),
+        )
     }
 
     /// `path` could not be written to the end; nothing is left under its name.
     pub fn writing(path: &Path, error: &std::io::Error) -> Error {
         let kind = ErrorKind::of_io(error, ErrorKind::Io);
-        Error::new(kind, Diagnostic::new(format!("cannot write: {error}")).at(SourceLocation::file(path)))
+        Error::new(
+            kind,
+            Diagnostic::new(format!("cannot write: {error}")).at(SourceLocation::file(path)),
+        )
     }
 
     /// What kind of failure this is.
@@ -317,7 +369,10 @@ mod tests {
 
     fn located(source: &[u8], span: Range<usize>) -> String {
         let location = SourceLocation::text(Path::new("a.pbrt"), source, span);
-        Diagnostic::new("found `foo`").at(location).note("expected a number").to_string()
+        Diagnostic::new("found `foo`")
+            .at(location)
+            .note("expected a number")
+            .to_string()
     }
 
     #[test]
@@ -331,7 +386,10 @@ mod tests {
     fn names_from_files_neither_flood_nor_command_the_terminal() {
         let name = format!("\x1b[31m{}", "x".repeat(1_000_000));
         let shown = Diagnostic::new(name).note("a\nb").to_string();
-        assert!(shown.starts_with("\u{fffd}[31mxxx") && shown.ends_with("...\n   = a\u{fffd}b"), "{shown}");
+        assert!(
+            shown.starts_with("\u{fffd}[31mxxx") && shown.ends_with("...\n   = a\u{fffd}b"),
+            "{shown}"
+        );
         assert!(shown.len() < 600);
     }
 
@@ -352,7 +410,10 @@ mod tests {
         let mut source = vec![b'1'; 1_000_000];
         source[500_000..500_003].copy_from_slice(b"foo");
         let shown = located(&source, 500_000..500_003);
-        assert!(shown.len() < 400 && shown.contains("...") && shown.contains("foo"), "{shown}");
+        assert!(
+            shown.len() < 400 && shown.contains("...") && shown.contains("foo"),
+            "{shown}"
+        );
         assert!(shown.starts_with("a.pbrt:1:500001:"));
     }
 

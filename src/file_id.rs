@@ -35,7 +35,10 @@ impl FileId {
 
     /// The file that standard input is read from; `None` where it is a pipe or a terminal.
     pub fn of_stdin() -> Option<FileId> {
-        stdin().ok().filter(Metadata::is_file).and_then(|metadata| FileId::of_any(Path::new("-"), &metadata))
+        stdin()
+            .ok()
+            .filter(Metadata::is_file)
+            .and_then(|metadata| FileId::of_any(Path::new("-"), &metadata))
     }
 
     #[cfg(unix)]
@@ -68,7 +71,11 @@ pub struct InputFiles(HashMap<FileId, PathBuf>);
 impl InputFiles {
     /// Adds the scene `path`, where it is a regular file; `-` is standard input.
     pub fn add_named(&mut self, path: &Path) {
-        let id = if path == Path::new("-") { FileId::of_stdin() } else { FileId::of(path) };
+        let id = if path == Path::new("-") {
+            FileId::of_stdin()
+        } else {
+            FileId::of(path)
+        };
         self.note(id, path);
     }
 
@@ -78,7 +85,8 @@ impl InputFiles {
     }
 
     fn note(&mut self, id: Option<FileId>, path: &Path) {
-        id.into_iter().for_each(|id| _ = self.0.entry(id).or_insert_with(|| path.to_path_buf()));
+        id.into_iter()
+            .for_each(|id| _ = self.0.entry(id).or_insert_with(|| path.to_path_buf()));
     }
 
     /// The path by which the file `id` was read.
@@ -99,14 +107,19 @@ mod tests {
         fs::write(path("a"), "").unwrap();
         fs::write(path("b"), "").unwrap();
         let id = FileId::of(&path("a"));
-        assert!(id.is_some() && id == FileId::of(&path("sub/../a")) && id != FileId::of(&path("b")));
+        assert!(
+            id.is_some() && id == FileId::of(&path("sub/../a")) && id != FileId::of(&path("b"))
+        );
         #[cfg(unix)]
         {
             std::os::unix::fs::symlink("a", path("soft")).unwrap();
             fs::hard_link(path("a"), path("hard")).unwrap();
             assert!(id == FileId::of(&path("soft")) && id == FileId::of(&path("hard")));
         }
-        assert_eq!((FileId::of(&path("gone")), FileId::of(&path("sub"))), (None, None));
+        assert_eq!(
+            (FileId::of(&path("gone")), FileId::of(&path("sub"))),
+            (None, None)
+        );
     }
 
     #[test]
@@ -117,7 +130,10 @@ mod tests {
         let mut files = InputFiles::default();
         files.add(&path);
         files.add(&directory.path().join("gone"));
-        assert_eq!(files.path_of(&FileId::of(&path).unwrap()), Some(path.as_path()));
+        assert_eq!(
+            files.path_of(&FileId::of(&path).unwrap()),
+            Some(path.as_path())
+        );
         assert_eq!(files.0.len(), 1);
     }
 }

@@ -24,7 +24,9 @@ pub fn pretty(value: &impl Serialize) -> Vec<u8> {
 
 fn written(value: &impl Serialize, layout: impl Formatter) -> Vec<u8> {
     let mut json = Vec::new();
-    value.serialize(&mut Serializer::with_formatter(&mut json, Escaped(layout))).expect("no key that JSON lacks");
+    value
+        .serialize(&mut Serializer::with_formatter(&mut json, Escaped(layout)))
+        .expect("no key that JSON lacks");
     json.push(b'\n');
     json
 }
@@ -33,7 +35,11 @@ fn written(value: &impl Serialize, layout: impl Formatter) -> Vec<u8> {
 struct Escaped<F>(F);
 
 impl<F: Formatter> Formatter for Escaped<F> {
-    fn write_string_fragment<W: ?Sized + Write>(&mut self, out: &mut W, fragment: &str) -> io::Result<()> {
+    fn write_string_fragment<W: ?Sized + Write>(
+        &mut self,
+        out: &mut W,
+        fragment: &str,
+    ) -> io::Result<()> {
         let mut rest = fragment;
         while let Some((at, c)) = rest.char_indices().find(|(_, c)| is_command(*c)) {
             // None of them is beyond the first plane: one escape is enough.

@@ -23,8 +23,15 @@ pub(crate) fn check(bytes: u64, message: impl FnOnce() -> String) -> Result<()> 
     match available() {
         _ if bytes < SMALL => Ok(()),
         Some(available) if bytes > available => {
-            let found = format!("it takes {} of memory, and {} are to be had", words(bytes), words(available));
-            Err(Error::new(ErrorKind::TryAgain, Diagnostic::new(message()).note(found)))
+            let found = format!(
+                "it takes {} of memory, and {} are to be had",
+                words(bytes),
+                words(available)
+            );
+            Err(Error::new(
+                ErrorKind::TryAgain,
+                Diagnostic::new(message()).note(found),
+            ))
         }
         _ => Ok(()),
     }
@@ -44,7 +51,13 @@ fn free() -> Option<u64> {
 /// The bytes in a line of `text` that begins with `name`.
 fn kilobytes(text: &str, name: &str) -> Option<u64> {
     let number = text.lines().find_map(|line| line.strip_prefix(name))?;
-    number.trim().strip_suffix("kB")?.trim().parse::<u64>().ok()?.checked_mul(1024)
+    number
+        .trim()
+        .strip_suffix("kB")?
+        .trim()
+        .parse::<u64>()
+        .ok()?
+        .checked_mul(1024)
 }
 
 /// What the control groups that the process is in leave of their limits.
@@ -53,10 +66,16 @@ fn left_of_groups() -> Option<u64> {
     let left = groups.lines().filter_map(|line| {
         let mut fields = line.splitn(3, ':');
         let (number, controllers, path) = (fields.next()?, fields.next()?, fields.next()?);
-        let is_first_version = controllers.split(',').any(|controller| controller == "memory");
+        let is_first_version = controllers
+            .split(',')
+            .any(|controller| controller == "memory");
         match (number, is_first_version) {
             ("0", false) => left_in("/sys/fs/cgroup", path, ["memory.max", "memory.current"]),
-            (_, true) => left_in("/sys/fs/cgroup/memory", path, ["memory.limit_in_bytes", "memory.usage_in_bytes"]),
+            (_, true) => left_in(
+                "/sys/fs/cgroup/memory",
+                path,
+                ["memory.limit_in_bytes", "memory.usage_in_bytes"],
+            ),
             _ => None,
         }
     });
@@ -76,14 +95,25 @@ fn left_in(root: &str, path: &str, names: [&str; 2]) -> Option<u64> {
 }
 
 fn left_of_group(group: &Path, [limit, usage]: [&str; 2]) -> Option<u64> {
-    let number = |name: &str| fs::read_to_string(group.join(name)).ok()?.trim().parse::<u64>().ok();
+    let number = |name: &str| {
+        fs::read_to_string(group.join(name))
+            .ok()?
+            .trim()
+            .parse::<u64>()
+            .ok()
+    };
     // No limit is the word `max`, or a number close to 2^63.
     let limit = number(limit).filter(|limit| *limit < 1 << 60)?;
     // Copies of files are dropped where there is need.
     let cached = fs::read_to_string(group.join("memory.stat")).map_or(0, |statistics| {
-        let bytes =
-            |name: &str| statistics.lines().find_map(|line| line.strip_prefix(name)?.trim().parse::<u64>().ok());
-        bytes("inactive_file ").unwrap_or(0).saturating_add(bytes("active_file ").unwrap_or(0))
+        let bytes = |name: &str| {
+            statistics
+                .lines()
+                .find_map(|line| line.strip_prefix(name)?.trim().parse::<u64>().ok())
+        };
+        bytes("inactive_file ")
+            .unwrap_or(0)
+            .saturating_add(bytes("active_file ").unwrap_or(0))
     });
     Some(limit.saturating_sub(number(usage)?.saturating_sub(cached)))
 }
@@ -91,7 +121,9 @@ fn left_of_group(group: &Path, [limit, usage]: [&str; 2]) -> Option<u64> {
 /// What `ulimit -v` leaves.
 fn left_of_address_space() -> Option<u64> {
     let limits = fs::read_to_string("/proc/self/limits").ok()?;
-    let limit = limits.lines().find_map(|line| line.strip_prefix("Max address space"))?;
+    let limit = limits
+        .lines()
+        .find_map(|line| line.strip_prefix("Max address space"))?;
     let limit: u64 = limit.split_whitespace().next()?.parse().ok()?;
     let status = fs::read_to_string("/proc/self/status").ok()?;
     Some(limit.saturating_sub(kilobytes(&status, "VmSize:")?))
@@ -108,7 +140,9 @@ mod tests {
             let error = check(1 << 62, || "an image".to_owned()).unwrap_err();
             assert_eq!(error.kind(), ErrorKind::TryAgain);
             assert!(
-                error.to_string().starts_with("an image\n   = it takes 4398046511104 MB of memory, and "),
+                error
+                    .to_string()
+                    .starts_with("an image\n   = it takes 4398046511104 MB of memory, and "),
                 "{error}"
             );
         }
@@ -128,7 +162,10 @@ mod tests {
         assert_eq!(left("/a/b"), None);
         write("a/memory.max", "1000\n");
         write("a/memory.current", "900\n");
-        write("a/memory.stat", "anon 5\nfile 99\ninactive_file 30\nactive_file 40\n");
+        write(
+            "a/memory.stat",
+            "anon 5\nfile 99\ninactive_file 30\nactive_file 40\n",
+        );
         assert_eq!(left("/a/b"), Some(170));
         write("memory.max", "100\n");
         write("memory.current", "50\n");
@@ -138,7 +175,10 @@ mod tests {
 
     #[test]
     fn numbers_of_the_system_are_read() {
-        assert_eq!(kilobytes("MemFree: 1 kB\nMemAvailable:   12 kB\n", "MemAvailable:"), Some(12_288));
+        assert_eq!(
+            kilobytes("MemFree: 1 kB\nMemAvailable:   12 kB\n", "MemAvailable:"),
+            Some(12_288)
+        );
         assert_eq!(kilobytes("MemAvailable: x kB\n", "MemAvailable:"), None);
     }
 }

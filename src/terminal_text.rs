@@ -10,7 +10,15 @@ pub fn is_command(c: char) -> bool {
 
 /// One line of text, with a mark in the place of each command.
 pub fn line(text: &str) -> String {
-    text.chars().map(|c| if is_command(c) { char::REPLACEMENT_CHARACTER } else { c }).collect()
+    text.chars()
+        .map(|c| {
+            if is_command(c) {
+                char::REPLACEMENT_CHARACTER
+            } else {
+                c
+            }
+        })
+        .collect()
 }
 
 /// As [`line()`], of text of several lines, which keep their ends.

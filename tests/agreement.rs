@@ -55,9 +55,20 @@ fn corner(size: i32) -> impl Strategy<Value = Corner> {
 }
 
 fn ball() -> impl Strategy<Value = Ball> {
-    let form = (0u32..6, prop::array::uniform2(-2i32..3), prop::sample::select(vec![0, 90, 200, 360, 360]));
+    let form = (
+        0u32..6,
+        prop::array::uniform2(-2i32..3),
+        prop::sample::select(vec![0, 90, 200, 360, 360]),
+    );
     (corner(4), prop::array::uniform3(-1i32..4), 0i32..4, form).prop_map(
-        |(centre, stretch, radius, (kind, ends, phi_max))| Ball { centre, stretch, radius, kind, ends, phi_max },
+        |(centre, stretch, radius, (kind, ends, phi_max))| Ball {
+            centre,
+            stretch,
+            radius,
+            kind,
+            ends,
+            phi_max,
+        },
     )
 }
 
@@ -71,14 +82,16 @@ fn setting() -> impl Strategy<Value = Setting> {
         any::<bool>(),
         prop::sample::select(vec![[9, 9], [17, 5], [1, 1], [8, 8]]),
     )
-        .prop_map(|(triangles, balls, turn, eye, orthographic, resolution)| Setting {
-            triangles,
-            balls,
-            turn,
-            eye,
-            orthographic,
-            resolution,
-        })
+        .prop_map(
+            |(triangles, balls, turn, eye, orthographic, resolution)| Setting {
+                triangles,
+                balls,
+                turn,
+                eye,
+                orthographic,
+                resolution,
+            },
+        )
 }
 
 impl Setting {
@@ -89,8 +102,11 @@ impl Setting {
         add_mesh(&mut shapes, first, &turn, 1);
         for (ball, shape) in self.balls.iter().zip(2..) {
             let place = Matrix::translate(ball.centre.map(f64::from)).times(&turn);
-            let transform = shapes.add_transform(place.times(&Matrix::scale(ball.stretch.map(f64::from))));
-            shapes.add_quadric(f64::from(ball.radius), ball.form(), transform, shape).unwrap();
+            let transform =
+                shapes.add_transform(place.times(&Matrix::scale(ball.stretch.map(f64::from))));
+            shapes
+                .add_quadric(f64::from(ball.radius), ball.form(), transform, shape)
+                .unwrap();
         }
         add_mesh(&mut shapes, second, &turn, 100);
         shapes
@@ -99,20 +115,39 @@ impl Setting {
     fn camera(&self) -> Camera {
         let eye = Point::from(self.eye.map(f64::from));
         let look_at = Transform::look_at(eye, Point::default(), Vector::new(0.0, 1.0, 0.0));
-        let projection = if self.orthographic { Projection::Orthographic } else { Projection::perspective(90.0) };
+        let projection = if self.orthographic {
+            Projection::Orthographic
+        } else {
+            Projection::perspective(90.0)
+        };
         let size = if self.orthographic { 6.0 } else { 1.0 };
         Camera {
-            world_from_camera: look_at.unwrap_or(Transform::translate([0.0, 0.0, 5.0])).inverse,
+            world_from_camera: look_at
+                .unwrap_or(Transform::translate([0.0, 0.0, 5.0]))
+                .inverse,
             projection,
-            screen_window: ScreenWindow { x0: -size, x1: size, y0: -size, y1: size },
+            screen_window: ScreenWindow {
+                x0: -size,
+                x1: size,
+                y0: -size,
+                y1: size,
+            },
             resolution: self.resolution,
         }
     }
 }
 
-fn add_mesh(shapes: &mut Shapes, triangles: &[[Corner; 3]], world_from_object: &Matrix, shape: u32) {
+fn add_mesh(
+    shapes: &mut Shapes,
+    triangles: &[[Corner; 3]],
+    world_from_object: &Matrix,
+    shape: u32,
+) {
     let point = |corner: Corner| Point::from(corner.map(f64::from));
-    let triangles: Vec<[Point; 3]> = triangles.iter().map(|triangle| triangle.map(point)).collect();
+    let triangles: Vec<[Point; 3]> = triangles
+        .iter()
+        .map(|triangle| triangle.map(point))
+        .collect();
     add_triangles(shapes, &triangles, world_from_object, shape);
 }
 
@@ -157,7 +192,12 @@ fn hard_scenes_agree_and_hold_no_nan() {
         let scene = scene(&path);
         let image = agreed_picture(&scene.camera, &scene.shapes, Precision::Fast).image;
         for name in [ChannelName::Z, ChannelName::T] {
-            let nan = image.measures(name).unwrap().iter().filter(|value| value.is_nan()).count();
+            let nan = image
+                .measures(name)
+                .unwrap()
+                .iter()
+                .filter(|value| value.is_nan())
+                .count();
             assert_eq!(nan, 0, "{}", path.display());
         }
         count += 1;
@@ -169,17 +209,29 @@ fn hard_scenes_agree_and_hold_no_nan() {
 fn trees_do_not_depend_on_the_number_of_threads() {
     let grid: Vec<[Corner; 3]> = (0..20_000)
         .map(|k| {
-            [[k % 100, k / 100 % 100, k / 10_000], [k % 100 + 1, k / 100 % 100, 3], [k % 100, k / 100 % 100 + 1, 1]]
+            [
+                [k % 100, k / 100 % 100, k / 10_000],
+                [k % 100 + 1, k / 100 % 100, 3],
+                [k % 100, k / 100 % 100 + 1, 1],
+            ]
         })
         .collect();
     let mut shapes = Shapes::default();
     add_mesh(&mut shapes, &grid, &Matrix::IDENTITY, 1);
     for method in SplitMethod::ALL {
         let trees = [1, 2, 5].map(|threads| {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            let pool = rayon::ThreadPoolBuilder::new()
+                .num_threads(threads)
+                .build()
+                .unwrap();
             let options = BuildOptions::new(method);
             pool.install(|| {
-                feimos::accel::Aggregate::build(&shapes, Point::default(), options, feimos::progress::Progress::SILENT)
+                feimos::accel::Aggregate::build(
+                    &shapes,
+                    Point::default(),
+                    options,
+                    feimos::progress::Progress::SILENT,
+                )
             })
         });
         assert!(trees[0] == trees[1] && trees[0] == trees[2], "{method}");
@@ -190,7 +242,12 @@ fn trees_do_not_depend_on_the_number_of_threads() {
 #[test]
 fn a_triangle_seen_edge_on_is_not_hit() {
     let mut shapes = Shapes::default();
-    add_mesh(&mut shapes, &[[[-4, 0, 2], [4, 0, 2], [0, 0, 4]]], &Matrix::IDENTITY, 1);
+    add_mesh(
+        &mut shapes,
+        &[[[-4, 0, 2], [4, 0, 2], [0, 0, 4]]],
+        &Matrix::IDENTITY,
+        1,
+    );
     let camera = Camera {
         world_from_camera: Matrix::IDENTITY,
         projection: Projection::perspective(90.0),
@@ -198,7 +255,11 @@ fn a_triangle_seen_edge_on_is_not_hit() {
         resolution: [9, 9],
     };
     for precision in Precision::ALL {
-        assert_eq!(agreed_picture(&camera, &shapes, precision).traced.hits, 0, "{precision}");
+        assert_eq!(
+            agreed_picture(&camera, &shapes, precision).traced.hits,
+            0,
+            "{precision}"
+        );
     }
 }
 
@@ -215,7 +276,10 @@ fn ties_go_to_the_first_in_the_file() {
         resolution: [1, 1],
     };
     let first = |shapes: &Shapes| {
-        agreed_picture(&camera, shapes, Precision::Exact).image.numbers(ChannelName::Prim).unwrap()[0]
+        agreed_picture(&camera, shapes, Precision::Exact)
+            .image
+            .numbers(ChannelName::Prim)
+            .unwrap()[0]
     };
     shapes.add_sphere(1.0, None, transform, 1).unwrap();
     add_mesh(&mut shapes, &plate, &Matrix::IDENTITY, 2);

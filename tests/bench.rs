@@ -14,11 +14,27 @@ use std::sync::LazyLock;
 
 /// Triangles and spheres, the exact picture of them, and who knows it.
 static EXACT: LazyLock<(Scene, Image, Judge)> = LazyLock::new(|| {
-    let load_options = LoadOptions { resolution: Some([80, 50]), ..LoadOptions::default() };
-    let scene = load(Path::new("scenes/transforms.pbrt"), &load_options, Progress::SILENT).unwrap();
+    let load_options = LoadOptions {
+        resolution: Some([80, 50]),
+        ..LoadOptions::default()
+    };
+    let scene = load(
+        Path::new("scenes/transforms.pbrt"),
+        &load_options,
+        Progress::SILENT,
+    )
+    .unwrap();
     let options = BuildOptions::new(SplitMethod::Sah);
     let window = whole(&scene.camera);
-    let image = picture(&scene.camera, &scene.shapes, options, Precision::Exact, 2, window).image;
+    let image = picture(
+        &scene.camera,
+        &scene.shapes,
+        options,
+        Precision::Exact,
+        2,
+        window,
+    )
+    .image;
     let judge = Judge::new(&scene, scene.film.crop.area(), Progress::SILENT);
     (scene, image, judge)
 });
@@ -35,18 +51,34 @@ enum Fault {
 }
 
 fn fault() -> impl Strategy<Value = Fault> {
-    prop_oneof![Just(Fault::Flip), Just(Fault::Number), (1u32..1000).prop_map(Fault::Depth)]
+    prop_oneof![
+        Just(Fault::Flip),
+        Just(Fault::Number),
+        (1u32..1000).prop_map(Fault::Depth)
+    ]
 }
 
 fn measures(image: &mut Image, name: ChannelName) -> &mut Vec<f32> {
-    let channel = image.channels.iter_mut().find(|channel| channel.name == name).unwrap();
-    let Samples::F32(values) = &mut channel.samples else { panic!("a measure") };
+    let channel = image
+        .channels
+        .iter_mut()
+        .find(|channel| channel.name == name)
+        .unwrap();
+    let Samples::F32(values) = &mut channel.samples else {
+        panic!("a measure")
+    };
     values
 }
 
 fn numbers(image: &mut Image, name: ChannelName) -> &mut Vec<u32> {
-    let channel = image.channels.iter_mut().find(|channel| channel.name == name).unwrap();
-    let Samples::U32(values) = &mut channel.samples else { panic!("a number") };
+    let channel = image
+        .channels
+        .iter_mut()
+        .find(|channel| channel.name == name)
+        .unwrap();
+    let Samples::U32(values) = &mut channel.samples else {
+        panic!("a number")
+    };
     values
 }
 
@@ -102,5 +134,8 @@ fn the_exact_picture_has_no_error() {
     let (_, exact, judge) = &*EXACT;
     let errors = judge.errors(exact);
     assert_eq!(errors.tally.different(0), 0);
-    assert!(errors.tally.depths.total() > 500, "there is something to see");
+    assert!(
+        errors.tally.depths.total() > 500,
+        "there is something to see"
+    );
 }

@@ -21,18 +21,30 @@ enum Fault {
     /// Hits become misses and misses hits.
     Flip,
     /// A depth is so many steps further, or nearer.
-    Shift { channel: ChannelName, ulps: u32, is_nearer: bool },
+    Shift {
+        channel: ChannelName,
+        ulps: u32,
+        is_nearer: bool,
+    },
     /// A number is another one.
     Swap { channel: ChannelName, add: u32 },
 }
 
 fn fault() -> impl Strategy<Value = Fault> {
     let depth = prop::sample::select(vec![ChannelName::Z, ChannelName::T]);
-    let number = prop::sample::select(vec![ChannelName::Id, ChannelName::Prim, ChannelName::Instance]);
+    let number = prop::sample::select(vec![
+        ChannelName::Id,
+        ChannelName::Prim,
+        ChannelName::Instance,
+    ]);
     let ulps = prop_oneof![4 => 1u32..5, 1 => 1u32..1_000_000];
     prop_oneof![
         Just(Fault::Flip),
-        (depth, ulps, any::<bool>()).prop_map(|(channel, ulps, is_nearer)| Fault::Shift { channel, ulps, is_nearer }),
+        (depth, ulps, any::<bool>()).prop_map(|(channel, ulps, is_nearer)| Fault::Shift {
+            channel,
+            ulps,
+            is_nearer
+        }),
         (number, 1u32..u32::MAX).prop_map(|(channel, add)| Fault::Swap { channel, add }),
     ]
 }
@@ -41,11 +53,23 @@ fn fault() -> impl Strategy<Value = Fault> {
 static PICTURE: LazyLock<Image> = LazyLock::new(|| {
     let scene = scene(Path::new("tests/hard/g05_touching_spheres.pbrt"));
     let options = BuildOptions::new(SplitMethod::Sah);
-    picture(&scene.camera, &scene.shapes, options, Precision::Exact, 1, whole(&scene.camera)).image
+    picture(
+        &scene.camera,
+        &scene.shapes,
+        options,
+        Precision::Exact,
+        1,
+        whole(&scene.camera),
+    )
+    .image
 });
 
 fn measures(image: &mut Image, name: ChannelName) -> &mut Vec<f32> {
-    let channel = image.channels.iter_mut().find(|channel| channel.name == name).unwrap();
+    let channel = image
+        .channels
+        .iter_mut()
+        .find(|channel| channel.name == name)
+        .unwrap();
     match &mut channel.samples {
         Samples::F32(values) => values,
         Samples::U32(_) => panic!("{name:?} holds measures"),
@@ -53,7 +77,11 @@ fn measures(image: &mut Image, name: ChannelName) -> &mut Vec<f32> {
 }
 
 fn numbers(image: &mut Image, name: ChannelName) -> &mut Vec<u32> {
-    let channel = image.channels.iter_mut().find(|channel| channel.name == name).unwrap();
+    let channel = image
+        .channels
+        .iter_mut()
+        .find(|channel| channel.name == name)
+        .unwrap();
     match &mut channel.samples {
         Samples::U32(values) => values,
         Samples::F32(_) => panic!("{name:?} holds numbers"),
@@ -65,23 +93,43 @@ fn put(image: &mut Image, pixel: usize, fault: Fault) -> Difference {
     let is_hit = image.measures(ChannelName::A).unwrap()[pixel] != 0.0;
     match fault {
         Fault::Flip => {
-            let (a, z) = if is_hit { (0.0, f32::INFINITY) } else { (1.0, 3.5) };
+            let (a, z) = if is_hit {
+                (0.0, f32::INFINITY)
+            } else {
+                (1.0, 3.5)
+            };
             measures(image, ChannelName::A)[pixel] = a;
             measures(image, ChannelName::Z)[pixel] = z;
             numbers(image, ChannelName::Prim)[pixel] = u32::from(!is_hit);
-            if is_hit { Difference::MissedHit } else { Difference::FalseHit }
+            if is_hit {
+                Difference::MissedHit
+            } else {
+                Difference::FalseHit
+            }
         }
         // What a miss holds is of no account.
-        Fault::Shift { channel, ulps, is_nearer } => {
+        Fault::Shift {
+            channel,
+            ulps,
+            is_nearer,
+        } => {
             let depth = &mut measures(image, channel)[pixel];
             let bits = depth.to_bits();
             *depth = f32::from_bits(if is_nearer { bits - ulps } else { bits + ulps });
-            if is_hit { Difference::Depth(ulps) } else { Difference::None }
+            if is_hit {
+                Difference::Depth(ulps)
+            } else {
+                Difference::None
+            }
         }
         Fault::Swap { channel, add } => {
             let number = &mut numbers(image, channel)[pixel];
             *number = number.wrapping_add(add);
-            if is_hit { Difference::WrongPrimitive } else { Difference::None }
+            if is_hit {
+                Difference::WrongPrimitive
+            } else {
+                Difference::None
+            }
         }
     }
 }
@@ -96,9 +144,17 @@ fn through_a_file(image: &Image) -> (Vec<u8>, Image) {
 /// The image with a fault in each of some pixels, and what is different.
 fn faulty(faults: &BTreeMap<usize, Fault>) -> (Image, BTreeMap<usize, Difference>) {
     let mut image = PICTURE.clone();
-    let differences: BTreeMap<usize, Difference> =
-        faults.iter().map(|(pixel, fault)| (*pixel, put(&mut image, *pixel, *fault))).collect();
-    (image, differences.into_iter().filter(|(_, difference)| *difference != Difference::None).collect())
+    let differences: BTreeMap<usize, Difference> = faults
+        .iter()
+        .map(|(pixel, fault)| (*pixel, put(&mut image, *pixel, *fault)))
+        .collect();
+    (
+        image,
+        differences
+            .into_iter()
+            .filter(|(_, difference)| *difference != Difference::None)
+            .collect(),
+    )
 }
 
 fn faults() -> impl Strategy<Value = BTreeMap<usize, Fault>> {
@@ -108,7 +164,10 @@ fn faults() -> impl Strategy<Value = BTreeMap<usize, Fault>> {
 
 /// How many of the differences are of this kind.
 fn count(differences: &BTreeMap<usize, Difference>, is_kind: impl Fn(Difference) -> bool) -> u64 {
-    differences.values().filter(|difference| is_kind(**difference)).count() as u64
+    differences
+        .values()
+        .filter(|difference| is_kind(**difference))
+        .count() as u64
 }
 
 /// The error that `percent` of the depths compared do not exceed, by the sorted list of all.
@@ -123,10 +182,17 @@ fn errors_of(channel: ChannelName, faults: &BTreeMap<usize, Fault>) -> Vec<u32> 
     let a = PICTURE.measures(ChannelName::A).unwrap();
     let error = |pixel: usize| match faults.get(&pixel) {
         Some(Fault::Flip | Fault::Swap { .. }) => None,
-        Some(Fault::Shift { channel: shifted, ulps, .. }) if *shifted == channel => Some(*ulps),
+        Some(Fault::Shift {
+            channel: shifted,
+            ulps,
+            ..
+        }) if *shifted == channel => Some(*ulps),
         _ => Some(0),
     };
-    (0..a.len()).filter(|pixel| a[*pixel] != 0.0).filter_map(error).collect()
+    (0..a.len())
+        .filter(|pixel| a[*pixel] != 0.0)
+        .filter_map(error)
+        .collect()
 }
 
 proptest! {

@@ -14,13 +14,22 @@ use std::path::Path;
 const SCENES: [&str; 3] = ["triangles.pbrt", "quadrics.pbrt", "instances.pbrt"];
 
 fn named(name: &str) -> Scene {
-    let mut scene = scene(&Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes").join(name));
+    let mut scene = scene(
+        &Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("scenes")
+            .join(name),
+    );
     scene.camera.resolution = [48, 27];
     scene
 }
 
 fn tree(scene: &Scene, method: SplitMethod) -> Aggregate {
-    Aggregate::build(&scene.shapes, scene.camera.anchor(), BuildOptions::new(method), Progress::SILENT)
+    Aggregate::build(
+        &scene.shapes,
+        scene.camera.anchor(),
+        BuildOptions::new(method),
+        Progress::SILENT,
+    )
 }
 
 fn options(scene: &Scene, channels: &[ChannelName]) -> RenderOptions {
@@ -35,32 +44,63 @@ fn options(scene: &Scene, channels: &[ChannelName]) -> RenderOptions {
 }
 
 fn rendered(scene: &Scene, tree: &Aggregate, options: &RenderOptions, threads: usize) -> Rendering {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-    pool.install(|| render(&scene.camera, &scene.shapes, tree, options, Progress::SILENT)).unwrap()
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build()
+        .unwrap();
+    pool.install(|| {
+        render(
+            &scene.camera,
+            &scene.shapes,
+            tree,
+            options,
+            Progress::SILENT,
+        )
+    })
+    .unwrap()
 }
 
 fn costs(image: &Image) -> &[u32] {
-    image.numbers(ChannelName::Cost).expect("the image has costs")
+    image
+        .numbers(ChannelName::Cost)
+        .expect("the image has costs")
 }
 
 #[test]
 fn is_what_a_ray_alone_tests() {
-    for (name, method) in SCENES.iter().flat_map(|name| SplitMethod::ALL.map(|method| (name, method))) {
+    for (name, method) in SCENES
+        .iter()
+        .flat_map(|name| SplitMethod::ALL.map(|method| (name, method)))
+    {
         let scene = named(name);
         let tree = tree(&scene, method);
         let mut tracer = Tracer::new(&tree, &scene.shapes, Precision::Exact);
         let (mut hits, mut sum, mut expected) = (0, Work::default(), Vec::new());
         for (y, x) in (0..27).flat_map(|y| (0..48).map(move |x| (y, x))) {
             let mut work = Work::default();
-            hits += u64::from(tracer.closest_hit_counted(&scene.camera.ray(x, y), &mut work).is_some());
+            hits += u64::from(
+                tracer
+                    .closest_hit_counted(&scene.camera.ray(x, y), &mut work)
+                    .is_some(),
+            );
             expected.push((work.nodes + work.primitives) as u32);
             sum += work;
         }
-        let counted = RenderOptions { counted: true, ..options(&scene, &[ChannelName::Cost]) };
+        let counted = RenderOptions {
+            counted: true,
+            ..options(&scene, &[ChannelName::Cost])
+        };
         let rendering = rendered(&scene, &tree, &counted, 2);
         assert_eq!(costs(&rendering.image), expected, "{name} {method}");
-        assert_eq!((rendering.traced.hits, rendering.traced.work), (hits, Some(sum)), "{name} {method}");
-        assert!(hits > 0 && expected.iter().all(|cost| *cost > 0), "misses cost something, too");
+        assert_eq!(
+            (rendering.traced.hits, rendering.traced.work),
+            (hits, Some(sum)),
+            "{name} {method}"
+        );
+        assert!(
+            hits > 0 && expected.iter().all(|cost| *cost > 0),
+            "misses cost something, too"
+        );
     }
 }
 
@@ -73,16 +113,46 @@ fn does_not_depend_on_threads_crops_precision_instructions_and_other_channels() 
         let rendering = rendered(&scene, &tree, &alone, 1);
         let expected = costs(&rendering.image);
         let others = [
-            RenderOptions { precision: Precision::Fast, ..alone.clone() },
-            RenderOptions { level: Level::Portable, ..alone.clone() },
-            RenderOptions { counted: true, precision: Precision::Fast, ..alone.clone() },
-            options(&scene, &[ChannelName::Z, ChannelName::Cost, ChannelName::Prim]),
+            RenderOptions {
+                precision: Precision::Fast,
+                ..alone.clone()
+            },
+            RenderOptions {
+                level: Level::Portable,
+                ..alone.clone()
+            },
+            RenderOptions {
+                counted: true,
+                precision: Precision::Fast,
+                ..alone.clone()
+            },
+            options(
+                &scene,
+                &[ChannelName::Z, ChannelName::Cost, ChannelName::Prim],
+            ),
         ];
         for other in &others {
-            assert_eq!(costs(&rendered(&scene, &tree, other, 2).image), expected, "{name}: {other:?}");
+            assert_eq!(
+                costs(&rendered(&scene, &tree, other, 2).image),
+                expected,
+                "{name}: {other:?}"
+            );
         }
-        let crop = PixelBounds { x0: 7, x1: 30, y0: 5, y1: 21 };
-        let cropped = rendered(&scene, &tree, &RenderOptions { data_window: crop, ..alone.clone() }, 2);
+        let crop = PixelBounds {
+            x0: 7,
+            x1: 30,
+            y0: 5,
+            y1: 21,
+        };
+        let cropped = rendered(
+            &scene,
+            &tree,
+            &RenderOptions {
+                data_window: crop,
+                ..alone.clone()
+            },
+            2,
+        );
         let rows = (5..21).flat_map(|y| expected[y * 48 + 7..y * 48 + 30].iter().copied());
         assert_eq!(costs(&cropped.image), rows.collect::<Vec<_>>(), "{name}");
     }
@@ -93,10 +163,13 @@ fn changes_no_other_channel() {
     let scene = named("quadrics.pbrt");
     let tree = tree(&scene, SplitMethod::Middle);
     let with = [&ChannelName::USUAL[..], &[ChannelName::Cost]].concat();
-    let [usual, with] =
-        [&ChannelName::USUAL[..], &with].map(|names| rendered(&scene, &tree, &options(&scene, names), 2));
+    let [usual, with] = [&ChannelName::USUAL[..], &with]
+        .map(|names| rendered(&scene, &tree, &options(&scene, names), 2));
     assert_eq!(usual.image.channels[..], with.image.channels[..5]);
-    assert_eq!((usual.traced.hits, usual.traced.work), (with.traced.hits, None));
+    assert_eq!(
+        (usual.traced.hits, usual.traced.work),
+        (with.traced.hits, None)
+    );
 }
 
 #[test]
@@ -106,5 +179,11 @@ fn without_a_tree_is_all_there_is() {
     let rendering = rendered(&scene, &tree, &options(&scene, &[ChannelName::Cost]), 2);
     let all = scene.shapes.primitive_count() as u32;
     // The box around everything, and if the ray meets it, everything.
-    assert!(costs(&rendering.image).iter().all(|cost| *cost == 1 || *cost == 1 + all), "{:?}", rendering.image);
+    assert!(
+        costs(&rendering.image)
+            .iter()
+            .all(|cost| *cost == 1 || *cost == 1 + all),
+        "{:?}",
+        rendering.image
+    );
 }

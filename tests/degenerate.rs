@@ -21,7 +21,11 @@ fn camera() -> Camera {
 
 /// The small triangle in front of the camera, moved along the view.
 fn triangle(z: f64) -> [Point; 3] {
-    [Point::new(-2.0, -2.0, z), Point::new(2.0, -2.0, z), Point::new(0.0, 2.0, z)]
+    [
+        Point::new(-2.0, -2.0, z),
+        Point::new(2.0, -2.0, z),
+        Point::new(0.0, 2.0, z),
+    ]
 }
 
 fn mesh(triangles: impl IntoIterator<Item = [Point; 3]>) -> Shapes {
@@ -64,13 +68,20 @@ fn one() {
 #[test]
 fn all_equal() {
     assert_eq!(hits(&mesh([triangle(0.0); 1000])), IN_TRIANGLE);
-    assert_eq!(hits(&spheres([(Matrix::IDENTITY, 1.0); 100])), hits(&spheres([(Matrix::IDENTITY, 1.0)])));
+    assert_eq!(
+        hits(&spheres([(Matrix::IDENTITY, 1.0); 100])),
+        hits(&spheres([(Matrix::IDENTITY, 1.0)]))
+    );
 }
 
 #[test]
 fn zero_area() {
     let point = Point::new(0.0, 0.0, 1.0);
-    let collinear = [Point::new(-1.0, -1.0, 0.0), Point::new(0.0, 0.0, 0.0), Point::new(1.0, 1.0, 0.0)];
+    let collinear = [
+        Point::new(-1.0, -1.0, 0.0),
+        Point::new(0.0, 0.0, 0.0),
+        Point::new(1.0, 1.0, 0.0),
+    ];
     assert_eq!(hits(&mesh([[point; 3], collinear])), 0);
     let mixed = [[point; 3], triangle(1.0), collinear, triangle(0.0)];
     assert_eq!(hits(&mesh(mixed)), IN_TRIANGLE);
@@ -102,21 +113,45 @@ fn non_finite() {
     let mut others = Shapes::default();
     for (matrix, radius) in wrong {
         let transform = others.add_transform(matrix);
-        others.add_quadric(radius, Form::Cylinder(Cut::of_cylinder(-1.0, 1.0, 360.0)), transform, 1).unwrap();
-        others.add_quadric(radius, Form::Disk(Disk::new(0.0, 0.0, 360.0)), transform, 1).unwrap();
+        others
+            .add_quadric(
+                radius,
+                Form::Cylinder(Cut::of_cylinder(-1.0, 1.0, 360.0)),
+                transform,
+                1,
+            )
+            .unwrap();
+        others
+            .add_quadric(radius, Form::Disk(Disk::new(0.0, 0.0, 360.0)), transform, 1)
+            .unwrap();
     }
     let transform = others.add_transform(Matrix::IDENTITY);
     for number in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        others.add_quadric(1.0, Form::Cylinder(Cut::of_cylinder(number, 1.0, 360.0)), transform, 1).unwrap();
-        others.add_quadric(1.0, Form::Disk(Disk::new(number, 0.0, 360.0)), transform, 1).unwrap();
-        others.add_quadric(1.0, Form::Disk(Disk::new(0.0, number, 360.0)), transform, 1).unwrap();
+        others
+            .add_quadric(
+                1.0,
+                Form::Cylinder(Cut::of_cylinder(number, 1.0, 360.0)),
+                transform,
+                1,
+            )
+            .unwrap();
+        others
+            .add_quadric(1.0, Form::Disk(Disk::new(number, 0.0, 360.0)), transform, 1)
+            .unwrap();
+        others
+            .add_quadric(1.0, Form::Disk(Disk::new(0.0, number, 360.0)), transform, 1)
+            .unwrap();
     }
     assert_eq!(hits(&others), 0);
 }
 
 #[test]
 fn the_ends_of_the_range() {
-    let huge = [Point::new(-1e308, -1e308, 1e308), Point::new(1e308, -1e308, 1e308), Point::new(0.0, 1e308, 1e308)];
+    let huge = [
+        Point::new(-1e308, -1e308, 1e308),
+        Point::new(1e308, -1e308, 1e308),
+        Point::new(0.0, 1e308, 1e308),
+    ];
     let tiny = triangle(0.0).map(|p| Point::new(p.x * 1e-320, p.y * 1e-320, 0.0));
     assert!(hits(&mesh([huge, triangle(0.0), tiny])) >= IN_TRIANGLE);
     let sizes = [1e-308, 1e-200, 1.0, 1e200, 1e307];
@@ -126,7 +161,8 @@ fn the_ends_of_the_range() {
 /// Neither recursion nor a stack may overflow.
 #[test]
 fn ten_thousand_equal_centroids() {
-    let around = (1..=10_000).map(|k| triangle(0.0).map(|p| Point::new(p.x * f64::from(k), p.y * f64::from(k), 0.0)));
+    let around = (1..=10_000)
+        .map(|k| triangle(0.0).map(|p| Point::new(p.x * f64::from(k), p.y * f64::from(k), 0.0)));
     assert_eq!(hits(&mesh(around)), 49);
 }
 
@@ -139,8 +175,9 @@ fn ten_thousand_parallel_layers() {
 /// Sizes that halve again and again lead to the deepest trees of the middle split.
 #[test]
 fn sizes_that_halve_again_and_again() {
-    let shrinking =
-        (0..1000).map(|k| triangle(0.0).map(|p| Point::new(p.x * 0.5f64.powi(k), p.y * 0.5f64.powi(k), -p.z)));
+    let shrinking = (0..1000).map(|k| {
+        triangle(0.0).map(|p| Point::new(p.x * 0.5f64.powi(k), p.y * 0.5f64.powi(k), -p.z))
+    });
     assert_eq!(hits(&mesh(shrinking)), IN_TRIANGLE);
     let towards_the_eye = (0..1000).map(|k| triangle(-4.0 + 4.0 * 0.5f64.powi(k)));
     assert!(hits(&mesh(towards_the_eye)) >= IN_TRIANGLE);

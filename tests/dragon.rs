@@ -9,23 +9,48 @@ use std::path::Path;
 
 /// Hit pixels, the sum of `Z` and that of `t`; each value rounded to `f32` before it is added.
 fn sums(name: &str, method: SplitMethod) -> (u64, f64, f64) {
-    let scene = scene(&Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes").join(name));
-    let rendering =
-        picture(&scene.camera, &scene.shapes, BuildOptions::new(method), Precision::Exact, 2, scene.film.crop);
+    let scene = scene(
+        &Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("scenes")
+            .join(name),
+    );
+    let rendering = picture(
+        &scene.camera,
+        &scene.shapes,
+        BuildOptions::new(method),
+        Precision::Exact,
+        2,
+        scene.film.crop,
+    );
     let sum = |channel| {
         let values = rendering.image.measures(channel).unwrap().iter();
-        values.filter(|value| value.is_finite()).map(|value| f64::from(*value)).sum()
+        values
+            .filter(|value| value.is_finite())
+            .map(|value| f64::from(*value))
+            .sum()
     };
-    (rendering.traced.hits, sum(ChannelName::Z), sum(ChannelName::T))
+    (
+        rendering.traced.hits,
+        sum(ChannelName::Z),
+        sum(ChannelName::T),
+    )
 }
 
 fn assert_close(found: f64, expected: f64, tolerance: f64) {
-    assert!((found - expected).abs() <= tolerance, "{found}, expected {expected} +- {tolerance}");
+    assert!(
+        (found - expected).abs() <= tolerance,
+        "{found}, expected {expected} +- {tolerance}"
+    );
 }
 
 #[test]
 fn from_the_front() {
-    for method in [SplitMethod::Middle, SplitMethod::Equal, SplitMethod::Sah, SplitMethod::Hlbvh] {
+    for method in [
+        SplitMethod::Middle,
+        SplitMethod::Equal,
+        SplitMethod::Sah,
+        SplitMethod::Hlbvh,
+    ] {
         let (hits, z, t) = sums("dragon.pbrt", method);
         assert_eq!(hits, 64_870, "{method}");
         assert_close(z, 158_857.985, 0.002);

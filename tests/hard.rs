@@ -20,14 +20,22 @@ struct HardScene {
 
 fn hard_scenes() -> Vec<HardScene> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/hard");
-    let entries = std::fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path());
-    let mut paths: Vec<PathBuf> = entries.filter(|path| path.extension().is_some_and(|e| e == "pbrt")).collect();
+    let entries = std::fs::read_dir(&folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path());
+    let mut paths: Vec<PathBuf> = entries
+        .filter(|path| path.extension().is_some_and(|e| e == "pbrt"))
+        .collect();
     paths.sort();
     assert_eq!(paths.len(), 40);
     let load = |path: &PathBuf| {
         let name = path.file_stem().unwrap().to_str().unwrap().to_owned();
         let expected = expected(&folder.join("expected").join(format!("{name}.tsv")));
-        HardScene { name, scene: scene(path), expected }
+        HardScene {
+            name,
+            scene: scene(path),
+            expected,
+        }
     };
     paths.iter().map(load).collect()
 }
@@ -38,18 +46,36 @@ fn expected(path: &Path) -> Answers {
         let fields: Vec<&str> = line.split('\t').collect();
         let hexadecimal = |text| u32::from_str_radix(text, 16).unwrap();
         let place = (fields[0].parse().unwrap(), fields[1].parse().unwrap());
-        (place, [fields[2].parse().unwrap(), hexadecimal(fields[3]), hexadecimal(fields[4])])
+        (
+            place,
+            [
+                fields[2].parse().unwrap(),
+                hexadecimal(fields[3]),
+                hexadecimal(fields[4]),
+            ],
+        )
     };
     text.lines().skip(1).map(row).collect()
 }
 
 fn answers(image: &Image) -> Answers {
-    let names = [ChannelName::A, ChannelName::Prim, ChannelName::Z, ChannelName::T];
+    let names = [
+        ChannelName::A,
+        ChannelName::Prim,
+        ChannelName::Z,
+        ChannelName::T,
+    ];
     let [hit, prim, z, t] = names.map(|name| bits_of(image, name));
     let window = image.data_window;
-    let place = |k: usize| (window.x0 + k as u32 % window.width(), window.y0 + k as u32 / window.width());
+    let place = |k: usize| {
+        (
+            window.x0 + k as u32 % window.width(),
+            window.y0 + k as u32 / window.width(),
+        )
+    };
     let hits = (0..hit.len()).filter(|k| f32::from_bits(hit[*k]) == 1.0);
-    hits.map(|k| (place(k), [prim[k] - 1, z[k], t[k]])).collect()
+    hits.map(|k| (place(k), [prim[k] - 1, z[k], t[k]]))
+        .collect()
 }
 
 fn rendered(
@@ -60,7 +86,17 @@ fn rendered(
     window: PixelBounds,
 ) -> Answers {
     let Scene { camera, shapes, .. } = &hard.scene;
-    answers(&picture(camera, shapes, BuildOptions::new(method), precision, threads, window).image)
+    answers(
+        &picture(
+            camera,
+            shapes,
+            BuildOptions::new(method),
+            precision,
+            threads,
+            window,
+        )
+        .image,
+    )
 }
 
 #[test]
@@ -68,9 +104,19 @@ fn every_pixel_is_right_with_every_accelerator_and_number_of_threads() {
     for hard in &hard_scenes() {
         for method in SplitMethod::ALL {
             for threads in [1, 2] {
-                let found = rendered(hard, Precision::Exact, method, threads, whole(&hard.scene.camera));
+                let found = rendered(
+                    hard,
+                    Precision::Exact,
+                    method,
+                    threads,
+                    whole(&hard.scene.camera),
+                );
                 let wrong = wrong_pixels(&hard.expected, &found);
-                assert!(found == hard.expected, "{}, {method}, {threads} threads: {wrong:?}", hard.name);
+                assert!(
+                    found == hard.expected,
+                    "{}, {method}, {threads} threads: {wrong:?}",
+                    hard.name
+                );
             }
         }
     }
@@ -83,16 +129,42 @@ fn every_pixel_of_a_crop_is_right() {
         let film = whole(&hard.scene.camera);
         let (third, half) = (film.x1 / 3, film.y1 / 2);
         let crops = [
-            PixelBounds { x1: third.max(1), ..film },
-            PixelBounds { x0: third, y0: half, ..film },
-            PixelBounds { x0: film.x1 - 1, y1: half.max(1), ..film },
+            PixelBounds {
+                x1: third.max(1),
+                ..film
+            },
+            PixelBounds {
+                x0: third,
+                y0: half,
+                ..film
+            },
+            PixelBounds {
+                x0: film.x1 - 1,
+                y1: half.max(1),
+                ..film
+            },
         ];
-        for (crop, method) in crops.into_iter().zip([SplitMethod::Sah, SplitMethod::Hlbvh, SplitMethod::None]) {
+        for (crop, method) in
+            crops
+                .into_iter()
+                .zip([SplitMethod::Sah, SplitMethod::Hlbvh, SplitMethod::None])
+        {
             let found = rendered(hard, Precision::Exact, method, 2, crop);
-            let inside = |(x, y): &(u32, u32)| (crop.x0..crop.x1).contains(x) && (crop.y0..crop.y1).contains(y);
-            let expected: Answers = hard.expected.clone().into_iter().filter(|(place, _)| inside(place)).collect();
+            let inside = |(x, y): &(u32, u32)| {
+                (crop.x0..crop.x1).contains(x) && (crop.y0..crop.y1).contains(y)
+            };
+            let expected: Answers = hard
+                .expected
+                .clone()
+                .into_iter()
+                .filter(|(place, _)| inside(place))
+                .collect();
             let wrong = wrong_pixels(&expected, &found);
-            assert!(found == expected, "{}, {method}, {crop:?}: {wrong:?}", hard.name);
+            assert!(
+                found == expected,
+                "{}, {method}, {crop:?}: {wrong:?}",
+                hard.name
+            );
         }
     }
 }
@@ -111,7 +183,10 @@ impl Errors {
     /// Depths are compared where both hit the same primitive.
     fn add(&mut self, hard: &HardScene, found: &Answers) {
         self.pixels += whole(&hard.scene.camera).area() as usize;
-        for WrongPixel { expected, found, .. } in wrong_pixels(&hard.expected, found) {
+        for WrongPixel {
+            expected, found, ..
+        } in wrong_pixels(&hard.expected, found)
+        {
             match (expected, found) {
                 (Some(expected), Some(found)) if expected[0] == found[0] => {
                     // Depths are positive: their order is that of their bits.
@@ -136,15 +211,28 @@ fn the_table_in_the_docs_is_true() {
         }
     }
     let docs = include_str!("../docs/accuracy.md");
-    let cell = |errors: &Errors| format!("{} | {} | {}", errors.hit_or_miss, errors.primitive, errors.largest_ulp);
+    let cell = |errors: &Errors| {
+        format!(
+            "{} | {} | {}",
+            errors.hit_or_miss, errors.primitive, errors.largest_ulp
+        )
+    };
     let row = |(group, [fast, exact]): (char, [Errors; 2])| {
-        (group, format!("| {} | {} | {} |", fast.pixels, cell(&fast), cell(&exact)))
+        (
+            group,
+            format!("| {} | {} | {} |", fast.pixels, cell(&fast), cell(&exact)),
+        )
     };
     let rows: Vec<(char, String)> = groups.into_iter().map(row).collect();
     let is_there = |(group, row): &(char, String)| {
-        docs.lines().any(|line| line.starts_with(&format!("| **{group}** ")) && line.ends_with(row.as_str()))
+        docs.lines().any(|line| {
+            line.starts_with(&format!("| **{group}** ")) && line.ends_with(row.as_str())
+        })
     };
-    assert!(rows.iter().all(is_there), "the rows of docs/accuracy.md should be {rows:#?}");
+    assert!(
+        rows.iter().all(is_there),
+        "the rows of docs/accuracy.md should be {rows:#?}"
+    );
 }
 
 /// A pixel that differs: the primitive and the bits of Z and t where it hits.
@@ -160,7 +248,14 @@ fn wrong_pixels(expected: &Answers, found: &Answers) -> Vec<WrongPixel> {
     let mut places: Vec<(u32, u32)> = expected.keys().chain(found.keys()).copied().collect();
     places.sort();
     places.dedup();
-    let pixel =
-        |place| WrongPixel { place, expected: expected.get(&place).copied(), found: found.get(&place).copied() };
-    places.into_iter().map(pixel).filter(|pixel| pixel.expected != pixel.found).collect()
+    let pixel = |place| WrongPixel {
+        place,
+        expected: expected.get(&place).copied(),
+        found: found.get(&place).copied(),
+    };
+    places
+        .into_iter()
+        .map(pixel)
+        .filter(|pixel| pixel.expected != pixel.found)
+        .collect()
 }

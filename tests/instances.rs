@@ -35,7 +35,9 @@ struct World {
 }
 
 fn vertices(triangles: &[[Point; 3]]) -> (Vec<Point>, Vec<[u32; 3]>) {
-    let indices = (0..triangles.len() as u32).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
+    let indices = (0..triangles.len() as u32)
+        .map(|k| [3 * k, 3 * k + 1, 3 * k + 2])
+        .collect();
     (triangles.iter().flatten().copied().collect(), indices)
 }
 
@@ -43,11 +45,15 @@ fn add(shapes: &mut Shapes, part: &Part, world_from_object: &Matrix, number: u32
     match part {
         Part::Mesh(triangles) => {
             let (vertices, triangles) = vertices(triangles);
-            shapes.add_mesh(vertices, triangles, world_from_object, number).unwrap();
+            shapes
+                .add_mesh(vertices, triangles, world_from_object, number)
+                .unwrap();
         }
         Part::Round(radius, form) => {
             let transform = shapes.add_transform(*world_from_object);
-            shapes.add_quadric(*radius, *form, transform, number).unwrap();
+            shapes
+                .add_quadric(*radius, *form, transform, number)
+                .unwrap();
         }
     }
 }
@@ -62,9 +68,13 @@ impl World {
             match part {
                 Part::Mesh(triangles) => {
                     let (vertices, triangles) = vertices(triangles);
-                    shapes.add_object_mesh(vertices, triangles, transform, number).unwrap();
+                    shapes
+                        .add_object_mesh(vertices, triangles, transform, number)
+                        .unwrap();
                 }
-                Part::Round(radius, form) => shapes.add_quadric(*radius, *form, transform, number).unwrap(),
+                Part::Round(radius, form) => shapes
+                    .add_quadric(*radius, *form, transform, number)
+                    .unwrap(),
             }
         }
         (first, shapes)
@@ -77,7 +87,9 @@ impl World {
         }
         for (item, number) in self.items.iter().zip(100..) {
             match item {
-                Item::Shape(part, world_from_object) => add(&mut shapes, part, world_from_object, number),
+                Item::Shape(part, world_from_object) => {
+                    add(&mut shapes, part, world_from_object, number)
+                }
                 Item::Instance(object, world_from_instance) => {
                     shapes.add_instance(*object, *world_from_instance).unwrap();
                 }
@@ -91,11 +103,20 @@ impl World {
         let mut shapes = Shapes::default();
         for (item, number) in self.items.iter().zip(100..) {
             match item {
-                Item::Shape(part, world_from_object) => add(&mut shapes, part, world_from_object, number),
+                Item::Shape(part, world_from_object) => {
+                    add(&mut shapes, part, world_from_object, number)
+                }
                 Item::Instance(object, world_from_instance) => {
                     let first = self.object(*object).0;
-                    for ((part, instance_from_object), number) in self.objects[*object].iter().zip(first..) {
-                        add(&mut shapes, part, &world_from_instance.times(instance_from_object), number);
+                    for ((part, instance_from_object), number) in
+                        self.objects[*object].iter().zip(first..)
+                    {
+                        add(
+                            &mut shapes,
+                            part,
+                            &world_from_instance.times(instance_from_object),
+                            number,
+                        );
                     }
                 }
             }
@@ -108,8 +129,17 @@ fn camera(eye: Matrix, orthographic: bool, size: u32) -> Camera {
     let half = if orthographic { 6.0 } else { 1.0 };
     Camera {
         world_from_camera: eye,
-        projection: if orthographic { Projection::Orthographic } else { Projection::Perspective { tangent: 1.0 } },
-        screen_window: ScreenWindow { x0: -half, x1: half, y0: -half, y1: half },
+        projection: if orthographic {
+            Projection::Orthographic
+        } else {
+            Projection::Perspective { tangent: 1.0 }
+        },
+        screen_window: ScreenWindow {
+            x0: -half,
+            x1: half,
+            y0: -half,
+            y1: half,
+        },
         resolution: [size, size],
     }
 }
@@ -117,7 +147,9 @@ fn camera(eye: Matrix, orthographic: bool, size: u32) -> Camera {
 /// All but the channel that only instances have, and the normals, whose side depends on whether the shape or the instance is mirrored.
 fn without_instance(mut image: Image) -> Image {
     use ChannelName::{Instance, Nx, Ny, Nz};
-    image.channels.retain(|channel| ![Instance, Nx, Ny, Nz].contains(&channel.name));
+    image
+        .channels
+        .retain(|channel| ![Instance, Nx, Ny, Nz].contains(&channel.name));
     image
 }
 
@@ -127,10 +159,18 @@ fn grid_point() -> impl Strategy<Value = Point> {
 
 fn part() -> impl Strategy<Value = Part> {
     let triangles = |most| prop::collection::vec(prop::array::uniform3(grid_point()), 0..most);
-    let cylinder = Form::Cylinder(Cut { z_min: -1.0, z_max: 2.0, sector: None });
+    let cylinder = Form::Cylinder(Cut {
+        z_min: -1.0,
+        z_max: 2.0,
+        sector: None,
+    });
     let disk = Form::Disk(Disk::new(0.5, 0.25, 270.0));
-    let form =
-        prop::sample::select(vec![Form::Sphere(None), Form::Sphere(Cut::new(1.0, -0.5, 1.0, 200.0)), cylinder, disk]);
+    let form = prop::sample::select(vec![
+        Form::Sphere(None),
+        Form::Sphere(Cut::new(1.0, -0.5, 1.0, 200.0)),
+        cylinder,
+        disk,
+    ]);
     prop_oneof![
         3 => triangles(8).prop_map(Part::Mesh),
         1 => triangles(60).prop_map(Part::Mesh),
@@ -140,12 +180,14 @@ fn part() -> impl Strategy<Value = Part> {
 
 /// Moves by whole numbers, which make ties, mirrors, flattens, turns, shears and scales.
 fn matrix() -> impl Strategy<Value = Matrix> + Clone {
-    let offset = prop::array::uniform3(-3i32..=3).prop_map(|offset| Matrix::translate(offset.map(f64::from)));
+    let offset = prop::array::uniform3(-3i32..=3)
+        .prop_map(|offset| Matrix::translate(offset.map(f64::from)));
     let stretch = prop::array::uniform3(prop::sample::select(vec![1.0, 1.0, -1.0, 2.0, 0.0, 0.3]));
     let turn = (-180.0f64..180.0, prop::array::uniform3(-1.0f64..1.0))
         .prop_map(|(angle, axis)| Transform::rotate(angle, Vector::from(axis)).matrix);
-    let shear = prop::array::uniform12(-2.0f64..2.0)
-        .prop_map(|m| Matrix { rows: [0, 1, 2].map(|k| [m[4 * k], m[4 * k + 1], m[4 * k + 2], m[4 * k + 3]]) });
+    let shear = prop::array::uniform12(-2.0f64..2.0).prop_map(|m| Matrix {
+        rows: [0, 1, 2].map(|k| [m[4 * k], m[4 * k + 1], m[4 * k + 2], m[4 * k + 3]]),
+    });
     let one = || {
         prop_oneof![
             Just(Matrix::IDENTITY),
@@ -164,15 +206,23 @@ fn world() -> impl Strategy<Value = World> {
         1 => (part(), matrix()).prop_map(|(part, matrix)| Item::Shape(part, matrix)),
         3 => (0usize..3, matrix()).prop_map(|(object, matrix)| Item::Instance(object, matrix)),
     ];
-    (prop::collection::vec(object, 3), prop::collection::vec(item, 0..9))
+    (
+        prop::collection::vec(object, 3),
+        prop::collection::vec(item, 0..9),
+    )
         .prop_map(|(objects, items)| World { objects, items })
 }
 
 /// An eye on the grid, turned or not.
 fn eye() -> impl Strategy<Value = Matrix> {
     let turned = Transform::rotate(37.0, Vector::new(1.0, 2.0, 3.0)).matrix;
-    (grid_point(), prop::sample::select(vec![Matrix::IDENTITY, turned]))
-        .prop_map(|(eye, turn)| Matrix::translate((eye - Point::new(0.0, 0.0, 4.0)).to_array()).times(&turn))
+    (
+        grid_point(),
+        prop::sample::select(vec![Matrix::IDENTITY, turned]),
+    )
+        .prop_map(|(eye, turn)| {
+            Matrix::translate((eye - Point::new(0.0, 0.0, 4.0)).to_array()).times(&turn)
+        })
 }
 
 proptest! {
@@ -235,26 +285,44 @@ fn too_many_primitives_are_told_by_instance() {
     let mut object = Shapes::default();
     let transform = object.add_transform(Matrix::IDENTITY);
     // One behind the other.
-    let layer = |z: u32| [(-0.4, -0.4), (0.4, -0.4), (0.0, 0.4)].map(|(x, y)| Point::new(x, y, f64::from(z)));
+    let layer = |z: u32| {
+        [(-0.4, -0.4), (0.4, -0.4), (0.0, 0.4)].map(|(x, y)| Point::new(x, y, f64::from(z)))
+    };
     let layers: Vec<[Point; 3]> = (0..65_538).map(layer).collect();
     let (vertices, triangles) = vertices(&layers);
-    object.add_object_mesh(vertices, triangles, transform, 1).unwrap();
+    object
+        .add_object_mesh(vertices, triangles, transform, 1)
+        .unwrap();
     let mut shapes = Shapes::default();
     let object = shapes.add_object(object);
     for instance in 0..65_792 {
-        let place = Matrix::translate([f64::from(instance % 257) - 128.0, f64::from(instance / 257) - 128.0, 200.0]);
+        let place = Matrix::translate([
+            f64::from(instance % 257) - 128.0,
+            f64::from(instance / 257) - 128.0,
+            200.0,
+        ]);
         shapes.add_instance(object, place).unwrap();
     }
     assert!(shapes.counts_within_instances());
     let camera = camera(Matrix::translate([0.0, 0.0, 0.0]), false, 257);
     let options = BuildOptions::new(SplitMethod::Middle);
     let image = picture_of(&camera, &shapes, options);
-    let (prim, instance) = (image.numbers(ChannelName::Prim).unwrap(), image.numbers(ChannelName::Instance).unwrap());
+    let (prim, instance) = (
+        image.numbers(ChannelName::Prim).unwrap(),
+        image.numbers(ChannelName::Instance).unwrap(),
+    );
     let hits: Vec<usize> = (0..prim.len()).filter(|pixel| prim[*pixel] != 0).collect();
     assert!(hits.len() > 5_000, "{}", hits.len());
-    assert!(hits.iter().all(|pixel| (1..=65_538).contains(&prim[*pixel])));
-    assert!(hits.iter().filter(|pixel| prim[**pixel] == 1).count() > 1_000, "many see a first layer");
-    let different: std::collections::HashSet<u32> = hits.iter().map(|pixel| instance[*pixel]).collect();
+    assert!(
+        hits.iter()
+            .all(|pixel| (1..=65_538).contains(&prim[*pixel]))
+    );
+    assert!(
+        hits.iter().filter(|pixel| prim[**pixel] == 1).count() > 1_000,
+        "many see a first layer"
+    );
+    let different: std::collections::HashSet<u32> =
+        hits.iter().map(|pixel| instance[*pixel]).collect();
     assert!(different.len() > 4_000, "{}", different.len());
 }
 
@@ -263,26 +331,45 @@ fn an_instance_takes_less_than_200_bytes() {
     let layer = [(-0.4, -0.4), (0.4, -0.4), (0.0, 0.4)].map(|(x, y)| Point::new(x, y, 0.0));
     let mut object = Shapes::default();
     let transform = object.add_transform(Matrix::IDENTITY);
-    object.add_object_mesh(layer.to_vec(), vec![[0, 1, 2]], transform, 1).unwrap();
+    object
+        .add_object_mesh(layer.to_vec(), vec![[0, 1, 2]], transform, 1)
+        .unwrap();
     let mut shapes = Shapes::default();
     let object = shapes.add_object(object);
     let count = 100_000;
     for instance in 0..count {
         // Places that follow no order.
-        let at = |prime: u32| f64::from((instance as u32).wrapping_mul(prime)) / f64::from(u32::MAX);
+        let at =
+            |prime: u32| f64::from((instance as u32).wrapping_mul(prime)) / f64::from(u32::MAX);
         let turn = Transform::rotate(360.0 * at(0x9e37_79b9), Vector::new(1.0, 2.0, 3.0)).matrix;
         let place = [at(0x85eb_ca6b), at(0xc2b2_ae35), at(0x27d4_eb2f)].map(|x| 100.0 * x);
-        shapes.add_instance(object, Matrix::translate(place).times(&turn)).unwrap();
+        shapes
+            .add_instance(object, Matrix::translate(place).times(&turn))
+            .unwrap();
     }
     for method in SplitMethod::ALL {
-        let aggregate = Aggregate::build(&shapes, Point::default(), BuildOptions::new(method), Progress::SILENT);
+        let aggregate = Aggregate::build(
+            &shapes,
+            Point::default(),
+            BuildOptions::new(method),
+            Progress::SILENT,
+        );
         let bytes = shapes.bytes() + aggregate.statistics(&shapes).bytes;
-        assert!(bytes < 200 * count, "{method}: {} bytes an instance", bytes / count);
+        assert!(
+            bytes < 200 * count,
+            "{method}: {} bytes an instance",
+            bytes / count
+        );
     }
 }
 
 /// Without the check of the tree, which would look at every primitive of every instance.
 fn picture_of(camera: &Camera, shapes: &Shapes, build: BuildOptions) -> Image {
-    let way = common::Way { build, threads: 2, level: feimos::simd::Level::detect(), tree: common::Tree::OfView };
+    let way = common::Way {
+        build,
+        threads: 2,
+        level: feimos::simd::Level::detect(),
+        tree: common::Tree::OfView,
+    };
     common::picture_by(camera, shapes, way, Precision::Exact, whole(camera)).image
 }

@@ -26,7 +26,12 @@ impl Row {
     fn check(&self, folder: &Path, path: &str) -> Result<(), String> {
         let found = outcome(folder, path)?;
         let same = found == self.expected;
-        same.then_some(()).ok_or_else(|| format!("{}\nexpected {}\nfound    {found}", self.path, self.expected))
+        same.then_some(()).ok_or_else(|| {
+            format!(
+                "{}\nexpected {}\nfound    {found}",
+                self.path, self.expected
+            )
+        })
     }
 }
 
@@ -34,7 +39,10 @@ fn table() -> Vec<Row> {
     let text = std::fs::read_to_string(repository().join("tests/odd_meshes.tsv")).unwrap();
     let row = |line: &str| {
         let (path, expected) = line.split_once('\t').unwrap();
-        Row { path: path.to_owned(), expected: expected.to_owned() }
+        Row {
+            path: path.to_owned(),
+            expected: expected.to_owned(),
+        }
     };
     text.lines().skip(1).map(row).collect()
 }
@@ -48,11 +56,20 @@ fn outcome(folder: &Path, path: &str) -> Result<String, String> {
     let path = folder.join(path);
     std::fs::metadata(&path).map_err(|error| format!("{}: {error}", path.display()))?;
     let is_ply = path.extension().is_some_and(|extension| extension == "ply");
-    let told = match if is_ply { read_ply(&path) } else { read_obj(&path) } {
+    let told = match if is_ply {
+        read_ply(&path)
+    } else {
+        read_obj(&path)
+    } {
         Err(error) => format!("\t\t{error}"),
         Ok(loaded) => {
             let warnings: Vec<String> = loaded.warnings.iter().map(ToString::to_string).collect();
-            format!("{}\t{}\t{}", loaded.mesh.triangles.len(), loaded.mesh.vertices.len(), warnings.join("\n"))
+            format!(
+                "{}\t{}\t{}",
+                loaded.mesh.triangles.len(),
+                loaded.mesh.vertices.len(),
+                warnings.join("\n")
+            )
         }
     };
     let folder = format!("{}/", path.parent().unwrap().display());
@@ -60,26 +77,52 @@ fn outcome(folder: &Path, path: &str) -> Result<String, String> {
 }
 
 fn assert_none(wrong: &[String]) {
-    assert!(wrong.is_empty(), "{} wrong\n\n{}", wrong.len(), wrong.join("\n\n"));
+    assert!(
+        wrong.is_empty(),
+        "{} wrong\n\n{}",
+        wrong.len(),
+        wrong.join("\n\n")
+    );
 }
 
 #[test]
 fn meshes_in_the_repository() {
     let folder = repository().join("tests/meshes");
-    let rows: BTreeMap<String, Row> = table().into_iter().map(|row| (row.file_name().to_owned(), row)).collect();
+    let rows: BTreeMap<String, Row> = table()
+        .into_iter()
+        .map(|row| (row.file_name().to_owned(), row))
+        .collect();
     let is_mesh = |name: &String| name.ends_with(".ply") || name.ends_with(".obj");
-    let names = std::fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let names = std::fs::read_dir(&folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap());
     let meshes: Vec<String> = names.filter(is_mesh).collect();
     assert_eq!(meshes.len(), 4);
-    let check = |name: &String| rows.get(name).ok_or(format!("{name} is not in the table"))?.check(&folder, name);
-    assert_none(&meshes.iter().filter_map(|name| check(name).err()).collect::<Vec<_>>());
+    let check = |name: &String| {
+        rows.get(name)
+            .ok_or(format!("{name} is not in the table"))?
+            .check(&folder, name)
+    };
+    assert_none(
+        &meshes
+            .iter()
+            .filter_map(|name| check(name).err())
+            .collect::<Vec<_>>(),
+    );
 }
 
 #[test]
 #[ignore = "needs files of other repositories: FEIMOS_CORPUS"]
 fn meshes_of_other_repositories() {
-    let folder = PathBuf::from(std::env::var_os("FEIMOS_CORPUS").expect("FEIMOS_CORPUS, the folder of the files"));
+    let folder = PathBuf::from(
+        std::env::var_os("FEIMOS_CORPUS").expect("FEIMOS_CORPUS, the folder of the files"),
+    );
     let rows = table();
     assert_eq!(rows.len(), 49);
-    assert_none(&rows.iter().filter_map(|row| row.check(&folder, &row.path).err()).collect::<Vec<_>>());
+    assert_none(
+        &rows
+            .iter()
+            .filter_map(|row| row.check(&folder, &row.path).err())
+            .collect::<Vec<_>>(),
+    );
 }

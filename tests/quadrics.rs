@@ -27,8 +27,10 @@ fn answers(text: &str) -> Vec<Option<(u32, f32, f32)>> {
     let scene = load(text);
     assert!(scene.warnings.is_empty());
     let image = agreed_picture(&scene.camera, &scene.shapes, Precision::Exact).image;
-    let [prim, z, t] = [ChannelName::Prim, ChannelName::Z, ChannelName::T].map(|name| bits_of(&image, name));
-    let answer = |k: usize| (prim[k] > 0).then(|| (prim[k], f32::from_bits(z[k]), f32::from_bits(t[k])));
+    let [prim, z, t] =
+        [ChannelName::Prim, ChannelName::Z, ChannelName::T].map(|name| bits_of(&image, name));
+    let answer =
+        |k: usize| (prim[k] > 0).then(|| (prim[k], f32::from_bits(z[k]), f32::from_bits(t[k])));
     (0..prim.len()).map(answer).collect()
 }
 
@@ -38,7 +40,11 @@ fn assert_grid(text: &str, expected: impl Fn(i32, i32) -> Option<f64>) {
     for (pixel, k) in found.iter().zip(0..) {
         let (x, y) = (k % 11 - 5, 5 - k / 11);
         let z = expected(x, y).map(|z| z as f32);
-        assert_eq!(pixel.map(|(_, z, t)| (z, t)), z.map(|z| (z, z)), "at {x}, {y}");
+        assert_eq!(
+            pixel.map(|(_, z, t)| (z, t)),
+            z.map(|z| (z, z)),
+            "at {x}, {y}"
+        );
     }
 }
 
@@ -53,25 +59,40 @@ fn a_cylinder_across_the_view() {
     assert_grid(&half, |x, y| is_there(y).then(|| 10.0 + depth(x)));
     // The far quarter on the side of x, with both of its ends: the tangent at x = 5 and the line at x = 0.
     let quarter = format!("{CYLINDER} \"float phimax\" 90");
-    assert_grid(&quarter, |x, y| (is_there(y) && x >= 0).then(|| 10.0 + depth(x)));
+    assert_grid(&quarter, |x, y| {
+        (is_there(y) && x >= 0).then(|| 10.0 + depth(x))
+    });
     // All but a near quarter, through which the inside shows.
     let most = format!("{CYLINDER} \"float phimax\" 270");
-    let seen = |x: i32| if (1..5).contains(&x) { 10.0 + depth(x) } else { 10.0 - depth(x) };
+    let seen = |x: i32| {
+        if (1..5).contains(&x) {
+            10.0 + depth(x)
+        } else {
+            10.0 - depth(x)
+        }
+    };
     assert_grid(&most, |x, y| is_there(y).then(|| seen(x)));
 }
 
 #[test]
 fn a_cylinder_seen_along_its_axis_is_not_seen() {
-    assert_grid("Translate 0 0 5 Shape \"cylinder\" \"float radius\" 5", |_, _| None);
-    assert_grid("Translate 0 0 5 Scale 1 1 1e-9 Shape \"cylinder\" \"float radius\" 3", |_, _| None);
+    assert_grid(
+        "Translate 0 0 5 Shape \"cylinder\" \"float radius\" 5",
+        |_, _| None,
+    );
+    assert_grid(
+        "Translate 0 0 5 Scale 1 1 1e-9 Shape \"cylinder\" \"float radius\" 3",
+        |_, _| None,
+    );
 }
 
 /// The surface between two equal ends is a circle, and a disk as wide as its hole is one.
 #[test]
 fn circles_are_seen_where_rays_meet_them() {
-    let circle =
-        "Translate 0 0 10 Rotate 90 1 0 0 Shape \"cylinder\" \"float radius\" 5 \"float zmin\" 1 \"float zmax\" 1";
-    assert_grid(circle, |x, y| (y == -1).then(|| 10.0 - f64::from(25 - x * x).sqrt()));
+    let circle = "Translate 0 0 10 Rotate 90 1 0 0 Shape \"cylinder\" \"float radius\" 5 \"float zmin\" 1 \"float zmax\" 1";
+    assert_grid(circle, |x, y| {
+        (y == -1).then(|| 10.0 - f64::from(25 - x * x).sqrt())
+    });
     let rim = "Translate 0 0 7 Shape \"disk\" \"float radius\" 5 \"float innerradius\" 5";
     assert_grid(rim, |x, y| (x * x + y * y == 25).then_some(7.0));
 }
@@ -82,13 +103,21 @@ fn disks_facing_the_view() {
     assert_grid(disk, |x, y| (x * x + y * y <= 25).then_some(7.0));
     let ring = format!("{disk} \"float innerradius\" 3 \"float height\" -1.5 \"float phimax\" 270");
     let is_cut = |x: i32, y: i32| x > 0 && y < 0;
-    assert_grid(&ring, |x, y| ((9..=25).contains(&(x * x + y * y)) && !is_cut(x, y)).then_some(5.5));
+    assert_grid(&ring, |x, y| {
+        ((9..=25).contains(&(x * x + y * y)) && !is_cut(x, y)).then_some(5.5)
+    });
     let edge_on = "Translate 0 0 7 Rotate 90 1 0 0 Shape \"disk\" \"float radius\" 5";
     assert_grid(edge_on, |_, _| None);
-    let nothing = load(&format!("{GRID} WorldBegin {disk} \"float innerradius\" 5.5 {disk} \"float height\" 1e999"));
+    let nothing = load(&format!(
+        "{GRID} WorldBegin {disk} \"float innerradius\" 5.5 {disk} \"float height\" 1e999"
+    ));
     let message = "a disk without points is never hit";
     assert_eq!(
-        nothing.warnings.iter().map(|warning| (&*warning.first.message, warning.count)).collect::<Vec<_>>(),
+        nothing
+            .warnings
+            .iter()
+            .map(|warning| (&*warning.first.message, warning.count))
+            .collect::<Vec<_>>(),
         [(message, 2)]
     );
     assert_eq!(nothing.shapes.sphere_count(), 2);
@@ -97,8 +126,7 @@ fn disks_facing_the_view() {
 /// The columns of the matrix are x, y + z and z: the disk lies in the plane z = y + 5, and rays go along (+-1/2, +-1/2, 1).
 #[test]
 fn a_sheared_disk_in_perspective() {
-    let film =
-        "Camera \"perspective\" \"float fov\" 90 Film \"image\" \"integer xresolution\" 2 \"integer yresolution\" 2";
+    let film = "Camera \"perspective\" \"float fov\" 90 Film \"image\" \"integer xresolution\" 2 \"integer yresolution\" 2";
     let disk = "WorldBegin Transform [ 1 0 0 0  0 1 1 0  0 0 1 0  0 0 5 1 ] Shape \"disk\" \"float radius\" 4";
     let found = answers(&format!("{film} {disk}"));
     let far = 10.0 / 3.0;
@@ -129,9 +157,15 @@ fn assert_alike(text: &str, other: &str) {
     let [found, expected] = [text, other].map(|text| answers(&format!("{GRID} {place} {text}")));
     assert!(expected.iter().any(|pixel| pixel.is_some()));
     assert_eq!(found, expected, "{text}");
-    let instance = |text: &str| format!("{GRID} WorldBegin ObjectBegin \"a\" Rotate 37 1 2 3 {text} ObjectEnd");
-    let [found, expected] =
-        [text, other].map(|text| answers(&format!("{} Translate 0 0 10 ObjectInstance \"a\"", instance(text))));
+    let instance = |text: &str| {
+        format!("{GRID} WorldBegin ObjectBegin \"a\" Rotate 37 1 2 3 {text} ObjectEnd")
+    };
+    let [found, expected] = [text, other].map(|text| {
+        answers(&format!(
+            "{} Translate 0 0 10 ObjectInstance \"a\"",
+            instance(text)
+        ))
+    });
     assert_eq!(found, expected, "{text}, in an instance");
 }
 
@@ -139,16 +173,22 @@ fn assert_alike(text: &str, other: &str) {
 /// middle, and a cylinder's in the axis.
 #[test]
 fn a_radius_below_0_is_that_above_it() {
-    for rest in
-        ["", "\"float innerradius\" 2", "\"float innerradius\" -2", "\"float phimax\" 100", "\"float height\" -1"]
-    {
+    for rest in [
+        "",
+        "\"float innerradius\" 2",
+        "\"float innerradius\" -2",
+        "\"float phimax\" 100",
+        "\"float height\" -1",
+    ] {
         let disk = |radius: i32| format!("Shape \"disk\" \"float radius\" {radius} {rest}");
         assert_alike(&disk(-4), &disk(4));
     }
     for rest in ["", "\"float phimax\" 100", "\"float phimax\" 200"] {
         let sphere = |radius: i32| format!("Shape \"sphere\" \"float radius\" {radius} {rest}");
         assert_alike(&sphere(-4), &format!("Scale -1 -1 -1 {}", sphere(4)));
-        let cylinder = |radius: i32| format!("Shape \"cylinder\" \"float radius\" {radius} {rest} \"float zmax\" 3");
+        let cylinder = |radius: i32| {
+            format!("Shape \"cylinder\" \"float radius\" {radius} {rest} \"float zmax\" 3")
+        };
         assert_alike(&cylinder(-4), &format!("Scale -1 -1 1 {}", cylinder(4)));
     }
 }
@@ -158,12 +198,31 @@ fn a_radius_below_0_is_that_above_it() {
 fn ends_cut_nothing_from_a_sphere_of_a_radius_below_0() {
     let sphere = "WorldBegin Translate 0 0 9 Shape \"sphere\" \"float radius\"";
     let whole = answers(&format!("{GRID} {sphere} 4"));
-    for ends in ["\"float zmin\" 0", "\"float zmax\" -1", "\"float zmin\" 1 \"float zmax\" 2"] {
+    for ends in [
+        "\"float zmin\" 0",
+        "\"float zmax\" -1",
+        "\"float zmin\" 1 \"float zmax\" 2",
+    ] {
         let scene = load(&format!("{GRID} {sphere} -4 {ends}"));
-        let messages: Vec<&str> = scene.warnings.iter().map(|warning| &*warning.first.message).collect();
-        assert_eq!(messages, ["`zmin` and `zmax` are ignored, as in pbrt: the radius is below 0"]);
-        let prim = bits_of(&agreed_picture(&scene.camera, &scene.shapes, Precision::Exact).image, ChannelName::Prim);
-        assert!(prim.iter().zip(&whole).all(|(prim, pixel)| (*prim > 0) == pixel.is_some()), "{ends}");
+        let messages: Vec<&str> = scene
+            .warnings
+            .iter()
+            .map(|warning| &*warning.first.message)
+            .collect();
+        assert_eq!(
+            messages,
+            ["`zmin` and `zmax` are ignored, as in pbrt: the radius is below 0"]
+        );
+        let prim = bits_of(
+            &agreed_picture(&scene.camera, &scene.shapes, Precision::Exact).image,
+            ChannelName::Prim,
+        );
+        assert!(
+            prim.iter()
+                .zip(&whole)
+                .all(|(prim, pixel)| (*prim > 0) == pixel.is_some()),
+            "{ends}"
+        );
     }
 }
 
@@ -176,18 +235,32 @@ fn the_least_angles_keep_one_side() {
         let sphere = format!("Translate 0 0 9 Shape \"sphere\" \"float radius\" 5 {cut}");
         let z = |x: i32| 9.0 - f64::from(25 - x * x).sqrt();
         assert_grid(&sphere, |x, y| (y == 0 && x >= 0).then(|| z(x)));
-        assert_grid(&format!("Translate 0 0 9 Shape \"disk\" \"float radius\" 5 {cut}"), |x, y| {
-            (y == 0 && x >= 0).then_some(9.0)
-        });
+        assert_grid(
+            &format!("Translate 0 0 9 Shape \"disk\" \"float radius\" 5 {cut}"),
+            |x, y| (y == 0 && x >= 0).then_some(9.0),
+        );
         // The axis goes down the picture, and the angle 0 is at the side of x.
         let cylinder = format!("{CYLINDER} {cut}");
-        assert_grid(&cylinder, |x, y| (x == 5 && (-3..=2).contains(&y)).then_some(10.0));
+        assert_grid(&cylinder, |x, y| {
+            (x == 5 && (-3..=2).contains(&y)).then_some(10.0)
+        });
     }
-    for (phi_max, keeps_180) in [(180f64.next_down(), false), (180.0, true), (180f64.next_up(), true)] {
-        let disk = format!("Translate 0 0 9 Shape \"disk\" \"float radius\" 5 \"float phimax\" {phi_max:?}");
+    for (phi_max, keeps_180) in [
+        (180f64.next_down(), false),
+        (180.0, true),
+        (180f64.next_up(), true),
+    ] {
+        let disk = format!(
+            "Translate 0 0 9 Shape \"disk\" \"float radius\" 5 \"float phimax\" {phi_max:?}"
+        );
         let is_there = |x: i32, y: i32| y > 0 || y == 0 && (x >= 0 || keeps_180);
-        assert_grid(&disk, |x, y| (x * x + y * y <= 25 && is_there(x, y)).then_some(9.0));
+        assert_grid(&disk, |x, y| {
+            (x * x + y * y <= 25 && is_there(x, y)).then_some(9.0)
+        });
     }
-    let most = format!("Translate 0 0 9 Shape \"disk\" \"float radius\" 5 \"float phimax\" {:?}", 360f64.next_down());
+    let most = format!(
+        "Translate 0 0 9 Shape \"disk\" \"float radius\" 5 \"float phimax\" {:?}",
+        360f64.next_down()
+    );
     assert_grid(&most, |x, y| (x * x + y * y <= 25).then_some(9.0));
 }

@@ -19,7 +19,10 @@ use std::path::Path;
 fn agrees_with_the_reference(camera: &Camera, shapes: &Shapes) -> Result<(), TestCaseError> {
     let expected = judged(camera, shapes);
     for method in [SplitMethod::None, SplitMethod::Sah] {
-        let options = BuildOptions { method, max_leaf: 1 };
+        let options = BuildOptions {
+            method,
+            max_leaf: 1,
+        };
         let image = picture(camera, shapes, options, Precision::Exact, 1, whole(camera)).image;
         prop_assert_eq!(&rendered(&image), &expected, "{}", method);
     }
@@ -29,12 +32,25 @@ fn agrees_with_the_reference(camera: &Camera, shapes: &Shapes) -> Result<(), Tes
 /// A camera for pixels of whole numbers: their rays go through the points of an integer grid.
 fn grid_camera(world_from_camera: Matrix, projection: Projection, size: u32) -> Camera {
     let half = f64::from(size) / 2.0;
-    let screen_window = ScreenWindow { x0: -half, x1: half, y0: -half, y1: half };
-    Camera { world_from_camera, projection, screen_window, resolution: [size, size] }
+    let screen_window = ScreenWindow {
+        x0: -half,
+        x1: half,
+        y0: -half,
+        y1: half,
+    };
+    Camera {
+        world_from_camera,
+        projection,
+        screen_window,
+        resolution: [size, size],
+    }
 }
 
 fn projection() -> impl Strategy<Value = Projection> {
-    prop::sample::select(vec![Projection::Perspective { tangent: 1.0 }, Projection::Orthographic])
+    prop::sample::select(vec![
+        Projection::Perspective { tangent: 1.0 },
+        Projection::Orthographic,
+    ])
 }
 
 type Corner = [i32; 3];
@@ -50,14 +66,21 @@ fn point(corner: Corner) -> Point {
 /// A whole sphere, most of the time, what `zmin`, `zmax` and `phimax` leave of one, a cylinder or a disk.
 fn form(radius: f64) -> impl Strategy<Value = Form> {
     let z = || prop::sample::select(vec![-1.0, -0.8, -0.6, 0.0, 0.1, 0.6, 1.0]);
-    let phi = || prop::sample::select(vec![0.0, 1e-322, 30.0, 90.0, 180.0, 217.5, 270.0, 360.0, 360.0]);
-    let cut_sphere = (z(), z(), phi())
-        .prop_map(move |(low, high, phi)| Form::Sphere(Cut::new(radius, low * radius, high * radius, phi)));
+    let phi = || {
+        prop::sample::select(vec![
+            0.0, 1e-322, 30.0, 90.0, 180.0, 217.5, 270.0, 360.0, 360.0,
+        ])
+    };
+    let cut_sphere = (z(), z(), phi()).prop_map(move |(low, high, phi)| {
+        Form::Sphere(Cut::new(radius, low * radius, high * radius, phi))
+    });
     // Whole numbers, so that the ends are on the grid.
     let end = || prop_oneof![-3i32..4, -1i32..2].prop_map(f64::from);
-    let cylinder = (end(), end(), phi()).prop_map(|(low, high, phi)| Form::Cylinder(Cut::of_cylinder(low, high, phi)));
+    let cylinder = (end(), end(), phi())
+        .prop_map(|(low, high, phi)| Form::Cylinder(Cut::of_cylinder(low, high, phi)));
     let hole = prop::sample::select(vec![0.0, 0.0, 1.0, 2.0, 0.7]);
-    let disk = (end(), hole, phi()).prop_map(|(height, inner, phi)| Form::Disk(Disk::new(height, inner, phi)));
+    let disk = (end(), hole, phi())
+        .prop_map(|(height, inner, phi)| Form::Disk(Disk::new(height, inner, phi)));
     prop_oneof![2 => Just(Form::Sphere(None)), 1 => cut_sphere, 2 => cylinder, 2 => disk]
 }
 
@@ -71,7 +94,9 @@ struct Ball {
 impl Ball {
     fn add_to(&self, shapes: &mut Shapes, shape: u32) {
         let transform = shapes.add_transform(self.world_from_object);
-        shapes.add_quadric(self.radius, self.form, transform, shape).unwrap();
+        shapes
+            .add_quadric(self.radius, self.form, transform, shape)
+            .unwrap();
     }
 }
 
@@ -83,29 +108,52 @@ fn quarter_turns() -> impl Strategy<Value = Matrix> {
         [[0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [-1.0, 0.0, 0.0]],
         [[1.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 1.0]],
     ];
-    prop::sample::select(turns.map(|turn| Matrix { rows: turn.map(|[x, y, z]| [x, y, z, 0.0]) }).to_vec())
+    prop::sample::select(
+        turns
+            .map(|turn| Matrix {
+                rows: turn.map(|[x, y, z]| [x, y, z, 0.0]),
+            })
+            .to_vec(),
+    )
 }
 
 fn grid_ball() -> impl Strategy<Value = Ball> {
     let stretch = prop::array::uniform3(prop::sample::select(vec![1.0, 1.0, 1.0, -1.0, 2.0, 0.0]));
-    (corner(4), quarter_turns(), stretch, 0i32..4).prop_flat_map(|(centre, turn, stretch, radius)| {
-        let place = Matrix::translate(centre.map(f64::from)).times(&turn).times(&Matrix::scale(stretch));
-        let radius = f64::from(radius);
-        form(radius).prop_map(move |form| Ball { world_from_object: place, radius, form })
-    })
+    (corner(4), quarter_turns(), stretch, 0i32..4).prop_flat_map(
+        |(centre, turn, stretch, radius)| {
+            let place = Matrix::translate(centre.map(f64::from))
+                .times(&turn)
+                .times(&Matrix::scale(stretch));
+            let radius = f64::from(radius);
+            form(radius).prop_map(move |form| Ball {
+                world_from_object: place,
+                radius,
+                form,
+            })
+        },
+    )
 }
 
 /// A matrix with entries of any kind: sheared, mirrored, nearly singular.
 fn matrix() -> impl Strategy<Value = Matrix> {
     let turn = (-180.0f64..180.0, prop::array::uniform3(-1.0f64..1.0))
         .prop_map(|(angle, axis)| Transform::rotate(angle, Vector::from(axis)).matrix);
-    let scale =
-        prop::array::uniform3(prop::sample::select(vec![1.0, 1.0, -2.0, 0.3, 1e-6, 1e5])).prop_map(Matrix::scale);
+    let scale = prop::array::uniform3(prop::sample::select(vec![1.0, 1.0, -2.0, 0.3, 1e-6, 1e5]))
+        .prop_map(Matrix::scale);
     let shear = prop::array::uniform12(-2.0f64..2.0).prop_map(|m| {
         let row = |k: usize| [m[4 * k], m[4 * k + 1], m[4 * k + 2], m[4 * k + 3]];
-        Matrix { rows: [row(0), row(1), row(2)] }
+        Matrix {
+            rows: [row(0), row(1), row(2)],
+        }
     });
-    let one = || prop_oneof![Just(Matrix::IDENTITY), turn.clone(), scale.clone(), shear.clone()];
+    let one = || {
+        prop_oneof![
+            Just(Matrix::IDENTITY),
+            turn.clone(),
+            scale.clone(),
+            shear.clone()
+        ]
+    };
     (one(), one()).prop_map(|(a, b)| a.times(&b))
 }
 
@@ -113,11 +161,30 @@ fn matrix() -> impl Strategy<Value = Matrix> {
 #[test]
 fn the_scenes_to_try_are_right() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
-    for name in ["sphere", "triangles", "transforms", "partial-spheres", "quadrics", "instances"] {
-        let options = LoadOptions { resolution: Some([48, 27]), ..LoadOptions::default() };
-        let scene = load(&folder.join(name).with_extension("pbrt"), &options, Progress::SILENT).unwrap();
-        assert!(scene.warnings.is_empty() && scene.shapes.primitive_count() > 0, "{name}");
-        agrees_with_the_reference(&scene.camera, &scene.shapes).unwrap_or_else(|wrong| panic!("{name}: {wrong}"));
+    for name in [
+        "sphere",
+        "triangles",
+        "transforms",
+        "partial-spheres",
+        "quadrics",
+        "instances",
+    ] {
+        let options = LoadOptions {
+            resolution: Some([48, 27]),
+            ..LoadOptions::default()
+        };
+        let scene = load(
+            &folder.join(name).with_extension("pbrt"),
+            &options,
+            Progress::SILENT,
+        )
+        .unwrap();
+        assert!(
+            scene.warnings.is_empty() && scene.shapes.primitive_count() > 0,
+            "{name}"
+        );
+        agrees_with_the_reference(&scene.camera, &scene.shapes)
+            .unwrap_or_else(|wrong| panic!("{name}: {wrong}"));
     }
 }
 
@@ -126,8 +193,9 @@ fn the_scenes_to_try_are_right() {
 fn what_is_too_small_for_f32_beside_the_scene() {
     for small in [-872, -160, -140, -120, -60] {
         for large in [0, 20] {
-            let scaled =
-                |corner: Corner, exponent| Point::from(corner.map(|x| times_power_of_two(f64::from(x), exponent)));
+            let scaled = |corner: Corner, exponent| {
+                Point::from(corner.map(|x| times_power_of_two(f64::from(x), exponent)))
+            };
             let near = [[3, -1, 1], [0, 0, 0], [0, -1, 0]].map(|corner| scaled(corner, small));
             let far = [[-3, -3, -1], [0, 0, 0], [-3, -3, -1]].map(|corner| scaled(corner, large));
             let mut shapes = Shapes::default();
@@ -136,9 +204,20 @@ fn what_is_too_small_for_f32_beside_the_scene() {
             for (axis, eye) in scaled([1, -1, 0], small).to_array().into_iter().enumerate() {
                 world_from_camera.rows[axis][3] = eye;
             }
-            let camera = grid_camera(world_from_camera, Projection::Perspective { tangent: 1.0 }, 5);
-            assert_eq!(judged(&camera, &shapes).iter().filter(|pixel| pixel[0] != 0).count(), 12);
-            agrees_with_the_reference(&camera, &shapes).unwrap_or_else(|wrong| panic!("2^{small}, 2^{large}: {wrong}"));
+            let camera = grid_camera(
+                world_from_camera,
+                Projection::Perspective { tangent: 1.0 },
+                5,
+            );
+            assert_eq!(
+                judged(&camera, &shapes)
+                    .iter()
+                    .filter(|pixel| pixel[0] != 0)
+                    .count(),
+                12
+            );
+            agrees_with_the_reference(&camera, &shapes)
+                .unwrap_or_else(|wrong| panic!("2^{small}, 2^{large}: {wrong}"));
         }
     }
 }

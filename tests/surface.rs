@@ -24,12 +24,21 @@ fn scene_of(text: &str) -> Scene {
 }
 
 fn scene_with(text: &str, options: &LoadOptions) -> Scene {
-    parse(Path::new("a.pbrt"), text.as_bytes().to_vec(), options).unwrap_or_else(|error| panic!("{error}"))
+    parse(Path::new("a.pbrt"), text.as_bytes().to_vec(), options)
+        .unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn image_of(scene: &Scene) -> Image {
     let options = BuildOptions::new(SplitMethod::Sah);
-    picture(&scene.camera, &scene.shapes, options, Precision::Exact, 2, whole(&scene.camera)).image
+    picture(
+        &scene.camera,
+        &scene.shapes,
+        options,
+        Precision::Exact,
+        2,
+        whole(&scene.camera),
+    )
+    .image
 }
 
 /// The world before an eye at the origin that looks along z.
@@ -56,7 +65,9 @@ const CENTRE: usize = 20 * 41 + 20;
 
 fn hits(image: &Image) -> Vec<usize> {
     let coverage = measures(image, ChannelName::A);
-    (0..coverage.len()).filter(|pixel| coverage[*pixel] == 1.0).collect()
+    (0..coverage.len())
+        .filter(|pixel| coverage[*pixel] == 1.0)
+        .collect()
 }
 
 /// Every kind of shape, cut, mirrored, turned round and instanced; a sliver, and a triangle that lies nearly in the rays.
@@ -86,9 +97,11 @@ fn surfaces_depend_on_no_way_of_computing() {
         for precision in Precision::ALL {
             let image = agreed_picture(&scene.camera, &scene.shapes, precision).image;
             assert!(hits(&image).len() > 500);
-            assert!(
-                ChannelName::SURFACE.iter().all(|name| measures(&image, *name).iter().all(|value| value.is_finite()))
-            );
+            assert!(ChannelName::SURFACE.iter().all(|name| {
+                measures(&image, *name)
+                    .iter()
+                    .all(|value| value.is_finite())
+            }));
         }
     }
 }
@@ -97,15 +110,46 @@ fn surfaces_depend_on_no_way_of_computing() {
 fn crops_are_parts_of_the_whole() {
     let options = BuildOptions::new(SplitMethod::Sah);
     for Scene { camera, shapes, .. } in both_cameras() {
-        let all = picture(&camera, &shapes, options, Precision::Exact, 1, whole(&camera)).image;
-        for window in [PixelBounds { x0: 3, x1: 30, y0: 17, y1: 18 }, PixelBounds { x0: 15, x1: 41, y0: 1, y1: 41 }] {
+        let all = picture(
+            &camera,
+            &shapes,
+            options,
+            Precision::Exact,
+            1,
+            whole(&camera),
+        )
+        .image;
+        for window in [
+            PixelBounds {
+                x0: 3,
+                x1: 30,
+                y0: 17,
+                y1: 18,
+            },
+            PixelBounds {
+                x0: 15,
+                x1: 41,
+                y0: 1,
+                y1: 41,
+            },
+        ] {
             let part = picture(&camera, &shapes, options, Precision::Exact, 3, window).image;
-            for Channel { name, .. } in part.channels.iter().filter(|channel| channel.name.is_of_surface()) {
+            for Channel { name, .. } in part
+                .channels
+                .iter()
+                .filter(|channel| channel.name.is_of_surface())
+            {
                 let (all, part) = (measures(&all, *name), measures(&part, *name));
                 let rows = part.chunks_exact(window.width() as usize);
                 for (row, y) in rows.zip(window.y0 as usize..) {
                     let of_whole = &all[41 * y + window.x0 as usize..41 * y + window.x1 as usize];
-                    assert!(row.iter().zip(of_whole).all(|(a, b)| a.to_bits() == b.to_bits()), "{}", name.as_str());
+                    assert!(
+                        row.iter()
+                            .zip(of_whole)
+                            .all(|(a, b)| a.to_bits() == b.to_bits()),
+                        "{}",
+                        name.as_str()
+                    );
                 }
             }
         }
@@ -117,21 +161,39 @@ fn misses_are_0() {
     let image = image_of(&seen("Translate 0 0 3 Shape \"sphere\""));
     let coverage = measures(&image, ChannelName::A);
     for pixel in (0..coverage.len()).filter(|pixel| coverage[*pixel] == 0.0) {
-        assert!(ChannelName::SURFACE.iter().all(|name| measures(&image, *name)[pixel].to_bits() == 0));
+        assert!(
+            ChannelName::SURFACE
+                .iter()
+                .all(|name| measures(&image, *name)[pixel].to_bits() == 0)
+        );
     }
 }
 
 #[test]
 fn points_are_where_the_depth_says() {
     for Scene { camera, shapes, .. } in both_cameras() {
-        let image =
-            picture(&camera, &shapes, BuildOptions::new(SplitMethod::Sah), Precision::Exact, 2, whole(&camera)).image;
+        let image = picture(
+            &camera,
+            &shapes,
+            BuildOptions::new(SplitMethod::Sah),
+            Precision::Exact,
+            2,
+            whole(&camera),
+        )
+        .image;
         for pixel in hits(&image) {
             let ray = camera.ray(pixel as u32 % 41, pixel as u32 / 41);
-            let along = ray.origin + ray.direction * f64::from(measures(&image, ChannelName::Z)[pixel]);
+            let along =
+                ray.origin + ray.direction * f64::from(measures(&image, ChannelName::Z)[pixel]);
             let point = triple(&image, POINT, pixel);
-            let largest = along.to_array().into_iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
-            assert!((0..3).all(|k| (point[k] - along[k]).abs() <= 1e-6 * largest), "{point:?} is not {along:?}");
+            let largest = along
+                .to_array()
+                .into_iter()
+                .fold(0.0, |largest: f64, x| largest.max(x.abs()));
+            assert!(
+                (0..3).all(|k| (point[k] - along[k]).abs() <= 1e-6 * largest),
+                "{point:?} is not {along:?}"
+            );
             let length: f64 = triple(&image, NORMAL, pixel).map(|x| x * x).iter().sum();
             assert!((length - 1.0).abs() < 1e-6, "{length}");
         }
@@ -152,7 +214,10 @@ fn spheres_have_the_normals_of_spheres() {
             let from_centre = [0, 1, 2].map(|k| point[k] - centre[k]);
             let distance = from_centre.iter().map(|x| x * x).sum::<f64>().sqrt();
             assert!((distance - radius).abs() < 1e-6 * radius, "{distance}");
-            assert!((0..3).all(|k| (normal[k] - from_centre[k] / radius).abs() < 4e-7), "{normal:?}");
+            assert!(
+                (0..3).all(|k| (normal[k] - from_centre[k] / radius).abs() < 4e-7),
+                "{normal:?}"
+            );
         }
     }
 }
@@ -161,7 +226,11 @@ fn spheres_have_the_normals_of_spheres() {
 #[track_caller]
 fn assert_normal(world: &str, expected: f64) {
     let image = image_of(&seen(world));
-    assert_eq!(triple(&image, NORMAL, CENTRE), [0.0, 0.0, expected], "{world}");
+    assert_eq!(
+        triple(&image, NORMAL, CENTRE),
+        [0.0, 0.0, expected],
+        "{world}"
+    );
 }
 
 const TRIANGLE: &str = "Shape \"trianglemesh\" \"point3 P\" [ -1 -1 2  1 -1 2  0 1 2 ]";
@@ -170,7 +239,10 @@ const SPHERE: &str = "Translate 0 0 3 Shape \"sphere\"";
 #[test]
 fn triangles_show_the_side_of_their_corners_whatever_mirrors_them() {
     assert_normal(TRIANGLE, 1.0);
-    assert_normal(&TRIANGLE.replace("-1 -1 2  1 -1 2", "1 -1 2  -1 -1 2"), -1.0);
+    assert_normal(
+        &TRIANGLE.replace("-1 -1 2  1 -1 2", "1 -1 2  -1 -1 2"),
+        -1.0,
+    );
     assert_normal(&format!("ReverseOrientation {TRIANGLE}"), -1.0);
     assert_normal(&format!("Scale -1 1 1 {TRIANGLE}"), 1.0);
     assert_normal(&format!("Scale -1 1 1 ReverseOrientation {TRIANGLE}"), -1.0);
@@ -186,7 +258,10 @@ fn triangles_show_the_side_of_their_corners_whatever_mirrors_them() {
     assert_normal(subdivided, -1.0);
     assert_normal(&format!("ReverseOrientation {subdivided}"), 1.0);
     assert_normal(&format!("Scale -1 1 1 {subdivided}"), -1.0);
-    assert_normal(&format!("ObjectBegin \"a\" {subdivided} ObjectEnd Scale -1 1 1 ObjectInstance \"a\""), -1.0);
+    assert_normal(
+        &format!("ObjectBegin \"a\" {subdivided} ObjectEnd Scale -1 1 1 ObjectInstance \"a\""),
+        -1.0,
+    );
 }
 
 #[test]
@@ -226,39 +301,81 @@ fn a_radius_below_0_turns_what_is_not_a_sphere() {
 #[test]
 fn signs_count_for_v_of_a_disk() {
     let corner = 0.5f64.hypot(0.5);
-    for (radius, inner) in [(1.0, 0.5), (1.0, -0.5), (-1.0, 0.0), (-1.0, 0.5), (-1.0, -0.5), (1.0, 0.0)] {
-        let disk = format!("Translate 0 0 2 Shape \"disk\" \"float radius\" {radius} \"float innerradius\" {inner}");
-        let image = image_of(&seen_by("orthographic\" \"float screenwindow\" [ -1.025 1.025 -1.025 1.025 ]", &disk));
+    for (radius, inner) in [
+        (1.0, 0.5),
+        (1.0, -0.5),
+        (-1.0, 0.0),
+        (-1.0, 0.5),
+        (-1.0, -0.5),
+        (1.0, 0.0),
+    ] {
+        let disk = format!(
+            "Translate 0 0 2 Shape \"disk\" \"float radius\" {radius} \"float innerradius\" {inner}"
+        );
+        let image = image_of(&seen_by(
+            "orthographic\" \"float screenwindow\" [ -1.025 1.025 -1.025 1.025 ]",
+            &disk,
+        ));
         let v = f64::from(measures(&image, ChannelName::V)[10 * 41 + 30]);
-        assert!((v - (radius - corner) / (radius - inner)).abs() < 1e-6, "{radius} {inner}: {v}");
+        assert!(
+            (v - (radius - corner) / (radius - inner)).abs() < 1e-6,
+            "{radius} {inner}: {v}"
+        );
     }
 }
 
 #[test]
 fn instances_show_the_side_of_their_object() {
     let instance = |object: &str, place: &str| {
-        format!("ObjectBegin \"a\" {object} ObjectEnd AttributeBegin {place} ObjectInstance \"a\" AttributeEnd")
+        format!(
+            "ObjectBegin \"a\" {object} ObjectEnd AttributeBegin {place} ObjectInstance \"a\" AttributeEnd"
+        )
     };
-    for place in ["", "Scale -1 1 1", "Scale -2 -1 1", "ReverseOrientation", "ReverseOrientation Scale -1 1 1"] {
+    for place in [
+        "",
+        "Scale -1 1 1",
+        "Scale -2 -1 1",
+        "ReverseOrientation",
+        "ReverseOrientation Scale -1 1 1",
+    ] {
         assert_normal(&instance(TRIANGLE, place), 1.0);
-        assert_normal(&instance(&format!("ReverseOrientation {TRIANGLE}"), place), -1.0);
+        assert_normal(
+            &instance(&format!("ReverseOrientation {TRIANGLE}"), place),
+            -1.0,
+        );
         assert_normal(&instance(&format!("Scale -1 1 1 {TRIANGLE}"), place), 1.0);
         assert_normal(&instance(SPHERE, place), -1.0);
-        assert_normal(&instance(&format!("ReverseOrientation {SPHERE}"), place), 1.0);
+        assert_normal(
+            &instance(&format!("ReverseOrientation {SPHERE}"), place),
+            1.0,
+        );
         assert_normal(&instance(&format!("Scale -1 1 1 {SPHERE}"), place), 1.0);
     }
 }
 
 #[test]
 fn orientation_is_reversed_within_its_block_and_in_the_world() {
-    assert_normal(&format!("ReverseOrientation ReverseOrientation {TRIANGLE}"), 1.0);
-    assert_normal(&format!("AttributeBegin ReverseOrientation AttributeEnd {TRIANGLE}"), 1.0);
-    assert_normal(&format!("ReverseOrientation AttributeBegin {TRIANGLE} AttributeEnd"), -1.0);
-    assert_normal(&format!("ReverseOrientation AttributeBegin ReverseOrientation {TRIANGLE} AttributeEnd"), 1.0);
+    assert_normal(
+        &format!("ReverseOrientation ReverseOrientation {TRIANGLE}"),
+        1.0,
+    );
+    assert_normal(
+        &format!("AttributeBegin ReverseOrientation AttributeEnd {TRIANGLE}"),
+        1.0,
+    );
+    assert_normal(
+        &format!("ReverseOrientation AttributeBegin {TRIANGLE} AttributeEnd"),
+        -1.0,
+    );
+    assert_normal(
+        &format!("ReverseOrientation AttributeBegin ReverseOrientation {TRIANGLE} AttributeEnd"),
+        1.0,
+    );
     let before = format!("ReverseOrientation WorldBegin {TRIANGLE}");
-    let image = image_of(&scene_of(
-        &before.replace("Reverse", "Film \"image\" \"integer xresolution\" 1 \"integer yresolution\" 1 Reverse"),
-    ));
+    let image = image_of(&scene_of(&before.replace(
+        "Reverse",
+        "Film \"image\" \"integer xresolution\" 1 \"integer yresolution\" 1 Reverse",
+    )));
     assert_eq!(triple(&image, NORMAL, 0), [0.0, 0.0, 1.0]);
 }
 
@@ -269,9 +386,12 @@ fn instances_are_like_what_they_stand_for() {
     );
     let place = "Translate 0.3 0.2 2 Rotate 33 1 2 3 Scale 0.9 1.1 1.3";
     let instanced = format!("ObjectBegin \"a\" {object} ObjectEnd {place} ObjectInstance \"a\"");
-    let [mut instanced, mut written] = [instanced, format!("{place} {object}")].map(|world| image_of(&seen(&world)));
+    let [mut instanced, mut written] =
+        [instanced, format!("{place} {object}")].map(|world| image_of(&seen(&world)));
     for image in [&mut instanced, &mut written] {
-        image.channels.retain(|channel| channel.name != ChannelName::Instance);
+        image
+            .channels
+            .retain(|channel| channel.name != ChannelName::Instance);
     }
     assert!(hits(&written).len() > 100);
     assert_same(&written, &instanced, "written out");
@@ -285,49 +405,105 @@ const UV: &str = "0 0.25  1 0.5  2 -3  -0.125 1";
 fn a_mesh_has_the_same_coordinates_in_all_forms() {
     let folder = tempfile::tempdir().unwrap();
     let (p, uv): (Vec<f32>, Vec<f32>) = {
-        let numbers = |text: &str| text.split_whitespace().map(|word| word.parse().unwrap()).collect();
+        let numbers = |text: &str| {
+            text.split_whitespace()
+                .map(|word| word.parse().unwrap())
+                .collect()
+        };
         (numbers(P), numbers(UV))
     };
-    let vertex = |k: usize| [p[3 * k], p[3 * k + 1], p[3 * k + 2], uv[2 * k], uv[2 * k + 1]];
+    let vertex = |k: usize| {
+        [
+            p[3 * k],
+            p[3 * k + 1],
+            p[3 * k + 2],
+            uv[2 * k],
+            uv[2 * k + 1],
+        ]
+    };
     let header = |encoding: &str| {
         format!(
             "ply\nformat {encoding} 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nproperty float s\n\
              property float t\nelement face 1\nproperty list uchar uchar vertex_indices\nend_header\n"
         )
     };
-    let lines: String = (0..4).map(|k| vertex(k).map(|x| x.to_string()).join(" ") + "\n").collect();
-    let binary = (0..4).flat_map(vertex).flat_map(f32::to_le_bytes).chain([4, 0, 1, 2, 3]);
-    let binary: Vec<u8> = header("binary_little_endian").into_bytes().into_iter().chain(binary).collect();
+    let lines: String = (0..4)
+        .map(|k| vertex(k).map(|x| x.to_string()).join(" ") + "\n")
+        .collect();
+    let binary = (0..4)
+        .flat_map(vertex)
+        .flat_map(f32::to_le_bytes)
+        .chain([4, 0, 1, 2, 3]);
+    let binary: Vec<u8> = header("binary_little_endian")
+        .into_bytes()
+        .into_iter()
+        .chain(binary)
+        .collect();
     let statement = |keyword: &str, size: usize, values: &[f32]| -> String {
         values
             .chunks(size)
-            .map(|line| format!("{keyword} {}\n", line.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ")))
+            .map(|line| {
+                format!(
+                    "{keyword} {}\n",
+                    line.iter()
+                        .map(ToString::to_string)
+                        .collect::<Vec<_>>()
+                        .join(" ")
+                )
+            })
             .collect()
     };
-    let obj = format!("{}{}f 1/1 2/2 3/3 4/4\n", statement("v", 3, &p), statement("vt", 2, &uv));
+    let obj = format!(
+        "{}{}f 1/1 2/2 3/3 4/4\n",
+        statement("v", 3, &p),
+        statement("vt", 2, &uv)
+    );
     for (name, bytes) in [
-        ("a.ply", format!("{}{lines}4 0 1 2 3\n", header("ascii")).into_bytes()),
+        (
+            "a.ply",
+            format!("{}{lines}4 0 1 2 3\n", header("ascii")).into_bytes(),
+        ),
         ("b.ply", binary),
         ("c.obj", obj.into_bytes()),
     ] {
         std::fs::write(folder.path().join(name), bytes).unwrap();
     }
     let arrays = format!("\"point3 P\" [ {P} ] \"integer indices\" [ 0 1 2 0 2 3 ]");
-    let expected = image_of(&seen(&format!("Shape \"trianglemesh\" {arrays} \"point2 uv\" [ {UV} ]")));
+    let expected = image_of(&seen(&format!(
+        "Shape \"trianglemesh\" {arrays} \"point2 uv\" [ {UV} ]"
+    )));
     let file = |kind: &str, name: &str| {
-        format!("Shape \"{kind}\" \"string filename\" \"{}\"", folder.path().join(name).display())
+        format!(
+            "Shape \"{kind}\" \"string filename\" \"{}\"",
+            folder.path().join(name).display()
+        )
     };
-    let [a, b, c] = [file("plymesh", "a.ply"), file("plymesh", "b.ply"), file("objmesh", "c.obj")];
+    let [a, b, c] = [
+        file("plymesh", "a.ply"),
+        file("plymesh", "b.ply"),
+        file("objmesh", "c.obj"),
+    ];
     let instanced = format!("ObjectBegin \"a\" {b} ObjectEnd ObjectInstance \"a\"");
-    for world in [format!("Shape \"trianglemesh\" {arrays} \"float st\" [ {UV} ]"), a.clone(), b, c, instanced] {
+    for world in [
+        format!("Shape \"trianglemesh\" {arrays} \"float st\" [ {UV} ]"),
+        a.clone(),
+        b,
+        c,
+        instanced,
+    ] {
         let image = image_of(&seen(&world));
         assert!(
-            [ChannelName::U, ChannelName::V].iter().all(|name| measures(&image, *name) == measures(&expected, *name)),
+            [ChannelName::U, ChannelName::V]
+                .iter()
+                .all(|name| measures(&image, *name) == measures(&expected, *name)),
             "{world}"
         );
     }
     // In the middle of the edge between both.
-    assert_eq!([ChannelName::U, ChannelName::V].map(|name| measures(&expected, name)[CENTRE]), [1.0, -1.375]);
+    assert_eq!(
+        [ChannelName::U, ChannelName::V].map(|name| measures(&expected, name)[CENTRE]),
+        [1.0, -1.375]
+    );
     let plain = scene_with(&format!("WorldBegin {a}"), &LoadOptions::default());
     let kept = scene_with(&format!("WorldBegin {a}"), &SURFACE);
     assert!(plain.shapes.bytes() < kept.shapes.bytes());
@@ -337,7 +513,9 @@ fn a_mesh_has_the_same_coordinates_in_all_forms() {
 fn what_nobody_asks_for_is_not_kept() {
     let mirrored = "WorldBegin Scale -1 1 1 ReverseOrientation Shape \"sphere\" ReverseOrientation Shape \"disk\"";
     let bytes = |text: &str, options: &LoadOptions| scene_with(text, options).shapes.bytes();
-    let arrays = format!("WorldBegin Shape \"trianglemesh\" \"point3 P\" [ {P} ] \"integer indices\" [ 0 1 2 0 2 3 ]");
+    let arrays = format!(
+        "WorldBegin Shape \"trianglemesh\" \"point3 P\" [ {P} ] \"integer indices\" [ 0 1 2 0 2 3 ]"
+    );
     let with_uv = format!("{arrays} \"point2 uv\" [ {UV} ]");
     let default = LoadOptions::default();
     assert_eq!(bytes(&with_uv, &default), bytes(&arrays, &default));
@@ -349,9 +527,12 @@ fn what_nobody_asks_for_is_not_kept() {
 #[test]
 fn meshes_without_coordinates_have_those_of_pbrt() {
     // The corners are seen through the middles of pixels, at 0.8 times the half width.
-    let image = image_of(&seen("Shape \"trianglemesh\" \"point3 P\" [ -10 -10 10.25  10 -10 10.25  10 10 10.25 ]"));
-    let at =
-        |x: usize, y: usize| [ChannelName::U, ChannelName::V].map(|name| measures(&image, name)[(40 - y) * 41 + x]);
+    let image = image_of(&seen(
+        "Shape \"trianglemesh\" \"point3 P\" [ -10 -10 10.25  10 -10 10.25  10 10 10.25 ]",
+    ));
+    let at = |x: usize, y: usize| {
+        [ChannelName::U, ChannelName::V].map(|name| measures(&image, name)[(40 - y) * 41 + x])
+    };
     assert_eq!(
         [at(0, 0), at(40, 0), at(40, 40), at(20, 20), at(30, 10)],
         [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.5, 0.5], [0.75, 0.25]]
@@ -360,7 +541,8 @@ fn meshes_without_coordinates_have_those_of_pbrt() {
         "Shape \"bilinearmesh\" \"point3 P\" [ -10 -10 10.25  10 -10 10.25  -10 10 10.25  10 10 10.25 ]",
     ));
     for (x, y) in [(0, 0), (10, 30), (30, 10), (40, 40), (0, 40)] {
-        let found = [ChannelName::U, ChannelName::V].map(|name| measures(&patch, name)[(40 - y) * 41 + x]);
+        let found =
+            [ChannelName::U, ChannelName::V].map(|name| measures(&patch, name)[(40 - y) * 41 + x]);
         assert_eq!(found, [x as f32 / 40.0, y as f32 / 40.0]);
     }
 }
@@ -368,15 +550,34 @@ fn meshes_without_coordinates_have_those_of_pbrt() {
 #[test]
 fn coordinates_in_the_wrong_number_are_a_warning() {
     for (uv, found) in [
-        ("point2 uv\" [ 0 0 1 0 ]", "`uv` has 4 numbers, expected two a vertex: 6; they are ignored"),
-        ("float st\" [ 0 0 1 0 1 1 2 ]", "`st` has 7 numbers, expected two a vertex: 6; the rest are dropped"),
+        (
+            "point2 uv\" [ 0 0 1 0 ]",
+            "`uv` has 4 numbers, expected two a vertex: 6; they are ignored",
+        ),
+        (
+            "float st\" [ 0 0 1 0 1 1 2 ]",
+            "`st` has 7 numbers, expected two a vertex: 6; the rest are dropped",
+        ),
     ] {
-        let text = format!("WorldBegin\nShape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 0 0 0 1 0 ] \"{uv}");
+        let text =
+            format!("WorldBegin\nShape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 0 0 0 1 0 ] \"{uv}");
         let scene = parse(Path::new("a.pbrt"), text.clone().into_bytes(), &SURFACE).unwrap();
-        let said: Vec<String> = scene.warnings.iter().map(|warning| warning.first.to_string()).collect();
-        assert!(said.len() == 1 && said[0].starts_with("a.pbrt:2:") && said[0].contains(found), "{said:?}");
+        let said: Vec<String> = scene
+            .warnings
+            .iter()
+            .map(|warning| warning.first.to_string())
+            .collect();
+        assert!(
+            said.len() == 1 && said[0].starts_with("a.pbrt:2:") && said[0].contains(found),
+            "{said:?}"
+        );
         assert_eq!(scene.shapes.triangle_count(), 1);
-        let without = parse(Path::new("a.pbrt"), text.into_bytes(), &LoadOptions::default()).unwrap();
+        let without = parse(
+            Path::new("a.pbrt"),
+            text.into_bytes(),
+            &LoadOptions::default(),
+        )
+        .unwrap();
         assert!(without.warnings.is_empty());
     }
 }

@@ -17,7 +17,12 @@ const VIEW: &str = "LookAt 0 0 -5  0 0 0  0 1 0 Camera \"perspective\" \"float f
     Film \"image\" \"integer xresolution\" 24 \"integer yresolution\" 24 WorldBegin";
 
 fn scene(world: &str) -> Scene {
-    parse(Path::new("a.pbrt"), format!("{VIEW} {world}").into_bytes(), &LoadOptions::default()).unwrap()
+    parse(
+        Path::new("a.pbrt"),
+        format!("{VIEW} {world}").into_bytes(),
+        &LoadOptions::default(),
+    )
+    .unwrap()
 }
 
 /// `count` times what `shape` says of each number.
@@ -32,15 +37,31 @@ fn assert_decided_once(world: &str) {
     let Scene { camera, shapes, .. } = scene(world);
     let expected = judged(&camera, &shapes);
     assert!(expected.iter().any(|pixel| pixel[0] > 0), "{world}");
-    let rendering = picture(&camera, &shapes, BuildOptions::new(SplitMethod::Sah), Precision::Exact, 1, whole(&camera));
+    let rendering = picture(
+        &camera,
+        &shapes,
+        BuildOptions::new(SplitMethod::Sah),
+        Precision::Exact,
+        1,
+        whole(&camera),
+    );
     assert!(rendered(&rendering.image) == expected, "{world}");
     assert_eq!(rendering.traced.fallbacks.comparisons, 0, "{world}");
-    let aggregate = Aggregate::build(&shapes, camera.anchor(), BuildOptions::new(SplitMethod::Sah), Progress::SILENT);
+    let aggregate = Aggregate::build(
+        &shapes,
+        camera.anchor(),
+        BuildOptions::new(SplitMethod::Sah),
+        Progress::SILENT,
+    );
     let mut tracer = Tracer::new(&aggregate, &shapes, Precision::Exact);
     let pixels = (0..24).flat_map(|y| (0..24).map(move |x| [x, y]));
     for ([x, y], [prim, ..]) in pixels.zip(&expected) {
         let hit = tracer.closest_hit(&camera.ray(x, y));
-        assert_eq!(hit.map_or(0, |hit| shapes.image_number(hit.primitive)), *prim, "{x}, {y} alone: {world}");
+        assert_eq!(
+            hit.map_or(0, |hit| shapes.image_number(hit.primitive)),
+            *prim,
+            "{x}, {y} alone: {world}"
+        );
     }
     assert_eq!(tracer.fallbacks().comparisons, 0, "rays alone: {world}");
 }
@@ -51,21 +72,40 @@ const TURN: &str = "Rotate 33 1 2 3";
 fn surfaces_in_one_place_are_compared_once() {
     assert_decided_once(&format!(
         "{TURN} {}",
-        many(20, |k| format!("Shape \"disk\" \"float radius\" {}", 2.0 - f64::from(k) / 100.0))
+        many(20, |k| format!(
+            "Shape \"disk\" \"float radius\" {}",
+            2.0 - f64::from(k) / 100.0
+        ))
     ));
     assert_decided_once(&format!(
         "{TURN} {}",
-        many(20, |k| format!("Shape \"disk\" \"float phimax\" {}", 360 - 17 * k))
+        many(20, |k| format!(
+            "Shape \"disk\" \"float phimax\" {}",
+            360 - 17 * k
+        ))
     ));
     assert_decided_once(&many(20, |k| {
         let x = f64::from(k) / 16.0 - 0.5;
-        format!("AttributeBegin Translate {x} {} 0 Shape \"disk\" AttributeEnd ", -x)
+        format!(
+            "AttributeBegin Translate {x} {} 0 Shape \"disk\" AttributeEnd ",
+            -x
+        )
     }));
-    assert_decided_once(&format!("{TURN} {}", many(20, |_| "Shape \"sphere\" ".to_owned())));
-    assert_decided_once(&format!("{TURN} {}", many(20, |_| "Shape \"cylinder\" ".to_owned())));
+    assert_decided_once(&format!(
+        "{TURN} {}",
+        many(20, |_| "Shape \"sphere\" ".to_owned())
+    ));
+    assert_decided_once(&format!(
+        "{TURN} {}",
+        many(20, |_| "Shape \"cylinder\" ".to_owned())
+    ));
     let parts = |kind: &str| {
         many(20, |k| {
-            format!("Shape \"{kind}\" \"float phimax\" {} \"float zmax\" {} ", 60 + 15 * k, f64::from(k % 7) / 7.0)
+            format!(
+                "Shape \"{kind}\" \"float phimax\" {} \"float zmax\" {} ",
+                60 + 15 * k,
+                f64::from(k % 7) / 7.0
+            )
         })
     };
     assert_decided_once(&format!("{TURN} {}", parts("sphere")));
@@ -87,9 +127,16 @@ fn triangles_in_one_plane_are_compared_once() {
     let tilted = many(20, |k| triangle(k, &|x, y| 0.5 * x + 0.25 * y));
     assert_decided_once(&tilted);
     // No plane, but one triangle again and again.
-    assert_decided_once(&format!("{TURN} {}", many(20, |_| triangle(3, &|_, _| 0.25))));
-    let object = format!("ObjectBegin \"a\" {tilted} Shape \"disk\" Shape \"disk\" \"float radius\" 2 ObjectEnd");
-    assert_decided_once(&format!("{object} ObjectInstance \"a\" ObjectInstance \"a\""));
+    assert_decided_once(&format!(
+        "{TURN} {}",
+        many(20, |_| triangle(3, &|_, _| 0.25))
+    ));
+    let object = format!(
+        "ObjectBegin \"a\" {tilted} Shape \"disk\" Shape \"disk\" \"float radius\" 2 ObjectEnd"
+    );
+    assert_decided_once(&format!(
+        "{object} ObjectInstance \"a\" ObjectInstance \"a\""
+    ));
     // A disk in the plane of triangles.
     let level = many(20, |k| triangle(k, &|_, _| 0.25));
     assert_decided_once(&format!(
@@ -118,7 +165,12 @@ fn what_is_off_by_a_rounding_is_told_apart() {
 #[derive(Debug, Clone)]
 enum Piece {
     Triangle([[i32; 2]; 3]),
-    Round { form: u32, radius: i32, ends: [i32; 2], phi_max: i32 },
+    Round {
+        form: u32,
+        radius: i32,
+        ends: [i32; 2],
+        phi_max: i32,
+    },
 }
 
 fn piece() -> impl Strategy<Value = Piece> {
@@ -126,8 +178,14 @@ fn piece() -> impl Strategy<Value = Piece> {
     let phi_max = prop::sample::select(vec![0, 90, 135, 180, 270, 360]);
     prop_oneof![
         prop::array::uniform3(corner()).prop_map(Piece::Triangle),
-        (0u32..3, 1i32..4, prop::array::uniform2(-2i32..3), phi_max)
-            .prop_map(|(form, radius, ends, phi_max)| Piece::Round { form, radius, ends, phi_max }),
+        (0u32..3, 1i32..4, prop::array::uniform2(-2i32..3), phi_max).prop_map(
+            |(form, radius, ends, phi_max)| Piece::Round {
+                form,
+                radius,
+                ends,
+                phi_max
+            }
+        ),
     ]
 }
 
@@ -135,21 +193,35 @@ fn piece() -> impl Strategy<Value = Piece> {
 /// instances: with few sizes to choose from, so that many are the same.
 fn shapes_of(pieces: &[(Piece, bool)], place: &Matrix, level: i32) -> Shapes {
     let (mut shapes, mut object) = (Shapes::default(), Shapes::default());
-    let transforms = [shapes.add_transform(*place), object.add_transform(Matrix::IDENTITY)];
+    let transforms = [
+        shapes.add_transform(*place),
+        object.add_transform(Matrix::IDENTITY),
+    ];
     for ((piece, is_in_object), shape) in pieces.iter().zip(1..) {
-        let (store, transform) =
-            if *is_in_object { (&mut object, transforms[1]) } else { (&mut shapes, transforms[0]) };
+        let (store, transform) = if *is_in_object {
+            (&mut object, transforms[1])
+        } else {
+            (&mut shapes, transforms[0])
+        };
         match piece {
             Piece::Triangle(corners) => {
                 let corners = corners.map(|[x, y]| Point::from([x, y, level].map(f64::from)));
                 if *is_in_object {
-                    store.add_object_mesh(corners.to_vec(), vec![[0, 1, 2]], transform, shape).unwrap();
+                    store
+                        .add_object_mesh(corners.to_vec(), vec![[0, 1, 2]], transform, shape)
+                        .unwrap();
                 } else {
                     add_triangles(store, &[corners], place, shape);
                 }
             }
-            Piece::Round { form, radius, ends, phi_max } => {
-                let (radius, [low, high], phi_max) = (f64::from(*radius), ends.map(f64::from), f64::from(*phi_max));
+            Piece::Round {
+                form,
+                radius,
+                ends,
+                phi_max,
+            } => {
+                let (radius, [low, high], phi_max) =
+                    (f64::from(*radius), ends.map(f64::from), f64::from(*phi_max));
                 let form = match form {
                     0 => Form::Disk(Disk::new(f64::from(level), low, phi_max)),
                     1 => Form::Sphere(Cut::new(radius, low, high, phi_max)),

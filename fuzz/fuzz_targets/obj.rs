@@ -8,6 +8,11 @@ use std::path::Path;
 fuzz_target!(|bytes: &[u8]| {
     if let Ok(loaded) = parse_obj(Path::new("fuzz.obj"), bytes) {
         let mesh = &loaded.mesh;
-        assert!(mesh.triangles.iter().flatten().all(|corner| (*corner as usize) < mesh.vertices.len()));
+        assert!(
+            mesh.triangles
+                .iter()
+                .flatten()
+                .all(|corner| (*corner as usize) < mesh.vertices.len())
+        );
     }
 });

@@ -8,6 +8,11 @@ use std::path::Path;
 fuzz_target!(|bytes: &[u8]| {
     if let Ok(loaded) = parse_ply(Path::new("fuzz.ply"), bytes) {
         let mesh = &loaded.mesh;
-        assert!(mesh.triangles.iter().flatten().all(|corner| (*corner as usize) < mesh.vertices.len()));
+        assert!(
+            mesh.triangles
+                .iter()
+                .flatten()
+                .all(|corner| (*corner as usize) < mesh.vertices.len())
+        );
     }
 });

@@ -7,7 +7,10 @@ use std::path::Path;
 
 fuzz_target!(|bytes: &[u8]| {
     if let Ok(picture) = png_reader::decode(Path::new("fuzz.png"), bytes) {
-        assert_eq!(picture.pixels.len() as u64, u64::from(picture.width) * u64::from(picture.height));
+        assert_eq!(
+            picture.pixels.len() as u64,
+            u64::from(picture.width) * u64::from(picture.height)
+        );
     }
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("fuzz.png");

@@ -6,8 +6,15 @@ use libfuzzer_sys::fuzz_target;
 use std::path::Path;
 
 fuzz_target!(|bytes: &[u8]| {
-    let Ok(poses) = parse_poses(Path::new("fuzz.json"), bytes) else { return };
-    let scene = parse(Path::new("fuzz.pbrt"), b"WorldBegin".to_vec(), &LoadOptions::default()).unwrap();
+    let Ok(poses) = parse_poses(Path::new("fuzz.json"), bytes) else {
+        return;
+    };
+    let scene = parse(
+        Path::new("fuzz.pbrt"),
+        b"WorldBegin".to_vec(),
+        &LoadOptions::default(),
+    )
+    .unwrap();
     for pose in poses {
         let (camera, film) = pose.place(&scene);
         assert_eq!(camera.resolution, film.resolution);

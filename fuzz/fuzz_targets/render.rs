@@ -19,13 +19,25 @@ fuzz_target!(|bytes: &[u8]| -> Corpus {
         return Corpus::Reject;
     }
     let path = Path::new("/no such folder/fuzz.pbrt");
-    let options = LoadOptions { resolution: Some([9, 7]), orientation: true, uv: true, ..LoadOptions::default() };
-    let Ok(scene) = parse(path, bytes.to_vec(), &options) else { return Corpus::Keep };
+    let options = LoadOptions {
+        resolution: Some([9, 7]),
+        orientation: true,
+        uv: true,
+        ..LoadOptions::default()
+    };
+    let Ok(scene) = parse(path, bytes.to_vec(), &options) else {
+        return Corpus::Keep;
+    };
     if scene.shapes.primitive_count() > MOST_PRIMITIVES {
         return Corpus::Reject;
     }
     let plain = picture(&scene, SplitMethod::None, Level::Portable);
-    for method in [SplitMethod::Middle, SplitMethod::Equal, SplitMethod::Sah, SplitMethod::Hlbvh] {
+    for method in [
+        SplitMethod::Middle,
+        SplitMethod::Equal,
+        SplitMethod::Sah,
+        SplitMethod::Hlbvh,
+    ] {
         assert_eq!(picture(&scene, method, Level::detect()), plain, "{method}");
     }
     Corpus::Keep
@@ -33,22 +45,41 @@ fuzz_target!(|bytes: &[u8]| -> Corpus {
 
 /// The bits of all channels.
 fn picture(scene: &Scene, method: SplitMethod, level: Level) -> Vec<u32> {
-    let aggregate =
-        Aggregate::build(&scene.shapes, scene.camera.anchor(), BuildOptions::new(method), Progress::SILENT);
+    let aggregate = Aggregate::build(
+        &scene.shapes,
+        scene.camera.anchor(),
+        BuildOptions::new(method),
+        Progress::SILENT,
+    );
     let [width, height] = scene.camera.resolution;
     let options = RenderOptions {
         data_window: PixelBounds::of_film(width, height),
-        channels: ChannelName::ALL.into_iter().filter(|name| *name != ChannelName::Cost).collect(),
+        channels: ChannelName::ALL
+            .into_iter()
+            .filter(|name| *name != ChannelName::Cost)
+            .collect(),
         miss: f32::INFINITY,
         counted: false,
         level,
         precision: Precision::Exact,
     };
-    let rendering = render(&scene.camera, &scene.shapes, &aggregate, &options, Progress::SILENT).expect("memory");
+    let rendering = render(
+        &scene.camera,
+        &scene.shapes,
+        &aggregate,
+        &options,
+        Progress::SILENT,
+    )
+    .expect("memory");
     assert_eq!(rendering.image.validate(), Ok(()));
     let bits = |samples: &Samples| match samples {
         Samples::F32(values) => values.iter().map(|value| value.to_bits()).collect(),
         Samples::U32(values) => values.clone(),
     };
-    rendering.image.channels.iter().flat_map(|channel| bits(&channel.samples)).collect()
+    rendering
+        .image
+        .channels
+        .iter()
+        .flat_map(|channel| bits(&channel.samples))
+        .collect()
 }

@@ -33,7 +33,12 @@ impl Aggregate {
     /// precise: the eye. The tree depends on nothing else, on the number of threads least of all.
     ///
     /// `progress` counts [`Aggregate::work`].
-    pub fn build(shapes: &Shapes, anchor: Point, options: BuildOptions, progress: Progress) -> Aggregate {
+    pub fn build(
+        shapes: &Shapes,
+        anchor: Point,
+        options: BuildOptions,
+        progress: Progress,
+    ) -> Aggregate {
         let outlines = Outlines::of(shapes);
         let space = space_around(shapes, &outlines.bounds_of_all(shapes), anchor);
         let collected = collect(shapes, &space, None);
@@ -56,7 +61,14 @@ impl Aggregate {
         let space = space_around(shapes, &outlines.bounds_of_all(shapes), camera.anchor());
         let visibility = Visibility::new(camera, window, shapes, &space);
         let collected = collect(shapes, &space, visibility.as_ref());
-        let instances = InstanceTrees::build(shapes, outlines, &space, visibility.as_ref(), options, progress);
+        let instances = InstanceTrees::build(
+            shapes,
+            outlines,
+            &space,
+            visibility.as_ref(),
+            options,
+            progress,
+        );
         drop(visibility);
         progress.advance(shapes.own_count() - collected.primitives.len());
         Aggregate::over(collected, instances, space, shapes, options, progress)
@@ -73,8 +85,12 @@ impl Aggregate {
             false => shapes.own_count() as u64 * each as u64,
             true => size_of_val(shapes.vertices()) as u64 / 2,
         };
-        let message =
-            || format!("a tree over {} primitives is too large for this machine's memory", shapes.own_count());
+        let message = || {
+            format!(
+                "a tree over {} primitives is too large for this machine's memory",
+                shapes.own_count()
+            )
+        };
         memory::check(bytes, message)
     }
 
@@ -86,15 +102,28 @@ impl Aggregate {
         options: BuildOptions,
         progress: Progress,
     ) -> Aggregate {
-        let Collected { primitives, never_hit } = collected;
+        let Collected {
+            primitives,
+            never_hit,
+        } = collected;
         let tree = Tree::build(primitives, options, progress, Primitive::from_bits);
         let wide = WideTree::of(&tree, |runs| blocks_of(&runs, &tree.order, shapes));
-        Aggregate { space, tree, wide, instances, never_hit }
+        Aggregate {
+            space,
+            tree,
+            wide,
+            instances,
+            never_hit,
+        }
     }
 
     /// What a build has to look at: primitives, those of an object once, and instances.
     pub fn work(shapes: &Shapes) -> usize {
-        let of_objects: usize = shapes.objects().iter().map(|object| object.shapes().own_count()).sum();
+        let of_objects: usize = shapes
+            .objects()
+            .iter()
+            .map(|object| object.shapes().own_count())
+            .sum();
         shapes.own_count() + shapes.instances().len() + of_objects
     }
 
@@ -105,8 +134,21 @@ impl Aggregate {
 
     /// Primitives in the trees, those of instances as often as they are instanced.
     pub fn primitive_count(&self, shapes: &Shapes) -> u64 {
-        let in_instance = |instance: &u32| self.instances.object(shapes, *instance as usize).tree.order.len() as u64;
-        self.tree.order.len() as u64 + self.instances.tree.order.iter().map(in_instance).sum::<u64>()
+        let in_instance = |instance: &u32| {
+            self.instances
+                .object(shapes, *instance as usize)
+                .tree
+                .order
+                .len() as u64
+        };
+        self.tree.order.len() as u64
+            + self
+                .instances
+                .tree
+                .order
+                .iter()
+                .map(in_instance)
+                .sum::<u64>()
     }
 
     /// Counts and costs of the trees.

@@ -20,14 +20,23 @@ impl Depth {
     pub(super) fn of(hit: &Hit, ray: &Ray, shapes: &Shapes, precision: Precision) -> (Depth, u64) {
         let speed = speed(ray.direction);
         if precision == Precision::Fast {
-            return (Depth { z: hit.t.low as f32, t: (hit.t.low * speed) as f32 }, 0);
+            return (
+                Depth {
+                    z: hit.t.low as f32,
+                    t: (hit.t.low * speed) as f32,
+                },
+                0,
+            );
         }
         let distance = hit.t.times(&speed_bracket(speed));
         match (hit.t.nearest_f32(), distance.nearest_f32()) {
             (Some(z), Some(t)) => (Depth { z, t }, 0),
             (z, t) => {
                 let roundings = u64::from(z.is_none()) + u64::from(t.is_none());
-                (Depth::rounded_exactly(hit, ray, shapes, (z, t), &distance), roundings)
+                (
+                    Depth::rounded_exactly(hit, ray, shapes, (z, t), &distance),
+                    roundings,
+                )
             }
         }
     }
@@ -45,8 +54,15 @@ impl Depth {
         let direction = ExactVector::from(ray.direction);
         let square_of_speed = direction.dot(&direction);
         let z = || nearest_f32(&hit.t, |x: &Dyadic| root.compare_with(x));
-        let t = || nearest_f32(distance, |x: &Dyadic| root.times_root_compare_with(&square_of_speed, x));
-        Depth { z: known.0.unwrap_or_else(z), t: known.1.unwrap_or_else(t) }
+        let t = || {
+            nearest_f32(distance, |x: &Dyadic| {
+                root.times_root_compare_with(&square_of_speed, x)
+            })
+        };
+        Depth {
+            z: known.0.unwrap_or_else(z),
+            t: known.1.unwrap_or_else(t),
+        }
     }
 }
 
@@ -61,7 +77,14 @@ fn speed(direction: Vector) -> f64 {
 /// the root. Of a result that underflows, or is too large, the ends of the bracket are one step away or infinite.
 fn speed_bracket(speed: f64) -> Bracket {
     let bracket = Bracket::around(speed, 2.0 * f64::EPSILON * speed);
-    if bracket.low > 0.0 { bracket } else { Bracket { low: 0.0, ..bracket } }
+    if bracket.low > 0.0 {
+        bracket
+    } else {
+        Bracket {
+            low: 0.0,
+            ..bracket
+        }
+    }
 }
 
 #[cfg(test)]

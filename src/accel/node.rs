@@ -18,12 +18,20 @@ impl Node {
     /// A leaf with `count > 0` primitives.
     pub(super) fn leaf(bounds: Box32, first: u32, count: u32) -> Node {
         debug_assert!(count > 0);
-        Node { bounds, first, count }
+        Node {
+            bounds,
+            first,
+            count,
+        }
     }
 
     /// An inner node with its children at place `first`.
     pub(super) fn inner(bounds: Box32, first: u32) -> Node {
-        Node { bounds, first, count: 0 }
+        Node {
+            bounds,
+            first,
+            count: 0,
+        }
     }
 
     /// Whether the node has primitives and no children.
@@ -72,13 +80,24 @@ impl PackedNode {
 
     fn unpack(&self) -> Node {
         let [[x0, y0, z0, _], [x1, y1, z1, _]] = self.corners;
-        Node { bounds: Box32 { low: [x0, y0, z0], high: [x1, y1, z1] }, first: self.first(), count: self.count() }
+        Node {
+            bounds: Box32 {
+                low: [x0, y0, z0],
+                high: [x1, y1, z1],
+            },
+            first: self.first(),
+            count: self.count(),
+        }
     }
 }
 
 impl Children {
     /// Holds a place until both children are known.
-    pub(super) const PLACEHOLDER: Children = Children([PackedNode { corners: [[0.0; 4]; 2] }; 2]);
+    pub(super) const PLACEHOLDER: Children = Children(
+        [PackedNode {
+            corners: [[0.0; 4]; 2],
+        }; 2],
+    );
 
     pub(super) fn new(left: &Node, right: &Node) -> Children {
         Children([PackedNode::pack(left), PackedNode::pack(right)])

@@ -14,13 +14,18 @@ impl Aggregate {
     /// (2013), section 3. Costs are those of [`super::Statistics::sah_cost`]. Of the primitives that are in no instance.
     pub fn overlap_at(&self, primitive: Primitive, point: Point) -> f64 {
         let place = box_of(self.space.place(&point));
-        self.tree.root.map_or(0.0, |root| overlap(&self.tree, &root, primitive, &place).cost)
+        self.tree.root.map_or(0.0, |root| {
+            overlap(&self.tree, &root, primitive, &place).cost
+        })
     }
 }
 
 /// The box that holds one place.
 fn box_of(place: [f32; 3]) -> Box32 {
-    Box32 { low: place, high: place }
+    Box32 {
+        low: place,
+        high: place,
+    }
 }
 
 /// What is known of a node and of all below it.
@@ -41,10 +46,20 @@ fn overlap(tree: &Tree<Primitive>, node: &Node, primitive: Primitive, place: &Bo
         (Overlap { cost: 0.0, is_own }, f64::from(node.count))
     } else {
         let children = &tree.below[node.first as usize];
-        let [left, right] = [0, 1].map(|side| overlap(tree, &children.node(side), primitive, place));
-        (Overlap { cost: left.cost + right.cost, is_own: left.is_own || right.is_own }, NODE_COST)
+        let [left, right] =
+            [0, 1].map(|side| overlap(tree, &children.node(side), primitive, place));
+        (
+            Overlap {
+                cost: left.cost + right.cost,
+                is_own: left.is_own || right.is_own,
+            },
+            NODE_COST,
+        )
     };
-    Overlap { cost: below.cost + if below.is_own { 0.0 } else { own_cost }, ..below }
+    Overlap {
+        cost: below.cost + if below.is_own { 0.0 } else { own_cost },
+        ..below
+    }
 }
 
 #[cfg(test)]
@@ -59,32 +74,62 @@ mod tests {
     fn aggregate(method: SplitMethod) -> (Aggregate, Vec<Point>) {
         let corner = |x: f64, y: f64| Point::new(x, y, 1.0);
         let mut vertices: Vec<Point> = (0..8)
-            .flat_map(|i| [(0.0, 0.0), (0.5, 0.0), (0.0, 0.5)].map(|(x, y)| corner(x + f64::from(i), y)))
+            .flat_map(|i| {
+                [(0.0, 0.0), (0.5, 0.0), (0.0, 0.5)].map(|(x, y)| corner(x + f64::from(i), y))
+            })
             .collect();
         vertices.extend([corner(0.0, 0.25), corner(8.0, 0.25), corner(8.0, 0.3)]);
         let triangles = (0..9).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
         let mut shapes = Shapes::default();
-        shapes.add_mesh(vertices.clone(), triangles, &Matrix::IDENTITY, 1).unwrap();
-        let options = BuildOptions { method, max_leaf: 1 };
-        (Aggregate::build(&shapes, corner(0.0, 0.0), options, Progress::SILENT), vertices)
+        shapes
+            .add_mesh(vertices.clone(), triangles, &Matrix::IDENTITY, 1)
+            .unwrap();
+        let options = BuildOptions {
+            method,
+            max_leaf: 1,
+        };
+        (
+            Aggregate::build(&shapes, corner(0.0, 0.0), options, Progress::SILENT),
+            vertices,
+        )
     }
 
     #[test]
     fn a_list_overlaps_nothing() {
         let (aggregate, vertices) = aggregate(SplitMethod::None);
-        assert_eq!(aggregate.overlap_at(Primitive::triangle(0), vertices[0]), 0.0);
+        assert_eq!(
+            aggregate.overlap_at(Primitive::triangle(0), vertices[0]),
+            0.0
+        );
     }
 
     #[test]
     fn counts_the_nodes_around_a_point_that_are_not_its_own() {
         let (aggregate, vertices) = aggregate(SplitMethod::Sah);
         // A corner of one beside the others, and a point of the long one that lies in the boxes of others, too.
-        let points = [(Primitive::triangle(3), vertices[10]), (Primitive::triangle(8), Point::new(3.1, 0.26, 1.0))];
+        let points = [
+            (Primitive::triangle(3), vertices[10]),
+            (Primitive::triangle(8), Point::new(3.1, 0.26, 1.0)),
+        ];
         let costs = points.map(|(primitive, point)| {
             let place = box_of(aggregate.space.place(&point));
-            let is_around = |node: &Node| node.bounds.contains(&place) && !holds(&aggregate.tree, node, primitive);
-            let around = aggregate.tree.nodes().map(|(node, _)| node).filter(is_around);
-            let by_hand: f64 = around.map(|node| if node.is_leaf() { f64::from(node.count) } else { NODE_COST }).sum();
+            let is_around = |node: &Node| {
+                node.bounds.contains(&place) && !holds(&aggregate.tree, node, primitive)
+            };
+            let around = aggregate
+                .tree
+                .nodes()
+                .map(|(node, _)| node)
+                .filter(is_around);
+            let by_hand: f64 = around
+                .map(|node| {
+                    if node.is_leaf() {
+                        f64::from(node.count)
+                    } else {
+                        NODE_COST
+                    }
+                })
+                .sum();
             assert_eq!(aggregate.overlap_at(primitive, point), by_hand);
             by_hand
         });
@@ -94,7 +139,8 @@ mod tests {
     fn holds(tree: &Tree<Primitive>, node: &Node, primitive: Primitive) -> bool {
         match node.is_leaf() {
             true => tree.in_leaf(node).contains(&primitive),
-            false => (0..2).any(|side| holds(tree, &tree.below[node.first as usize].node(side), primitive)),
+            false => (0..2)
+                .any(|side| holds(tree, &tree.below[node.first as usize].node(side), primitive)),
         }
     }
 }

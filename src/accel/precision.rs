@@ -49,6 +49,9 @@ impl FromStr for Precision {
     type Err = UnknownPrecision;
 
     fn from_str(name: &str) -> Result<Precision, UnknownPrecision> {
-        Precision::ALL.into_iter().find(|precision| precision.name() == name).ok_or(UnknownPrecision)
+        Precision::ALL
+            .into_iter()
+            .find(|precision| precision.name() == name)
+            .ok_or(UnknownPrecision)
     }
 }

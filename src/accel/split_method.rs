@@ -20,8 +20,13 @@ pub enum SplitMethod {
 
 impl SplitMethod {
     /// All of them, simplest first.
-    pub const ALL: [SplitMethod; 5] =
-        [SplitMethod::None, SplitMethod::Middle, SplitMethod::Equal, SplitMethod::Sah, SplitMethod::Hlbvh];
+    pub const ALL: [SplitMethod; 5] = [
+        SplitMethod::None,
+        SplitMethod::Middle,
+        SplitMethod::Equal,
+        SplitMethod::Sah,
+        SplitMethod::Hlbvh,
+    ];
 
     /// The name on the command line and in scene files.
     pub fn name(self) -> &'static str {
@@ -58,6 +63,9 @@ impl FromStr for SplitMethod {
     type Err = UnknownSplitMethod;
 
     fn from_str(name: &str) -> Result<SplitMethod, UnknownSplitMethod> {
-        SplitMethod::ALL.into_iter().find(|method| method.name() == name).ok_or(UnknownSplitMethod)
+        SplitMethod::ALL
+            .into_iter()
+            .find(|method| method.name() == name)
+            .ok_or(UnknownSplitMethod)
     }
 }

@@ -32,19 +32,28 @@ impl Statistics {
             .objects
             .iter()
             .map(|object| {
-                object.as_ref().map_or(Statistics::default(), |object| counts(&object.tree, |leaf| leaf.count.into()))
+                object.as_ref().map_or(Statistics::default(), |object| {
+                    counts(&object.tree, |leaf| leaf.count.into())
+                })
             })
             .collect();
-        let of_instance = |instance: &u32| objects[shapes.instances()[*instance as usize].object()].sah_cost;
+        let of_instance =
+            |instance: &u32| objects[shapes.instances()[*instance as usize].object()].sah_cost;
         let own = counts(&aggregate.tree, |leaf| leaf.count.into());
-        let upper = counts(&instances.tree, |leaf| instances.tree.in_leaf(leaf).iter().map(of_instance).sum());
+        let upper = counts(&instances.tree, |leaf| {
+            instances.tree.in_leaf(leaf).iter().map(of_instance).sum()
+        });
         let deepest = objects.iter().map(|object| object.depth).max().unwrap_or(0);
-        let sum = |count: fn(&Statistics) -> usize| objects.iter().chain([&own, &upper]).map(count).sum();
+        let sum =
+            |count: fn(&Statistics) -> usize| objects.iter().chain([&own, &upper]).map(count).sum();
         Statistics {
             nodes: sum(|tree| tree.nodes),
             leaves: sum(|tree| tree.leaves),
             depth: own.depth.max(upper.depth + deepest),
-            sah_cost: joint_cost([(&aggregate.tree.root, own.sah_cost), (&instances.tree.root, upper.sah_cost)]),
+            sah_cost: joint_cost([
+                (&aggregate.tree.root, own.sah_cost),
+                (&instances.tree.root, upper.sah_cost),
+            ]),
             bytes: aggregate.tree.bytes() + aggregate.wide.bytes() + instances.bytes(),
         }
     }
@@ -52,17 +61,26 @@ impl Statistics {
 
 /// Of one tree, all but the bytes.
 fn counts<T>(tree: &Tree<T>, leaf_cost: impl Fn(&Node) -> f64) -> Statistics {
-    let Some(root) = tree.root else { return Statistics::default() };
+    let Some(root) = tree.root else {
+        return Statistics::default();
+    };
     let mut statistics = Statistics::default();
     let mut cost = 0.0;
     for (node, depth) in tree.nodes() {
         statistics.nodes += 1;
         statistics.leaves += usize::from(node.is_leaf());
         statistics.depth = statistics.depth.max(depth);
-        let work = if node.is_leaf() { leaf_cost(&node) } else { NODE_COST };
+        let work = if node.is_leaf() {
+            leaf_cost(&node)
+        } else {
+            NODE_COST
+        };
         cost += f64::from(node.bounds.half_area()) * work;
     }
-    Statistics { sah_cost: cost / f64::from(root.bounds.half_area()), ..statistics }
+    Statistics {
+        sah_cost: cost / f64::from(root.bounds.half_area()),
+        ..statistics
+    }
 }
 
 /// The cost of a ray that meets the box around two trees, from what each costs a ray that meets its own.

@@ -24,15 +24,25 @@ impl<T> Tree<T> {
         of_bits: fn(u32) -> T,
     ) -> Tree<T> {
         if primitives.is_empty() {
-            return Tree { root: None, below: Vec::new(), order: Vec::new() };
+            return Tree {
+                root: None,
+                below: Vec::new(),
+                order: Vec::new(),
+            };
         }
         let (Subtree { root, below }, order) = build_tree(primitives, options, progress);
-        Tree { root: Some(root), below, order: order.into_iter().map(of_bits).collect() }
+        Tree {
+            root: Some(root),
+            below,
+            order: order.into_iter().map(of_bits).collect(),
+        }
     }
 
     /// All nodes with their depths, each before its children.
     pub(super) fn nodes(&self) -> impl Iterator<Item = (Node, usize)> + '_ {
-        self.root.into_iter().flat_map(|root| walk(root, &self.below))
+        self.root
+            .into_iter()
+            .flat_map(|root| walk(root, &self.below))
     }
 
     /// What a leaf holds.
@@ -42,7 +52,11 @@ impl<T> Tree<T> {
 
     /// Bytes that the tree takes.
     pub(super) fn bytes(&self) -> usize {
-        let root = if self.root.is_some() { size_of::<Node>() } else { 0 };
+        let root = if self.root.is_some() {
+            size_of::<Node>()
+        } else {
+            0
+        };
         root + size_of_val(&self.below[..]) + size_of_val(&self.order[..])
     }
 }

@@ -16,10 +16,14 @@ impl Aggregate {
     /// What is wrong, in words.
     pub fn validate(&self, shapes: &Shapes) -> Result<(), String> {
         let own = |primitive: &_| self.space.enclose(&shapes.own_surface(*primitive).bounds());
-        check(&self.tree, |node, primitive| node.bounds.contains(&own(primitive)))?;
+        check(&self.tree, |node, primitive| {
+            node.bounds.contains(&own(primitive))
+        })?;
         let mut order = self.tree.order.clone();
         order.sort();
-        let expected = shapes.primitives().filter(|primitive| shapes.own_surface(*primitive).can_be_hit());
+        let expected = shapes
+            .primitives()
+            .filter(|primitive| shapes.own_surface(*primitive).can_be_hit());
         if !order.into_iter().eq(expected) {
             return Err("not every primitive is there once".into());
         }
@@ -28,7 +32,12 @@ impl Aggregate {
 
     fn check_instances(&self, shapes: &Shapes) -> Result<(), String> {
         check(&self.instances.tree, |_, _| true)?;
-        for (leaf, _) in self.instances.tree.nodes().filter(|(node, _)| node.is_leaf()) {
+        for (leaf, _) in self
+            .instances
+            .tree
+            .nodes()
+            .filter(|(node, _)| node.is_leaf())
+        {
             for instance in self.instances.tree.in_leaf(&leaf) {
                 self.check_instance(shapes, *instance as usize, &leaf)?;
             }
@@ -54,16 +63,31 @@ impl Aggregate {
         let mut pose = shapes.pose(instance);
         let mut bounds = |primitive: &_| {
             let surface = pose.surface(*primitive);
-            if surface.can_be_hit() { surface.bounds() } else { Bounds::EMPTY }
+            if surface.can_be_hit() {
+                surface.bounds()
+            } else {
+                Bounds::EMPTY
+            }
         };
-        let is_in_leaf = |bounds: &Bounds| bounds.is_empty() || leaf.bounds.contains(&self.space.enclose(bounds));
-        if !object.tree.order.iter().all(|primitive| is_in_leaf(&bounds(primitive))) {
-            return Err(format!("something of instance {instance} is outside its leaf"));
+        let is_in_leaf = |bounds: &Bounds| {
+            bounds.is_empty() || leaf.bounds.contains(&self.space.enclose(bounds))
+        };
+        if !object
+            .tree
+            .order
+            .iter()
+            .all(|primitive| is_in_leaf(&bounds(primitive)))
+        {
+            return Err(format!(
+                "something of instance {instance} is outside its leaf"
+            ));
         }
-        let in_world = |node: &Node| placement.enclose(&object.space.reveal(&node.bounds.corners()));
+        let in_world =
+            |node: &Node| placement.enclose(&object.space.reveal(&node.bounds.corners()));
         check(&object.tree, |node, primitive| {
             let (inner, outer) = (bounds(primitive), in_world(node));
-            inner.is_empty() || (0..3).all(|k| outer.low[k] < inner.low[k] && inner.high[k] < outer.high[k])
+            inner.is_empty()
+                || (0..3).all(|k| outer.low[k] < inner.low[k] && inner.high[k] < outer.high[k])
         })
     }
 }
@@ -74,11 +98,16 @@ fn check<T>(tree: &Tree<T>, mut is_inside: impl FnMut(&Node, &T) -> bool) -> Res
     let mut taken = vec![false; tree.order.len()];
     for (node, depth) in tree.nodes() {
         if depth > MAX_DEPTH {
-            return Err(format!("a node at depth {depth}, but stacks are for {MAX_DEPTH}"));
+            return Err(format!(
+                "a node at depth {depth}, but stacks are for {MAX_DEPTH}"
+            ));
         }
         let inside = if node.is_leaf() {
             let places = node.first as usize..node.first as usize + node.count as usize;
-            let order = tree.order.get(places.clone()).ok_or("a leaf beyond the end")?;
+            let order = tree
+                .order
+                .get(places.clone())
+                .ok_or("a leaf beyond the end")?;
             if taken[places.clone()].contains(&true) {
                 return Err(format!("places {places:?} are in two leaves"));
             }
@@ -93,5 +122,9 @@ fn check<T>(tree: &Tree<T>, mut is_inside: impl FnMut(&Node, &T) -> bool) -> Res
             return Err(format!("something is outside the box of {node:?}"));
         }
     }
-    if taken.contains(&false) { Err("a place is in no leaf".into()) } else { Ok(()) }
+    if taken.contains(&false) {
+        Err("a place is in no leaf".into())
+    } else {
+        Ok(())
+    }
 }

@@ -59,14 +59,20 @@ impl<'a> Caster<'a> {
             Kernel::Classic(classic) => Some(Yardstick::new(classic, &scene.shapes)),
             Kernel::Tiles(_) | Kernel::ExactSingle => None,
         };
-        Caster { scene, kernel, yardstick }
+        Caster {
+            scene,
+            kernel,
+            yardstick,
+        }
     }
 
     /// Casts the rays of all pixels, or of a sample.
     pub(super) fn cast(&self, aggregate: &Aggregate, sample: Option<&TileSample>) -> Result<Cast> {
         match (self.kernel, sample) {
             (Kernel::Tiles(precision), None) => self.render(aggregate, precision),
-            (Kernel::Tiles(precision), Some(sample)) => Ok(self.trace_tiles(aggregate, precision, sample)),
+            (Kernel::Tiles(precision), Some(sample)) => {
+                Ok(self.trace_tiles(aggregate, precision, sample))
+            }
             (_, None) => self.trace_alone(aggregate),
             (_, Some(sample)) => Ok(self.trace_pixels(aggregate, sample)),
         }
@@ -87,7 +93,9 @@ impl<'a> Caster<'a> {
         let count = |tracer: &mut Tracer, [x, y]: &[u32; 2]| {
             let (ray, mut work) = (self.scene.camera.ray(*x, *y), Work::default());
             match &self.yardstick {
-                Some(yardstick) => tracer.closest_hit_by::<true>(&ray, yardstick.of_ray(&ray), &mut work),
+                Some(yardstick) => {
+                    tracer.closest_hit_by::<true>(&ray, yardstick.of_ray(&ray), &mut work)
+                }
                 None => tracer.closest_hit_counted(&ray, &mut work),
             };
             work
@@ -109,8 +117,17 @@ impl<'a> Caster<'a> {
 
     fn render(&self, aggregate: &Aggregate, precision: Precision) -> Result<Cast> {
         let Scene { camera, shapes, .. } = self.scene;
-        let rendering = render(camera, shapes, aggregate, &self.options(precision), Progress::SILENT)?;
-        Ok(Cast { found: Found::Picture(rendering.image), fallback_rays: rendering.traced.fallbacks.rays })
+        let rendering = render(
+            camera,
+            shapes,
+            aggregate,
+            &self.options(precision),
+            Progress::SILENT,
+        )?;
+        Ok(Cast {
+            found: Found::Picture(rendering.image),
+            fallback_rays: rendering.traced.fallbacks.rays,
+        })
     }
 
     fn options(&self, precision: Precision) -> RenderOptions {
@@ -124,9 +141,24 @@ impl<'a> Caster<'a> {
         }
     }
 
-    fn trace_tiles(&self, aggregate: &Aggregate, precision: Precision, sample: &TileSample) -> Cast {
-        let Scene { camera, shapes, film, .. } = self.scene;
-        let tiles = Tiles::new(camera, shapes, aggregate, self.options(precision).of_tiles());
+    fn trace_tiles(
+        &self,
+        aggregate: &Aggregate,
+        precision: Precision,
+        sample: &TileSample,
+    ) -> Cast {
+        let Scene {
+            camera,
+            shapes,
+            film,
+            ..
+        } = self.scene;
+        let tiles = Tiles::new(
+            camera,
+            shapes,
+            aggregate,
+            self.options(precision).of_tiles(),
+        );
         let pairs: Vec<(&[u32; 2], &[u32; 2])> = sample.tiles.iter().zip(&sample.pixels).collect();
         let answers = pairs.into_par_iter().map_init(
             || tiles.tracer(),
@@ -153,8 +185,11 @@ impl<'a> Caster<'a> {
                 let before = tracer.fallbacks().rays;
                 let hit = self.hit(tracer, &self.scene.camera.ray(*x, *y));
                 let number = |primitive| self.scene.shapes.image_number(primitive);
-                let answer =
-                    hit.map(|(primitive, depth)| Answer { z: depth.z, t: depth.t, primitive: number(primitive) });
+                let answer = hit.map(|(primitive, depth)| Answer {
+                    z: depth.z,
+                    t: depth.t,
+                    primitive: number(primitive),
+                });
                 (answer, tracer.fallbacks().rays - before)
             },
         );
@@ -163,10 +198,17 @@ impl<'a> Caster<'a> {
 
     /// All pixels, the channels that [`render`] gives, too.
     fn trace_alone(&self, aggregate: &Aggregate) -> Result<Cast> {
-        let Scene { camera, shapes, film, .. } = self.scene;
+        let Scene {
+            camera,
+            shapes,
+            film,
+            ..
+        } = self.scene;
         let mut image = blank_image(camera, &self.options(Precision::Exact))?;
         let width = film.crop.width() as usize;
-        let [z, t, a, id, prim] = &mut image.channels[..] else { unreachable!("the usual channels") };
+        let [z, t, a, id, prim] = &mut image.channels[..] else {
+            unreachable!("the usual channels")
+        };
         let [z, t, a] = [z, t, a].map(|channel| match &mut channel.samples {
             Samples::F32(values) => values.par_chunks_mut(width),
             Samples::U32(_) => unreachable!("a measure"),
@@ -187,13 +229,19 @@ impl<'a> Caster<'a> {
                         continue;
                     };
                     (z[column], t[column], a[column]) = (depth.z, depth.t, 1.0);
-                    (id[column], prim[column]) = (shapes.shape_number(primitive), shapes.image_number(primitive));
+                    (id[column], prim[column]) = (
+                        shapes.shape_number(primitive),
+                        shapes.image_number(primitive),
+                    );
                 }
                 tracer.fallbacks().rays - before
             },
         );
         let fallback_rays = fallback_rays.sum();
-        Ok(Cast { found: Found::Picture(image), fallback_rays })
+        Ok(Cast {
+            found: Found::Picture(image),
+            fallback_rays,
+        })
     }
 
     /// What a ray that travels alone hits, and how far away.
@@ -211,5 +259,8 @@ impl<'a> Caster<'a> {
 
 fn sampled(answers: Vec<(Option<Answer>, u64)>) -> Cast {
     let fallback_rays = answers.iter().map(|(_, rays)| rays).sum();
-    Cast { found: Found::Sample(answers.into_iter().map(|(answer, _)| answer).collect()), fallback_rays }
+    Cast {
+        found: Found::Sample(answers.into_iter().map(|(answer, _)| answer).collect()),
+        fallback_rays,
+    }
 }

@@ -9,11 +9,23 @@ pub fn confidence_interval(count: u64, sample: u64) -> [f64; 2] {
     if sample == 0 {
         return [0.0, 1.0];
     }
-    let (n, share, square) = (sample as f64, count as f64 / sample as f64, DEVIATIONS * DEVIATIONS);
+    let (n, share, square) = (
+        sample as f64,
+        count as f64 / sample as f64,
+        DEVIATIONS * DEVIATIONS,
+    );
     let middle = share + square / (2.0 * n);
     let reach = DEVIATIONS * (share * (1.0 - share) / n + square / (4.0 * n * n)).sqrt();
-    let low = if count == 0 { 0.0 } else { (middle - reach) / (1.0 + square / n) };
-    let high = if count == sample { 1.0 } else { (middle + reach) / (1.0 + square / n) };
+    let low = if count == 0 {
+        0.0
+    } else {
+        (middle - reach) / (1.0 + square / n)
+    };
+    let high = if count == sample {
+        1.0
+    } else {
+        (middle + reach) / (1.0 + square / n)
+    };
     [low.clamp(0.0, 1.0), high.clamp(0.0, 1.0)]
 }
 
@@ -24,7 +36,9 @@ mod tests {
     #[test]
     fn is_what_tables_say() {
         // Newcombe, "Two-sided confidence intervals for the single proportion" (1998), table I.
-        let near = |[low, high]: [f64; 2], [a, b]: [f64; 2]| (low - a).abs() < 5e-5 && (high - b).abs() < 5e-5;
+        let near = |[low, high]: [f64; 2], [a, b]: [f64; 2]| {
+            (low - a).abs() < 5e-5 && (high - b).abs() < 5e-5
+        };
         assert!(near(confidence_interval(81, 263), [0.2553, 0.3662]));
         assert!(near(confidence_interval(15, 148), [0.0624, 0.1605]));
         assert!(near(confidence_interval(0, 20), [0.0, 0.1611]));

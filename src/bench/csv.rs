@@ -27,11 +27,15 @@ fn cell(title: &str, value: impl ToString) -> Cell {
 }
 
 fn known<T: ToString>(title: &str, value: Option<T>) -> Cell {
-    (title.to_owned(), value.map_or(String::new(), |value| value.to_string()))
+    (
+        title.to_owned(),
+        value.map_or(String::new(), |value| value.to_string()),
+    )
 }
 
 fn spread(title: &str, Spread { min, median, max }: &Spread) -> [Cell; 3] {
-    [("min", min), ("median", median), ("max", max)].map(|(end, value)| cell(&format!("{title}_{end}"), value))
+    [("min", min), ("median", median), ("max", max)]
+        .map(|(end, value)| cell(&format!("{title}_{end}"), value))
 }
 
 /// What is nested in the record gets the names joined by underscores.
@@ -56,7 +60,10 @@ fn cells(record: &Record) -> Vec<Cell> {
         known("cycles_per_ray", record.cycles_per_ray),
         cell("nodes_per_ray", record.nodes_per_ray),
         cell("primitives_per_ray", record.primitives_per_ray),
-        known("sah_cost", Some(record.sah_cost).filter(|cost| cost.is_finite())),
+        known(
+            "sah_cost",
+            Some(record.sah_cost).filter(|cost| cost.is_finite()),
+        ),
         known("epo", record.epo),
         cell("depth", record.depth),
         cell("bytes", record.bytes),
@@ -67,16 +74,32 @@ fn cells(record: &Record) -> Vec<Cell> {
         known("false_hits", record.false_hits),
         known("missed_hits", record.missed_hits),
         known("wrong_primitives", record.wrong_primitives),
-        known("wrong_hits_95_low", confidence.map(|confidence| confidence.wrong_hits[0])),
-        known("wrong_hits_95_high", confidence.map(|confidence| confidence.wrong_hits[1])),
-        known("wrong_primitives_95_low", confidence.map(|confidence| confidence.wrong_primitives[0])),
-        known("wrong_primitives_95_high", confidence.map(|confidence| confidence.wrong_primitives[1])),
+        known(
+            "wrong_hits_95_low",
+            confidence.map(|confidence| confidence.wrong_hits[0]),
+        ),
+        known(
+            "wrong_hits_95_high",
+            confidence.map(|confidence| confidence.wrong_hits[1]),
+        ),
+        known(
+            "wrong_primitives_95_low",
+            confidence.map(|confidence| confidence.wrong_primitives[0]),
+        ),
+        known(
+            "wrong_primitives_95_high",
+            confidence.map(|confidence| confidence.wrong_primitives[1]),
+        ),
         known("max_ulp", record.max_ulp),
         known("p99_ulp", record.p99_ulp),
         known("mean_ulp", record.mean_ulp),
         known("fallback_rays", record.fallback_rays),
     ];
-    first.into_iter().chain(times.into_iter().flatten()).chain(rest).collect()
+    first
+        .into_iter()
+        .chain(times.into_iter().flatten())
+        .chain(rest)
+        .collect()
 }
 
 #[cfg(test)]
@@ -90,8 +113,15 @@ mod tests {
     fn every_line_has_the_same_cells_and_odd_names_are_quoted() {
         let machine = Machine::detect("scalar");
         let [exact, fast, ..] = Kernel::ALL;
-        let odd = Row { scene: "a, \"b\".pbrt".into(), ..row(SplitMethod::Sah, exact, 1000) };
-        let rows = [odd, row(SplitMethod::None, fast, 10), row(SplitMethod::Sah, fast, 0)];
+        let odd = Row {
+            scene: "a, \"b\".pbrt".into(),
+            ..row(SplitMethod::Sah, exact, 1000)
+        };
+        let rows = [
+            odd,
+            row(SplitMethod::None, fast, 10),
+            row(SplitMethod::Sah, fast, 0),
+        ];
         let csv = to_csv(&machine, &rows).unwrap();
         let mut reader = csv::Reader::from_reader(&csv[..]);
         let titles = reader.headers().unwrap().clone();
@@ -99,9 +129,26 @@ mod tests {
         let lines: Vec<csv::StringRecord> = reader.records().collect::<Result<_, _>>().unwrap();
         assert_eq!(lines.len(), 3);
         assert_eq!(&lines[0][place("scene")], "a, \"b\".pbrt");
-        assert_eq!([&lines[0][place("wrong_hits")], &lines[0][place("wrong_hits_95_high")]], ["1", ""]);
-        assert!(lines[1][place("wrong_hits_95_high")].parse::<f64>().unwrap() > 0.1);
-        assert_eq!([&lines[2][place("max_ulp")], &lines[2][place("trace_ms_median")]], ["", "50"]);
+        assert_eq!(
+            [
+                &lines[0][place("wrong_hits")],
+                &lines[0][place("wrong_hits_95_high")]
+            ],
+            ["1", ""]
+        );
+        assert!(
+            lines[1][place("wrong_hits_95_high")]
+                .parse::<f64>()
+                .unwrap()
+                > 0.1
+        );
+        assert_eq!(
+            [
+                &lines[2][place("max_ulp")],
+                &lines[2][place("trace_ms_median")]
+            ],
+            ["", "50"]
+        );
     }
 
     #[test]

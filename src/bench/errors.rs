@@ -20,7 +20,8 @@ impl Errors {
 
     /// Between which shares of all pixels the share of something lies of which `count` were found; `None` where all were looked at.
     pub fn confidence(&self, count: u64) -> Option<[f64; 2]> {
-        self.is_sampled().then(|| confidence_interval(count, self.tally.pixels))
+        self.is_sampled()
+            .then(|| confidence_interval(count, self.tally.pixels))
     }
 
     /// The share of pixels with a wrong decision.

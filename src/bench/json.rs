@@ -97,6 +97,9 @@ fn confidence(errors: &Errors) -> Option<Confidence> {
 
 /// All of it as one JSON document that ends with a line break. Numbers that are not finite are null.
 pub fn to_json(machine: &Machine, rows: &[Row]) -> Vec<u8> {
-    let document = Document { machine, rows: rows.iter().map(|row| Record::new(row, machine)).collect() };
+    let document = Document {
+        machine,
+        rows: rows.iter().map(|row| Record::new(row, machine)).collect(),
+    };
     json::pretty(&document)
 }

@@ -37,9 +37,12 @@ pub fn can_be_judged(scene: &Scene) -> bool {
 pub fn judged_pixels(scene: &Scene) -> u64 {
     let all = scene.film.crop.area();
     let pilot = some_pixels(PILOT, &scene.film.crop, &mut Random::new(SEED));
-    let tests = reference::candidates(&scene.camera, &scene.shapes, &pilot).into_iter().sum::<usize>() as u64;
+    let tests = reference::candidates(&scene.camera, &scene.shapes, &pilot)
+        .into_iter()
+        .sum::<usize>() as u64;
     // A pixel with no test is work, too.
-    let share = u128::from(MAX_TESTS) * pilot.len() as u128 / u128::from(tests + pilot.len() as u64).max(1);
+    let share =
+        u128::from(MAX_TESTS) * pilot.len() as u128 / u128::from(tests + pilot.len() as u64).max(1);
     all.min(u64::try_from(share).unwrap_or(u64::MAX).max(1))
 }
 
@@ -49,19 +52,34 @@ pub(super) const SEED: u64 = 0x5eed;
 impl Judge {
     /// For `count` pixels of the picture, chosen at random where these are not all. `progress` counts them.
     pub fn new(scene: &Scene, count: u64, progress: Progress) -> Judge {
-        Judge::of_pixels(scene, some_pixels(count, &scene.film.crop, &mut Random::new(SEED + 1)), progress)
+        Judge::of_pixels(
+            scene,
+            some_pixels(count, &scene.film.crop, &mut Random::new(SEED + 1)),
+            progress,
+        )
     }
 
     /// For some pixels of the picture.
     pub(super) fn of_pixels(scene: &Scene, pixels: Vec<[u32; 2]>, progress: Progress) -> Judge {
         let Scene { camera, shapes, .. } = scene;
         let hits = reference::answers(camera, shapes, &pixels, progress);
-        let of_pixels = pixels.iter().zip(&hits).filter_map(|(pixel, hit)| Some((*pixel, (*hit)?)));
+        let of_pixels = pixels
+            .iter()
+            .zip(&hits)
+            .filter_map(|(pixel, hit)| Some((*pixel, (*hit)?)));
         let input = InputError::of(scene, &of_pixels.collect::<Vec<_>>());
-        let answer =
-            |hit: reference::ReferenceHit| Answer { z: hit.z, t: hit.t, primitive: shapes.image_number(hit.primitive) };
+        let answer = |hit: reference::ReferenceHit| Answer {
+            z: hit.z,
+            t: hit.t,
+            primitive: shapes.image_number(hit.primitive),
+        };
         let expected = strip(hits.into_iter().map(|hit| hit.map(answer)));
-        Judge { pixels, expected, input, of: scene.film.crop.area() }
+        Judge {
+            pixels,
+            expected,
+            input,
+            of: scene.film.crop.area(),
+        }
     }
 
     /// What is wrong with a picture of the scene's crop that has the usual channels.
@@ -76,9 +94,14 @@ impl Judge {
 
     /// Of a strip of the same pixels.
     fn verdict_on(&self, found: Image) -> Verdict<'_> {
-        let comparison = Comparison::new(&self.expected, &found).expect("strips of the same pixels");
+        let comparison =
+            Comparison::new(&self.expected, &found).expect("strips of the same pixels");
         let tally = Tally::of(&comparison, 0..self.pixels.len());
-        Verdict { judge: self, errors: Errors { tally, of: self.of }, found }
+        Verdict {
+            judge: self,
+            errors: Errors { tally, of: self.of },
+            found,
+        }
     }
 }
 
@@ -93,7 +116,8 @@ pub(super) struct Verdict<'a> {
 impl Verdict<'_> {
     /// The colour of each of the pixels in a picture of differences.
     pub(super) fn colors(&self) -> impl Iterator<Item = ([u32; 2], [u8; 3])> {
-        let comparison = Comparison::new(&self.judge.expected, &self.found).expect("strips of the same pixels");
+        let comparison =
+            Comparison::new(&self.judge.expected, &self.found).expect("strips of the same pixels");
         let largest = self.errors.tally.depths.max().unwrap_or(0);
         let colors = difference_picture(&comparison, self.judge.pixels.len(), largest);
         self.judge.pixels.iter().copied().zip(colors)

@@ -54,7 +54,11 @@ pub struct UnknownKernel;
 
 impl fmt::Display for UnknownKernel {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "expected some of {}", Kernel::ALL.map(Kernel::name).join(", "))
+        write!(
+            f,
+            "expected some of {}",
+            Kernel::ALL.map(Kernel::name).join(", ")
+        )
     }
 }
 
@@ -64,6 +68,9 @@ impl FromStr for Kernel {
     type Err = UnknownKernel;
 
     fn from_str(name: &str) -> Result<Kernel, UnknownKernel> {
-        Kernel::ALL.into_iter().find(|kernel| kernel.name() == name).ok_or(UnknownKernel)
+        Kernel::ALL
+            .into_iter()
+            .find(|kernel| kernel.name() == name)
+            .ok_or(UnknownKernel)
     }
 }

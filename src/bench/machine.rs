@@ -58,19 +58,32 @@ fn read(path: &str) -> Option<String> {
 }
 
 fn os(release: Option<String>) -> String {
-    let words = [Some(std::env::consts::OS.to_owned()), release, Some(std::env::consts::ARCH.to_owned())];
-    words.iter().flatten().map(|word| word.trim()).collect::<Vec<_>>().join(" ")
+    let words = [
+        Some(std::env::consts::OS.to_owned()),
+        release,
+        Some(std::env::consts::ARCH.to_owned()),
+    ];
+    words
+        .iter()
+        .flatten()
+        .map(|word| word.trim())
+        .collect::<Vec<_>>()
+        .join(" ")
 }
 
 /// The values of the lines `name : value` of `/proc/cpuinfo`, one for each hardware thread.
 fn field<'a>(cpuinfo: &'a str, name: &'a str) -> impl Iterator<Item = &'a str> {
     let pairs = cpuinfo.lines().filter_map(|line| line.split_once(':'));
-    pairs.filter(move |(key, _)| key.trim() == name).map(|(_, value)| value.trim())
+    pairs
+        .filter(move |(key, _)| key.trim() == name)
+        .map(|(_, value)| value.trim())
 }
 
 /// The mean of all threads.
 fn clock(cpuinfo: &str) -> Option<f64> {
-    let clocks: Vec<f64> = field(cpuinfo, "cpu MHz").filter_map(|mhz| mhz.parse().ok()).collect();
+    let clocks: Vec<f64> = field(cpuinfo, "cpu MHz")
+        .filter_map(|mhz| mhz.parse().ok())
+        .collect();
     (!clocks.is_empty()).then(|| clocks.iter().sum::<f64>() / clocks.len() as f64)
 }
 
@@ -86,8 +99,12 @@ mod tests {
 
     #[test]
     fn cores_are_counted_once_however_many_threads_they_have() {
-        let thread = |socket, core| format!("model name\t: Quick 9\nphysical id\t: {socket}\ncore id\t\t: {core}\n\n");
-        let cpuinfo: String = [(0, 0), (0, 1), (0, 0), (1, 0)].map(|(socket, core)| thread(socket, core)).concat();
+        let thread = |socket, core| {
+            format!("model name\t: Quick 9\nphysical id\t: {socket}\ncore id\t\t: {core}\n\n")
+        };
+        let cpuinfo: String = [(0, 0), (0, 1), (0, 0), (1, 0)]
+            .map(|(socket, core)| thread(socket, core))
+            .concat();
         assert_eq!(cores(&cpuinfo), Some(3));
         assert_eq!(field(&cpuinfo, "model name").next(), Some("Quick 9"));
         assert_eq!(clock("cpu MHz : 2000.0\ncpu MHz : 3000.0\n"), Some(2500.0));
@@ -105,8 +122,19 @@ mod tests {
             os: "linux 6.1 x86_64".into(),
             feimos: "0.1.0".into(),
         };
-        assert_eq!(known.to_string(), "Quick 9, 2 cores, 2500 MHz, scalar, linux 6.1 x86_64, feimos 0.1.0");
-        let unknown = Machine { cpu: None, cores: None, mhz: None, ..known };
-        assert_eq!(unknown.to_string(), "unknown processor, scalar, linux 6.1 x86_64, feimos 0.1.0");
+        assert_eq!(
+            known.to_string(),
+            "Quick 9, 2 cores, 2500 MHz, scalar, linux 6.1 x86_64, feimos 0.1.0"
+        );
+        let unknown = Machine {
+            cpu: None,
+            cores: None,
+            mhz: None,
+            ..known
+        };
+        assert_eq!(
+            unknown.to_string(),
+            "unknown processor, scalar, linux 6.1 x86_64, feimos 0.1.0"
+        );
     }
 }

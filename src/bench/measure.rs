@@ -49,14 +49,26 @@ impl Bench<'_> {
     /// Where the image is larger than memory can hold, or the scene cannot be read again.
     pub fn measure(&self, plan: &Plan, progress: Progress) -> Result<Measured> {
         let points = SurfacePoints::of(&self.scene.shapes, &mut Random::new(SEED));
-        let casters: Vec<Caster> = plan.kernels.iter().map(|kernel| Caster::new(self.scene, *kernel)).collect();
+        let casters: Vec<Caster> = plan
+            .kernels
+            .iter()
+            .map(|kernel| Caster::new(self.scene, *kernel))
+            .collect();
         let mut pictures = plan.with_pictures.then(|| Pictures::new(self.scene));
         let mut trees = Vec::new();
-        let trial = Trial { bench: self, casters: &casters, points: points.as_ref(), progress };
+        let trial = Trial {
+            bench: self,
+            casters: &casters,
+            points: points.as_ref(),
+            progress,
+        };
         for build in &plan.builds {
             trees.push(trial.tree(*build, pictures.as_mut())?);
         }
-        let options = LoadOptions { input_budget: self.input_budget, ..LoadOptions::default() };
+        let options = LoadOptions {
+            input_budget: self.input_budget,
+            ..LoadOptions::default()
+        };
         let mut load_ms = vec![self.load_ms];
         for round in 0..plan.rounds.warmup.saturating_add(plan.rounds.runs.max(1)) {
             let is_counted = round >= plan.rounds.warmup;
@@ -70,8 +82,12 @@ impl Bench<'_> {
             }
         }
         // The first time was to warm up.
-        let load_ms = Spread::of(load_ms.split_off(usize::from(load_ms.len() > 1))).expect("a time at least");
-        let rows = trees.into_iter().flat_map(|tree| tree.into_rows(self, &casters, load_ms)).collect();
+        let load_ms =
+            Spread::of(load_ms.split_off(usize::from(load_ms.len() > 1))).expect("a time at least");
+        let rows = trees
+            .into_iter()
+            .flat_map(|tree| tree.into_rows(self, &casters, load_ms))
+            .collect();
         Ok(Measured { rows, pictures })
     }
 }
@@ -91,7 +107,11 @@ impl Trial<'_> {
         self.progress.advance(1);
         let sample = sample_of(options.method, scene, &mut Random::new(SEED + 2));
         let judge = match (&sample, &self.bench.judge) {
-            (Some(sample), Some(_)) => Some(Judge::of_pixels(scene, sample.pixels.clone(), Progress::SILENT)),
+            (Some(sample), Some(_)) => Some(Judge::of_pixels(
+                scene,
+                sample.pixels.clone(),
+                Progress::SILENT,
+            )),
             _ => None,
         };
         let pixels = match &sample {
@@ -104,7 +124,10 @@ impl Trial<'_> {
         let mut casts = Vec::new();
         for caster in self.casters {
             let cast = caster.cast(&aggregate, sample.as_ref())?;
-            let judged = judge.as_ref().or(self.bench.judge.as_ref()).map(|judge| judge.verdict(&cast));
+            let judged = judge
+                .as_ref()
+                .or(self.bench.judge.as_ref())
+                .map(|judge| judge.verdict(&cast));
             if let Some(pictures) = pictures.as_deref_mut() {
                 pictures.add_row(caster.kernel, &cast, judged.as_ref());
             }
@@ -151,12 +174,19 @@ struct Trace {
 
 impl Tree {
     /// Builds, and traces by all of the `casters`.
-    fn run(&mut self, scene: &Scene, casters: &[Caster], is_counted: bool, progress: Progress) -> Result<()> {
+    fn run(
+        &mut self,
+        scene: &Scene,
+        casters: &[Caster],
+        is_counted: bool,
+        progress: Progress,
+    ) -> Result<()> {
         let (aggregate, ms) = timed(|| build(scene, self.options));
         self.build_ms.extend(is_counted.then_some(ms));
         progress.advance(1);
         for (caster, trace) in casters.iter().zip(&mut self.traces) {
-            let (cast, ms): (Result<Cast>, f64) = timed(|| caster.cast(&aggregate, self.sample.as_ref()));
+            let (cast, ms): (Result<Cast>, f64) =
+                timed(|| caster.cast(&aggregate, self.sample.as_ref()));
             drop(cast?);
             trace.ms.extend(is_counted.then_some(ms));
             progress.advance(1);
@@ -200,5 +230,10 @@ pub fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
 }
 
 fn build(scene: &Scene, options: BuildOptions) -> Aggregate {
-    Aggregate::build(&scene.shapes, scene.camera.anchor(), options, Progress::SILENT)
+    Aggregate::build(
+        &scene.shapes,
+        scene.camera.anchor(),
+        options,
+        Progress::SILENT,
+    )
 }

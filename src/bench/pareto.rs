@@ -5,7 +5,10 @@ pub(super) fn front(points: &[[f64; 2]]) -> Vec<bool> {
     let beats = |[speed, error]: [f64; 2], [other_speed, other_error]: [f64; 2]| {
         speed >= other_speed && error <= other_error && (speed > other_speed || error < other_error)
     };
-    points.iter().map(|point| !points.iter().any(|other| beats(*other, *point))).collect()
+    points
+        .iter()
+        .map(|point| !points.iter().any(|other| beats(*other, *point)))
+        .collect()
 }
 
 #[cfg(test)]
@@ -15,7 +18,14 @@ mod tests {
 
     #[test]
     fn the_fastest_of_the_most_right_and_what_is_faster_yet() {
-        let points = [[1.0, 0.0], [3.0, 0.0], [5.0, 2.0], [4.0, 2.0], [4.0, 1.0], [3.0, 0.0]];
+        let points = [
+            [1.0, 0.0],
+            [3.0, 0.0],
+            [5.0, 2.0],
+            [4.0, 2.0],
+            [4.0, 1.0],
+            [3.0, 0.0],
+        ];
         assert_eq!(front(&points), [false, true, true, false, true, true]);
     }
 

@@ -6,7 +6,9 @@ use super::judge::Verdict;
 use crate::accel::{Aggregate, Precision, SplitMethod};
 use crate::compare::picture;
 use crate::error::Result;
-use crate::film::{ChannelName, ColorMap, CostRange, DepthRange, Image, PixelBounds, png_file, view};
+use crate::film::{
+    ChannelName, ColorMap, CostRange, DepthRange, Image, PixelBounds, png_file, view,
+};
 use crate::progress::Progress;
 use crate::render::{RenderOptions, render};
 use crate::scene::Scene;
@@ -42,11 +44,21 @@ const NOT_JUDGED: [u8; 3] = [0, 0, 0];
 
 impl Pictures {
     pub(super) fn new(scene: &Scene) -> Pictures {
-        Pictures { window: scene.film.crop, depth: None, costs: Vec::new(), errors: Vec::new() }
+        Pictures {
+            window: scene.film.crop,
+            depth: None,
+            costs: Vec::new(),
+            errors: Vec::new(),
+        }
     }
 
     /// What rays cost in a tree.
-    pub(super) fn add_cost(&mut self, method: SplitMethod, scene: &Scene, aggregate: &Aggregate) -> Result<()> {
+    pub(super) fn add_cost(
+        &mut self,
+        method: SplitMethod,
+        scene: &Scene,
+        aggregate: &Aggregate,
+    ) -> Result<()> {
         let options = RenderOptions {
             data_window: self.window,
             channels: vec![ChannelName::Cost],
@@ -55,7 +67,13 @@ impl Pictures {
             counted: false,
             level: Level::detect(),
         };
-        let rendering = render(&scene.camera, &scene.shapes, aggregate, &options, Progress::SILENT)?;
+        let rendering = render(
+            &scene.camera,
+            &scene.shapes,
+            aggregate,
+            &options,
+            Progress::SILENT,
+        )?;
         self.costs.push((method, rendering.image));
         Ok(())
     }
@@ -65,7 +83,11 @@ impl Pictures {
         if kernel == Kernel::Tiles(Precision::Exact) && self.depth.is_none() {
             self.depth = cast.image().cloned();
         }
-        self.errors.push(verdict.filter(|_| cast.image().is_some()).map(|verdict| self.errors_of(verdict)));
+        self.errors.push(
+            verdict
+                .filter(|_| cast.image().is_some())
+                .map(|verdict| self.errors_of(verdict)),
+        );
     }
 
     fn errors_of(&self, verdict: &Verdict) -> Vec<[u8; 3]> {
@@ -76,7 +98,13 @@ impl Pictures {
         }
         // On top of all that is right, and larger, so that a single one of a large picture is seen.
         for (pixel, color) in &colors {
-            if [picture::FALSE_HIT, picture::MISSED_HIT, picture::WRONG_PRIMITIVE].contains(color) {
+            if [
+                picture::FALSE_HIT,
+                picture::MISSED_HIT,
+                picture::WRONG_PRIMITIVE,
+            ]
+            .contains(color)
+            {
                 self.mark(*pixel, *color, &mut pixels);
             }
         }
@@ -96,23 +124,37 @@ impl Pictures {
             y1: y + reach + 1,
         };
         let PixelBounds { x0, x1, y0, y1 } = around.intersection(&self.window);
-        (y0..y1).for_each(|y| pixels[self.place(x0, y)..self.place(x0, y) + (x1 - x0) as usize].fill(color));
+        (y0..y1).for_each(|y| {
+            pixels[self.place(x0, y)..self.place(x0, y) + (x1 - x0) as usize].fill(color)
+        });
     }
 
     /// All of them as files.
     pub fn encode(self) -> io::Result<PictureFiles> {
         let size = [self.window.width(), self.window.height()];
-        let range =
-            CostRange { low: 0.0, high: self.costs.iter().map(|(_, image)| high_cost(image)).fold(0.0, f32::max) };
+        let range = CostRange {
+            low: 0.0,
+            high: self
+                .costs
+                .iter()
+                .map(|(_, image)| high_cost(image))
+                .fold(0.0, f32::max),
+        };
         let cost = |(method, image): &(SplitMethod, Image)| {
-            Ok((*method, file(size, &view::cost(image, ColorMap::Turbo, range)?)?))
+            Ok((
+                *method,
+                file(size, &view::cost(image, ColorMap::Turbo, range)?)?,
+            ))
         };
         let errors = |pixels: &Option<Vec<[u8; 3]>>| {
             let pixels = pixels.as_ref();
             pixels.map(|pixels| file(size, pixels)).transpose()
         };
         let depth = |image: &Image| {
-            let range = DepthRange::of_hits(image).unwrap_or(DepthRange { near: 0.0, far: 1.0 });
+            let range = DepthRange::of_hits(image).unwrap_or(DepthRange {
+                near: 0.0,
+                far: 1.0,
+            });
             file(size, &view::depth(image, ColorMap::Turbo, range)?)
         };
         Ok(PictureFiles {
@@ -132,7 +174,10 @@ fn file(size: [u32; 2], pixels: &[[u8; 3]]) -> io::Result<Vec<u8>> {
 
 /// What 999 of 1000 rays do not exceed: a few that graze everything should not make all others look cheap.
 fn high_cost(image: &Image) -> f32 {
-    let mut costs = image.numbers(ChannelName::Cost).expect("rendered above").to_vec();
+    let mut costs = image
+        .numbers(ChannelName::Cost)
+        .expect("rendered above")
+        .to_vec();
     // Less than all of them, since there is a pixel at least.
     let rank = costs.len() * 999 / 1000;
     *costs.select_nth_unstable(rank).1 as f32

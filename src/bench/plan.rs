@@ -46,12 +46,18 @@ const SAMPLE_TESTS: u64 = 1 << 24;
 const TILES_FOR_ONE: u64 = 8;
 
 /// The tiles that `method` is tried on; `None` for all.
-pub(super) fn sample_of(method: SplitMethod, scene: &Scene, random: &mut Random) -> Option<TileSample> {
+pub(super) fn sample_of(
+    method: SplitMethod,
+    scene: &Scene,
+    random: &mut Random,
+) -> Option<TileSample> {
     let (rays, primitives) = (scene.film.crop.area(), scene.shapes.primitive_count());
     if method != SplitMethod::None || rays.saturating_mul(primitives) <= MAX_TESTS {
         return None;
     }
     let tiles = rays / u64::from(TILE * TILE);
-    let count = (SAMPLE_TESTS / primitives).min(tiles / TILES_FOR_ONE).max(4);
+    let count = (SAMPLE_TESTS / primitives)
+        .min(tiles / TILES_FOR_ONE)
+        .max(4);
     (count < tiles).then(|| TileSample::new(count, &scene.film.crop, random))
 }

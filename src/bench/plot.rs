@@ -32,11 +32,16 @@ const QUANTITIES: [Quantity; 2] = [
         title: "wrong pixels in a million",
         of: |errors| {
             let wrong = errors.tally.wrong_decisions();
-            let high = errors.confidence(wrong).map_or(errors.wrong_share(), |[_, high]| high);
+            let high = errors
+                .confidence(wrong)
+                .map_or(errors.wrong_share(), |[_, high]| high);
             [1e6 * errors.wrong_share(), 1e6 * high]
         },
     },
-    Quantity { title: "largest depth error, ulp", of: |errors| [f64::from(errors.tally.depths.max().unwrap_or(0)); 2] },
+    Quantity {
+        title: "largest depth error, ulp",
+        of: |errors| [f64::from(errors.tally.depths.max().unwrap_or(0)); 2],
+    },
 ];
 
 /// A plot of the rows' errors against their speeds as an SVG file: decisions at the left, depths at the right, both axes logarithmic,
@@ -54,8 +59,15 @@ fn draw(svg: &mut String, title: &str, rows: &[Row]) -> Result {
     root.draw_text(title, &("sans-serif", 17).into_text_style(&root), (14, 10))?;
     let (_, below) = root.split_vertically(34);
     let (plots, legend) = below.split_horizontally(SIZE.0 - LEGEND);
-    for (area, quantity) in plots.split_evenly((1, QUANTITIES.len())).iter().zip(&QUANTITIES) {
-        let points: Vec<Point> = rows.iter().filter_map(|row| Point::new(row, quantity)).collect();
+    for (area, quantity) in plots
+        .split_evenly((1, QUANTITIES.len()))
+        .iter()
+        .zip(&QUANTITIES)
+    {
+        let points: Vec<Point> = rows
+            .iter()
+            .filter_map(|row| Point::new(row, quantity))
+            .collect();
         draw_panel(area, quantity, &points)?;
     }
     draw_legend(&legend, rows)?;
@@ -81,7 +93,13 @@ impl Point {
             return None;
         }
         let [error, high] = (quantity.of)(row.errors.as_ref()?);
-        Some(Point { method: row.method, kernel: row.kernel, speed, error, high })
+        Some(Point {
+            method: row.method,
+            kernel: row.kernel,
+            speed,
+            error,
+            high,
+        })
     }
 }
 
@@ -94,24 +112,45 @@ struct Scale {
 impl Scale {
     /// For positive values, whole decades around them; for 0, room below.
     fn of(values: impl Iterator<Item = f64>, with_zero: bool) -> Scale {
-        let logarithms: Vec<f64> = values.filter(|value| *value > 0.0).map(f64::log10).collect();
+        let logarithms: Vec<f64> = values
+            .filter(|value| *value > 0.0)
+            .map(f64::log10)
+            .collect();
         let low = logarithms.iter().copied().fold(f64::INFINITY, f64::min);
         let high = logarithms.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let (low, high) = if low <= high { (low.floor(), high.ceil()) } else { (0.0, 1.0) };
+        let (low, high) = if low <= high {
+            (low.floor(), high.ceil())
+        } else {
+            (0.0, 1.0)
+        };
         let high = if high > low { high } else { low + 1.0 };
         let zero = low - 0.7 * ((high - low) / 4.0).max(0.5);
-        let below = if with_zero { zero - 0.3 * (low - zero) } else { low };
-        Scale { range: below..high + 0.04 * (high - low), zero }
+        let below = if with_zero {
+            zero - 0.3 * (low - zero)
+        } else {
+            low
+        };
+        Scale {
+            range: below..high + 0.04 * (high - low),
+            zero,
+        }
     }
 
     fn place(&self, value: f64) -> f64 {
-        if value > 0.0 { value.log10() } else { self.zero }
+        if value > 0.0 {
+            value.log10()
+        } else {
+            self.zero
+        }
     }
 }
 
 fn draw_panel(area: &Area, quantity: &Quantity, points: &[Point]) -> Result {
     let x = Scale::of(points.iter().map(|point| point.speed), false);
-    let y = Scale::of(points.iter().flat_map(|point| [point.error, point.high]), true);
+    let y = Scale::of(
+        points.iter().flat_map(|point| [point.error, point.high]),
+        true,
+    );
     let mut chart = ChartBuilder::on(area)
         .margin(12)
         .x_label_area_size(40)
@@ -124,7 +163,13 @@ fn draw_panel(area: &Area, quantity: &Quantity, points: &[Point]) -> Result {
         .x_labels(decades(&x.range).max(2))
         .y_labels(decades(&y.range).max(2))
         .x_label_formatter(&|logarithm| decade(*logarithm))
-        .y_label_formatter(&|logarithm| if *logarithm < zero + 0.05 { String::new() } else { decade(*logarithm) })
+        .y_label_formatter(&|logarithm| {
+            if *logarithm < zero + 0.05 {
+                String::new()
+            } else {
+                decade(*logarithm)
+            }
+        })
         .x_desc("million rays a second")
         .y_desc(quantity.title)
         .label_style(FONT)
@@ -132,20 +177,37 @@ fn draw_panel(area: &Area, quantity: &Quantity, points: &[Point]) -> Result {
         .bold_line_style(RGBColor(222, 222, 222))
         .draw()?;
     let gray = RGBColor(120, 120, 120);
-    chart.draw_series([PathElement::new(vec![(x.range.start, zero), (x.range.end, zero)], gray.stroke_width(1))])?;
-    let label = FONT.into_text_style(area).pos(Pos::new(HPos::Right, VPos::Center));
+    chart.draw_series([PathElement::new(
+        vec![(x.range.start, zero), (x.range.end, zero)],
+        gray.stroke_width(1),
+    )])?;
+    let label = FONT
+        .into_text_style(area)
+        .pos(Pos::new(HPos::Right, VPos::Center));
     let beside = chart.backend_coord(&(x.range.start, zero));
     let origin = area.get_base_pixel();
-    area.draw_text("none", &label, (beside.0 - origin.0 - 8, beside.1 - origin.1))?;
+    area.draw_text(
+        "none",
+        &label,
+        (beside.0 - origin.0 - 8, beside.1 - origin.1),
+    )?;
     draw_front(&mut chart, points, &x, &y)?;
     for point in points {
         let at = (x.place(point.speed), y.place(point.error));
         if point.high > point.error {
             let top = (at.0, y.place(point.high));
-            chart.draw_series([PathElement::new(vec![at, top], color(point.kernel).mix(0.5))])?;
+            chart.draw_series([PathElement::new(
+                vec![at, top],
+                color(point.kernel).mix(0.5),
+            )])?;
         }
         let place = chart.backend_coord(&at);
-        mark(area, point.method, color(point.kernel), (place.0 - origin.0, place.1 - origin.1))?;
+        mark(
+            area,
+            point.method,
+            color(point.kernel),
+            (place.0 - origin.0, place.1 - origin.1),
+        )?;
     }
     Ok(())
 }
@@ -154,7 +216,10 @@ type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64
 
 /// A line through what nothing beats: to be more right than a point on it, one has to be as slow as the next.
 fn draw_front(chart: &mut Chart, points: &[Point], x: &Scale, y: &Scale) -> Result {
-    let places: Vec<[f64; 2]> = points.iter().map(|point| [point.speed, point.error]).collect();
+    let places: Vec<[f64; 2]> = points
+        .iter()
+        .map(|point| [point.speed, point.error])
+        .collect();
     let mut best: Vec<(f64, f64)> = places
         .iter()
         .zip(front(&places))
@@ -170,8 +235,14 @@ fn draw_front(chart: &mut Chart, points: &[Point], x: &Scale, y: &Scale) -> Resu
     for pair in best.windows(2) {
         steps.extend([(pair[0].0, pair[1].1), pair[1]]);
     }
-    chart.draw_series([PathElement::new(steps, RGBColor(150, 150, 150).stroke_width(2))])?;
-    chart.draw_series(best.iter().map(|place| Circle::new(*place, 9, RGBColor(110, 110, 110).stroke_width(1))))?;
+    chart.draw_series([PathElement::new(
+        steps,
+        RGBColor(150, 150, 150).stroke_width(2),
+    )])?;
+    chart.draw_series(
+        best.iter()
+            .map(|place| Circle::new(*place, 9, RGBColor(110, 110, 110).stroke_width(1))),
+    )?;
     Ok(())
 }
 
@@ -183,7 +254,11 @@ fn decade(logarithm: f64) -> String {
     }
     match rounded as i32 {
         exponent @ 0..5 => 10u32.pow(exponent as u32).to_string(),
-        exponent @ -3..0 => format!("{:.*}", exponent.unsigned_abs() as usize, 10f64.powi(exponent)),
+        exponent @ -3..0 => format!(
+            "{:.*}",
+            exponent.unsigned_abs() as usize,
+            10f64.powi(exponent)
+        ),
         exponent => format!("1e{exponent}"),
     }
 }
@@ -205,31 +280,51 @@ fn mark(area: &Area, method: SplitMethod, color: RGBColor, (x, y): (i32, i32)) -
     match method {
         SplitMethod::None => area.draw(&Cross::new((x, y), 4, color.stroke_width(2)))?,
         SplitMethod::Middle => area.draw(&TriangleMarker::new((x, y), 6, filled))?,
-        SplitMethod::Equal => area.draw(&Rectangle::new([(x - 4, y - 4), (x + 4, y + 4)], filled))?,
+        SplitMethod::Equal => {
+            area.draw(&Rectangle::new([(x - 4, y - 4), (x + 4, y + 4)], filled))?
+        }
         SplitMethod::Sah => area.draw(&Circle::new((x, y), 5, filled))?,
         SplitMethod::Hlbvh => {
-            area.draw(&Polygon::new(vec![(x - 6, y), (x, y - 6), (x + 6, y), (x, y + 6)], filled))?;
+            area.draw(&Polygon::new(
+                vec![(x - 6, y), (x, y - 6), (x + 6, y), (x, y + 6)],
+                filled,
+            ))?;
         }
     }
     Ok(())
 }
 
 fn draw_legend(area: &Area, rows: &[Row]) -> Result {
-    let text = FONT.into_text_style(area).pos(Pos::new(HPos::Left, VPos::Center));
+    let text = FONT
+        .into_text_style(area)
+        .pos(Pos::new(HPos::Left, VPos::Center));
     let mut y = 30;
-    for kernel in Kernel::ALL.into_iter().filter(|kernel| rows.iter().any(|row| row.kernel == *kernel)) {
-        area.draw(&Rectangle::new([(10, y - 6), (24, y + 6)], color(kernel).filled()))?;
+    for kernel in Kernel::ALL
+        .into_iter()
+        .filter(|kernel| rows.iter().any(|row| row.kernel == *kernel))
+    {
+        area.draw(&Rectangle::new(
+            [(10, y - 6), (24, y + 6)],
+            color(kernel).filled(),
+        ))?;
         area.draw_text(kernel.name(), &text, (34, y))?;
         y += 24;
     }
     y += 16;
-    for method in SplitMethod::ALL.into_iter().filter(|method| rows.iter().any(|row| row.method == *method)) {
+    for method in SplitMethod::ALL
+        .into_iter()
+        .filter(|method| rows.iter().any(|row| row.method == *method))
+    {
         mark(area, method, RGBColor(70, 70, 70), (17, y))?;
         area.draw_text(method.name(), &text, (34, y))?;
         y += 24;
     }
     y += 16;
-    area.draw(&Circle::new((17, y), 9, RGBColor(110, 110, 110).stroke_width(1)))?;
+    area.draw(&Circle::new(
+        (17, y),
+        9,
+        RGBColor(110, 110, 110).stroke_width(1),
+    ))?;
     area.draw_text("Pareto front:", &text, (34, y))?;
     area.draw_text("nothing is faster", &text, (34, y + 18))?;
     area.draw_text("and as right", &text, (34, y + 36))?;
@@ -243,10 +338,15 @@ mod tests {
 
     #[test]
     fn every_row_with_errors_has_its_marks() {
-        let rows: Vec<Row> =
-            SplitMethod::ALL.iter().flat_map(|method| Kernel::ALL.map(|kernel| row(*method, kernel, 1000))).collect();
+        let rows: Vec<Row> = SplitMethod::ALL
+            .iter()
+            .flat_map(|method| Kernel::ALL.map(|kernel| row(*method, kernel, 1000)))
+            .collect();
         let svg = to_svg("a <b> & c", &rows);
-        assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"), "{svg}");
+        assert!(
+            svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"),
+            "{svg}"
+        );
         assert!(svg.contains("a &lt;b&gt; &amp; c"));
         let of_color = |text: &str| svg.matches(text).count();
         // Sah's circle of each colour, in both panels.
@@ -273,11 +373,25 @@ mod tests {
 
     #[test]
     fn scales_hold_all_values_and_zero() {
-        for values in [vec![], vec![0.0], vec![3.0], vec![0.02, 5e9], vec![1.0, 1.0]] {
+        for values in [
+            vec![],
+            vec![0.0],
+            vec![3.0],
+            vec![0.02, 5e9],
+            vec![1.0, 1.0],
+        ] {
             let scale = Scale::of(values.iter().copied(), true);
-            assert!(values.iter().all(|value| scale.range.contains(&scale.place(*value))), "{values:?}");
+            assert!(
+                values
+                    .iter()
+                    .all(|value| scale.range.contains(&scale.place(*value))),
+                "{values:?}"
+            );
             assert!(scale.range.contains(&scale.zero));
         }
-        assert_eq!([-3.0, -1.0, 0.0, 2.0, 7.0, 0.5].map(decade), ["0.001", "0.1", "1", "100", "1e7", ""]);
+        assert_eq!(
+            [-3.0, -1.0, 0.0, 2.0, 7.0, 0.5].map(decade),
+            ["0.001", "0.1", "1", "100", "1e7", ""]
+        );
     }
 }

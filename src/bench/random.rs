@@ -57,8 +57,16 @@ mod tests {
     fn every_number_is_as_likely() {
         let mut random = Random::new(1);
         let mut counts = [0u32; 10];
-        (0..10_000).for_each(|_| random.distinct(3, 10).iter().for_each(|number| counts[*number as usize] += 1));
+        (0..10_000).for_each(|_| {
+            random
+                .distinct(3, 10)
+                .iter()
+                .for_each(|number| counts[*number as usize] += 1)
+        });
         // 3000 each; the standard deviation is 46.
-        assert!(counts.iter().all(|count| count.abs_diff(3000) < 250), "{counts:?}");
+        assert!(
+            counts.iter().all(|count| count.abs_diff(3000) < 250),
+            "{counts:?}"
+        );
     }
 }

@@ -20,7 +20,11 @@ impl Spread {
         values.sort_by(f64::total_cmp);
         let (min, max) = (*values.first()?, *values.last()?);
         let half = values.len() / 2;
-        let median = if values.len() % 2 == 1 { values[half] } else { (values[half - 1] + values[half]) / 2.0 };
+        let median = if values.len() % 2 == 1 {
+            values[half]
+        } else {
+            (values[half - 1] + values[half]) / 2.0
+        };
         Some(Spread { min, median, max })
     }
 }
@@ -34,7 +38,9 @@ impl fmt::Display for Spread {
             median if median < 100.0 => 1,
             _ => 0,
         };
-        f.pad(&format!("{median:.decimals$} ({min:.decimals$}-{max:.decimals$})"))
+        f.pad(&format!(
+            "{median:.decimals$} ({min:.decimals$}-{max:.decimals$})"
+        ))
     }
 }
 
@@ -44,15 +50,43 @@ mod tests {
 
     #[test]
     fn tells_the_ends_and_the_middle() {
-        assert_eq!(Spread::of(vec![3.0, 1.0, 2.0]), Some(Spread { min: 1.0, median: 2.0, max: 3.0 }));
-        assert_eq!(Spread::of(vec![4.0, 1.0, 2.0, 8.0]), Some(Spread { min: 1.0, median: 3.0, max: 8.0 }));
-        assert_eq!(Spread::of(vec![7.0]), Some(Spread { min: 7.0, median: 7.0, max: 7.0 }));
+        assert_eq!(
+            Spread::of(vec![3.0, 1.0, 2.0]),
+            Some(Spread {
+                min: 1.0,
+                median: 2.0,
+                max: 3.0
+            })
+        );
+        assert_eq!(
+            Spread::of(vec![4.0, 1.0, 2.0, 8.0]),
+            Some(Spread {
+                min: 1.0,
+                median: 3.0,
+                max: 8.0
+            })
+        );
+        assert_eq!(
+            Spread::of(vec![7.0]),
+            Some(Spread {
+                min: 7.0,
+                median: 7.0,
+                max: 7.0
+            })
+        );
         assert_eq!(Spread::of(vec![]), None);
     }
 
     #[test]
     fn shows_three_digits() {
-        let shown = |scale: f64| Spread { min: 1.25 * scale, median: 1.5 * scale, max: 20.0 * scale }.to_string();
+        let shown = |scale: f64| {
+            Spread {
+                min: 1.25 * scale,
+                median: 1.5 * scale,
+                max: 20.0 * scale,
+            }
+            .to_string()
+        };
         assert_eq!(shown(1.0), "1.50 (1.25-20.00)");
         assert_eq!(shown(0.01), "0.01 (0.01-0.20)");
         assert_eq!(shown(10.0), "15.0 (12.5-200.0)");

@@ -24,7 +24,10 @@ impl SurfacePoints {
             let area = normal.dot(normal).sqrt();
             if area.is_finite() { area } else { 0.0 }
         };
-        let mut up_to: Vec<f64> = (0..shapes.triangle_count()).into_par_iter().map(area).collect();
+        let mut up_to: Vec<f64> = (0..shapes.triangle_count())
+            .into_par_iter()
+            .map(area)
+            .collect();
         let mut sum = 0.0;
         up_to.iter_mut().for_each(|area| {
             sum += *area;
@@ -36,7 +39,9 @@ impl SurfacePoints {
         let mut unit = || random.next() as f64 / 2f64.powi(64);
         let mut point = || {
             let target = unit() * sum;
-            let index = up_to.partition_point(|sum| *sum <= target).min(up_to.len() - 1);
+            let index = up_to
+                .partition_point(|sum| *sum <= target)
+                .min(up_to.len() - 1);
             // Of a parallelogram the half (Turk, "Generating random points in triangles", Graphics Gems, 1990).
             let (u, v) = match (unit(), unit()) {
                 (u, v) if u + v > 1.0 => (1.0 - u, 1.0 - v),
@@ -51,8 +56,11 @@ impl SurfacePoints {
     /// The end-point overlap of a tree over the same scene, by the mean over all points.
     pub(super) fn overlap(&self, aggregate: &Aggregate) -> f64 {
         // Added in order: a sum should not depend on threads.
-        let costs: Vec<f64> =
-            self.0.par_iter().map(|(primitive, point)| aggregate.overlap_at(*primitive, *point)).collect();
+        let costs: Vec<f64> = self
+            .0
+            .par_iter()
+            .map(|(primitive, point)| aggregate.overlap_at(*primitive, *point))
+            .collect();
         costs.iter().sum::<f64>() / costs.len() as f64
     }
 }
@@ -74,14 +82,28 @@ mod tests {
             corner(5.0, 1.0),
         ];
         let mut shapes = Shapes::default();
-        shapes.add_mesh(vertices.to_vec(), vec![[0, 1, 2], [0, 0, 0], [3, 4, 5]], &Matrix::IDENTITY, 1).unwrap();
+        shapes
+            .add_mesh(
+                vertices.to_vec(),
+                vec![[0, 1, 2], [0, 0, 0], [3, 4, 5]],
+                &Matrix::IDENTITY,
+                1,
+            )
+            .unwrap();
         let SurfacePoints(points) = SurfacePoints::of(&shapes, &mut Random::new(3)).unwrap();
-        let on_first = points.iter().filter(|(primitive, _)| primitive.index() == 0).count();
+        let on_first = points
+            .iter()
+            .filter(|(primitive, _)| primitive.index() == 0)
+            .count();
         assert!(on_first.abs_diff(COUNT / 4) < COUNT / 50, "{on_first}");
         for (primitive, point) in points {
             match primitive.index() {
                 0 => assert!(point.x >= 0.0 && point.y >= 0.0 && point.x + point.y <= 1.0 + 1e-12),
-                2 => assert!(point.x >= 5.0 && point.y >= 0.0 && (point.x - 5.0) / 3.0 + point.y <= 1.0 + 1e-12),
+                2 => assert!(
+                    point.x >= 5.0
+                        && point.y >= 0.0
+                        && (point.x - 5.0) / 3.0 + point.y <= 1.0 + 1e-12
+                ),
                 _ => panic!("a triangle without area"),
             }
         }

@@ -21,21 +21,36 @@ const RAYS: [Column<RatedRow>; 14] = [
     name("precision", |RatedRow(row, _)| row.kernel.to_string()),
     number("trace ms", |RatedRow(row, _)| row.trace_ms.to_string()),
     number("Mrays/s", |RatedRow(row, _)| rate(row.mrays_per_s())),
-    number("cycles/ray", |RatedRow(row, mhz)| mhz.map_or("-".to_owned(), |mhz| mean(row.cycles_per_ray(mhz)))),
+    number("cycles/ray", |RatedRow(row, mhz)| {
+        mhz.map_or("-".to_owned(), |mhz| mean(row.cycles_per_ray(mhz)))
+    }),
     number("nodes/ray", |RatedRow(row, _)| mean(row.nodes_per_ray)),
     number("prims/ray", |RatedRow(row, _)| mean(row.primitives_per_ray)),
-    number("false", |RatedRow(row, _)| count(row, |errors| errors.tally.false_hits)),
-    number("missed", |RatedRow(row, _)| count(row, |errors| errors.tally.missed_hits)),
-    number("wrong prim", |RatedRow(row, _)| count(row, |errors| errors.tally.wrong_primitives)),
+    number("false", |RatedRow(row, _)| {
+        count(row, |errors| errors.tally.false_hits)
+    }),
+    number("missed", |RatedRow(row, _)| {
+        count(row, |errors| errors.tally.missed_hits)
+    }),
+    number("wrong prim", |RatedRow(row, _)| {
+        count(row, |errors| errors.tally.wrong_primitives)
+    }),
     number("max ulp", |RatedRow(row, _)| {
-        ulp(row, |errors| Some(HumanCount(errors.tally.depths.max()?.into()).to_string()))
+        ulp(row, |errors| {
+            Some(HumanCount(errors.tally.depths.max()?.into()).to_string())
+        })
     }),
     number("99 %", |RatedRow(row, _)| {
-        ulp(row, |errors| Some(HumanCount(errors.tally.depths.percentile(99.0)?.into()).to_string()))
+        ulp(row, |errors| {
+            Some(HumanCount(errors.tally.depths.percentile(99.0)?.into()).to_string())
+        })
     }),
-    number("mean", |RatedRow(row, _)| ulp(row, |errors| Some(small(errors.tally.depths.mean()?)))),
+    number("mean", |RatedRow(row, _)| {
+        ulp(row, |errors| Some(small(errors.tally.depths.mean()?)))
+    }),
     number("integers", |RatedRow(row, _)| {
-        row.fallback_rays.map_or("-".to_owned(), |rays| HumanCount(rays).to_string())
+        row.fallback_rays
+            .map_or("-".to_owned(), |rays| HumanCount(rays).to_string())
     }),
 ];
 
@@ -80,7 +95,9 @@ fn small(value: f64) -> String {
 
 /// A number of pixels; of a sample, the most that it may stand for in all of the picture, too.
 fn count(row: &Row, of: fn(&Errors) -> u64) -> String {
-    let Some(errors) = &row.errors else { return "-".to_owned() };
+    let Some(errors) = &row.errors else {
+        return "-".to_owned();
+    };
     let count = of(errors);
     match errors.confidence(count) {
         None => HumanCount(count).to_string(),
@@ -89,7 +106,10 @@ fn count(row: &Row, of: fn(&Errors) -> u64) -> String {
 }
 
 fn ulp(row: &Row, of: fn(&Errors) -> Option<String>) -> String {
-    row.errors.as_ref().and_then(of).unwrap_or_else(|| "-".to_owned())
+    row.errors
+        .as_ref()
+        .and_then(of)
+        .unwrap_or_else(|| "-".to_owned())
 }
 
 #[cfg(test)]
@@ -103,8 +123,14 @@ pub(super) mod tests {
     pub(in crate::bench) fn row(method: SplitMethod, kernel: Kernel, judged: u64) -> Row {
         let mut depths = Ulps::default();
         [0, 0, 0, 3].iter().for_each(|error| depths.add(*error));
-        let tally =
-            Tally { pixels: judged, false_hits: 1, missed_hits: 0, wrong_primitives: 2, depths, ..Tally::default() };
+        let tally = Tally {
+            pixels: judged,
+            false_hits: 1,
+            missed_hits: 0,
+            wrong_primitives: 2,
+            depths,
+            ..Tally::default()
+        };
         Row {
             scene: "a.pbrt".into(),
             method,
@@ -112,9 +138,21 @@ pub(super) mod tests {
             threads: 2,
             rays: 1000,
             pixels: 1000,
-            load_ms: Spread { min: 1.0, median: 2.0, max: 3.0 },
-            build_ms: Spread { min: 415.2, median: 461.1, max: 491.9 },
-            trace_ms: Spread { min: 49.96, median: 50.0, max: 53.04 },
+            load_ms: Spread {
+                min: 1.0,
+                median: 2.0,
+                max: 3.0,
+            },
+            build_ms: Spread {
+                min: 415.2,
+                median: 461.1,
+                max: 491.9,
+            },
+            trace_ms: Spread {
+                min: 49.96,
+                median: 50.0,
+                max: 53.04,
+            },
             nodes_per_ray: 19.89,
             primitives_per_ray: 1234.567,
             sah_cost: 49.13,
@@ -130,8 +168,11 @@ pub(super) mod tests {
     #[test]
     fn trees_are_told_once_and_rays_by_kernel() {
         let [exact, fast, ..] = Kernel::ALL;
-        let rows =
-            [row(SplitMethod::Sah, exact, 1000), row(SplitMethod::Sah, fast, 100), row(SplitMethod::Hlbvh, fast, 0)];
+        let rows = [
+            row(SplitMethod::Sah, exact, 1000),
+            row(SplitMethod::Sah, fast, 100),
+            row(SplitMethod::Hlbvh, fast, 0),
+        ];
         let trees = "\
 accel           load ms       build ms   SAH  EPO  depth  tree bytes
 sah    2.00 (1.00-3.00)  461 (415-492)  49.1  3.2     26  34,218,112
@@ -144,14 +185,25 @@ sah    exact      50.0 (50.0-53.0)     0.02     250,000       19.9      1,235   
 sah    fast       50.0 (50.0-53.0)     0.02     250,000       19.9      1,235  1 (<5.45%)  0 (<3.70%)  2 (<7.00%)        3     3  0.750         -
 hlbvh  fast       50.0 (50.0-53.0)     0.02     250,000       19.9      1,235          -          -          -        -     -      -         -
 ";
-        let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
-        assert_eq!(words(&ray_table(&rows, Some(2500.0)).aligned()), words(rays));
+        let words = |text: &str| {
+            text.split_whitespace()
+                .map(str::to_owned)
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(
+            words(&ray_table(&rows, Some(2500.0)).aligned()),
+            words(rays)
+        );
     }
 
     #[test]
     fn what_is_no_number_is_a_dash() {
         let [exact, ..] = Kernel::ALL;
-        let empty = Row { sah_cost: f64::NAN, overlap: None, ..row(SplitMethod::None, exact, 0) };
+        let empty = Row {
+            sah_cost: f64::NAN,
+            overlap: None,
+            ..row(SplitMethod::None, exact, 0)
+        };
         assert!(tree_table(&[empty]).aligned().contains("  -    -     26"));
     }
 }

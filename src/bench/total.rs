@@ -19,7 +19,12 @@ pub fn totals(rows: &[Row]) -> Vec<Row> {
 fn sum(rows: &[&Row], scenes: usize) -> Row {
     let first = rows[0];
     let rays = rows.iter().map(|row| row.rays).sum();
-    let per_ray = |of: fn(&Row) -> f64| rows.iter().map(|row| of(row) * row.rays as f64).sum::<f64>() / rays as f64;
+    let per_ray = |of: fn(&Row) -> f64| {
+        rows.iter()
+            .map(|row| of(row) * row.rays as f64)
+            .sum::<f64>()
+            / rays as f64
+    };
     let spread = |of: fn(&Row) -> Spread| Spread {
         min: rows.iter().map(|row| of(row).min).sum(),
         median: rows.iter().map(|row| of(row).median).sum(),
@@ -40,7 +45,11 @@ fn sum(rows: &[&Row], scenes: usize) -> Row {
         depth: rows.iter().map(|row| row.depth).max().unwrap_or(0),
         bytes: rows.iter().map(|row| row.bytes).sum(),
         input: None,
-        errors: rows.iter().map(|row| row.errors.clone()).collect::<Option<Vec<Errors>>>().map(|all| merged(&all)),
+        errors: rows
+            .iter()
+            .map(|row| row.errors.clone())
+            .collect::<Option<Vec<Errors>>>()
+            .map(|all| merged(&all)),
         fallback_rays: rows.iter().map(|row| row.fallback_rays).sum(),
         ..first.clone()
     }
@@ -49,7 +58,10 @@ fn sum(rows: &[&Row], scenes: usize) -> Row {
 fn merged(all: &[Errors]) -> Errors {
     let mut tally = Tally::default();
     all.iter().for_each(|errors| tally.merge(&errors.tally));
-    Errors { tally, of: all.iter().map(|errors| errors.of).sum() }
+    Errors {
+        tally,
+        of: all.iter().map(|errors| errors.of).sum(),
+    }
 }
 
 #[cfg(test)]
@@ -62,20 +74,54 @@ mod tests {
     #[test]
     fn counts_add_up_and_what_is_missing_somewhere_is_left_out() {
         let [exact, fast, ..] = Kernel::ALL;
-        let of = |scene: &str, row: Row| Row { scene: scene.into(), ..row };
+        let of = |scene: &str, row: Row| Row {
+            scene: scene.into(),
+            ..row
+        };
         let rows = [
             of("a", row(SplitMethod::None, exact, 1000)),
             of("a", row(SplitMethod::Sah, exact, 1000)),
             of("a", row(SplitMethod::Sah, fast, 1000)),
-            of("b", Row { rays: 10, ..row(SplitMethod::None, exact, 1000) }),
-            of("b", Row { trace_ms: Spread { min: 1.0, median: 2.0, max: 3.0 }, ..row(SplitMethod::Sah, exact, 500) }),
+            of(
+                "b",
+                Row {
+                    rays: 10,
+                    ..row(SplitMethod::None, exact, 1000)
+                },
+            ),
+            of(
+                "b",
+                Row {
+                    trace_ms: Spread {
+                        min: 1.0,
+                        median: 2.0,
+                        max: 3.0,
+                    },
+                    ..row(SplitMethod::Sah, exact, 500)
+                },
+            ),
         ];
         let totals = totals(&rows);
-        let [total] = &totals[..] else { panic!("{totals:?}") };
-        assert_eq!((total.method, total.kernel, total.rays), (SplitMethod::Sah, exact, 2000));
+        let [total] = &totals[..] else {
+            panic!("{totals:?}")
+        };
+        assert_eq!(
+            (total.method, total.kernel, total.rays),
+            (SplitMethod::Sah, exact, 2000)
+        );
         assert_eq!(total.trace_ms.median, 52.0);
         let errors = total.errors.as_ref().unwrap();
-        assert_eq!((errors.tally.pixels, errors.of, errors.tally.wrong_primitives), (1500, 2000, 4));
-        assert_eq!((errors.tally.depths.total(), errors.tally.depths.above(0)), (8, 2));
+        assert_eq!(
+            (
+                errors.tally.pixels,
+                errors.of,
+                errors.tally.wrong_primitives
+            ),
+            (1500, 2000, 4)
+        );
+        assert_eq!(
+            (errors.tally.depths.total(), errors.tally.depths.above(0)),
+            (8, 2)
+        );
     }
 }

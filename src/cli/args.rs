@@ -273,8 +273,14 @@ impl PbrtArgs {
             (self.interactive, "--interactive"),
             (self.force_diffuse, "--force-diffuse"),
             (self.disable_pixel_jitter, "--disable-pixel-jitter"),
-            (self.disable_wavelength_jitter, "--disable-wavelength-jitter"),
-            (self.disable_texture_filtering, "--disable-texture-filtering"),
+            (
+                self.disable_wavelength_jitter,
+                "--disable-wavelength-jitter",
+            ),
+            (
+                self.disable_texture_filtering,
+                "--disable-texture-filtering",
+            ),
             (self.write_partial_images, "--write-partial-images"),
             (self.spp.is_some(), "--spp"),
             (self.seed.is_some(), "--seed"),
@@ -283,27 +289,38 @@ impl PbrtArgs {
             (self.rendering_space.is_some(), "--rendering-space"),
             (self.log_level.is_some(), "--log-level"),
         ];
-        flags.into_iter().filter_map(|(given, name)| given.then_some(name)).collect()
+        flags
+            .into_iter()
+            .filter_map(|(given, name)| given.then_some(name))
+            .collect()
     }
 }
 
 fn simd(name: &str) -> Result<Level, String> {
     match name {
         "auto" => Ok(Level::detect()),
-        name => name.parse().map_err(|error: UnavailableLevel| format!("{error}; auto takes the widest")),
+        name => name
+            .parse()
+            .map_err(|error: UnavailableLevel| format!("{error}; auto takes the widest")),
     }
 }
 
 fn aov(name: &str) -> Result<Aov, String> {
-    name.parse().map_err(|_| format!("expected some of {}", Aov::ALL.map(Aov::as_str).join(", ")))
+    name.parse()
+        .map_err(|_| format!("expected some of {}", Aov::ALL.map(Aov::as_str).join(", ")))
 }
 
 /// Longer names are not read by older programs.
 const MAX_CHANNEL_NAME: usize = 31;
 
 fn depth_channel(name: &str) -> Result<String, String> {
-    if name.is_empty() || name.len() > MAX_CHANNEL_NAME || !name.chars().all(|c| c.is_ascii_graphic()) {
-        return Err(format!("expected 1 to {MAX_CHANNEL_NAME} letters, digits or signs of ASCII"));
+    if name.is_empty()
+        || name.len() > MAX_CHANNEL_NAME
+        || !name.chars().all(|c| c.is_ascii_graphic())
+    {
+        return Err(format!(
+            "expected 1 to {MAX_CHANNEL_NAME} letters, digits or signs of ASCII"
+        ));
     }
     if name != "Z" && ChannelName::ALL.iter().any(|known| known.as_str() == name) {
         return Err("it is the name of another channel".to_owned());
@@ -312,32 +329,43 @@ fn depth_channel(name: &str) -> Result<String, String> {
 }
 
 fn scale(text: &str) -> Result<f64, String> {
-    let scale = text.parse().ok().filter(|scale: &f64| *scale > 0.0 && scale.is_finite());
+    let scale = text
+        .parse()
+        .ok()
+        .filter(|scale: &f64| *scale > 0.0 && scale.is_finite());
     scale.ok_or_else(|| format!("expected a number above 0, such as {}", Depth16::SCALE))
 }
 
 fn miss(text: &str) -> Result<f32, String> {
-    text.parse().map_err(|_| "expected inf, nan or a number".to_owned())
+    text.parse()
+        .map_err(|_| "expected inf, nan or a number".to_owned())
 }
 
 /// Threads at most: a typing error should not take the machine down.
 const MAX_THREADS: usize = 4096;
 
 pub(super) fn threads(text: &str) -> Result<usize, String> {
-    let threads = text.parse().ok().filter(|threads| (1..=MAX_THREADS).contains(threads));
+    let threads = text
+        .parse()
+        .ok()
+        .filter(|threads| (1..=MAX_THREADS).contains(threads));
     threads.ok_or_else(|| format!("expected a number from 1 to {MAX_THREADS}"))
 }
 
 fn parts<const N: usize>(text: &str, separator: char) -> Result<[&str; N], String> {
     let parts: Vec<&str> = text.split(separator).map(str::trim).collect();
     let count = parts.len();
-    parts.try_into().map_err(|_| format!("expected {N} values separated by `{separator}`, found {count}"))
+    parts
+        .try_into()
+        .map_err(|_| format!("expected {N} values separated by `{separator}`, found {count}"))
 }
 
 fn numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
     let mut numbers = [0.0; N];
     for (number, part) in numbers.iter_mut().zip(parts::<N>(text, ',')?) {
-        *number = part.parse().map_err(|_| format!("`{part}` is not a number"))?;
+        *number = part
+            .parse()
+            .map_err(|_| format!("`{part}` is not a number"))?;
         if !f64::is_finite(*number) {
             return Err(format!("`{part}` is not a finite number"));
         }
@@ -358,8 +386,12 @@ pub(super) fn resolution(text: &str) -> Result<[u32; 2], String> {
     let resolution = integers(parts(text, 'x')?)?;
     const MAX_SIDE: u32 = PixelBounds::MAX_SIDE;
     match resolution {
-        [width, height] if width == 0 || height == 0 => Err("a film needs a pixel at least".to_owned()),
-        [width, height] if width.max(height) > MAX_SIDE => Err(format!("at most {MAX_SIDE} pixels along a side")),
+        [width, height] if width == 0 || height == 0 => {
+            Err("a film needs a pixel at least".to_owned())
+        }
+        [width, height] if width.max(height) > MAX_SIDE => {
+            Err(format!("at most {MAX_SIDE} pixels along a side"))
+        }
         resolution => Ok(resolution),
     }
 }
@@ -367,7 +399,9 @@ pub(super) fn resolution(text: &str) -> Result<[u32; 2], String> {
 fn integers<const N: usize>(parts: [&str; N]) -> Result<[u32; N], String> {
     let mut integers = [0; N];
     for (integer, part) in integers.iter_mut().zip(parts) {
-        *integer = part.parse().map_err(|_| format!("`{part}` is not an integer from 0 to {}", u32::MAX))?;
+        *integer = part
+            .parse()
+            .map_err(|_| format!("`{part}` is not an integer from 0 to {}", u32::MAX))?;
     }
     Ok(integers)
 }

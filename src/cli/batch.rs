@@ -28,7 +28,10 @@ use std::time::Instant;
 pub(crate) fn render(args: &RenderArgs, reporter: &Reporter) -> Result<u8> {
     refuse_results(&args.scenes, args.report.json, None)?;
     let inputs = Inputs::of_scenes(&args.scenes).with(&args.cameras.cameras, "the list of cameras");
-    args.batch.manifest.as_deref().map_or(Ok(()), |path| manifest::check(path, &inputs))?;
+    args.batch
+        .manifest
+        .as_deref()
+        .map_or(Ok(()), |path| manifest::check(path, &inputs))?;
     let plan = Plan::new(args)?;
     for flag in args.pbrt.given() {
         reporter.note(format_args!("{flag} has no meaning here and is ignored"));
@@ -36,7 +39,11 @@ pub(crate) fn render(args: &RenderArgs, reporter: &Reporter) -> Result<u8> {
     stdout::check_if(args.report.json)?;
     let outputs = Outputs::new(&args.scenes, &plan, &inputs, args.batch.manifest.as_deref())?;
     let may_replace = outputs.count() == 1 || args.batch.force || args.batch.skip_existing;
-    let overwrite = if may_replace { Overwrite::Yes } else { Overwrite::No };
+    let overwrite = if may_replace {
+        Overwrite::Yes
+    } else {
+        Overwrite::No
+    };
     let batch = Batch {
         renderer: Renderer {
             plan: &plan,
@@ -45,7 +52,12 @@ pub(crate) fn render(args: &RenderArgs, reporter: &Reporter) -> Result<u8> {
             overwrite,
             folders: OpenFolders::default(),
         },
-        manifest: args.batch.manifest.as_deref().map(Manifest::open).transpose()?,
+        manifest: args
+            .batch
+            .manifest
+            .as_deref()
+            .map(Manifest::open)
+            .transpose()?,
         pool: thread_pool(plan.threads, reporter)?,
         args: &args.batch,
         json: args.report.json,
@@ -84,9 +96,20 @@ impl Batch<'_> {
             }
         }
         let count = self.outputs.count();
-        let things = if self.outputs.of_scene() > 1 { "images" } else { "scenes" };
-        self.failures.report(things, count, count.saturating_sub(self.tried), self.renderer.reporter);
-        self.manifest.iter().for_each(|manifest| manifest.report(self.renderer.reporter));
+        let things = if self.outputs.of_scene() > 1 {
+            "images"
+        } else {
+            "scenes"
+        };
+        self.failures.report(
+            things,
+            count,
+            count.saturating_sub(self.tried),
+            self.renderer.reporter,
+        );
+        self.manifest
+            .iter()
+            .for_each(|manifest| manifest.report(self.renderer.reporter));
         Ok(self.code)
     }
 
@@ -100,23 +123,37 @@ impl Batch<'_> {
         // Nobody should wait for a scene whose image must not be written.
         let in_the_way = self.outputs.check(number, path, &self.renderer);
         let (loaded, files) = match in_the_way {
-            Ok(()) => guarded(Some(path), || Ok(self.pool.install(|| self.renderer.load(path))))
-                .unwrap_or_else(|error| (Err(error), InputFiles::default())),
+            Ok(()) => guarded(Some(path), || {
+                Ok(self.pool.install(|| self.renderer.load(path)))
+            })
+            .unwrap_or_else(|error| (Err(error), InputFiles::default())),
             Err(error) => (Err(error), InputFiles::default()),
         };
         // Not one line may go there, not even the one that tells of it.
-        self.manifest.as_ref().map_or(Ok(()), |manifest| manifest.check_against_scene(&files))?;
-        let loaded = loaded.and_then(|loaded| self.check_views(number, &loaded.0, &files).map(|()| loaded));
+        self.manifest
+            .as_ref()
+            .map_or(Ok(()), |manifest| manifest.check_against_scene(&files))?;
+        let loaded =
+            loaded.and_then(|loaded| self.check_views(number, &loaded.0, &files).map(|()| loaded));
         let (loaded, mut load) = match loaded {
             Ok(loaded) => loaded,
             Err(error) => {
                 self.tried += self.outputs.of_scene();
-                self.take_note(&ImageName { scene: path, camera: None }, Err(error));
+                self.take_note(
+                    &ImageName {
+                        scene: path,
+                        camera: None,
+                    },
+                    Err(error),
+                );
                 return Ok(());
             }
         };
         for view in &loaded.views {
-            let render = || self.pool.install(|| self.renderer.render(&loaded, view, start, load));
+            let render = || {
+                self.pool
+                    .install(|| self.renderer.render(&loaded, view, start, load))
+            };
             let outcome = guarded(Some(path), render).and_then(|outcome| {
                 self.settle(&outcome)?;
                 if self.json {
@@ -125,7 +162,13 @@ impl Batch<'_> {
                 Ok(outcome)
             });
             self.tried += 1;
-            self.take_note(&ImageName { scene: path, camera: view.name.as_deref() }, outcome);
+            self.take_note(
+                &ImageName {
+                    scene: path,
+                    camera: view.name.as_deref(),
+                },
+                outcome,
+            );
             if self.is_over() {
                 break;
             }
@@ -135,7 +178,12 @@ impl Batch<'_> {
     }
 
     /// Checks where the images of scene `number` go, before the first of them is written.
-    fn check_views(&mut self, number: usize, loaded: &LoadedScene, files: &InputFiles) -> Result<()> {
+    fn check_views(
+        &mut self,
+        number: usize,
+        loaded: &LoadedScene,
+        files: &InputFiles,
+    ) -> Result<()> {
         let Renderer { plan, .. } = self.renderer;
         for view in &loaded.views {
             let destination = self.renderer.destination(loaded, view);
@@ -143,7 +191,10 @@ impl Batch<'_> {
                 self.inputs.check(path, plan.output_name.cause())?;
                 check_against_scene(files, path, plan.output_name.cause())?;
             }
-            let name = ImageName { scene: loaded.path, camera: view.name.as_deref() };
+            let name = ImageName {
+                scene: loaded.path,
+                camera: view.name.as_deref(),
+            };
             self.outputs.claim(number, &name, &destination, plan)?;
         }
         Ok(())
@@ -152,7 +203,13 @@ impl Batch<'_> {
     /// Before the manifest says that an image is done, it outlasts a power cut.
     fn settle(&self, outcome: &Outcome) -> Result<()> {
         match (&self.manifest, outcome) {
-            (Some(_), Outcome::Made { destination: Destination::File(path), .. }) => atomic_file::sync_folder(path),
+            (
+                Some(_),
+                Outcome::Made {
+                    destination: Destination::File(path),
+                    ..
+                },
+            ) => atomic_file::sync_folder(path),
             _ => Ok(()),
         }
     }
@@ -161,7 +218,9 @@ impl Batch<'_> {
     fn take_note(&mut self, name: &ImageName, result: Result<Outcome>) {
         match result {
             Ok(Outcome::Skipped(destination)) => {
-                self.renderer.reporter.detail(format_args!("{name}: skipped, {destination} is there already"));
+                self.renderer.reporter.detail(format_args!(
+                    "{name}: skipped, {destination} is there already"
+                ));
                 self.record(name, Status::Skipped, 0, None, None)
             }
             Ok(Outcome::Made { record, warned, .. }) => {
@@ -170,7 +229,13 @@ impl Batch<'_> {
             }
             Err(error) => {
                 let exit_code = self.failures.add(name, &error, self.renderer.reporter);
-                self.record(name, Status::Failed, exit_code, Some(error.to_string()), None)
+                self.record(
+                    name,
+                    Status::Failed,
+                    exit_code,
+                    Some(error.to_string()),
+                    None,
+                )
             }
         }
     }
@@ -186,7 +251,14 @@ impl Batch<'_> {
         self.code = self.code.max(exit_code);
         if let Some(manifest) = &mut self.manifest {
             let scene = name.scene.display().to_string();
-            let entry = Entry { scene: &scene, camera: name.camera, status, exit_code, error, image };
+            let entry = Entry {
+                scene: &scene,
+                camera: name.camera,
+                status,
+                exit_code,
+                error,
+                image,
+            };
             self.code = self.code.max(manifest.note(&entry, self.renderer.reporter));
         }
     }

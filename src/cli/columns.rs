@@ -8,5 +8,10 @@ pub(super) const INDENT: usize = 14;
 
 /// A line on `subject`.
 pub(super) fn line(f: &mut Formatter<'_>, subject: &str, text: &str) -> fmt::Result {
-    writeln!(f, "  {subject:<width$}{}", printable(text), width = INDENT - 2)
+    writeln!(
+        f,
+        "  {subject:<width$}{}",
+        printable(text),
+        width = INDENT - 2
+    )
 }

@@ -19,7 +19,12 @@ pub(crate) struct CompletionsArgs {
 pub(crate) fn completions(args: &CompletionsArgs) -> Result<u8> {
     let mut command = visible(&Cli::command());
     let mut script = Vec::new();
-    clap_complete::generate(args.shell, &mut command, env!("CARGO_PKG_NAME"), &mut script);
+    clap_complete::generate(
+        args.shell,
+        &mut command,
+        env!("CARGO_PKG_NAME"),
+        &mut script,
+    );
     write_to_stdout(Ok(script)).map(|()| 0)
 }
 
@@ -27,7 +32,13 @@ pub(crate) fn completions(args: &CompletionsArgs) -> Result<u8> {
 fn visible(command: &Command) -> Command {
     let shown = Command::new(command.get_name().to_owned())
         .about(command.get_about().cloned().unwrap_or_default())
-        .args(command.get_arguments().filter(|arg| !arg.is_hide_set()).cloned().map(with_values))
+        .args(
+            command
+                .get_arguments()
+                .filter(|arg| !arg.is_hide_set())
+                .cloned()
+                .map(with_values),
+        )
         .subcommands(command.get_subcommands().map(visible));
     match command.get_version() {
         Some(version) => shown.version(version.to_owned()),
@@ -38,7 +49,9 @@ fn visible(command: &Command) -> Command {
 /// Tells the values of a flag that the command line leaves to the library to know.
 fn with_values(arg: Arg) -> Arg {
     match arg.get_id().as_str() {
-        "accel" => arg.value_parser(PossibleValuesParser::new(SplitMethod::ALL.map(SplitMethod::name))),
+        "accel" => arg.value_parser(PossibleValuesParser::new(
+            SplitMethod::ALL.map(SplitMethod::name),
+        )),
         _ => arg,
     }
 }

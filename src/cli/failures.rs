@@ -31,7 +31,12 @@ impl Failures {
             1 => ", and 1 was not tried".to_owned(),
             _ => format!(", and {untried} were not tried"),
         };
-        reporter.line(format_args!("{} of {count} {things} failed{untried}:", self.0.len()));
-        self.0.iter().for_each(|line| reporter.line(format_args!("  {line}")));
+        reporter.line(format_args!(
+            "{} of {count} {things} failed{untried}:",
+            self.0.len()
+        ));
+        self.0
+            .iter()
+            .for_each(|line| reporter.line(format_args!("  {line}")));
     }
 }

@@ -15,12 +15,18 @@ impl Inputs {
     /// With scenes, of which `-` is standard input.
     pub(crate) fn of_scenes<P: AsRef<Path>>(scenes: &[P]) -> Inputs {
         let mut files = InputFiles::default();
-        scenes.iter().for_each(|scene| files.add_named(scene.as_ref()));
+        scenes
+            .iter()
+            .for_each(|scene| files.add_named(scene.as_ref()));
         Inputs(vec![(files, "a scene")])
     }
 
     /// The same with `paths`, each of which is `what`, such as "a crop".
-    pub(crate) fn with<P: AsRef<Path>>(mut self, paths: impl IntoIterator<Item = P>, what: &'static str) -> Inputs {
+    pub(crate) fn with<P: AsRef<Path>>(
+        mut self,
+        paths: impl IntoIterator<Item = P>,
+        what: &'static str,
+    ) -> Inputs {
         let mut files = InputFiles::default();
         paths.into_iter().for_each(|path| files.add(path.as_ref()));
         self.0.push((files, what));
@@ -31,8 +37,12 @@ impl Inputs {
     /// An `output` that is one of the files, by whatever name; `cause` is what makes it an output,
     /// such as "-o".
     pub(crate) fn check(&self, output: &Path, cause: &str) -> Result<()> {
-        let Some(id) = FileId::of(output) else { return Ok(()) };
-        self.0.iter().try_for_each(|(files, what)| check(files, what, &id, output, cause))
+        let Some(id) = FileId::of(output) else {
+            return Ok(());
+        };
+        self.0
+            .iter()
+            .try_for_each(|(files, what)| check(files, what, &id, output, cause))
     }
 }
 
@@ -45,8 +55,13 @@ pub(crate) fn check_against_scene(files: &InputFiles, output: &Path, cause: &str
 }
 
 fn check(files: &InputFiles, what: &str, id: &FileId, output: &Path, cause: &str) -> Result<()> {
-    let Some(input) = files.path_of(id) else { return Ok(()) };
-    let error = Error::usage(format!("{}: {cause} would overwrite {what}", output.display()));
+    let Some(input) = files.path_of(id) else {
+        return Ok(());
+    };
+    let error = Error::usage(format!(
+        "{}: {cause} would overwrite {what}",
+        output.display()
+    ));
     let error = match input == output {
         true => error,
         false if input == Path::new("-") => error.note("standard input is read from the same file"),

@@ -90,7 +90,13 @@ impl Renderer<'_> {
 
     /// Renders one of the scene's views, on the threads of the current pool. It was begun at `start`, and `load` milliseconds of it were
     /// spent on reading the scene.
-    pub(crate) fn render(&self, loaded: &LoadedScene, view: &Viewpoint, start: Instant, load: f64) -> Result<Outcome> {
+    pub(crate) fn render(
+        &self,
+        loaded: &LoadedScene,
+        view: &Viewpoint,
+        start: Instant,
+        load: f64,
+    ) -> Result<Outcome> {
         let Some(target) = self.target(loaded, view)? else {
             return Ok(Outcome::Skipped(self.destination(loaded, view)));
         };
@@ -103,12 +109,21 @@ impl Renderer<'_> {
         }
         let record = Box::new(record(loaded, view, &finished));
         let warned = !loaded.scene.warnings.is_empty();
-        Ok(Outcome::Made { record, destination: finished.destination, warned })
+        Ok(Outcome::Made {
+            record,
+            destination: finished.destination,
+            warned,
+        })
     }
 
     pub(crate) fn destination(&self, loaded: &LoadedScene, view: &Viewpoint) -> Destination {
         let filename = view.film.filename.as_deref();
-        self.plan.output_name.destination(loaded.path, filename, loaded.build.method, view.name.as_deref())
+        self.plan.output_name.destination(
+            loaded.path,
+            filename,
+            loaded.build.method,
+            view.name.as_deref(),
+        )
     }
 
     /// Finds out what to do, and what cannot be done, before the work that takes long. `None` where the image is there already.
@@ -117,16 +132,22 @@ impl Renderer<'_> {
         if self.overwrite == Overwrite::No {
             destination.check_free()?;
         }
-        let picture = self.plan.picture(&destination).map_err(|error| match self.plan.output_name.is_given() {
-            true => error,
-            false => error.note("this name comes from the scene; -o gives another one"),
+        let picture = self.plan.picture(&destination).map_err(|error| {
+            match self.plan.output_name.is_given() {
+                true => error,
+                false => error.note("this name comes from the scene; -o gives another one"),
+            }
         })?;
         let picture = picture.for_scene(&loaded.scene.shapes, self.reporter);
         let window = self.plan.data_window(&view.film)?;
         let whole = [window.width(), window.height()] == view.film.resolution;
         if let (false, Some((view, ends))) = (whole, picture.lacks_range()) {
-            let error = Error::usage(format!("a {view} PNG of a part of the film needs --range {ends}"));
-            return Err(error.note("else every part would have colours of its own; or write an .exr"));
+            let error = Error::usage(format!(
+                "a {view} PNG of a part of the film needs --range {ends}"
+            ));
+            return Err(
+                error.note("else every part would have colours of its own; or write an .exr")
+            );
         }
         // Made where it is asked for: it takes the whole geometry in.
         let origin = picture.has_header().then(|| Origin {
@@ -149,17 +170,24 @@ impl Renderer<'_> {
             match existing {
                 Existing::Same if self.plan.skip_existing => return Ok(None),
                 Existing::Stale if self.plan.skip_existing => {
-                    self.reporter.detail(format_args!("{destination}: of other options, made anew"));
+                    self.reporter
+                        .detail(format_args!("{destination}: of other options, made anew"));
                 }
                 Existing::CutOff if self.plan.skip_existing => {
-                    self.reporter.note(format_args!("{destination}: was cut off, made anew"));
+                    self.reporter
+                        .note(format_args!("{destination}: was cut off, made anew"));
                 }
                 Existing::Same | Existing::Stale | Existing::CutOff => {}
                 Existing::Foreign => return Err(self.foreign(path)),
             }
         }
         self.check_place(&destination)?;
-        Ok(Some(Target { destination, picture, window, header }))
+        Ok(Some(Target {
+            destination,
+            picture,
+            window,
+            header,
+        }))
     }
 
     /// # Errors
@@ -177,7 +205,8 @@ impl Renderer<'_> {
     }
 
     fn foreign(&self, path: &Path) -> Error {
-        let diagnostic = Diagnostic::new("exists already, and is no image of feimos").at(SourceLocation::file(path));
+        let diagnostic = Diagnostic::new("exists already, and is no image of feimos")
+            .at(SourceLocation::file(path));
         let advice = "move it away, or use --force to overwrite it";
         let advice = match self.plan.output_name.is_given() {
             true => advice.to_owned(),
@@ -188,10 +217,18 @@ impl Renderer<'_> {
 
     /// Builds, traces and writes.
     fn make(&self, loaded: &LoadedScene, view: &Viewpoint, target: Target) -> Result<Finished> {
-        let Target { destination, picture, window, header } = target;
+        let Target {
+            destination,
+            picture,
+            window,
+            header,
+        } = target;
         let shapes = &loaded.scene.shapes;
         let (tree, build_ms) = self.tree(loaded, view, &picture, &window)?;
-        let Built { aggregate, statistics } = tree.built();
+        let Built {
+            aggregate,
+            statistics,
+        } = tree.built();
         let options = RenderOptions {
             data_window: window,
             channels: picture.channels(),
@@ -200,19 +237,40 @@ impl Renderer<'_> {
             level: self.plan.simd,
             precision: self.plan.precision,
         };
-        let trace = |progress: Progress<'_>| render(&view.camera, shapes, aggregate, &options, progress);
-        let (rendering, trace_ms) = timed(|| self.bars.during(Phase::Rendering(window.area()), trace));
+        let trace =
+            |progress: Progress<'_>| render(&view.camera, shapes, aggregate, &options, progress);
+        let (rendering, trace_ms) =
+            timed(|| self.bars.during(Phase::Rendering(window.area()), trace));
         let rendering = rendering?;
 
         let (written, write_ms) = timed(|| {
             let picture = picture.with_range_of(&rendering.image);
-            let caption = Caption { header, camera: CameraAttributes::of(&view.camera) };
-            picture.write(&rendering.image, caption, &destination, self.overwrite).map(|()| picture.legend())
+            let caption = Caption {
+                header,
+                camera: CameraAttributes::of(&view.camera),
+            };
+            picture
+                .write(&rendering.image, caption, &destination, self.overwrite)
+                .map(|()| picture.legend())
         });
         let legend = written?;
-        let ms = Milliseconds { build: build_ms, trace: trace_ms, write: write_ms, ..Milliseconds::default() };
+        let ms = Milliseconds {
+            build: build_ms,
+            trace: trace_ms,
+            write: write_ms,
+            ..Milliseconds::default()
+        };
         let (statistics, precision, simd) = (*statistics, self.plan.precision, self.plan.simd);
-        Ok(Finished { destination, method: loaded.build.method, precision, simd, statistics, rendering, legend, ms })
+        Ok(Finished {
+            destination,
+            method: loaded.build.method,
+            precision,
+            simd,
+            statistics,
+            rendering,
+            legend,
+            ms,
+        })
     }
 
     /// The aggregate for a picture, and the milliseconds that it took now.
@@ -238,10 +296,17 @@ impl Renderer<'_> {
             true => Aggregate::build(shapes, view.camera.anchor(), build, progress),
             false => Aggregate::build_for_view(shapes, &view.camera, window, build, progress),
         };
-        let (aggregate, ms) = timed(|| self.bars.during(Phase::Building(Aggregate::work(shapes)), make));
+        let (aggregate, ms) = timed(|| {
+            self.bars
+                .during(Phase::Building(Aggregate::work(shapes)), make)
+        });
         let built = Built::new(aggregate, shapes);
         summary::report_tree(&built, shapes, build.method, self.reporter);
-        let tree = if is_shared { Tree::Shared(loaded.share(built)) } else { Tree::Own(Box::new(built)) };
+        let tree = if is_shared {
+            Tree::Shared(loaded.share(built))
+        } else {
+            Tree::Own(Box::new(built))
+        };
         Ok((tree, ms))
     }
 }
@@ -268,7 +333,8 @@ fn record(loaded: &LoadedScene, view: &Viewpoint, finished: &Finished) -> Record
         primitives: shapes.primitive_count(),
         ms: finished.ms,
         bvh: finished.statistics.into(),
-        exact: (finished.precision == Precision::Exact).then(|| finished.rendering.traced.fallbacks.into()),
+        exact: (finished.precision == Precision::Exact)
+            .then(|| finished.rendering.traced.fallbacks.into()),
         peak_bytes: peak_bytes(),
     }
 }

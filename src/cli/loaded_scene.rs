@@ -38,7 +38,10 @@ pub(super) struct Built {
 
 impl Built {
     pub(super) fn new(aggregate: Aggregate, shapes: &Shapes) -> Built {
-        Built { statistics: aggregate.statistics(shapes), aggregate }
+        Built {
+            statistics: aggregate.statistics(shapes),
+            aggregate,
+        }
     }
 }
 
@@ -61,28 +64,48 @@ impl<'a> LoadedScene<'a> {
     ) -> (Result<(LoadedScene<'a>, f64)>, InputFiles) {
         let load = |progress: Progress<'_>| scene::load_listing_files(path, &plan.load, progress);
         let ((scene, files), ms) = timed(|| bars.during(Phase::Loading, load));
-        (scene.map(|scene| (LoadedScene::new(path, scene, plan, reporter), ms)), files)
+        (
+            scene.map(|scene| (LoadedScene::new(path, scene, plan, reporter), ms)),
+            files,
+        )
     }
 
     fn new(path: &'a Path, scene: Scene, plan: &Plan, reporter: &Reporter) -> LoadedScene<'a> {
         summary::report_scene(&scene, reporter);
         let build = plan.build_options(&scene.accelerator, reporter);
         let views = match &plan.poses {
-            None => vec![Viewpoint { name: None, camera: scene.camera.clone(), film: scene.film.clone() }],
+            None => vec![Viewpoint {
+                name: None,
+                camera: scene.camera.clone(),
+                film: scene.film.clone(),
+            }],
             Some(poses) => {
                 let view = |pose: &scene::Pose| {
                     let (camera, film) = pose.place(&scene);
-                    Viewpoint { name: Some(pose.name().to_owned()), camera, film }
+                    Viewpoint {
+                        name: Some(pose.name().to_owned()),
+                        camera,
+                        film,
+                    }
                 };
                 poses.iter().map(view).collect()
             }
         };
-        LoadedScene { path, scene, build, views, digest: OnceLock::new(), shared: OnceLock::new() }
+        LoadedScene {
+            path,
+            scene,
+            build,
+            views,
+            digest: OnceLock::new(),
+            shared: OnceLock::new(),
+        }
     }
 
     /// What stands for the scene as `view` sees it.
     pub(super) fn digest(&self, view: &Viewpoint) -> Digest {
-        self.digest.get_or_init(|| SceneDigest::of(&self.scene.shapes)).seen_by(&view.camera)
+        self.digest
+            .get_or_init(|| SceneDigest::of(&self.scene.shapes))
+            .seen_by(&view.camera)
     }
 
     /// The aggregate that all views share, once there is one.
@@ -98,6 +121,10 @@ impl<'a> LoadedScene<'a> {
     /// Where boxes are the most precise if no view is better than another.
     pub(super) fn middle(&self) -> Point {
         let middle = self.scene.shapes.extent().centre();
-        if middle.is_finite() { middle } else { self.views[0].camera.anchor() }
+        if middle.is_finite() {
+            middle
+        } else {
+            self.views[0].camera.anchor()
+        }
     }
 }

@@ -30,7 +30,9 @@ pub(crate) fn man(args: &ManArgs) -> Result<u8> {
 
 fn write_page(command: &Command, directory: &Path) -> Result<()> {
     let source = concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION"));
-    let page = Man::new(command.clone()).source(source).manual("User Commands");
+    let page = Man::new(command.clone())
+        .source(source)
+        .manual("User Commands");
     let path = directory.join(page.get_filename());
     write_file(&path, Overwrite::Yes, |out| page.render(out)).map(|_| ())
 }

@@ -78,16 +78,32 @@ pub(crate) fn check(path: &Path, inputs: &Inputs) -> Result<()> {
 impl Manifest {
     pub(crate) fn open(path: &Path) -> Result<Manifest> {
         // To be read, too: the last byte tells whether the last line has an end.
-        let open = |reads| OpenOptions::new().create(true).append(true).read(reads).open(path);
+        let open = |reads| {
+            OpenOptions::new()
+                .create(true)
+                .append(true)
+                .read(reads)
+                .open(path)
+        };
         let is_special = path.metadata().is_ok_and(|found| !found.is_file());
-        let file = if is_special { open(false) } else { open(true).or_else(|_| open(false)) };
+        let file = if is_special {
+            open(false)
+        } else {
+            open(true).or_else(|_| open(false))
+        };
         let mut file = file.map_err(|error| Error::creating(path, &error))?;
         if !is_special && is_foreign(&mut file) {
-            let diagnostic = Diagnostic::new("exists already, and is no manifest").at(SourceLocation::file(path));
-            let diagnostic = diagnostic.note("lines are added to manifests of feimos alone: give it another name");
+            let diagnostic = Diagnostic::new("exists already, and is no manifest")
+                .at(SourceLocation::file(path));
+            let diagnostic = diagnostic
+                .note("lines are added to manifests of feimos alone: give it another name");
             return Err(Error::new(ErrorKind::Output, diagnostic));
         }
-        Ok(Manifest { path: path.to_path_buf(), file, missing: 0 })
+        Ok(Manifest {
+            path: path.to_path_buf(),
+            file,
+            missing: 0,
+        })
     }
 
     /// # Errors
@@ -99,11 +115,15 @@ impl Manifest {
     /// Appends one line. An error does not end the batch: it is told once, and returned as an exit
     /// code.
     pub(crate) fn note(&mut self, entry: &Entry, reporter: &Reporter) -> u8 {
-        let Err(error) = self.add(entry) else { return 0 };
+        let Err(error) = self.add(entry) else {
+            return 0;
+        };
         self.missing += 1;
         let code = error.kind().exit_code();
         if self.missing == 1 {
-            reporter.error(&error.note("the images are made all the same; those that are not noted here are counted"));
+            reporter.error(&error.note(
+                "the images are made all the same; those that are not noted here are counted",
+            ));
         }
         code
     }
@@ -111,7 +131,11 @@ impl Manifest {
     /// Says, at the end, how much is not noted.
     pub(crate) fn report(&self, reporter: &Reporter) {
         if self.missing > 0 {
-            reporter.line(format_args!("{}: {} missing", self.path.display(), counted(self.missing, "line")));
+            reporter.line(format_args!(
+                "{}: {} missing",
+                self.path.display(),
+                counted(self.missing, "line")
+            ));
         }
     }
 
@@ -159,9 +183,14 @@ impl Manifest {
 
     /// Returns true if the file of `size` bytes ends within a line, as a killed program leaves it.
     fn lacks_line_end(&mut self, size: u64) -> bool {
-        let Some(last) = size.checked_sub(1) else { return false };
+        let Some(last) = size.checked_sub(1) else {
+            return false;
+        };
         let mut byte = [b'\n'];
-        let read = self.file.seek(SeekFrom::Start(last)).and_then(|_| self.file.read_exact(&mut byte));
+        let read = self
+            .file
+            .seek(SeekFrom::Start(last))
+            .and_then(|_| self.file.read_exact(&mut byte));
         read.is_ok() && byte != [b'\n']
     }
 }

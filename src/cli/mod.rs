@@ -64,7 +64,9 @@ pub(crate) fn run() -> ExitCode {
         Command::Bench(args) => report(&args.talk, |reporter| bench::bench(&args, reporter)),
         Command::Merge(args) => report(&args.talk, |reporter| merge::merge(&args, reporter)),
         Command::Pixel(args) => report(&args.talk, |reporter| pixel::pixel(&args, reporter)),
-        Command::Completions(args) => conclude(&Reporter::silent(), |_| completions::completions(&args)),
+        Command::Completions(args) => {
+            conclude(&Reporter::silent(), |_| completions::completions(&args))
+        }
         Command::Man(args) => conclude(&Reporter::silent(), |_| man::man(&args)),
     }
 }

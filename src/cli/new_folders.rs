@@ -14,7 +14,12 @@ impl NewFolders {
     pub(crate) fn make(path: &Path) -> Result<NewFolders> {
         let is_missing = |folder: &&Path| **folder != *"" && !folder.exists();
         // The innermost first, which is how they can be removed.
-        let made = NewFolders(path.ancestors().take_while(is_missing).map(Path::to_path_buf).collect());
+        let made = NewFolders(
+            path.ancestors()
+                .take_while(is_missing)
+                .map(Path::to_path_buf)
+                .collect(),
+        );
         fs::create_dir_all(path).map_err(|error| Error::creating(path, &error))?;
         Ok(made)
     }

@@ -25,7 +25,11 @@ pub(crate) trait Encode {
 impl Destination {
     /// The file of that name, or standard output for `-`.
     pub(crate) fn of_name(name: &Path) -> Destination {
-        if name == Path::new("-") { Destination::Stdout } else { Destination::File(name.to_path_buf()) }
+        if name == Path::new("-") {
+            Destination::Stdout
+        } else {
+            Destination::File(name.to_path_buf())
+        }
     }
 
     /// Writes all of `content`; a file appears whole or not at all.
@@ -52,7 +56,8 @@ impl Destination {
         match self {
             Destination::File(file) if file.is_file() => {
                 let diagnostic = Diagnostic::new("exists already").at(SourceLocation::file(file));
-                let advice = "use --force to overwrite it, or --skip-existing to leave the image out";
+                let advice =
+                    "use --force to overwrite it, or --skip-existing to leave the image out";
                 Err(Error::new(ErrorKind::Output, diagnostic.note(advice)))
             }
             _ => Ok(()),
@@ -92,12 +97,16 @@ impl OutputName {
     /// A placeholder that does not exist, or is about cameras where there is no list of them.
     pub(crate) fn new(template: Option<String>, has_cameras: bool) -> Result<OutputName> {
         if let Some(unknown) = template.as_deref().and_then(unknown_placeholder) {
-            let error = Error::usage(format!("the output name has an unknown placeholder `{unknown}`"));
+            let error = Error::usage(format!(
+                "the output name has an unknown placeholder `{unknown}`"
+            ));
             return Err(error.note(format!("known are {}", PLACEHOLDERS.join(", "))));
         }
         let output_name = OutputName { template };
         if output_name.has("{camera}") && !has_cameras {
-            return Err(Error::usage("the output name has {camera}, and there is no --cameras"));
+            return Err(Error::usage(
+                "the output name has {camera}, and there is no --cameras",
+            ));
         }
         Ok(output_name)
     }
@@ -128,12 +137,18 @@ impl OutputName {
 
     /// What makes an image's name, for messages.
     pub(crate) fn cause(&self) -> &'static str {
-        if self.is_given() { "-o" } else { "the name that the scene gives to its image" }
+        if self.is_given() {
+            "-o"
+        } else {
+            "the name that the scene gives to its image"
+        }
     }
 
     /// Whether the template has this placeholder.
     pub(crate) fn has(&self, placeholder: &str) -> bool {
-        self.template.as_ref().is_some_and(|template| template.contains(placeholder))
+        self.template
+            .as_ref()
+            .is_some_and(|template| template.contains(placeholder))
     }
 
     /// The name for `scene`, whose film is called `film_filename`, seen by the camera of that name.
@@ -147,9 +162,9 @@ impl OutputName {
         let stem = stem(scene);
         match &self.template {
             Some(template) if template == "-" => Destination::Stdout,
-            Some(template) => {
-                Destination::File(filled(template, [&stem, accel.name(), camera.unwrap_or_default()]).into())
-            }
+            Some(template) => Destination::File(
+                filled(template, [&stem, accel.name(), camera.unwrap_or_default()]).into(),
+            ),
             None => Destination::File(match film_filename {
                 Some(name) => name.into(),
                 None if feimos::scene::is_bare_mesh(scene) => format!("{stem}.png").into(),
@@ -166,7 +181,9 @@ fn stem(scene: &Path) -> String {
     }
     let without = |path: &Path| path.file_stem().map(PathBuf::from).unwrap_or_default();
     let stem = without(scene);
-    let zipped = scene.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("gz"));
+    let zipped = scene
+        .extension()
+        .is_some_and(|extension| extension.eq_ignore_ascii_case("gz"));
     let stem = if zipped { without(&stem) } else { stem };
     stem.to_string_lossy().into_owned()
 }
@@ -181,8 +198,12 @@ fn filled(template: &str, values: [&str; 3]) -> String {
     while let Some(open) = rest.find('{') {
         let (before, after) = rest.split_at(open);
         name.push_str(before);
-        let known = PLACEHOLDERS.iter().zip(values).find(|(placeholder, _)| after.starts_with(**placeholder));
-        let (value, length) = known.map_or(("{", 1), |(placeholder, value)| (value, placeholder.len()));
+        let known = PLACEHOLDERS
+            .iter()
+            .zip(values)
+            .find(|(placeholder, _)| after.starts_with(**placeholder));
+        let (value, length) =
+            known.map_or(("{", 1), |(placeholder, value)| (value, placeholder.len()));
         name.push_str(value);
         rest = &after[length..];
     }
@@ -208,16 +229,27 @@ mod tests {
 
     fn name(template: Option<&str>, scene: &str, film: Option<&str>) -> String {
         let output = OutputName::new(template.map(str::to_owned), true).unwrap();
-        output.destination(Path::new(scene), film, SplitMethod::Sah, Some("left")).to_string()
+        output
+            .destination(Path::new(scene), film, SplitMethod::Sah, Some("left"))
+            .to_string()
     }
 
     #[test]
     fn templates_are_filled_in() {
-        assert_eq!(name(Some("out/{stem}-{accel}.png"), "a/b.pbrt", None), "out/b-sah.png");
-        assert_eq!(name(Some("{stem}.exr"), "a/dragon.ply.gz", None), "dragon.exr");
+        assert_eq!(
+            name(Some("out/{stem}-{accel}.png"), "a/b.pbrt", None),
+            "out/b-sah.png"
+        );
+        assert_eq!(
+            name(Some("{stem}.exr"), "a/dragon.ply.gz", None),
+            "dragon.exr"
+        );
         assert_eq!(name(Some("{stem}.exr"), "-", None), "stdin.exr");
         assert_eq!(name(Some("-"), "a.pbrt", None), "-");
-        assert_eq!(name(Some("{camera}/{stem}{.exr"), "{accel}.pbrt", None), "left/{accel}{.exr");
+        assert_eq!(
+            name(Some("{camera}/{stem}{.exr"), "{accel}.pbrt", None),
+            "left/{accel}{.exr"
+        );
     }
 
     #[test]
@@ -229,11 +261,22 @@ mod tests {
 
     #[test]
     fn an_example_is_known_where_the_format_is() {
-        let example = |template: &str| OutputName::new(Some(template.into()), false).unwrap().example();
+        let example = |template: &str| {
+            OutputName::new(Some(template.into()), false)
+                .unwrap()
+                .example()
+        };
         assert_eq!(example("-"), Some(Destination::Stdout));
-        assert_eq!(example("{stem}.jpg"), Some(Destination::File("{stem}.jpg".into())));
+        assert_eq!(
+            example("{stem}.jpg"),
+            Some(Destination::File("{stem}.jpg".into()))
+        );
         assert_eq!(example("a"), Some(Destination::File("a".into())));
-        assert_eq!(example("out.d/{stem}"), None, "of a.exr.pbrt that is an EXR");
+        assert_eq!(
+            example("out.d/{stem}"),
+            None,
+            "of a.exr.pbrt that is an EXR"
+        );
         assert_eq!(OutputName::new(None, false).unwrap().example(), None);
     }
 
@@ -241,6 +284,9 @@ mod tests {
     fn unknown_placeholders_are_refused() {
         assert!(OutputName::new(Some("{stem}-{name}.png".into()), true).is_err());
         assert!(OutputName::new(Some("{stem}-{camera}.png".into()), false).is_err());
-        assert!(OutputName::new(Some("{stem.png".into()), false).is_ok(), "an open brace is a name like any other");
+        assert!(
+            OutputName::new(Some("{stem.png".into()), false).is_ok(),
+            "an open brace is a name like any other"
+        );
     }
 }

@@ -24,7 +24,8 @@ pub(super) struct ImageName<'a> {
 impl fmt::Display for ImageName<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.scene.display())?;
-        self.camera.map_or(Ok(()), |camera| write!(f, ", camera {camera}"))
+        self.camera
+            .map_or(Ok(()), |camera| write!(f, ", camera {camera}"))
     }
 }
 
@@ -38,7 +39,12 @@ pub(super) struct Outputs {
 impl Outputs {
     /// # Errors
     /// An image that would overwrite one of the `inputs`; two images that would go to one place.
-    pub(super) fn new(scenes: &[PathBuf], plan: &Plan, inputs: &Inputs, manifest: Option<&Path>) -> Result<Outputs> {
+    pub(super) fn new(
+        scenes: &[PathBuf],
+        plan: &Plan,
+        inputs: &Inputs,
+        manifest: Option<&Path>,
+    ) -> Result<Outputs> {
         let of_scene = plan.poses.as_ref().map_or(1, Vec::len);
         let is_single = scenes.len() * of_scene == 1;
         let mut taken = Taken::default();
@@ -46,7 +52,11 @@ impl Outputs {
         for scene in scenes {
             // A single scene is not read twice only to know its name for the image.
             let is_late = is_single && plan.output_name.needs_scene(plan.accel);
-            let destinations = if is_late { None } else { destinations(scene, plan) };
+            let destinations = if is_late {
+                None
+            } else {
+                destinations(scene, plan)
+            };
             for (destination, camera) in destinations.iter().flatten().zip(cameras(plan)) {
                 if let Destination::File(path) = destination {
                     inputs.check(path, plan.output_name.cause())?;
@@ -58,7 +68,11 @@ impl Outputs {
         if let Some(path) = manifest {
             taken.reserve(path)?;
         }
-        Ok(Outputs { known, of_scene, taken })
+        Ok(Outputs {
+            known,
+            of_scene,
+            taken,
+        })
     }
 
     /// Images of the batch.
@@ -75,12 +89,18 @@ impl Outputs {
     /// None of the images of scene `number`, which is `path`, can be written: then there is nothing
     /// to read it for.
     pub(super) fn check(&self, number: usize, path: &Path, renderer: &Renderer) -> Result<()> {
-        let Renderer { plan, overwrite, .. } = renderer;
+        let Renderer {
+            plan, overwrite, ..
+        } = renderer;
         // An image that is left out needs no place that can be written to.
         if plan.skip_existing {
             return Ok(());
         }
-        let late = || (*overwrite == Overwrite::No).then(|| destinations(path, plan)).flatten();
+        let late = || {
+            (*overwrite == Overwrite::No)
+                .then(|| destinations(path, plan))
+                .flatten()
+        };
         let destinations = self.known[number].clone().or_else(late).unwrap_or_default();
         let mut first = None;
         for destination in &destinations {
@@ -96,8 +116,18 @@ impl Outputs {
     ///
     /// # Errors
     /// The place of another image.
-    pub(super) fn claim(&mut self, number: usize, name: &ImageName, at: &Destination, plan: &Plan) -> Result<()> {
-        if self.known[number].is_some() || self.count() == 1 { Ok(()) } else { self.taken.add(name, at, plan) }
+    pub(super) fn claim(
+        &mut self,
+        number: usize,
+        name: &ImageName,
+        at: &Destination,
+        plan: &Plan,
+    ) -> Result<()> {
+        if self.known[number].is_some() || self.count() == 1 {
+            Ok(())
+        } else {
+            self.taken.add(name, at, plan)
+        }
     }
 }
 
@@ -110,9 +140,19 @@ impl Taken {
     /// A place that is taken.
     fn add(&mut self, name: &ImageName, destination: &Destination, plan: &Plan) -> Result<()> {
         let owner = (name.scene.to_path_buf(), name.camera.map(str::to_owned));
-        self.0.take(destination, owner).map_or(Ok(()), |(scene, camera)| {
-            Err(twice(&ImageName { scene: &scene, camera: camera.as_deref() }, name, destination, plan))
-        })
+        self.0
+            .take(destination, owner)
+            .map_or(Ok(()), |(scene, camera)| {
+                Err(twice(
+                    &ImageName {
+                        scene: &scene,
+                        camera: camera.as_deref(),
+                    },
+                    name,
+                    destination,
+                    plan,
+                ))
+            })
     }
 
     /// Keeps images from the place of the manifest.
@@ -121,18 +161,28 @@ impl Taken {
     /// The place of an image.
     fn reserve(&mut self, manifest: &Path) -> Result<()> {
         let owner = (manifest.to_path_buf(), None);
-        self.0.take(&Destination::File(manifest.to_path_buf()), owner).map_or(Ok(()), |(scene, camera)| {
-            let name = ImageName { scene: &scene, camera: camera.as_deref() };
-            let manifest = manifest.display();
-            Err(Error::usage(format!("{manifest}: the manifest and the image of {name} would be one file"))
+        self.0
+            .take(&Destination::File(manifest.to_path_buf()), owner)
+            .map_or(Ok(()), |(scene, camera)| {
+                let name = ImageName {
+                    scene: &scene,
+                    camera: camera.as_deref(),
+                };
+                let manifest = manifest.display();
+                Err(Error::usage(format!(
+                    "{manifest}: the manifest and the image of {name} would be one file"
+                ))
                 .note("give one of them another name"))
-        })
+            })
     }
 }
 
 /// The names of the cameras, or the one that has none.
 fn cameras(plan: &Plan) -> Vec<Option<&str>> {
-    plan.poses.as_ref().map_or_else(|| vec![None], |poses| poses.iter().map(Pose::name).map(Some).collect())
+    plan.poses.as_ref().map_or_else(
+        || vec![None],
+        |poses| poses.iter().map(Pose::name).map(Some).collect(),
+    )
 }
 
 /// Where a scene's images go; `None` where the scene cannot be read, which its rendering will report.
@@ -141,12 +191,21 @@ fn destinations(path: &Path, plan: &Plan) -> Option<Vec<Destination>> {
         if path == Path::new("-") {
             return None;
         }
-        let SceneOptions { film_filename, accelerator } = scene::read_options(path, plan.load.input_budget).ok()?;
-        (film_filename, plan.build_options(&accelerator, &Reporter::silent()).method)
+        let SceneOptions {
+            film_filename,
+            accelerator,
+        } = scene::read_options(path, plan.load.input_budget).ok()?;
+        (
+            film_filename,
+            plan.build_options(&accelerator, &Reporter::silent()).method,
+        )
     } else {
         (None, plan.accel.unwrap_or(SplitMethod::Sah))
     };
-    let destination = |camera| plan.output_name.destination(path, film_filename.as_deref(), method, camera);
+    let destination = |camera| {
+        plan.output_name
+            .destination(path, film_filename.as_deref(), method, camera)
+    };
     Some(cameras(plan).into_iter().map(destination).collect())
 }
 

@@ -14,20 +14,29 @@ static SAID: Mutex<Option<String>> = Mutex::new(None);
 pub(super) fn keep_messages() {
     panic::set_hook(Box::new(|panic| {
         let backtrace = Backtrace::capture();
-        let backtrace = (backtrace.status() == BacktraceStatus::Captured).then(|| format!("\n{backtrace}"));
+        let backtrace =
+            (backtrace.status() == BacktraceStatus::Captured).then(|| format!("\n{backtrace}"));
         let message = format!("{}{}", message(panic), backtrace.unwrap_or_default());
-        SAID.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(message);
+        SAID.lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .get_or_insert(message);
     }));
 }
 
 fn message(panic: &PanicHookInfo) -> String {
-    let place = panic.location().map(|place| format!(" at {}:{}", place.file(), place.line()));
+    let place = panic
+        .location()
+        .map(|place| format!(" at {}:{}", place.file(), place.line()));
     format!("{}{}", text(panic.payload()), place.unwrap_or_default())
 }
 
 fn text(payload: &(dyn Any + Send)) -> &str {
     let owned = || payload.downcast_ref::<String>().map(String::as_str);
-    payload.downcast_ref::<&str>().copied().or_else(owned).unwrap_or("no message")
+    payload
+        .downcast_ref::<&str>()
+        .copied()
+        .or_else(owned)
+        .unwrap_or("no message")
 }
 
 /// Does `work`, on the file `path` where there is one. A panic in it, on whatever thread of a pool,
@@ -61,7 +70,10 @@ mod tests {
         // Other tests tell of their panics as tests do.
         let hook_of_tests = panic::take_hook();
         keep_messages();
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().unwrap();
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(2)
+            .build()
+            .unwrap();
         let odd = |number: u32| assert!(number.is_multiple_of(2), "{number} is odd");
         let halves = || _ = rayon::join(|| odd(6), || odd(7));
         for work in [&halves as &(dyn Fn() + Sync), &|| odd(7)] {
@@ -72,7 +84,10 @@ mod tests {
             let error = guarded(Some(Path::new("a.pbrt")), || pool.install(work)).unwrap_err();
             assert_eq!(error.kind().exit_code(), 70);
             let shown = error.to_string();
-            assert!(shown.starts_with("a.pbrt: internal error: 7 is odd at src/cli/panics.rs:"), "{shown}");
+            assert!(
+                shown.starts_with("a.pbrt: internal error: 7 is odd at src/cli/panics.rs:"),
+                "{shown}"
+            );
             assert!(shown.contains("please report it"), "{shown}");
         }
         // The pool and the messages are as good as new.

@@ -23,13 +23,21 @@ impl Place {
     /// What the place is known by: a file that appears only later is the same place as before by
     /// its name.
     fn all_of(destination: &Destination) -> Vec<Place> {
-        let Destination::File(path) = destination else { return vec![Place::Stdout] };
+        let Destination::File(path) = destination else {
+            return vec![Place::Stdout];
+        };
         let target = atomic_file::target(path).unwrap_or_else(|_| path.to_path_buf());
-        let name = match (FileId::of_directory(directory_of(&target)), target.file_name()) {
+        let name = match (
+            FileId::of_directory(directory_of(&target)),
+            target.file_name(),
+        ) {
             (Some(directory), Some(name)) => Place::Name(directory, name.to_owned()),
             _ => Place::Unknown(target),
         };
-        [Some(name), FileId::of(path).map(Place::File)].into_iter().flatten().collect()
+        [Some(name), FileId::of(path).map(Place::File)]
+            .into_iter()
+            .flatten()
+            .collect()
     }
 }
 
@@ -49,7 +57,8 @@ impl<T: Clone> Places<T> {
         let places = Place::all_of(destination);
         let other = places.iter().find_map(|place| self.0.get(place)).cloned();
         if other.is_none() {
-            self.0.extend(places.into_iter().map(|place| (place, owner.clone())));
+            self.0
+                .extend(places.into_iter().map(|place| (place, owner.clone())));
         }
         other
     }

@@ -43,17 +43,46 @@ pub(crate) struct Plan {
 
 impl Plan {
     pub(crate) fn new(args: &RenderArgs) -> Result<Plan> {
-        let OutputArgs { output, aov, depth_channel, view, colormap, range, scale, miss } = &args.output;
-        let RegionArgs { cropwindow, pixelbounds, resolution } = args.region;
+        let OutputArgs {
+            output,
+            aov,
+            depth_channel,
+            view,
+            colormap,
+            range,
+            scale,
+            miss,
+        } = &args.output;
+        let RegionArgs {
+            cropwindow,
+            pixelbounds,
+            resolution,
+        } = args.region;
         if let Some(repeated) = aov.as_deref().and_then(first_repeated) {
-            return Err(Error::usage(format!("--aov names `{}` twice", repeated.as_str())));
+            return Err(Error::usage(format!(
+                "--aov names `{}` twice",
+                repeated.as_str()
+            )));
         }
         if args.report.json && output.as_deref() == Some("-") {
-            return Err(Error::usage("--json and -o - would both write to standard output"));
+            return Err(Error::usage(
+                "--json and -o - would both write to standard output",
+            ));
         }
-        let poses = args.cameras.cameras.as_deref().map(scene::read_poses).transpose()?;
-        if let (Some(_), Some(pose)) = (resolution, poses.iter().flatten().find(|pose| pose.has_resolution())) {
-            let error = Error::usage(format!("--resolution and the resolution of camera `{}` contradict", pose.name()));
+        let poses = args
+            .cameras
+            .cameras
+            .as_deref()
+            .map(scene::read_poses)
+            .transpose()?;
+        if let (Some(_), Some(pose)) = (
+            resolution,
+            poses.iter().flatten().find(|pose| pose.has_resolution()),
+        ) {
+            let error = Error::usage(format!(
+                "--resolution and the resolution of camera `{}` contradict",
+                pose.name()
+            ));
             return Err(error.note("leave out --resolution: `K` is about images of one size"));
         }
         let asks = |wanted| aov.iter().flatten().any(|aov| *aov == wanted);
@@ -86,7 +115,9 @@ impl Plan {
             pixelbounds,
         };
         // Mistakes that any scene would show are shown before the first one is read.
-        plan.output_name.example().map_or(Ok(()), |example| plan.picture(&example).map(|_| ()))?;
+        plan.output_name
+            .example()
+            .map_or(Ok(()), |example| plan.picture(&example).map(|_| ()))?;
         Ok(plan)
     }
 
@@ -95,12 +126,20 @@ impl Plan {
         let [width, height] = film.resolution;
         let whole = PixelBounds::of_film(width, height);
         let (name, window) = match (self.pixelbounds, self.cropwindow) {
-            (Some([x0, x1, y0, y1]), _) => ("--pixelbounds", PixelBounds { x0, x1, y0, y1 }.intersection(&whole)),
-            (None, Some(window)) => ("--cropwindow", PixelBounds::of_crop_window(window, film.resolution)),
+            (Some([x0, x1, y0, y1]), _) => (
+                "--pixelbounds",
+                PixelBounds { x0, x1, y0, y1 }.intersection(&whole),
+            ),
+            (None, Some(window)) => (
+                "--cropwindow",
+                PixelBounds::of_crop_window(window, film.resolution),
+            ),
             (None, None) => return Ok(film.crop),
         };
         if window.is_empty() {
-            let error = Error::usage(format!("{name} holds no pixel of the film, which is {width} x {height}"));
+            let error = Error::usage(format!(
+                "{name} holds no pixel of the film, which is {width} x {height}"
+            ));
             return Err(error.note("expected x0,x1,y0,y1 with x0 < x1 and y0 < y1"));
         }
         Ok(window)
@@ -124,10 +163,15 @@ impl Plan {
     fn exr(&self, destination: &Destination) -> Result<Picture> {
         let aovs = self.aov.clone().unwrap_or_else(|| Aov::USUAL.to_vec());
         if self.depth_channel.is_some() && !aovs.contains(&Aov::Lone(ChannelName::Z)) {
-            return Err(Error::usage("--depth-channel has no meaning without Z").note("add Z to --aov"));
+            return Err(
+                Error::usage("--depth-channel has no meaning without Z").note("add Z to --aov")
+            );
         }
         // Its own name is no other name.
-        let depth_channel = self.depth_channel.clone().filter(|name| name != ChannelName::Z.as_str());
+        let depth_channel = self
+            .depth_channel
+            .clone()
+            .filter(|name| name != ChannelName::Z.as_str());
         self.holding(aovs, destination, DataFormat::Exr { depth_channel })
     }
 
@@ -135,74 +179,155 @@ impl Plan {
         let picture = self.data(destination, DataFormat::Pfm)?;
         let channels = picture.channels();
         if !matches!(channels.len(), 1 | 3) || channels.iter().any(|channel| channel.is_integer()) {
-            let error = Error::usage(format!("{destination}: a PFM holds one of Z, t, A, N and P"));
-            return Err(error.note("for more, or for whole numbers, give the output the extension .exr or .npy"));
+            let error = Error::usage(format!(
+                "{destination}: a PFM holds one of Z, t, A, N and P"
+            ));
+            return Err(error.note(
+                "for more, or for whole numbers, give the output the extension .exr or .npy",
+            ));
         }
         Ok(picture)
     }
 
     /// Formats that have no place for words.
     fn data(&self, destination: &Destination, format: DataFormat) -> Result<Picture> {
-        let of_headers = [("--depth-channel", self.depth_channel.is_some()), ("--skip-existing", self.skip_existing)];
-        refuse(&of_headers, destination, "a file without a header for it; an .exr has one")?;
-        self.holding(self.aov.clone().unwrap_or_else(|| vec![Aov::Lone(ChannelName::Z)]), destination, format)
+        let of_headers = [
+            ("--depth-channel", self.depth_channel.is_some()),
+            ("--skip-existing", self.skip_existing),
+        ];
+        refuse(
+            &of_headers,
+            destination,
+            "a file without a header for it; an .exr has one",
+        )?;
+        self.holding(
+            self.aov
+                .clone()
+                .unwrap_or_else(|| vec![Aov::Lone(ChannelName::Z)]),
+            destination,
+            format,
+        )
     }
 
-    fn holding(&self, aovs: Vec<Aov>, destination: &Destination, format: DataFormat) -> Result<Picture> {
+    fn holding(
+        &self,
+        aovs: Vec<Aov>,
+        destination: &Destination,
+        format: DataFormat,
+    ) -> Result<Picture> {
         let of_png = [
             ("--view", self.view.is_some()),
             ("--colormap", self.colors.is_some()),
             ("--range", self.range.is_some()),
             ("--scale", self.scale.is_some()),
         ];
-        refuse(&of_png, destination, "a file that holds the values themselves")?;
-        Ok(Picture::Data(Data { format, aovs, miss: self.miss.unwrap_or(f32::INFINITY), within_instances: false }))
+        refuse(
+            &of_png,
+            destination,
+            "a file that holds the values themselves",
+        )?;
+        Ok(Picture::Data(Data {
+            format,
+            aovs,
+            miss: self.miss.unwrap_or(f32::INFINITY),
+            within_instances: false,
+        }))
     }
 
     fn png(&self, destination: &Destination) -> Result<Picture> {
-        let of_data = [("--aov", self.aov.is_some()), ("--depth-channel", self.depth_channel.is_some())];
-        refuse(&of_data, destination, "a PNG; for channels give the output the extension .exr")?;
+        let of_data = [
+            ("--aov", self.aov.is_some()),
+            ("--depth-channel", self.depth_channel.is_some()),
+        ];
+        refuse(
+            &of_data,
+            destination,
+            "a PNG; for channels give the output the extension .exr",
+        )?;
         let view = self.view.unwrap_or_default();
-        let of_colors = [("--colormap", self.colors.is_some()), ("--range", self.range.is_some())];
+        let of_colors = [
+            ("--colormap", self.colors.is_some()),
+            ("--range", self.range.is_some()),
+        ];
         if !matches!(view, View::Depth | View::Cost) {
-            refuse(&of_colors, destination, &format!("a PNG of the view {}, whose colours are fixed", view.as_str()))?;
+            refuse(
+                &of_colors,
+                destination,
+                &format!(
+                    "a PNG of the view {}, whose colours are fixed",
+                    view.as_str()
+                ),
+            )?;
         }
-        let of_depth16 = [("--scale", self.scale.is_some()), ("--miss", self.miss.is_some())];
+        let of_depth16 = [
+            ("--scale", self.scale.is_some()),
+            ("--miss", self.miss.is_some()),
+        ];
         if view != View::Depth16 {
-            refuse(&of_depth16, destination, "a PNG, and not of the view depth16")?;
+            refuse(
+                &of_depth16,
+                destination,
+                "a PNG, and not of the view depth16",
+            )?;
         }
         let colors = self.colors.unwrap_or_default();
         Ok(Picture::View(match view {
             View::Hit => Shown::Hit,
             View::Normal => Shown::Normal,
             View::Id => Shown::Id,
-            View::Depth => Shown::Depth { colors, range: self.range.map(|[near, far]| DepthRange { near, far }) },
-            View::Cost => Shown::Cost { colors, range: self.range.map(|[low, high]| CostRange { low, high }) },
+            View::Depth => Shown::Depth {
+                colors,
+                range: self.range.map(|[near, far]| DepthRange { near, far }),
+            },
+            View::Cost => Shown::Cost {
+                colors,
+                range: self.range.map(|[low, high]| CostRange { low, high }),
+            },
             View::Depth16 => {
                 let miss = self.miss.map_or(Ok(0), whole_miss)?;
-                Shown::Depth16(Depth16 { scale: self.scale.unwrap_or(Depth16::SCALE), miss })
+                Shown::Depth16(Depth16 {
+                    scale: self.scale.unwrap_or(Depth16::SCALE),
+                    miss,
+                })
             }
         }))
     }
 
     /// How to build: by the command line's method, else the scene's, else `sah`.
-    pub(crate) fn build_options(&self, accelerator: &AcceleratorParameters, reporter: &Reporter) -> BuildOptions {
+    pub(crate) fn build_options(
+        &self,
+        accelerator: &AcceleratorParameters,
+        reporter: &Reporter,
+    ) -> BuildOptions {
         if let (None, Some(note)) = (self.accel, note_on(accelerator)) {
             reporter.note(note);
         }
-        build_options(self.accel.or(method_of_scene(accelerator).ok()).unwrap_or(SplitMethod::Sah), accelerator)
+        build_options(
+            self.accel
+                .or(method_of_scene(accelerator).ok())
+                .unwrap_or(SplitMethod::Sah),
+            accelerator,
+        )
     }
 }
 
 /// How to build by `method`, with leaves as large as the scene wants them.
-pub(super) fn build_options(method: SplitMethod, accelerator: &AcceleratorParameters) -> BuildOptions {
-    let max_leaf = accelerator.max_leaf.map_or(BuildOptions::MAX_LEAF, |count| count as usize);
+pub(super) fn build_options(
+    method: SplitMethod,
+    accelerator: &AcceleratorParameters,
+) -> BuildOptions {
+    let max_leaf = accelerator
+        .max_leaf
+        .map_or(BuildOptions::MAX_LEAF, |count| count as usize);
     BuildOptions { method, max_leaf }
 }
 
 /// What the scene asks for, or the name that means nothing here.
 fn method_of_scene(accelerator: &AcceleratorParameters) -> std::result::Result<SplitMethod, &str> {
-    match (accelerator.name.as_deref(), accelerator.split_method.as_deref()) {
+    match (
+        accelerator.name.as_deref(),
+        accelerator.split_method.as_deref(),
+    ) {
         (None, _) | (Some("bvh"), None) => Ok(SplitMethod::Sah),
         (Some("bvh"), Some(name)) => name.parse().map_err(|_| name),
         (Some(name), _) => Err(name),
@@ -217,19 +342,27 @@ pub(super) fn note_on(accelerator: &AcceleratorParameters) -> Option<String> {
         None => spelling::closest(unknown, ["bvh"].into_iter()),
     };
     let meant = meant.map_or(String::new(), |known| format!("; did you mean `{known}`?"));
-    Some(format!("the scene asks for the accelerator `{unknown}`, which is unknown here: sah is used{meant}"))
+    Some(format!(
+        "the scene asks for the accelerator `{unknown}`, which is unknown here: sah is used{meant}"
+    ))
 }
 
 fn refuse(flags: &[(&str, bool)], destination: &Destination, reason: &str) -> Result<()> {
     match flags.iter().find(|(_, given)| *given) {
-        Some((flag, _)) => Err(Error::usage(format!("{flag} has no meaning for {destination}: it is {reason}"))),
+        Some((flag, _)) => Err(Error::usage(format!(
+            "{flag} has no meaning for {destination}: it is {reason}"
+        ))),
         None => Ok(()),
     }
 }
 
 /// The first item of a list from the command line that stands there before.
 pub(super) fn first_repeated<T: Copy + PartialEq>(items: &[T]) -> Option<T> {
-    items.iter().enumerate().find(|(place, item)| items[..*place].contains(item)).map(|(_, item)| *item)
+    items
+        .iter()
+        .enumerate()
+        .find(|(place, item)| items[..*place].contains(item))
+        .map(|(_, item)| *item)
 }
 
 /// What stands for a miss among numbers of 16 bits.
@@ -238,18 +371,27 @@ fn whole_miss(miss: f32) -> Result<u16> {
     if f32::from(whole) == miss {
         return Ok(whole);
     }
-    Err(Error::usage(format!("--miss {miss} is no number of a depth16 view"))
-        .note("expected an integer from 0 to 65535"))
+    Err(
+        Error::usage(format!("--miss {miss} is no number of a depth16 view"))
+            .note("expected an integer from 0 to 65535"),
+    )
 }
 
 fn color_range([near, far]: [f64; 2]) -> Result<[f32; 2]> {
     let range = [near as f32, far as f32];
     if !range.iter().all(|end| end.is_finite()) {
-        let error = Error::usage(format!("--range {near},{far} is beyond the depths that an image can hold"));
-        return Err(error.note(format!("expected numbers from {:e} to {:e}", f32::MIN, f32::MAX)));
+        let error = Error::usage(format!(
+            "--range {near},{far} is beyond the depths that an image can hold"
+        ));
+        return Err(error.note(format!(
+            "expected numbers from {:e} to {:e}",
+            f32::MIN,
+            f32::MAX
+        )));
     }
     if near < far && range[0] < range[1] {
         return Ok(range);
     }
-    Err(Error::usage(format!("--range {near},{far} is empty")).note("expected near,far with near < far"))
+    Err(Error::usage(format!("--range {near},{far} is empty"))
+        .note("expected near,far with near < far"))
 }

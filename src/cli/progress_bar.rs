@@ -64,15 +64,30 @@ impl ProgressBars {
 fn bar(phase: Phase, target: ProgressDrawTarget) -> ProgressBar {
     let (length, template) = match phase {
         Phase::Loading => (None, "{spinner} loading   {bytes} {elapsed}"),
-        Phase::Building(count) => {
-            (Some(count as u64), "  building  [{bar:40}] {human_pos}/{human_len} primitives {eta}")
-        }
-        Phase::Rendering(pixels) => (Some(pixels), "  rendering [{bar:40}] {human_pos}/{human_len} pixels {eta}"),
-        Phase::Judging(pixels) => (Some(pixels), "  judging   [{bar:40}] {human_pos}/{human_len} pixels {eta}"),
-        Phase::Measuring(runs) => (Some(runs as u64), "  measuring [{bar:40}] {human_pos}/{human_len} runs {eta}"),
-        Phase::Merging(crops) => (Some(crops as u64), "  merging   [{bar:40}] {human_pos}/{human_len} crops {eta}"),
+        Phase::Building(count) => (
+            Some(count as u64),
+            "  building  [{bar:40}] {human_pos}/{human_len} primitives {eta}",
+        ),
+        Phase::Rendering(pixels) => (
+            Some(pixels),
+            "  rendering [{bar:40}] {human_pos}/{human_len} pixels {eta}",
+        ),
+        Phase::Judging(pixels) => (
+            Some(pixels),
+            "  judging   [{bar:40}] {human_pos}/{human_len} pixels {eta}",
+        ),
+        Phase::Measuring(runs) => (
+            Some(runs as u64),
+            "  measuring [{bar:40}] {human_pos}/{human_len} runs {eta}",
+        ),
+        Phase::Merging(crops) => (
+            Some(crops as u64),
+            "  merging   [{bar:40}] {human_pos}/{human_len} crops {eta}",
+        ),
     };
-    let style = ProgressStyle::with_template(template).expect("a template written above").progress_chars("=> ");
+    let style = ProgressStyle::with_template(template)
+        .expect("a template written above")
+        .progress_chars("=> ");
     ProgressBar::with_draw_target(length, target).with_style(style)
 }
 

@@ -61,7 +61,13 @@ pub(crate) struct Bvh {
 
 impl From<feimos::accel::Statistics> for Bvh {
     fn from(tree: feimos::accel::Statistics) -> Bvh {
-        Bvh { nodes: tree.nodes, leaves: tree.leaves, depth: tree.depth, sah_cost: tree.sah_cost, bytes: tree.bytes }
+        Bvh {
+            nodes: tree.nodes,
+            leaves: tree.leaves,
+            depth: tree.depth,
+            sah_cost: tree.sah_cost,
+            bytes: tree.bytes,
+        }
     }
 }
 
@@ -80,15 +86,27 @@ pub(crate) struct Exact {
 
 impl From<feimos::accel::Fallbacks> for Exact {
     fn from(fallbacks: feimos::accel::Fallbacks) -> Exact {
-        let feimos::accel::Fallbacks { unsure_tests, comparisons, roundings, rays } = fallbacks;
-        Exact { unsure_tests, comparisons, roundings, fallback_rays: rays }
+        let feimos::accel::Fallbacks {
+            unsure_tests,
+            comparisons,
+            roundings,
+            rays,
+        } = fallbacks;
+        Exact {
+            unsure_tests,
+            comparisons,
+            roundings,
+            fallback_rays: rays,
+        }
     }
 }
 
 /// The high-water mark of resident memory, from Linux's `/proc`.
 pub(crate) fn peak_bytes() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+    let line = status
+        .lines()
+        .find_map(|line| line.strip_prefix("VmHWM:"))?;
     let kib: u64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
     Some(kib * 1024)
 }

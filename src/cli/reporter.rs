@@ -24,12 +24,20 @@ impl Reporter {
             When::Always => ColorChoice::Always,
             When::Never => ColorChoice::Never,
         };
-        Reporter { quiet: talk.quiet, verbose: talk.verbose, color }
+        Reporter {
+            quiet: talk.quiet,
+            verbose: talk.verbose,
+            color,
+        }
     }
 
     /// Says nothing but errors.
     pub(crate) fn silent() -> Reporter {
-        Reporter { quiet: true, verbose: false, color: ColorChoice::Never }
+        Reporter {
+            quiet: true,
+            verbose: false,
+            color: ColorChoice::Never,
+        }
     }
 
     /// Always.
@@ -77,7 +85,11 @@ impl Reporter {
     /// Lines that were asked for by a flag of their own.
     pub(crate) fn line(&self, message: impl Display) {
         // Where standard error is closed there is nobody to tell.
-        let _ = writeln!(self.stream(), "{}", terminal_text::lines(&message.to_string()));
+        let _ = writeln!(
+            self.stream(),
+            "{}",
+            terminal_text::lines(&message.to_string())
+        );
     }
 
     fn print(&self, label: &str, color: AnsiColor, message: impl Display) {

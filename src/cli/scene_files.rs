@@ -30,7 +30,8 @@ pub(super) fn scenes_of(path: &Path) -> Result<Vec<PathBuf>> {
         }
     }
     if scenes.is_empty() {
-        let diagnostic = Diagnostic::new("no scene in this directory").at(SourceLocation::file(path));
+        let diagnostic =
+            Diagnostic::new("no scene in this directory").at(SourceLocation::file(path));
         let diagnostic = diagnostic.note("expected a .pbrt file that has a WorldBegin");
         return Err(Error::new(ErrorKind::MissingInput, diagnostic));
     }
@@ -42,5 +43,7 @@ pub(super) fn scenes_of(path: &Path) -> Result<Vec<PathBuf>> {
 fn is_scene(entry: &DirEntry) -> bool {
     let name = entry.file_name().to_string_lossy().to_ascii_lowercase();
     let path = entry.path();
-    (name.ends_with(".pbrt") || name.ends_with(".pbrt.gz")) && path.is_file() && scene::is_top_level(&path)
+    (name.ends_with(".pbrt") || name.ends_with(".pbrt.gz"))
+        && path.is_file()
+        && scene::is_top_level(&path)
 }

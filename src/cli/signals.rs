@@ -3,7 +3,8 @@
 use super::reporter::Reporter;
 use feimos::film::atomic_file;
 use signal_hook::consts::{
-    SIGALRM, SIGHUP, SIGINT, SIGPROF, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2, SIGVTALRM, SIGXCPU, SIGXFSZ,
+    SIGALRM, SIGHUP, SIGINT, SIGPROF, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2, SIGVTALRM, SIGXCPU,
+    SIGXFSZ,
 };
 use signal_hook::iterator::Signals;
 use signal_hook::low_level::{emulate_default_handler, signal_name};
@@ -15,7 +16,9 @@ use std::thread;
 use std::time::Duration;
 
 /// Signals that end a program by default, and that users, terminals and batch systems send.
-const ENDING: [c_int; 10] = [SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGUSR1, SIGUSR2, SIGALRM, SIGVTALRM, SIGPROF];
+const ENDING: [c_int; 10] = [
+    SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGUSR1, SIGUSR2, SIGALRM, SIGVTALRM, SIGPROF,
+];
 
 /// How long the end waits for the note of it to be read.
 const PATIENCE: Duration = Duration::from_millis(300);
@@ -31,13 +34,19 @@ pub(super) fn end_cleanly(reporter: &Reporter) {
     if !ignored.has(SIGXFSZ) {
         let _ = signal_hook::flag::register(SIGXFSZ, Arc::new(AtomicBool::new(false)));
     }
-    let Ok(mut signals) = Signals::new::<_, c_int>([]) else { return };
+    let Ok(mut signals) = Signals::new::<_, c_int>([]) else {
+        return;
+    };
     let handle = signals.handle();
     let reporter = *reporter;
     let listen = move || signals.forever().for_each(|signal| end(signal, reporter));
     // Where there can be no thread, or no handler, signals end the program all the same. Handlers
     // come after the thread: without it they would swallow signals.
-    if thread::Builder::new().name("signals".to_owned()).spawn(listen).is_ok() {
+    if thread::Builder::new()
+        .name("signals".to_owned())
+        .spawn(listen)
+        .is_ok()
+    {
         for signal in ENDING.into_iter().filter(|signal| !ignored.has(*signal)) {
             let _ = handle.add_signal(signal);
         }
@@ -57,7 +66,9 @@ fn say(signal: c_int, reporter: Reporter) {
     let (said, is_said) = mpsc::channel();
     let name = signal_name(signal).unwrap_or("a signal");
     let note = move || {
-        reporter.note(format_args!("ended by {name}: images that were finished are whole, no other is left"));
+        reporter.note(format_args!(
+            "ended by {name}: images that were finished are whole, no other is left"
+        ));
         let _ = said.send(());
     };
     if thread::Builder::new().spawn(note).is_ok() {

@@ -11,7 +11,11 @@ use std::path::Path;
 /// # Errors
 /// A standard output that the caller has closed: what is written to it would go nowhere.
 pub(super) fn check() -> Result<()> {
-    if was_closed() { Err(failed(closed())) } else { Ok(()) }
+    if was_closed() {
+        Err(failed(closed()))
+    } else {
+        Ok(())
+    }
 }
 
 /// As [`check`], where something is to be written.
@@ -40,7 +44,10 @@ pub(super) fn write_to_stdout(bytes: io::Result<Vec<u8>>) -> Result<()> {
     let bytes = bytes.map_err(failed)?;
     check()?;
     let mut stdout = io::stdout().lock();
-    stdout.write_all(&bytes).and_then(|()| stdout.flush()).map_err(failed)
+    stdout
+        .write_all(&bytes)
+        .and_then(|()| stdout.flush())
+        .map_err(failed)
 }
 
 /// Writes one line of JSON.

@@ -31,14 +31,22 @@ pub(super) fn geometry(shapes: &Shapes) -> String {
     let quadrics = match shapes.stored_spheres() {
         0 => String::new(),
         1 => ", 1 sphere, cylinder or disk".to_owned(),
-        count => format!(", {} spheres, cylinders and disks", HumanCount(count as u64)),
+        count => format!(
+            ", {} spheres, cylinders and disks",
+            HumanCount(count as u64)
+        ),
     };
-    let stored = format!("{}{quadrics}", counted(shapes.stored_triangles() as u64, "triangle"));
+    let stored = format!(
+        "{}{quadrics}",
+        counted(shapes.stored_triangles() as u64, "triangle")
+    );
     match shapes.instances().len() as u64 {
         0 => stored,
         instances => {
-            let (instances, objects) =
-                (counted(instances, "instance"), counted(shapes.objects().len() as u64, "object"));
+            let (instances, objects) = (
+                counted(instances, "instance"),
+                counted(shapes.objects().len() as u64, "object"),
+            );
             let primitives = counted(shapes.primitive_count(), "primitive");
             format!("{stored}, {instances} of {objects}: {primitives} in all")
         }
@@ -46,14 +54,26 @@ pub(super) fn geometry(shapes: &Shapes) -> String {
 }
 
 /// What was built, and a note on primitives that no ray can hit.
-pub(super) fn report_tree(built: &Built, shapes: &Shapes, method: SplitMethod, reporter: &Reporter) {
-    let Built { aggregate, statistics } = built;
+pub(super) fn report_tree(
+    built: &Built,
+    shapes: &Shapes,
+    method: SplitMethod,
+    reporter: &Reporter,
+) {
+    let Built {
+        aggregate,
+        statistics,
+    } = built;
     let (nodes, built) = (statistics.nodes, aggregate.primitive_count(shapes));
     let primitives = shapes.primitive_count();
-    reporter.detail(format_args!("built {nodes} nodes by {method} over {built} of {primitives} primitives"));
+    reporter.detail(format_args!(
+        "built {nodes} nodes by {method} over {built} of {primitives} primitives"
+    ));
     let (dead, of) = (aggregate.never_hit(), shapes.own_count());
     if dead > 0 {
-        reporter.note(format_args!("{dead} of {of} primitives can never be hit: no area, or not finite"));
+        reporter.note(format_args!(
+            "{dead} of {of} primitives can never be hit: no area, or not finite"
+        ));
     }
 }
 
@@ -63,8 +83,17 @@ pub(super) fn report_image(finished: &Finished, reporter: &Reporter) {
         reporter.note("no ray hits anything");
     }
     let window = &finished.rendering.image.data_window;
-    let legend = finished.legend.as_ref().map_or(String::new(), |legend| format!(", {legend}"));
-    let Milliseconds { load, build, trace, write, .. } = finished.ms;
+    let legend = finished
+        .legend
+        .as_ref()
+        .map_or(String::new(), |legend| format!(", {legend}"));
+    let Milliseconds {
+        load,
+        build,
+        trace,
+        write,
+        ..
+    } = finished.ms;
     reporter.result(format_args!(
         "{}: {} x {} pixels, {} hit{legend} (load {load:.0}, build {build:.0}, trace {trace:.0}, write {write:.0} ms)",
         finished.destination,
@@ -81,20 +110,38 @@ pub(super) fn report_statistics(scene: &Scene, finished: &Finished, reporter: &R
     let work = finished.rendering.traced.work.unwrap_or_default();
     let (nodes, primitives) = (work.nodes as f64 / rays, work.primitives as f64 / rays);
     let lines = [
-        format!("shapes      {} under {} transforms", scene.shape_count, scene.transform_count),
+        format!(
+            "shapes      {} under {} transforms",
+            scene.shape_count, scene.transform_count
+        ),
         format!("primitives  {}", geometry(shapes)),
         format!("geometry    {} bytes", shapes.bytes()),
         format!("precision   {}", finished.precision),
-        format!("accelerator {}, built in {:.1} ms", finished.method, ms.build),
-        format!("nodes       {} ({} leaves), depth {}", tree.nodes, tree.leaves, tree.depth),
+        format!(
+            "accelerator {}, built in {:.1} ms",
+            finished.method, ms.build
+        ),
+        format!(
+            "nodes       {} ({} leaves), depth {}",
+            tree.nodes, tree.leaves, tree.depth
+        ),
         format!("SAH cost    {:.2}", tree.sah_cost),
         format!("tree        {} bytes", tree.bytes),
         format!("per ray     {nodes:.2} nodes, {primitives:.2} primitives tested"),
-        format!("trace       {:.1} ms, {:.2} million rays a second", ms.trace, rays / ms.trace / 1e3),
+        format!(
+            "trace       {:.1} ms, {:.2} million rays a second",
+            ms.trace,
+            rays / ms.trace / 1e3
+        ),
     ];
     lines.iter().for_each(|line| reporter.line(line));
     if finished.precision == Precision::Exact {
-        let Fallbacks { unsure_tests, comparisons, roundings, rays: hard } = finished.rendering.traced.fallbacks;
+        let Fallbacks {
+            unsure_tests,
+            comparisons,
+            roundings,
+            rays: hard,
+        } = finished.rendering.traced.fallbacks;
         reporter.line(format_args!(
             "integers    for {hard} rays: {unsure_tests} tests, {comparisons} comparisons, {roundings} roundings"
         ));

@@ -13,7 +13,11 @@ impl AlwaysTerminal {
     }
 
     fn step(&self, count: usize, direction: char) -> io::Result<()> {
-        if count == 0 { Ok(()) } else { self.print(&format!("\x1b[{count}{direction}")) }
+        if count == 0 {
+            Ok(())
+        } else {
+            self.print(&format!("\x1b[{count}{direction}"))
+        }
     }
 }
 

@@ -13,12 +13,15 @@ const STACK_BYTES: usize = 8 << 20;
 /// A pool of `threads` threads, or of as many as the process may use. Where the system refuses so
 /// many, of fewer.
 pub(super) fn thread_pool(threads: Option<usize>, reporter: &Reporter) -> Result<ThreadPool> {
-    let wanted = threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
+    let wanted =
+        threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
     let (pool, refused) = largest(wanted, spawn)?;
     if let Some(refused) = refused {
         let wanted = counted(wanted as u64, "thread");
         let started = counted(pool.current_num_threads() as u64, "thread");
-        reporter.note(format_args!("the system refuses {wanted}: {refused}; going on with {started}"));
+        reporter.note(format_args!(
+            "the system refuses {wanted}: {refused}; going on with {started}"
+        ));
     }
     Ok(pool)
 }
@@ -27,7 +30,9 @@ pub(super) fn thread_pool(threads: Option<usize>, reporter: &Reporter) -> Result
 type Spawn = fn(ThreadBuilder) -> io::Result<JoinHandle<()>>;
 
 fn spawn(thread: ThreadBuilder) -> io::Result<JoinHandle<()>> {
-    std::thread::Builder::new().stack_size(STACK_BYTES).spawn(|| thread.run())
+    std::thread::Builder::new()
+        .stack_size(STACK_BYTES)
+        .spawn(|| thread.run())
 }
 
 /// The pool of `wanted` threads, or else of fewer, down to the current thread, and why it has
@@ -46,20 +51,34 @@ fn largest(wanted: usize, spawn: Spawn) -> Result<(ThreadPool, Option<ThreadPool
             }
         }
     }
-    let pool = ThreadPoolBuilder::new().num_threads(1).use_current_thread().build();
+    let pool = ThreadPoolBuilder::new()
+        .num_threads(1)
+        .use_current_thread()
+        .build();
     pool.map(|pool| (pool, refused)).map_err(|error| {
-        let diagnostic = Diagnostic::new(format!("cannot start {}: {error}", counted(wanted as u64, "thread")));
-        Error::new(ErrorKind::TryAgain, diagnostic.note("try again when fewer programs run"))
+        let diagnostic = Diagnostic::new(format!(
+            "cannot start {}: {error}",
+            counted(wanted as u64, "thread")
+        ));
+        Error::new(
+            ErrorKind::TryAgain,
+            diagnostic.note("try again when fewer programs run"),
+        )
     })
 }
 
 /// A pool of so many threads; where one is refused, how many there was room for.
-fn start(threads: usize, spawn: Spawn) -> std::result::Result<ThreadPool, (ThreadPoolBuildError, usize)> {
+fn start(
+    threads: usize,
+    spawn: Spawn,
+) -> std::result::Result<ThreadPool, (ThreadPoolBuildError, usize)> {
     let mut started = Vec::new();
-    let pool = ThreadPoolBuilder::new().num_threads(threads).spawn_handler(|thread| {
-        started.push(spawn(thread)?);
-        Ok(())
-    });
+    let pool = ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .spawn_handler(|thread| {
+            started.push(spawn(thread)?);
+            Ok(())
+        });
     pool.build().map_err(|error| {
         let count = started.len();
         // They end by themselves, and take the place of others until they have.
@@ -78,7 +97,8 @@ mod tests {
 
     fn spawn_where_there_is_room(thread: ThreadBuilder) -> io::Result<JoinHandle<()>> {
         let take = |room: usize| room.checked_sub(1);
-        ROOM.fetch_update(Ordering::SeqCst, Ordering::SeqCst, take).map_err(|_| io::ErrorKind::WouldBlock)?;
+        ROOM.fetch_update(Ordering::SeqCst, Ordering::SeqCst, take)
+            .map_err(|_| io::ErrorKind::WouldBlock)?;
         std::thread::Builder::new().spawn(|| {
             thread.run();
             ROOM.fetch_add(1, Ordering::SeqCst);
@@ -87,7 +107,14 @@ mod tests {
 
     #[test]
     fn a_pool_has_fewer_threads_where_there_is_no_room() {
-        for (wanted, room, expected) in [(3, 9, 3), (8, 5, 3), (8, 1, 1), (2, 1, 1), (7, 0, 1), (1, 0, 1)] {
+        for (wanted, room, expected) in [
+            (3, 9, 3),
+            (8, 5, 3),
+            (8, 1, 1),
+            (2, 1, 1),
+            (7, 0, 1),
+            (1, 0, 1),
+        ] {
             ROOM.store(room, Ordering::SeqCst);
             // A thread can work for one pool only.
             let check = move || {

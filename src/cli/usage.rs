@@ -11,8 +11,16 @@ use std::io::{self, Write};
 
 /// What was typed, or the exit code where that has been answered.
 pub(super) fn parse() -> Result<Cli, u8> {
-    let parsed = command().try_get_matches().and_then(|matches| Cli::from_arg_matches(&matches));
-    parsed.map_err(|answer| if answer.use_stderr() { tell_mistake(&answer) } else { print(&answer) })
+    let parsed = command()
+        .try_get_matches()
+        .and_then(|matches| Cli::from_arg_matches(&matches));
+    parsed.map_err(|answer| {
+        if answer.use_stderr() {
+            tell_mistake(&answer)
+        } else {
+            print(&answer)
+        }
+    })
 }
 
 fn command() -> Command {
@@ -39,8 +47,13 @@ fn print(answer: &clap::Error) -> u8 {
 /// Tells what is wrong with the arguments. They are quoted, and may hold anything: the message is
 /// made anew from what of them may be shown.
 fn tell_mistake(mistake: &clap::Error) -> u8 {
-    let shown: Vec<String> = args_os().map(|argument| terminal_text::line(&argument.to_string_lossy())).collect();
-    let told = match command().try_get_matches_from(shown).and_then(|matches| Cli::from_arg_matches(&matches)) {
+    let shown: Vec<String> = args_os()
+        .map(|argument| terminal_text::line(&argument.to_string_lossy()))
+        .collect();
+    let told = match command()
+        .try_get_matches_from(shown)
+        .and_then(|matches| Cli::from_arg_matches(&matches))
+    {
         Err(mistake) if mistake.use_stderr() => mistake.print(),
         _ => io::stderr().write_all(terminal_text::lines(&mistake.render().to_string()).as_bytes()),
     };

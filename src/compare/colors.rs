@@ -72,7 +72,12 @@ impl<'a> ColorComparison<'a> {
         let full = expected.full.max(found.full);
         let scale = |picture: &Picture| if picture.full == full { 1 } else { TO_16_BITS };
         let scales = [scale(expected), scale(found)];
-        is_same_size.then(|| ColorComparison { expected, found, hits: Hits::of(&[expected, found]), scales })
+        is_same_size.then(|| ColorComparison {
+            expected,
+            found,
+            hits: Hits::of(&[expected, found]),
+            scales,
+        })
     }
 
     /// The largest difference that there can be: 255, or 65535 where one of the pictures has 16 bits.
@@ -110,13 +115,22 @@ impl<'a> ColorComparison<'a> {
 
     /// The largest difference of a component.
     fn size(&self, pixel: usize) -> u16 {
-        let ([a, b], [by_a, by_b]) = ([self.expected.pixels[pixel], self.found.pixels[pixel]], self.scales);
-        (0..4).map(|i| (a[i] * by_a).abs_diff(b[i] * by_b)).max().unwrap_or(0)
+        let ([a, b], [by_a, by_b]) = (
+            [self.expected.pixels[pixel], self.found.pixels[pixel]],
+            self.scales,
+        );
+        (0..4)
+            .map(|i| (a[i] * by_a).abs_diff(b[i] * by_b))
+            .max()
+            .unwrap_or(0)
     }
 
     /// Counts all pixels, and lists the first `listed` that differ.
     pub fn tally(&self, listed: usize) -> ColorTally {
-        let mut tally = ColorTally { pixels: self.pixels() as u64, ..ColorTally::default() };
+        let mut tally = ColorTally {
+            pixels: self.pixels() as u64,
+            ..ColorTally::default()
+        };
         for pixel in 0..self.pixels() {
             match self.difference(pixel) {
                 ColorDifference::None => continue,
@@ -137,9 +151,12 @@ impl Hits {
     fn of(pictures: &[&Picture; 2]) -> Hits {
         let pixels = |picture: &Picture| (0..picture.pixels.len()).into_par_iter();
         let is_hit_view = |picture: &&Picture| {
-            pixels(picture).all(|pixel| is_color(picture, pixel, HIT) || is_color(picture, pixel, MISS))
+            pixels(picture)
+                .all(|pixel| is_color(picture, pixel, HIT) || is_color(picture, pixel, MISS))
         };
-        let has_misses = |picture: &&Picture| pixels(picture).any(|pixel| is_color(picture, pixel, MISS_IN_DEPTH));
+        let has_misses = |picture: &&Picture| {
+            pixels(picture).any(|pixel| is_color(picture, pixel, MISS_IN_DEPTH))
+        };
         match () {
             () if pictures.iter().all(is_hit_view) => Hits::All,
             () if pictures.iter().any(has_misses) => Hits::Misses,
@@ -159,23 +176,45 @@ mod tests {
     use super::*;
 
     fn picture(colors: &[[u8; 3]]) -> Picture {
-        let pixels = colors.iter().map(|[r, g, b]| [*r, *g, *b, 255].map(u16::from)).collect();
-        Picture { width: colors.len() as u32, height: 1, pixels, full: 255 }
+        let pixels = colors
+            .iter()
+            .map(|[r, g, b]| [*r, *g, *b, 255].map(u16::from))
+            .collect();
+        Picture {
+            width: colors.len() as u32,
+            height: 1,
+            pixels,
+            full: 255,
+        }
     }
 
     fn differences(expected: &Picture, found: &Picture) -> Vec<ColorDifference> {
         let comparison = ColorComparison::new(expected, found).unwrap();
-        (0..comparison.pixels()).map(|pixel| comparison.difference(pixel)).collect()
+        (0..comparison.pixels())
+            .map(|pixel| comparison.difference(pixel))
+            .collect()
     }
 
     #[test]
     fn hit_views_tell_hits() {
-        let (expected, found) = (picture(&[HIT, HIT, MISS, MISS]), picture(&[HIT, MISS, HIT, MISS]));
+        let (expected, found) = (
+            picture(&[HIT, HIT, MISS, MISS]),
+            picture(&[HIT, MISS, HIT, MISS]),
+        );
         use ColorDifference::{FalseHit, MissedHit, None};
-        assert_eq!(differences(&expected, &found), [None, MissedHit, FalseHit, None]);
+        assert_eq!(
+            differences(&expected, &found),
+            [None, MissedHit, FalseHit, None]
+        );
         let comparison = ColorComparison::new(&expected, &found).unwrap();
-        let tally =
-            ColorTally { pixels: 4, false_hits: 1, missed_hits: 1, largest: 255, first: vec![1], other_colors: 0 };
+        let tally = ColorTally {
+            pixels: 4,
+            false_hits: 1,
+            missed_hits: 1,
+            largest: 255,
+            first: vec![1],
+            other_colors: 0,
+        };
         assert_eq!((comparison.tally(1), comparison.hits()), (tally, Hits::All));
     }
 
@@ -185,7 +224,10 @@ mod tests {
         let expected = picture(&[MISS_IN_DEPTH, MISS_IN_DEPTH, depth, depth, depth]);
         let found = picture(&[MISS_IN_DEPTH, depth, MISS_IN_DEPTH, depth, [9, 93, 195]]);
         use ColorDifference::{Color, FalseHit, MissedHit, None};
-        assert_eq!(differences(&expected, &found), [None, FalseHit, MissedHit, None, Color(5)]);
+        assert_eq!(
+            differences(&expected, &found),
+            [None, FalseHit, MissedHit, None, Color(5)]
+        );
     }
 
     #[test]
@@ -196,7 +238,10 @@ mod tests {
         let comparison = picture(&[[0, 0, 0], [1, 0, 0]]);
         use ColorDifference::{Color, None};
         assert_eq!(differences(&comparison, &deep), [None, Color(1)]);
-        assert_eq!(ColorComparison::new(&comparison, &deep).unwrap().full(), u16::MAX);
+        assert_eq!(
+            ColorComparison::new(&comparison, &deep).unwrap().full(),
+            u16::MAX
+        );
         assert!(ColorComparison::new(&comparison, &picture(&[HIT])).is_none());
     }
 }

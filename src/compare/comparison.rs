@@ -51,10 +51,19 @@ impl fmt::Display for Incomparable {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Incomparable::Windows(expected, found) => {
-                let words = |PixelBounds { x0, x1, y0, y1 }: &PixelBounds| format!("x {x0} to {x1}, y {y0} to {y1}");
-                write!(f, "they show different pixels: {} and {}", words(expected), words(found))
+                let words = |PixelBounds { x0, x1, y0, y1 }: &PixelBounds| {
+                    format!("x {x0} to {x1}, y {y0} to {y1}")
+                };
+                write!(
+                    f,
+                    "they show different pixels: {} and {}",
+                    words(expected),
+                    words(found)
+                )
             }
-            Incomparable::NoHits => f.write_str("no channel tells hits from misses: expected one of A, id, prim, Z, t"),
+            Incomparable::NoHits => {
+                f.write_str("no channel tells hits from misses: expected one of A, id, prim, Z, t")
+            }
         }
     }
 }
@@ -93,16 +102,34 @@ impl<'a> Comparison<'a> {
     /// Where they are not, or nothing tells their hits.
     pub fn new(expected: &'a Image, found: &'a Image) -> Result<Comparison<'a>, Incomparable> {
         if expected.data_window != found.data_window {
-            return Err(Incomparable::Windows(expected.data_window, found.data_window));
+            return Err(Incomparable::Windows(
+                expected.data_window,
+                found.data_window,
+            ));
         }
-        let numbers = |name| Some(Pair { name, expected: expected.numbers(name)?, found: found.numbers(name)? });
-        let measures = |name| Some(Pair { name, expected: expected.measures(name)?, found: found.measures(name)? });
+        let numbers = |name| {
+            Some(Pair {
+                name,
+                expected: expected.numbers(name)?,
+                found: found.numbers(name)?,
+            })
+        };
+        let measures = |name| {
+            Some(Pair {
+                name,
+                expected: expected.measures(name)?,
+                found: found.measures(name)?,
+            })
+        };
         Ok(Comparison {
             expected: Hits::of(expected).ok_or(Incomparable::NoHits)?,
             found: Hits::of(found).ok_or(Incomparable::NoHits)?,
             numbers: NUMBERS.into_iter().filter_map(numbers).collect(),
             depths: DEPTHS.into_iter().filter_map(measures).collect(),
-            surfaces: ChannelName::SURFACE.into_iter().filter_map(measures).collect(),
+            surfaces: ChannelName::SURFACE
+                .into_iter()
+                .filter_map(measures)
+                .collect(),
         })
     }
 
@@ -112,13 +139,18 @@ impl<'a> Comparison<'a> {
             (false, false) => Difference::None,
             (false, true) => Difference::FalseHit,
             (true, false) => Difference::MissedHit,
-            (true, true) if self.numbers.iter().any(|pair| pair.expected[pixel] != pair.found[pixel]) => {
+            (true, true)
+                if self
+                    .numbers
+                    .iter()
+                    .any(|pair| pair.expected[pixel] != pair.found[pixel]) =>
+            {
                 Difference::WrongPrimitive
             }
             (true, true) => {
                 let ulps = |pair: &Pair<f32>| ulps_between(pair.expected[pixel], pair.found[pixel]);
-                let [depth, surface] =
-                    [&self.depths, &self.surfaces].map(|pairs| pairs.iter().map(ulps).max().unwrap_or(0));
+                let [depth, surface] = [&self.depths, &self.surfaces]
+                    .map(|pairs| pairs.iter().map(ulps).max().unwrap_or(0));
                 match (depth, surface) {
                     (0, 0) => Difference::None,
                     _ if surface > depth => Difference::Surface(surface),
@@ -168,9 +200,15 @@ enum Hits<'a> {
 impl<'a> Hits<'a> {
     fn of(image: &'a Image) -> Option<Hits<'a>> {
         let coverage = || image.measures(ChannelName::A).map(Hits::Coverage);
-        let numbers = || [ChannelName::Id, ChannelName::Prim].iter().find_map(|name| image.numbers(*name));
+        let numbers = || {
+            [ChannelName::Id, ChannelName::Prim]
+                .iter()
+                .find_map(|name| image.numbers(*name))
+        };
         let depths = || DEPTHS.iter().find_map(|name| image.measures(*name));
-        coverage().or_else(|| numbers().map(Hits::Numbers)).or_else(|| depths().map(Hits::Depths))
+        coverage()
+            .or_else(|| numbers().map(Hits::Numbers))
+            .or_else(|| depths().map(Hits::Depths))
     }
 
     fn is_hit(&self, pixel: usize) -> bool {
@@ -189,13 +227,22 @@ mod tests {
 
     fn image(channels: Vec<(ChannelName, Samples)>) -> Image {
         let width = channels[0].1.len() as u32;
-        let channels = channels.into_iter().map(|(name, samples)| Channel { name, samples }).collect();
-        Image { display_window: (width, 1), data_window: PixelBounds::of_film(width, 1), channels }
+        let channels = channels
+            .into_iter()
+            .map(|(name, samples)| Channel { name, samples })
+            .collect();
+        Image {
+            display_window: (width, 1),
+            data_window: PixelBounds::of_film(width, 1),
+            channels,
+        }
     }
 
     fn differences(expected: &Image, found: &Image) -> Vec<Difference> {
         let comparison = Comparison::new(expected, found).unwrap();
-        (0..expected.data_window.width() as usize).map(|pixel| comparison.difference(pixel)).collect()
+        (0..expected.data_window.width() as usize)
+            .map(|pixel| comparison.difference(pixel))
+            .collect()
     }
 
     #[test]
@@ -210,11 +257,20 @@ mod tests {
         let found = image(vec![
             (ChannelName::A, Samples::F32(vec![0.0, 1.0, 0.0, 1.0, 1.0])),
             (ChannelName::Prim, Samples::U32(vec![0, 7, 0, 8, 7])),
-            (ChannelName::Z, Samples::F32(vec![5.0, 1.0, 9.0, next, next])),
-            (ChannelName::T, Samples::F32(vec![5.0, 1.0, 9.0, 1.0, next.next_up()])),
+            (
+                ChannelName::Z,
+                Samples::F32(vec![5.0, 1.0, 9.0, next, next]),
+            ),
+            (
+                ChannelName::T,
+                Samples::F32(vec![5.0, 1.0, 9.0, 1.0, next.next_up()]),
+            ),
         ]);
         use Difference::{Depth, FalseHit, MissedHit, None, WrongPrimitive};
-        assert_eq!(differences(&expected, &found), [None, FalseHit, MissedHit, WrongPrimitive, Depth(2)]);
+        assert_eq!(
+            differences(&expected, &found),
+            [None, FalseHit, MissedHit, WrongPrimitive, Depth(2)]
+        );
     }
 
     #[test]
@@ -223,21 +279,37 @@ mod tests {
         let measures = |z: [f32; 4], normal: [f32; 4]| {
             let channel = |name, values: [f32; 4]| (name, Samples::F32(values.to_vec()));
             let a = channel(ChannelName::A, [0.0, 1.0, 1.0, 1.0]);
-            image(vec![a, channel(ChannelName::Z, z), channel(ChannelName::Nx, normal)])
+            image(vec![
+                a,
+                channel(ChannelName::Z, z),
+                channel(ChannelName::Nx, normal),
+            ])
         };
         let expected = measures([1.0; 4], [1.0; 4]);
-        let found = measures([1.0, 1.0, next, next.next_up()], [9.0, next, next.next_up(), next]);
+        let found = measures(
+            [1.0, 1.0, next, next.next_up()],
+            [9.0, next, next.next_up(), next],
+        );
         use Difference::{Depth, None, Surface};
-        assert_eq!(differences(&expected, &found), [None, Surface(1), Surface(2), Depth(2)]);
+        assert_eq!(
+            differences(&expected, &found),
+            [None, Surface(1), Surface(2), Depth(2)]
+        );
         assert!(Surface(2).is_beyond(1) && !Surface(1).is_beyond(1));
     }
 
     #[test]
     fn what_only_one_image_has_is_not_compared() {
-        let depths = image(vec![(ChannelName::Z, Samples::F32(vec![f32::INFINITY, 1.0, f32::NAN, 2.0]))]);
+        let depths = image(vec![(
+            ChannelName::Z,
+            Samples::F32(vec![f32::INFINITY, 1.0, f32::NAN, 2.0]),
+        )]);
         let numbers = image(vec![(ChannelName::Id, Samples::U32(vec![0, 5, 1, 0]))]);
         use Difference::{FalseHit, MissedHit, None};
-        assert_eq!(differences(&depths, &numbers), [None, None, FalseHit, MissedHit]);
+        assert_eq!(
+            differences(&depths, &numbers),
+            [None, None, FalseHit, MissedHit]
+        );
         assert!(!Comparison::new(&depths, &numbers).unwrap().has_depths());
     }
 
@@ -245,8 +317,14 @@ mod tests {
     fn images_of_other_pixels_and_without_hits_cannot_be_compared() {
         let one = image(vec![(ChannelName::A, Samples::F32(vec![0.0]))]);
         let two = image(vec![(ChannelName::A, Samples::F32(vec![0.0; 2]))]);
-        assert!(matches!(Comparison::new(&one, &two), Err(Incomparable::Windows(..))));
+        assert!(matches!(
+            Comparison::new(&one, &two),
+            Err(Incomparable::Windows(..))
+        ));
         let instances = image(vec![(ChannelName::Instance, Samples::U32(vec![0]))]);
-        assert_eq!(Comparison::new(&one, &instances).unwrap_err(), Incomparable::NoHits);
+        assert_eq!(
+            Comparison::new(&one, &instances).unwrap_err(),
+            Incomparable::NoHits
+        );
     }
 }

@@ -29,7 +29,9 @@ impl Details {
     pub fn of(comparison: &Comparison, pixels: usize, max_ulp: u32, listed: usize) -> Details {
         let starts = (0..pixels).into_par_iter().step_by(PART);
         let parts: Vec<Details> = starts
-            .map(|start| Details::of_part(comparison, start..pixels.min(start + PART), max_ulp, listed))
+            .map(|start| {
+                Details::of_part(comparison, start..pixels.min(start + PART), max_ulp, listed)
+            })
             .collect();
         let mut all = Details::none(comparison);
         for part in parts {
@@ -40,14 +42,28 @@ impl Details {
 
     fn none(comparison: &Comparison) -> Details {
         Details {
-            numbers: comparison.numbers().iter().map(|pair| (pair.name, 0)).collect(),
-            measures: measures(comparison).map(|pair| (pair.name, Ulps::default())).collect(),
+            numbers: comparison
+                .numbers()
+                .iter()
+                .map(|pair| (pair.name, 0))
+                .collect(),
+            measures: measures(comparison)
+                .map(|pair| (pair.name, Ulps::default()))
+                .collect(),
             ..Details::default()
         }
     }
 
-    fn of_part(comparison: &Comparison, pixels: std::ops::Range<usize>, max_ulp: u32, listed: usize) -> Details {
-        let mut part = Details { tally: Tally::of(comparison, pixels.clone()), ..Details::none(comparison) };
+    fn of_part(
+        comparison: &Comparison,
+        pixels: std::ops::Range<usize>,
+        max_ulp: u32,
+        listed: usize,
+    ) -> Details {
+        let mut part = Details {
+            tally: Tally::of(comparison, pixels.clone()),
+            ..Details::none(comparison)
+        };
         for pixel in pixels {
             part.hits += u64::from(comparison.is_hit(pixel));
             let difference = comparison.difference(pixel);
@@ -61,7 +77,9 @@ impl Details {
                         *wrong += u64::from(pair.expected[pixel] != pair.found[pixel]);
                     }
                 }
-                Difference::None | Difference::Depth(_) | Difference::Surface(_) if comparison.is_hit(pixel) => {
+                Difference::None | Difference::Depth(_) | Difference::Surface(_)
+                    if comparison.is_hit(pixel) =>
+                {
                     for (pair, (_, ulps)) in measures(comparison).zip(&mut part.measures) {
                         ulps.add(super::ulps_between(pair.expected[pixel], pair.found[pixel]));
                     }
@@ -76,9 +94,16 @@ impl Details {
     fn merge(&mut self, next: Details, listed: usize) {
         self.tally.merge(&next.tally);
         self.hits += next.hits;
-        self.numbers.iter_mut().zip(next.numbers).for_each(|((_, wrong), (_, more))| *wrong += more);
-        self.measures.iter_mut().zip(&next.measures).for_each(|((_, ulps), (_, more))| ulps.merge(more));
-        self.first.extend(next.first.into_iter().take(listed - self.first.len()));
+        self.numbers
+            .iter_mut()
+            .zip(next.numbers)
+            .for_each(|((_, wrong), (_, more))| *wrong += more);
+        self.measures
+            .iter_mut()
+            .zip(&next.measures)
+            .for_each(|((_, ulps), (_, more))| ulps.merge(more));
+        self.first
+            .extend(next.first.into_iter().take(listed - self.first.len()));
     }
 }
 
@@ -95,10 +120,20 @@ mod tests {
     fn all_parts_are_merged_in_order() {
         let width = 3 * PART as u32 + 5;
         let image = |prim: Vec<u32>, z: Vec<f32>| {
-            let prim = Channel { name: ChannelName::Prim, samples: Samples::U32(prim) };
-            let z = Channel { name: ChannelName::Z, samples: Samples::F32(z) };
+            let prim = Channel {
+                name: ChannelName::Prim,
+                samples: Samples::U32(prim),
+            };
+            let z = Channel {
+                name: ChannelName::Z,
+                samples: Samples::F32(z),
+            };
             let data_window = PixelBounds::of_film(width, 1);
-            Image { display_window: (width, 1), data_window, channels: vec![z, prim] }
+            Image {
+                display_window: (width, 1),
+                data_window,
+                channels: vec![z, prim],
+            }
         };
         let expected = image(vec![1; width as usize], vec![1.0; width as usize]);
         let (mut prim, mut z) = (vec![1; width as usize], vec![1.0; width as usize]);
@@ -111,8 +146,16 @@ mod tests {
         assert_eq!(details.first, [PART, PART + 1, 2 * PART]);
         assert_eq!(details.tally, Tally::of(&comparison, 0..width as usize));
         assert_eq!(details.tally.different(1), 4);
-        assert_eq!((details.hits, &details.numbers[..]), (width.into(), &[(ChannelName::Prim, 2)][..]));
-        let [(ChannelName::Z, ulps)] = &details.measures[..] else { panic!("{:?}", details.measures) };
-        assert_eq!((ulps.total(), ulps.max(), ulps.above(0)), (u64::from(width) - 3, Some(2), 2));
+        assert_eq!(
+            (details.hits, &details.numbers[..]),
+            (width.into(), &[(ChannelName::Prim, 2)][..])
+        );
+        let [(ChannelName::Z, ulps)] = &details.measures[..] else {
+            panic!("{:?}", details.measures)
+        };
+        assert_eq!(
+            (ulps.total(), ulps.max(), ulps.above(0)),
+            (u64::from(width) - 3, Some(2), 2)
+        );
     }
 }

@@ -43,7 +43,10 @@ pub fn color_difference_picture(comparison: &ColorComparison, max: u16) -> Vec<[
         ColorDifference::MissedHit => MISSED_HIT,
         ColorDifference::Color(difference) => ramp(difference.into(), max.into()),
     };
-    (0..comparison.pixels()).into_par_iter().map(color).collect()
+    (0..comparison.pixels())
+        .into_par_iter()
+        .map(color)
+        .collect()
 }
 
 /// The colour of an error that is not 0.
@@ -51,7 +54,9 @@ fn ramp(error: u32, max: u32) -> Rgb {
     let logarithm = |error: u32| (f64::from(error) + 1.0).ln();
     let position = (logarithm(error) / logarithm(max.max(1))).min(1.0);
     let [low, high] = DEPTH;
-    std::array::from_fn(|i| (f64::from(low[i]) + position * (f64::from(high[i]) - f64::from(low[i]))).round() as u8)
+    std::array::from_fn(|i| {
+        (f64::from(low[i]) + position * (f64::from(high[i]) - f64::from(low[i]))).round() as u8
+    })
 }
 
 #[cfg(test)]
@@ -65,21 +70,46 @@ mod tests {
             display_window: (6, 1),
             data_window: PixelBounds::of_film(6, 1),
             channels: vec![
-                Channel { name: ChannelName::Prim, samples: Samples::U32(prim.to_vec()) },
-                Channel { name: ChannelName::Z, samples: Samples::F32(z.to_vec()) },
+                Channel {
+                    name: ChannelName::Prim,
+                    samples: Samples::U32(prim.to_vec()),
+                },
+                Channel {
+                    name: ChannelName::Z,
+                    samples: Samples::F32(z.to_vec()),
+                },
             ],
         };
         let expected = image([0, 1, 0, 1, 1, 1], [0.0, 1.0, 1.0, 1.0, 1.0, 1.0]);
-        let found = image([0, 1, 1, 0, 2, 1], [5.0, 1.0, 1.0, 1.0, 1.0, 1f32.next_up()]);
+        let found = image(
+            [0, 1, 1, 0, 2, 1],
+            [5.0, 1.0, 1.0, 1.0, 1.0, 1f32.next_up()],
+        );
         let comparison = Comparison::new(&expected, &found).unwrap();
         let picture = difference_picture(&comparison, 6, 1);
-        assert_eq!(picture, [EQUAL, EQUAL_HIT, FALSE_HIT, MISSED_HIT, WRONG_PRIMITIVE, DEPTH[1]]);
+        assert_eq!(
+            picture,
+            [
+                EQUAL,
+                EQUAL_HIT,
+                FALSE_HIT,
+                MISSED_HIT,
+                WRONG_PRIMITIVE,
+                DEPTH[1]
+            ]
+        );
     }
 
     #[test]
     fn larger_errors_are_brighter_up_to_the_largest() {
-        let ramp: Vec<Rgb> = [1, 2, 10, 1000, 100_000, u32::MAX].iter().map(|ulps| ramp(*ulps, 100_000)).collect();
-        assert!(ramp[..5].is_sorted_by(|a, b| a[0] < b[0] && a[1] < b[1]), "{ramp:?}");
+        let ramp: Vec<Rgb> = [1, 2, 10, 1000, 100_000, u32::MAX]
+            .iter()
+            .map(|ulps| ramp(*ulps, 100_000))
+            .collect();
+        assert!(
+            ramp[..5].is_sorted_by(|a, b| a[0] < b[0] && a[1] < b[1]),
+            "{ramp:?}"
+        );
         assert_eq!(ramp[4..], [DEPTH[1]; 2]);
         assert_eq!(super::ramp(7, 0), DEPTH[1]);
         assert_ne!(super::ramp(1, u32::MAX), EQUAL_HIT);

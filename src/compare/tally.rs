@@ -31,7 +31,9 @@ impl Tally {
                 Difference::WrongPrimitive => tally.wrong_primitives += 1,
                 Difference::Depth(ulps) => tally.depths.add(ulps),
                 Difference::Surface(ulps) => tally.surfaces.add(ulps),
-                Difference::None if comparison.is_hit(pixel) && comparison.has_depths() => tally.depths.add(0),
+                Difference::None if comparison.is_hit(pixel) && comparison.has_depths() => {
+                    tally.depths.add(0)
+                }
                 Difference::None => {}
             }
         }

@@ -16,7 +16,11 @@ pub fn ulps_between(a: f32, b: f32) -> u32 {
 /// The place of a number among all, 0 being that of zero.
 fn place(number: f32) -> i32 {
     let magnitude = (number.to_bits() & !(1 << 31)) as i32;
-    if number.is_sign_negative() { -magnitude } else { magnitude }
+    if number.is_sign_negative() {
+        -magnitude
+    } else {
+        magnitude
+    }
 }
 
 /// How often which error occurs.
@@ -35,7 +39,10 @@ impl Ulps {
 
     /// Counts all that `other` has counted.
     pub fn merge(&mut self, other: &Ulps) {
-        other.counts.iter().for_each(|(error, count)| *self.counts.entry(*error).or_default() += count);
+        other
+            .counts
+            .iter()
+            .for_each(|(error, count)| *self.counts.entry(*error).or_default() += count);
         self.total += other.total;
     }
 
@@ -46,7 +53,9 @@ impl Ulps {
 
     /// Depths whose error is more than `limit`.
     pub fn above(&self, limit: u32) -> u64 {
-        limit.checked_add(1).map_or(0, |first| self.counts.range(first..).map(|(_, count)| count).sum())
+        limit.checked_add(1).map_or(0, |first| {
+            self.counts.range(first..).map(|(_, count)| count).sum()
+        })
     }
 
     /// The largest error; `None` of no depth at all, as below.
@@ -56,7 +65,11 @@ impl Ulps {
 
     /// The mean error.
     pub fn mean(&self) -> Option<f64> {
-        let sum: f64 = self.counts.iter().map(|(error, count)| f64::from(*error) * *count as f64).sum();
+        let sum: f64 = self
+            .counts
+            .iter()
+            .map(|(error, count)| f64::from(*error) * *count as f64)
+            .sum();
         (self.total > 0).then(|| sum / self.total as f64)
     }
 
@@ -68,7 +81,9 @@ impl Ulps {
             below += count;
             (*error, below)
         });
-        ranked.find(|(_, below)| *below >= rank).map(|(error, _)| error)
+        ranked
+            .find(|(_, below)| *below >= rank)
+            .map(|(error, _)| error)
     }
 }
 
@@ -91,7 +106,13 @@ mod tests {
     #[test]
     fn a_nan_is_far_from_all_but_itself() {
         assert_eq!(ulps_between(f32::NAN, -f32::NAN), 0);
-        assert_eq!([ulps_between(f32::NAN, 1.0), ulps_between(f32::INFINITY, f32::NAN)], [u32::MAX; 2]);
+        assert_eq!(
+            [
+                ulps_between(f32::NAN, 1.0),
+                ulps_between(f32::INFINITY, f32::NAN)
+            ],
+            [u32::MAX; 2]
+        );
     }
 
     proptest! {
@@ -119,6 +140,14 @@ mod tests {
     #[test]
     fn nothing_has_no_error() {
         let none = Ulps::default();
-        assert_eq!((none.max(), none.mean(), none.percentile(99.0), none.above(0)), (None, None, None, 0));
+        assert_eq!(
+            (
+                none.max(),
+                none.mean(),
+                none.percentile(99.0),
+                none.above(0)
+            ),
+            (None, None, None, 0)
+        );
     }
 }

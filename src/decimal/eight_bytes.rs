@@ -10,7 +10,9 @@ impl EightBytes {
     /// The first eight bytes of `text`, if there are as many.
     #[inline]
     pub(super) fn of(text: &[u8]) -> Option<EightBytes> {
-        text.first_chunk().map(|bytes| EightBytes(u64::from_le_bytes(*bytes) ^ (u64::MAX / 255 * u64::from(b'0'))))
+        text.first_chunk().map(|bytes| {
+            EightBytes(u64::from_le_bytes(*bytes) ^ (u64::MAX / 255 * u64::from(b'0')))
+        })
     }
 
     /// The number of digits before the first byte that is none: 0 to 8.
@@ -18,7 +20,8 @@ impl EightBytes {
     pub(super) fn digits(self) -> usize {
         // Adding 0x76 takes 10 and more to the highest bit, and what has that bit keeps it. A carry out of a byte comes from
         // one that is no digit, so it disturbs no byte before the first of those.
-        let others = (self.0.wrapping_add(u64::MAX / 255 * 0x76) | self.0) & (u64::MAX / 255 * 0x80);
+        let others =
+            (self.0.wrapping_add(u64::MAX / 255 * 0x76) | self.0) & (u64::MAX / 255 * 0x80);
         others.trailing_zeros() as usize / 8
     }
 

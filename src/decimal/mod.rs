@@ -12,17 +12,29 @@ pub(crate) use self::non_finite::leading as leading_non_finite;
 /// an exponent, `inf` and `nan`, also as Windows prints them. `None` where the token is anything else or has
 /// something after the number.
 pub fn parse(token: &[u8]) -> Option<f64> {
-    parse_short(token).or_else(|| std::str::from_utf8(token).ok()?.parse().ok()).or_else(|| non_finite::parse(token))
+    parse_short(token)
+        .or_else(|| std::str::from_utf8(token).ok()?.parse().ok())
+        .or_else(|| non_finite::parse(token))
 }
 
 /// Powers of ten that an `f64` holds exactly.
 const EXACT_POWERS: [f64; 23] = [
-    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
-    1e21, 1e22,
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
+    1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
 ];
 
 /// Powers of ten up to the number of digits that are read at once.
-const WHOLE_POWERS: [u64; 9] = [1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000];
+const WHOLE_POWERS: [u64; 9] = [
+    1,
+    10,
+    100,
+    1_000,
+    10_000,
+    100_000,
+    1_000_000,
+    10_000_000,
+    100_000_000,
+];
 
 /// Digits that a `u64` takes whatever they are.
 const SAFE_DIGITS: usize = 19;
@@ -43,14 +55,20 @@ pub(crate) fn leading(text: &[u8]) -> Option<(f64, usize)> {
     let places = fraction.digits();
     if places == 8 {
         let (mantissa, places) = long_fraction(number, fraction, &text[at + 9..])?;
-        return Some((signed(mantissa as f64 / EXACT_POWERS[places]), at + 1 + places));
+        return Some((
+            signed(mantissa as f64 / EXACT_POWERS[places]),
+            at + 1 + places,
+        ));
     }
     if length + places == 0 {
         return None;
     }
     // Of 14 digits at most, so that both numbers are exact and the division rounds once.
     let mantissa = number * WHOLE_POWERS[places] + fraction.number(places);
-    Some((signed(mantissa as f64 / EXACT_POWERS[places]), at + 1 + places))
+    Some((
+        signed(mantissa as f64 / EXACT_POWERS[places]),
+        at + 1 + places,
+    ))
 }
 
 /// The digits that `text` begins with, 0 to 7, and how many they are; another byte follows.
@@ -74,7 +92,9 @@ fn long_fraction(whole: u64, first: EightBytes, rest: &[u8]) -> Option<(u64, usi
         return None;
     }
     let high = whole * WHOLE_POWERS[8] + first.number(8);
-    let mantissa = high.checked_mul(WHOLE_POWERS[places])?.checked_add(second.number(places))?;
+    let mantissa = high
+        .checked_mul(WHOLE_POWERS[places])?
+        .checked_add(second.number(places))?;
     (mantissa <= 1 << f64::MANTISSA_DIGITS).then_some((mantissa, 8 + places))
 }
 
@@ -84,7 +104,9 @@ fn long_fraction(whole: u64, first: EightBytes, rest: &[u8]) -> Option<(u64, usi
 pub(crate) fn leading_whole(text: &[u8]) -> Option<(u64, usize)> {
     let bytes = EightBytes::of(text)?;
     let length = bytes.digits();
-    (1..8).contains(&length).then(|| (bytes.number(length), length))
+    (1..8)
+        .contains(&length)
+        .then(|| (bytes.number(length), length))
 }
 
 /// Clinger's fast path: the number `token` where its digits and the power of ten are both exact in `f64`, so that
@@ -108,11 +130,18 @@ fn parse_short(token: &[u8]) -> Option<f64> {
         exponent += short_exponent(power)?;
         rest = &[];
     }
-    if !rest.is_empty() || !(1..=SAFE_DIGITS).contains(&count) || mantissa > 1 << f64::MANTISSA_DIGITS {
+    if !rest.is_empty()
+        || !(1..=SAFE_DIGITS).contains(&count)
+        || mantissa > 1 << f64::MANTISSA_DIGITS
+    {
         return None;
     }
     let power = *EXACT_POWERS.get(usize::try_from(exponent.unsigned_abs()).ok()?)?;
-    let magnitude = if exponent < 0 { mantissa as f64 / power } else { mantissa as f64 * power };
+    let magnitude = if exponent < 0 {
+        mantissa as f64 / power
+    } else {
+        mantissa as f64 * power
+    };
     Some(if negative { -magnitude } else { magnitude })
 }
 
@@ -121,7 +150,9 @@ fn parse_short(token: &[u8]) -> Option<f64> {
 fn digits(mut number: u64, text: &[u8]) -> (u64, &[u8]) {
     let mut rest = text;
     while let [digit @ b'0'..=b'9', after @ ..] = rest {
-        number = number.wrapping_mul(10).wrapping_add(u64::from(digit - b'0'));
+        number = number
+            .wrapping_mul(10)
+            .wrapping_add(u64::from(digit - b'0'));
         rest = after;
     }
     (number, rest)
@@ -160,7 +191,10 @@ mod tests {
             ("1e999", f64::INFINITY),
             ("-1e999", f64::NEG_INFINITY),
             ("1e-999", 0.0),
-            ("0.1000000000000000055511151231257827021181583404541015625", 0.1),
+            (
+                "0.1000000000000000055511151231257827021181583404541015625",
+                0.1,
+            ),
         ];
         for (token, expected) in cases {
             assert_eq!(parse(token.as_bytes()), Some(expected), "{token}");
@@ -170,7 +204,9 @@ mod tests {
 
     #[test]
     fn refuses_what_is_not_one_number() {
-        for token in ["", "-", ".", "1e", "3.1+e2", "1.2.3", "0x10", "1,2", " 1", "foo"] {
+        for token in [
+            "", "-", ".", "1e", "3.1+e2", "1.2.3", "0x10", "1,2", " 1", "foo",
+        ] {
             assert_eq!(parse(token.as_bytes()), None, "{token}");
         }
         assert_eq!(parse(b"\xff1"), None);
@@ -178,22 +214,54 @@ mod tests {
 
     #[test]
     fn the_fast_path_ends_where_it_must() {
-        let taken = ["9007199254740992", "-9007199254740992e22", "1e-22", "-0", "0.000000000000000001", "5.", ".5E+03"];
+        let taken = [
+            "9007199254740992",
+            "-9007199254740992e22",
+            "1e-22",
+            "-0",
+            "0.000000000000000001",
+            "5.",
+            ".5E+03",
+        ];
         for token in taken {
-            assert_eq!(parse_short(token.as_bytes()).map(f64::to_bits), slowly(token), "{token}");
+            assert_eq!(
+                parse_short(token.as_bytes()).map(f64::to_bits),
+                slowly(token),
+                "{token}"
+            );
         }
-        let left =
-            ["9007199254740993", "1e23", "1e-23", "18446744073709551617", "00000000000000000001", "1e0001", "inf"];
+        let left = [
+            "9007199254740993",
+            "1e23",
+            "1e-23",
+            "18446744073709551617",
+            "00000000000000000001",
+            "1e0001",
+            "inf",
+        ];
         for token in left {
             assert_eq!(parse_short(token.as_bytes()), None, "{token}");
-            assert_eq!(parse(token.as_bytes()).map(f64::to_bits), slowly(token), "{token}");
+            assert_eq!(
+                parse(token.as_bytes()).map(f64::to_bits),
+                slowly(token),
+                "{token}"
+            );
         }
     }
 
     #[test]
     fn leading_numbers_end_where_they_must() {
         let read = |text: &str| leading(format!("{text}        ").as_bytes());
-        let taken = ["0", "-0.0", "1234567", "-.5", "5.", "1234567.12345678", "0.900719925474099", "-0.0750396"];
+        let taken = [
+            "0",
+            "-0.0",
+            "1234567",
+            "-.5",
+            "5.",
+            "1234567.12345678",
+            "0.900719925474099",
+            "-0.0750396",
+        ];
         for text in taken {
             let expected = (text.parse::<f64>().expect("a number"), text.len());
             assert_eq!(
@@ -201,12 +269,27 @@ mod tests {
                 Some((expected.0.to_bits(), expected.1))
             );
         }
-        let left = ["", "-", ".", "-.", "+1", "x", "12345678", "0.1234567812345678", "9.12345678123456789", "nan"];
+        let left = [
+            "",
+            "-",
+            ".",
+            "-.",
+            "+1",
+            "x",
+            "12345678",
+            "0.1234567812345678",
+            "9.12345678123456789",
+            "nan",
+        ];
         for text in left {
             assert_eq!(read(text), None, "{text}");
         }
         assert_eq!(leading(b"1.5"), None, "too short to tell");
-        assert_eq!(read("1e5"), Some((1.0, 1)), "the caller looks at what follows");
+        assert_eq!(
+            read("1e5"),
+            Some((1.0, 1)),
+            "the caller looks at what follows"
+        );
         assert_eq!(leading_whole(b"1234567 "), Some((1_234_567, 7)));
         assert_eq!(leading_whole(b"7,345678"), Some((7, 1)));
         for text in [" 1      ", "-1      ", "12345678", "1 "] {

@@ -54,7 +54,10 @@ impl Approximation {
 
     /// The number without its sign.
     pub fn abs(self) -> Approximation {
-        Approximation { value: self.value.abs(), ..self }
+        Approximation {
+            value: self.value.abs(),
+            ..self
+        }
     }
 
     /// The square root of a number that is known not to be negative, whatever its approximation is.
@@ -62,11 +65,17 @@ impl Approximation {
         if self.value > self.error {
             // |sqrt x - sqrt y| = |x - y| / (sqrt x + sqrt y)
             let root = self.value.sqrt();
-            Approximation { value: root, error: (self.error / root + U * root) * (1.0 + 8.0 * U) }
+            Approximation {
+                value: root,
+                error: (self.error / root + U * root) * (1.0 + 8.0 * U),
+            }
         } else {
             // Both roots lie between 0 and this; the factor makes up for the roundings.
             let most = (self.value.abs() + self.error).sqrt() * (1.0 + 8.0 * U);
-            Approximation { value: 0.0, error: most }
+            Approximation {
+                value: 0.0,
+                error: most,
+            }
         }
     }
 
@@ -76,11 +85,17 @@ impl Approximation {
         // x/y - v = ((x - x') - v (y - y')) / y with v = x'/y'
         let least_divisor = divisor.value.abs() - divisor.error;
         if least_divisor.is_nan() || least_divisor <= 0.0 {
-            return Approximation { value, error: f64::INFINITY };
+            return Approximation {
+                value,
+                error: f64::INFINITY,
+            };
         }
         // What underflows in the product grows in the division.
         let carried = (self.error + value.abs() * divisor.error + TINY) / least_divisor;
-        Approximation { value, error: (carried + U * value.abs()) * (1.0 + 16.0 * U) + TINY }
+        Approximation {
+            value,
+            error: (carried + U * value.abs()) * (1.0 + 16.0 * U) + TINY,
+        }
     }
 }
 
@@ -90,7 +105,10 @@ impl Add for Approximation {
     fn add(self, other: Approximation) -> Approximation {
         // A sum is not rounded by underflow. Three roundings of the bound: (1 - U)^3 (1 + 4 U) > 1.
         let value = self.value + other.value;
-        Approximation { value, error: ((self.error + other.error) + U * value.abs()) * (1.0 + 4.0 * U) }
+        Approximation {
+            value,
+            error: ((self.error + other.error) + U * value.abs()) * (1.0 + 4.0 * U),
+        }
     }
 }
 
@@ -106,7 +124,10 @@ impl Neg for Approximation {
     type Output = Approximation;
 
     fn neg(self) -> Approximation {
-        Approximation { value: -self.value, error: self.error }
+        Approximation {
+            value: -self.value,
+            error: self.error,
+        }
     }
 }
 
@@ -118,7 +139,10 @@ impl Mul for Approximation {
         let value = self.value * other.value;
         let carried = self.value.abs() * other.error + other.value.abs() * self.error;
         let own = self.error * other.error + U * value.abs();
-        Approximation { value, error: (carried + own) * (1.0 + 8.0 * U) + TINY }
+        Approximation {
+            value,
+            error: (carried + own) * (1.0 + 8.0 * U) + TINY,
+        }
     }
 }
 
@@ -188,9 +212,18 @@ mod tests {
     fn what_is_unknown_has_no_sign() {
         let zero = Approximation::exactly(0.0);
         let overflown = Approximation::exactly(1e300).square();
-        for unknown in [zero, overflown, overflown - overflown, Approximation::exactly(1.0).over(zero)] {
+        for unknown in [
+            zero,
+            overflown,
+            overflown - overflown,
+            Approximation::exactly(1.0).over(zero),
+        ] {
             assert_eq!(unknown.sign(), None, "{unknown:?}");
         }
-        assert_eq!(Approximation::exactly(1e-300).square().sign(), None, "an underflow");
+        assert_eq!(
+            Approximation::exactly(1e-300).square().sign(),
+            None,
+            "an underflow"
+        );
     }
 }

@@ -11,18 +11,31 @@ pub struct Bracket {
 
 impl Bracket {
     /// All positive numbers.
-    pub const POSITIVE: Bracket = Bracket { low: 0.0, high: f64::INFINITY };
+    pub const POSITIVE: Bracket = Bracket {
+        low: 0.0,
+        high: f64::INFINITY,
+    };
 
     /// A number known to be `value`.
     pub fn exactly(value: f64) -> Bracket {
-        Bracket { low: value, high: value }
+        Bracket {
+            low: value,
+            high: value,
+        }
     }
 
     /// A number that differs from `value` by `error` at most; of a NaN, any number.
     pub fn around(value: f64, error: f64) -> Bracket {
         // The sum and the difference are off by half a unit of the last place at most.
         let (low, high) = ((value - error).next_down(), (value + error).next_up());
-        if low <= high { Bracket { low, high } } else { Bracket { low: f64::NEG_INFINITY, high: f64::INFINITY } }
+        if low <= high {
+            Bracket { low, high }
+        } else {
+            Bracket {
+                low: f64::NEG_INFINITY,
+                high: f64::INFINITY,
+            }
+        }
     }
 
     /// Whether this number is surely less than the other. That brackets which only touch do not count makes no difference
@@ -45,7 +58,10 @@ impl Bracket {
         if low.is_nan() || high.is_nan() {
             return Bracket::POSITIVE;
         }
-        Bracket { low: low.next_down().max(0.0), high: high.next_up() }
+        Bracket {
+            low: low.next_down().max(0.0),
+            high: high.next_up(),
+        }
     }
 }
 
@@ -60,7 +76,10 @@ mod tests {
         let third = Bracket::around(1.0 / 3.0, 0.0);
         assert!(third.low < 1.0 / 3.0 && third.high > 1.0 / 3.0);
         let anything = Bracket::around(f64::NAN, 1.0);
-        assert_eq!((anything.low, anything.high), (f64::NEG_INFINITY, f64::INFINITY));
+        assert_eq!(
+            (anything.low, anything.high),
+            (f64::NEG_INFINITY, f64::INFINITY)
+        );
         let product = Bracket::POSITIVE.times(&third);
         assert_eq!((product.low, product.high), (0.0, f64::INFINITY));
     }
@@ -78,10 +97,24 @@ mod tests {
 
     #[test]
     fn an_f32_is_known_where_both_ends_round_alike() {
-        assert_eq!(Bracket::around(1.0 / 3.0, 1e-15).nearest_f32(), Some(1.0 / 3.0));
+        assert_eq!(
+            Bracket::around(1.0 / 3.0, 1e-15).nearest_f32(),
+            Some(1.0 / 3.0)
+        );
         let tie = 1.0 + f64::from(f32::EPSILON) / 2.0;
         assert_eq!(Bracket::around(tie, 0.0).nearest_f32(), None);
-        assert_eq!(Bracket::exactly(tie).nearest_f32(), Some(1.0), "ties go to even");
-        assert_eq!(Bracket { low: 1e39, high: f64::INFINITY }.nearest_f32(), Some(f32::INFINITY));
+        assert_eq!(
+            Bracket::exactly(tie).nearest_f32(),
+            Some(1.0),
+            "ties go to even"
+        );
+        assert_eq!(
+            Bracket {
+                low: 1e39,
+                high: f64::INFINITY
+            }
+            .nearest_f32(),
+            Some(f32::INFINITY)
+        );
     }
 }

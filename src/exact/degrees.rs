@@ -25,7 +25,10 @@ pub fn cosine(angle: f64) -> f64 {
 
 /// The tangent of half of `angle` degrees, for angles between 0 and 180.
 pub fn tangent_of_half(angle: f64) -> f64 {
-    assert!(angle > 0.0 && angle < 180.0, "{angle} degrees have no finite positive tangent of the half");
+    assert!(
+        angle > 0.0 && angle < 180.0,
+        "{angle} degrees have no finite positive tangent of the half"
+    );
     if angle == 90.0 {
         return 1.0;
     }
@@ -33,9 +36,18 @@ pub fn tangent_of_half(angle: f64) -> f64 {
     let (acute, complemented) = half.acute();
     let ratio = |p: u64| {
         let (sine, cosine) = sine_and_cosine(&acute, p);
-        let (over, under) = if complemented { (cosine, sine) } else { (sine, cosine) };
-        let quotient = |n: &BigInt, d: &BigInt| Dyadic::new(n.clone(), 0).quotient_to_f64(&Dyadic::new(d.clone(), 0));
-        (quotient(&over.low, &under.high), quotient(&over.high, &under.low))
+        let (over, under) = if complemented {
+            (cosine, sine)
+        } else {
+            (sine, cosine)
+        };
+        let quotient = |n: &BigInt, d: &BigInt| {
+            Dyadic::new(n.clone(), 0).quotient_to_f64(&Dyadic::new(d.clone(), 0))
+        };
+        (
+            quotient(&over.low, &under.high),
+            quotient(&over.high, &under.low),
+        )
     };
     refine(&acute, ratio)
 }
@@ -57,7 +69,11 @@ fn reduce(angle: f64) -> Option<Angle> {
     // Below 360 the exponent of the last bit is at most 9 - 53.
     let scale = u64::from(exponent.unsigned_abs());
     let magnitude = BigUint::from(mantissa);
-    let numerator = if remainder < 0.0 { (BigUint::from(360u32) << scale) - magnitude } else { magnitude };
+    let numerator = if remainder < 0.0 {
+        (BigUint::from(360u32) << scale) - magnitude
+    } else {
+        magnitude
+    };
     Some(Angle { numerator, scale })
 }
 
@@ -72,20 +88,33 @@ impl Angle {
     }
 
     fn halved(self) -> Angle {
-        Angle { scale: self.scale + 1, ..self }
+        Angle {
+            scale: self.scale + 1,
+            ..self
+        }
     }
 
     fn sine(self) -> f64 {
         let half_turn = self.degrees(180);
         let negative = self.numerator >= half_turn;
-        let folded = Angle { numerator: &self.numerator % &half_turn, scale: self.scale };
+        let folded = Angle {
+            numerator: &self.numerator % &half_turn,
+            scale: self.scale,
+        };
         let magnitude = folded.sine_up_to_180();
-        if negative && magnitude != 0.0 { -magnitude } else { magnitude }
+        if negative && magnitude != 0.0 {
+            -magnitude
+        } else {
+            magnitude
+        }
     }
 
     fn sine_up_to_180(self) -> f64 {
         let mirrored = self.degrees(180) - &self.numerator;
-        let nearer = Angle { numerator: mirrored.min(self.numerator), scale: self.scale };
+        let nearer = Angle {
+            numerator: mirrored.min(self.numerator),
+            scale: self.scale,
+        };
         if nearer.numerator == nearer.degrees(0) {
             return 0.0;
         }
@@ -107,7 +136,17 @@ impl Angle {
     /// An angle up to 90 as one up to 45, and whether it is the complement: sine and cosine then change places.
     fn acute(self) -> (Angle, bool) {
         let complement = self.degrees(90) - &self.numerator;
-        if complement < self.numerator { (Angle { numerator: complement, ..self }, true) } else { (self, false) }
+        if complement < self.numerator {
+            (
+                Angle {
+                    numerator: complement,
+                    ..self
+                },
+                true,
+            )
+        } else {
+            (self, false)
+        }
     }
 
     /// How many zero bits precede the first one of the angle behind the binary point.
@@ -154,7 +193,10 @@ fn sine_and_cosine(angle: &Angle, p: u64) -> (Bracket, Bracket) {
     // term by less than 3 more than the one before, shrunk by x/k < 1; what follows the last term is below one
     // unit. So 4 units for every term are ample.
     let slack = BigInt::from(4 * (count + 2));
-    let [cosine, sine] = sums.map(|sum| Bracket { low: &sum - &slack, high: sum + &slack });
+    let [cosine, sine] = sums.map(|sum| Bracket {
+        low: &sum - &slack,
+        high: sum + &slack,
+    });
     (sine, cosine)
 }
 
@@ -163,7 +205,11 @@ fn pi(p: u64) -> BigInt {
     // Scenes have rotations by the million, hardly one of which needs more bits.
     const KEPT: u64 = 256;
     static PI: LazyLock<BigInt> = LazyLock::new(|| machin(KEPT));
-    if p <= KEPT { &*PI >> (KEPT - p) } else { machin(p) }
+    if p <= KEPT {
+        &*PI >> (KEPT - p)
+    } else {
+        machin(p)
+    }
 }
 
 /// pi as [`pi`] tells it: 16 atan(1/5) - 4 atan(1/239).
@@ -199,11 +245,24 @@ mod tests {
 
     #[test]
     fn rational_values_are_exact() {
-        let cases = [(0.0, 0.0), (30.0, 0.5), (90.0, 1.0), (150.0, 0.5), (180.0, 0.0), (210.0, -0.5), (270.0, -1.0)];
+        let cases = [
+            (0.0, 0.0),
+            (30.0, 0.5),
+            (90.0, 1.0),
+            (150.0, 0.5),
+            (180.0, 0.0),
+            (210.0, -0.5),
+            (270.0, -1.0),
+        ];
         for (angle, value) in cases {
             for turns in [0.0, 360.0, 720.0, -360.0] {
                 assert_eq!(sine(angle + turns), value, "sin {}", angle + turns);
-                assert_eq!(cosine(angle + turns - 90.0), value, "cos {}", angle + turns - 90.0);
+                assert_eq!(
+                    cosine(angle + turns - 90.0),
+                    value,
+                    "cos {}",
+                    angle + turns - 90.0
+                );
                 assert_eq!(sine(-(angle + turns)), -value, "sin -{}", angle + turns);
             }
         }

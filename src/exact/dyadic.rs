@@ -16,12 +16,18 @@ pub struct Dyadic {
 impl Dyadic {
     /// `mantissa * 2^exponent`.
     pub fn new(mantissa: BigInt, exponent: i64) -> Dyadic {
-        Dyadic { mantissa: mantissa.into(), exponent }
+        Dyadic {
+            mantissa: mantissa.into(),
+            exponent,
+        }
     }
 
     /// The number 0.
     pub fn zero() -> Dyadic {
-        Dyadic { mantissa: Integer::Small(0), exponent: 0 }
+        Dyadic {
+            mantissa: Integer::Small(0),
+            exponent: 0,
+        }
     }
 
     /// How the number compares with 0.
@@ -36,7 +42,11 @@ impl Dyadic {
 
     /// The number without its sign.
     pub fn abs(self) -> Dyadic {
-        if self.sign() == Ordering::Less { -&self } else { self }
+        if self.sign() == Ordering::Less {
+            -&self
+        } else {
+            self
+        }
     }
 
     /// The number times itself.
@@ -65,7 +75,10 @@ impl Dyadic {
     /// # Panics
     /// Where the number is negative.
     pub fn square_root(&self, bits: u64) -> [Dyadic; 2] {
-        assert!(self.sign() != Ordering::Less, "a square root is of a number that is not negative");
+        assert!(
+            self.sign() != Ordering::Less,
+            "a square root is of a number that is not negative"
+        );
         let radicand = self.mantissa.magnitude();
         let mut shift = (2 * bits).saturating_sub(radicand.bits());
         if (self.exponent - shift as i64) % 2 != 0 {
@@ -102,13 +115,27 @@ impl From<f64> for Dyadic {
     /// # Panics
     /// Where `value` is not finite.
     fn from(value: f64) -> Dyadic {
-        assert!(value.is_finite(), "{value} is not an integer times a power of two");
+        assert!(
+            value.is_finite(),
+            "{value} is not an integer times a power of two"
+        );
         let (mantissa, exponent) = mantissa_and_exponent(value);
         // Short mantissas make short products.
-        let zeros = if mantissa == 0 { 0 } else { mantissa.trailing_zeros() };
+        let zeros = if mantissa == 0 {
+            0
+        } else {
+            mantissa.trailing_zeros()
+        };
         let magnitude = i128::from(mantissa >> zeros);
-        let signed = if value.is_sign_negative() { -magnitude } else { magnitude };
-        Dyadic { mantissa: Integer::Small(signed), exponent: i64::from(exponent) + i64::from(zeros) }
+        let signed = if value.is_sign_negative() {
+            -magnitude
+        } else {
+            magnitude
+        };
+        Dyadic {
+            mantissa: Integer::Small(signed),
+            exponent: i64::from(exponent) + i64::from(zeros),
+        }
     }
 }
 
@@ -152,7 +179,10 @@ impl Neg for &Dyadic {
     type Output = Dyadic;
 
     fn neg(self) -> Dyadic {
-        Dyadic { mantissa: -&self.mantissa, exponent: self.exponent }
+        Dyadic {
+            mantissa: -&self.mantissa,
+            exponent: self.exponent,
+        }
     }
 }
 
@@ -160,7 +190,10 @@ impl Mul for &Dyadic {
     type Output = Dyadic;
 
     fn mul(self, other: &Dyadic) -> Dyadic {
-        Dyadic { mantissa: &self.mantissa * &other.mantissa, exponent: self.exponent + other.exponent }
+        Dyadic {
+            mantissa: &self.mantissa * &other.mantissa,
+            exponent: self.exponent + other.exponent,
+        }
     }
 }
 
@@ -252,7 +285,10 @@ mod tests {
 
     #[test]
     fn numbers_compare_by_value() {
-        assert_eq!(Dyadic::new(BigInt::from(4), 0), Dyadic::new(BigInt::from(1), 2));
+        assert_eq!(
+            Dyadic::new(BigInt::from(4), 0),
+            Dyadic::new(BigInt::from(1), 2)
+        );
         assert_eq!(Dyadic::zero(), Dyadic::from(-0.0));
         assert!(Dyadic::from(f64::from_bits(1)) < Dyadic::from(f64::MAX));
         assert_eq!(Dyadic::from(-3.0).abs(), Dyadic::from(3.0));
@@ -265,7 +301,11 @@ mod tests {
         let huge = Dyadic::from(f64::MAX);
         assert_eq!((&huge * &Dyadic::from(2.0)).to_f64(), f64::INFINITY);
         let least = Dyadic::from(f64::from_bits(1));
-        assert_eq!((&least * &Dyadic::from(0.5)).to_f64(), 0.0, "a tie goes to even");
+        assert_eq!(
+            (&least * &Dyadic::from(0.5)).to_f64(),
+            0.0,
+            "a tie goes to even"
+        );
         assert_eq!((&least * &Dyadic::from(0.75)).to_f64(), f64::from_bits(1));
         assert_eq!((&least * &least).to_f64(), 0.0);
     }

@@ -38,7 +38,9 @@ impl Integer {
     pub(super) fn shifted(&self, bits: u64) -> Integer {
         match self {
             Integer::Small(0) => Integer::Small(0),
-            Integer::Small(value) if bits < u64::from(spare_bits(*value)) => Integer::Small(value << bits),
+            Integer::Small(value) if bits < u64::from(spare_bits(*value)) => {
+                Integer::Small(value << bits)
+            }
             _ => Integer::Large(&*self.large() << bits),
         }
     }
@@ -121,7 +123,14 @@ mod tests {
         (any::<i128>(), 0u32..128, any::<bool>()).prop_map(|(value, bits, is_large)| {
             let value = value >> bits;
             let large = BigInt::from(value);
-            (if is_large { Integer::Large(large.clone()) } else { Integer::Small(value) }, large)
+            (
+                if is_large {
+                    Integer::Large(large.clone())
+                } else {
+                    Integer::Small(value)
+                },
+                large,
+            )
         })
     }
 

@@ -32,7 +32,11 @@ pub fn nearest_f32(bracket: &Bracket, compare: impl Fn(&Dyadic) -> Ordering) -> 
 fn halfway_above(bits: u32) -> f64 {
     let next = f32::from_bits(bits + 1);
     // Where the next one would be, if exponents went on.
-    let next = if next.is_finite() { f64::from(next) } else { 2f64.powi(128) };
+    let next = if next.is_finite() {
+        f64::from(next)
+    } else {
+        2f64.powi(128)
+    };
     (f64::from(f32::from_bits(bits)) + next) / 2.0
 }
 
@@ -65,6 +69,9 @@ mod tests {
         assert_eq!(nearest(2f64.powi(-150)), 0.0);
         assert_eq!(nearest(2f64.powi(-150).next_up()), f32::from_bits(1));
         assert_eq!(nearest(halfway_above(f32::MAX.to_bits())), f32::INFINITY);
-        assert_eq!(nearest(halfway_above(f32::MAX.to_bits()).next_down()), f32::MAX);
+        assert_eq!(
+            nearest(halfway_above(f32::MAX.to_bits()).next_down()),
+            f32::MAX
+        );
     }
 }

@@ -38,7 +38,10 @@ mod tests {
         for exponent in [-1022, -1, 0, 1, 52, 1023] {
             assert_eq!(exponent_of(power_of_two(exponent)), exponent);
         }
-        assert_eq!((exponent_of(3.0), exponent_of(f64::from_bits(1))), (1, -1023));
+        assert_eq!(
+            (exponent_of(3.0), exponent_of(f64::from_bits(1))),
+            (1, -1023)
+        );
         assert_eq!(mantissa_and_exponent(-1.5), (3 << 51, -52));
         assert_eq!(mantissa_and_exponent(f64::from_bits(5)), (5, -1074));
     }

@@ -26,7 +26,12 @@ impl Root {
             Equal => panic!("a ratio has a denominator that is not 0"),
             Greater => (numerator, denominator),
         };
-        Root { rational, sign: Equal, radicand: Dyadic::zero(), divisor }
+        Root {
+            rational,
+            sign: Equal,
+            radicand: Dyadic::zero(),
+            divisor,
+        }
     }
 
     /// The roots of `a t^2 + 2 b t + c = 0`, the smaller one first; equal where they coincide, `None` where they are not
@@ -37,19 +42,34 @@ impl Root {
         if radicand.sign() == Less {
             return None;
         }
-        let root = |sign| Root { rational: -b, sign, radicand: radicand.clone(), divisor: a.clone() };
+        let root = |sign| Root {
+            rational: -b,
+            sign,
+            radicand: radicand.clone(),
+            divisor: a.clone(),
+        };
         Some([root(Less), root(Greater)])
     }
 
     /// How the number compares with 0.
     pub fn sign(&self) -> Ordering {
-        sign_with_root(&self.rational, self.sign, &Dyadic::from(1.0), &self.radicand)
+        sign_with_root(
+            &self.rational,
+            self.sign,
+            &Dyadic::from(1.0),
+            &self.radicand,
+        )
     }
 
     /// How `alpha + beta * self` compares with 0.
     pub fn sign_of_linear(&self, alpha: &Dyadic, beta: &Dyadic) -> Ordering {
         let rational = &(alpha * &self.divisor) + &(beta * &self.rational);
-        sign_with_root(&rational, times(self.sign, beta.sign()), beta, &self.radicand)
+        sign_with_root(
+            &rational,
+            times(self.sign, beta.sign()),
+            beta,
+            &self.radicand,
+        )
     }
 
     /// How the number compares with `x`.
@@ -67,7 +87,12 @@ impl Root {
         }
         let rational = &(&rational * square) - &(x * &self.divisor).square();
         let factor = &(&self.rational * square) * &Dyadic::from(2.0);
-        sign_with_root(&rational, times(self.sign, factor.sign()), &factor, &self.radicand)
+        sign_with_root(
+            &rational,
+            times(self.sign, factor.sign()),
+            &factor,
+            &self.radicand,
+        )
     }
 
     /// Where the number lies, as narrowly as an `f64` or two can tell; of a positive number, not below 0.
@@ -80,8 +105,15 @@ impl Root {
             let width = &(&high - &low) * &Dyadic::from((1u64 << 60) as f64);
             if width <= low.clone().abs() {
                 let [low, high] = [low, high].map(|end| end.quotient_to_f64(&self.divisor));
-                let least = if low >= 0.0 && self.sign() == Greater { 0.0 } else { f64::NEG_INFINITY };
-                return Bracket { low: low.next_down().max(least), high: high.next_up() };
+                let least = if low >= 0.0 && self.sign() == Greater {
+                    0.0
+                } else {
+                    f64::NEG_INFINITY
+                };
+                return Bracket {
+                    low: low.next_down().max(least),
+                    high: high.next_up(),
+                };
             }
             bits *= 2;
         }
@@ -121,7 +153,11 @@ impl Ord for Root {
         let (y, z) = (&other.divisor, &self.divisor);
         let x = &(&self.rational * y) - &(&other.rational * z);
         let first = sign_with_root(&x, self.sign, y, &self.radicand);
-        let last = if other.radicand.is_zero() { Equal } else { other.sign.reverse() };
+        let last = if other.radicand.is_zero() {
+            Equal
+        } else {
+            other.sign.reverse()
+        };
         if last == Equal || first == last {
             return first;
         }
@@ -134,13 +170,25 @@ impl Ord for Root {
             rational = &rational + &(&y.square() * &self.radicand);
         }
         let factor = &(&x * y) * &Dyadic::from(2.0);
-        times(first, sign_with_root(&rational, times(self.sign, factor.sign()), &factor, &self.radicand))
+        times(
+            first,
+            sign_with_root(
+                &rational,
+                times(self.sign, factor.sign()),
+                &factor,
+                &self.radicand,
+            ),
+        )
     }
 }
 
 /// The sign of `x + sign * |factor| * sqrt(radicand)`.
 fn sign_with_root(x: &Dyadic, sign: Ordering, factor: &Dyadic, radicand: &Dyadic) -> Ordering {
-    let of_root = if radicand.is_zero() || factor.is_zero() { Equal } else { sign };
+    let of_root = if radicand.is_zero() || factor.is_zero() {
+        Equal
+    } else {
+        sign
+    };
     match (x.sign(), of_root) {
         (of_x, Equal) => of_x,
         (Equal, of_root) => of_root,
@@ -189,8 +237,11 @@ mod tests {
     /// Numbers with small coefficients, so that equal ones are frequent.
     fn number() -> impl Strategy<Value = Root> {
         let of_quadratic = (1i32..6, -9i32..10, -9i32..10, any::<bool>())
-            .prop_filter_map("no real root", |(a, b, c, second)| roots(a, b, c).into_iter().nth(usize::from(second)));
-        let of_ratio = (-9i32..10, prop::sample::select(vec![-3, -2, -1, 1, 2, 3])).prop_map(|(n, d)| ratio(n, d));
+            .prop_filter_map("no real root", |(a, b, c, second)| {
+                roots(a, b, c).into_iter().nth(usize::from(second))
+            });
+        let of_ratio = (-9i32..10, prop::sample::select(vec![-3, -2, -1, 1, 2, 3]))
+            .prop_map(|(n, d)| ratio(n, d));
         prop_oneof![of_quadratic, of_ratio]
     }
 
@@ -262,7 +313,9 @@ mod tests {
         assert!(zero.low < 0.0 && zero.high > 0.0 && zero.high - zero.low < 1e-300);
         let negative = roots(1, 0, -2)[0].bracket();
         let two = 2f64.sqrt();
-        assert!(negative.low <= -two && negative.high >= -two && negative.high - negative.low < 1e-15);
+        assert!(
+            negative.low <= -two && negative.high >= -two && negative.high - negative.low < 1e-15
+        );
     }
 
     #[test]
@@ -271,6 +324,12 @@ mod tests {
         let above = Root::ratio(huge.square(), dyadic(1)).bracket();
         assert!(above.high == f64::INFINITY && above.low == f64::MAX);
         let below = Root::ratio(least.square(), dyadic(1)).bracket();
-        assert_eq!(below, Bracket { low: 0.0, high: f64::from_bits(1) });
+        assert_eq!(
+            below,
+            Bracket {
+                low: 0.0,
+                high: f64::from_bits(1)
+            }
+        );
     }
 }

@@ -24,7 +24,11 @@ const HAS_REMAINDER: f64 = 1e-280;
 
 /// `bound`, made up for fewer than 8 roundings on the way to it. A NaN is a bound of which nothing is known.
 fn made_up(bound: f64) -> f64 {
-    if bound.is_nan() { f64::INFINITY } else { bound * (1.0 + 16.0 * U) + TINY }
+    if bound.is_nan() {
+        f64::INFINITY
+    } else {
+        bound * (1.0 + 16.0 * U) + TINY
+    }
 }
 
 impl Rounded {
@@ -36,7 +40,10 @@ impl Rounded {
     /// A number that differs from `value` by `error` at most.
     pub fn within(value: f64, error: f64) -> Rounded {
         let is_known = value.is_finite() && !error.is_nan();
-        Rounded { value, error: if is_known { error } else { f64::INFINITY } }
+        Rounded {
+            value,
+            error: if is_known { error } else { f64::INFINITY },
+        }
     }
 
     /// A number to which `value` is the nearest.
@@ -51,7 +58,9 @@ impl Rounded {
 
     /// What the number's absolute value is at least.
     pub fn least(self) -> f64 {
-        (self.value.abs() - made_up(self.error)).next_down().max(0.0)
+        (self.value.abs() - made_up(self.error))
+            .next_down()
+            .max(0.0)
     }
 
     /// The square root of a number that is not negative.
@@ -75,7 +84,8 @@ impl Rounded {
             return Rounded::exactly(value);
         }
         // x/y - v = ((x - x') - v (y - y')) / y with v = x'/y', up to the rounding of v
-        let carried = made_up(self.error + (value.abs() * (1.0 + 4.0 * U) + TINY) * divisor.error) / divisor.least();
+        let carried = made_up(self.error + (value.abs() * (1.0 + 4.0 * U) + TINY) * divisor.error)
+            / divisor.least();
         Rounded::within(value, made_up(carried + U * value.abs()))
     }
 }
@@ -100,7 +110,10 @@ impl Neg for Rounded {
     type Output = Rounded;
 
     fn neg(self) -> Rounded {
-        Rounded { value: -self.value, error: self.error }
+        Rounded {
+            value: -self.value,
+            error: self.error,
+        }
     }
 }
 
@@ -118,7 +131,8 @@ impl Mul for Rounded {
     fn mul(self, other: Rounded) -> Rounded {
         let (a, b) = (self.value, other.value);
         let product = a * b;
-        let is_exact = a.mul_add(b, -product) == 0.0 && (product.abs() >= HAS_REMAINDER || a == 0.0 || b == 0.0);
+        let is_exact = a.mul_add(b, -product) == 0.0
+            && (product.abs() >= HAS_REMAINDER || a == 0.0 || b == 0.0);
         if is_exact && self.error == 0.0 && other.error == 0.0 {
             return Rounded::exactly(product);
         }
@@ -139,12 +153,16 @@ mod tests {
         let value = prop_oneof![
             (-9i32..9).prop_map(f64::from),
             -2.0f64..2.0,
-            (-2.0f64..2.0, -1070i32..1000).prop_map(|(x, e)| crate::exact::times_power_of_two(x, e)),
+            (-2.0f64..2.0, -1070i32..1000)
+                .prop_map(|(x, e)| crate::exact::times_power_of_two(x, e)),
         ];
         let share = prop_oneof![Just(0.0), -1e-9f64..1e-9, -0.9f64..0.9];
         (value, share).prop_map(|(value, share)| {
             let off = value * share;
-            (Rounded::within(value, off.abs()), &Dyadic::from(value) + &Dyadic::from(off))
+            (
+                Rounded::within(value, off.abs()),
+                &Dyadic::from(value) + &Dyadic::from(off),
+            )
         })
     }
 
@@ -184,9 +202,17 @@ mod tests {
         assert_eq!(Rounded::exactly(2.25).square_root(), Rounded::exactly(1.5));
         assert!(Rounded::exactly(1.0).over(a).error > 0.0);
         assert!(Rounded::exactly(2.0).square_root().error > 0.0);
-        assert!((Rounded::exactly(1e16) + a).error == 1.0f64.max((Rounded::exactly(1e16) + a).error));
+        assert!(
+            (Rounded::exactly(1e16) + a).error == 1.0f64.max((Rounded::exactly(1e16) + a).error)
+        );
         let zero = Rounded::exactly(0.0);
-        assert_eq!((zero.over(zero).error, c.over(zero).error), (f64::INFINITY, f64::INFINITY));
-        assert_eq!((Rounded::exactly(f64::INFINITY) * zero).error, f64::INFINITY);
+        assert_eq!(
+            (zero.over(zero).error, c.over(zero).error),
+            (f64::INFINITY, f64::INFINITY)
+        );
+        assert_eq!(
+            (Rounded::exactly(f64::INFINITY) * zero).error,
+            f64::INFINITY
+        );
     }
 }

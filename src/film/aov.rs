@@ -21,14 +21,34 @@ impl Aov {
     /// Every one there is. Together they have every channel, once.
     pub const ALL: [Aov; 10] = {
         let [z, t, a, id, prim] = Aov::USUAL;
-        let (instance, cost) = (Aov::Lone(ChannelName::Instance), Aov::Lone(ChannelName::Cost));
-        [z, t, a, id, prim, instance, Aov::Normal, Aov::Point, Aov::Uv, cost]
+        let (instance, cost) = (
+            Aov::Lone(ChannelName::Instance),
+            Aov::Lone(ChannelName::Cost),
+        );
+        [
+            z,
+            t,
+            a,
+            id,
+            prim,
+            instance,
+            Aov::Normal,
+            Aov::Point,
+            Aov::Uv,
+            cost,
+        ]
     };
 
     /// Those of an image of which nothing else was said: [`ChannelName::USUAL`].
     pub const USUAL: [Aov; 5] = {
         let [z, t, a, id, prim] = ChannelName::USUAL;
-        [Aov::Lone(z), Aov::Lone(t), Aov::Lone(a), Aov::Lone(id), Aov::Lone(prim)]
+        [
+            Aov::Lone(z),
+            Aov::Lone(t),
+            Aov::Lone(a),
+            Aov::Lone(id),
+            Aov::Lone(prim),
+        ]
     };
 
     /// The name on the command line; capitals count.
@@ -57,10 +77,13 @@ impl FromStr for Aov {
     type Err = Error;
 
     fn from_str(name: &str) -> Result<Aov, Error> {
-        Aov::ALL.into_iter().find(|known| known.as_str() == name).ok_or_else(|| {
-            let known = Aov::ALL.map(Aov::as_str).join(", ");
-            Error::usage(format!("unknown AOV `{name}`")).note(format!("known AOVs: {known}"))
-        })
+        Aov::ALL
+            .into_iter()
+            .find(|known| known.as_str() == name)
+            .ok_or_else(|| {
+                let known = Aov::ALL.map(Aov::as_str).join(", ");
+                Error::usage(format!("unknown AOV `{name}`")).note(format!("known AOVs: {known}"))
+            })
     }
 }
 
@@ -78,14 +101,21 @@ mod tests {
     #[test]
     fn an_unknown_name_is_answered_with_the_known_ones() {
         let error = "z".parse::<Aov>().unwrap_err().to_string();
-        assert_eq!(error, "unknown AOV `z`\n   = known AOVs: Z, t, A, id, prim, instance, N, P, uv, cost");
+        assert_eq!(
+            error,
+            "unknown AOV `z`\n   = known AOVs: Z, t, A, id, prim, instance, N, P, uv, cost"
+        );
     }
 
     #[test]
     fn every_channel_is_in_one() {
         let channels: Vec<ChannelName> = Aov::ALL.into_iter().flat_map(Aov::channels).collect();
         let times = |channel| channels.iter().filter(|found| **found == channel).count();
-        assert!(ChannelName::ALL.into_iter().all(|channel| times(channel) == 1));
+        assert!(
+            ChannelName::ALL
+                .into_iter()
+                .all(|channel| times(channel) == 1)
+        );
         assert_eq!(channels.len(), ChannelName::ALL.len());
         assert_eq!(Aov::USUAL.map(Aov::channels).concat(), ChannelName::USUAL);
     }

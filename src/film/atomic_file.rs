@@ -43,13 +43,19 @@ const BUFFER: usize = 1 << 16;
 ///   not replaced.
 /// - What is not a regular file (`/dev/null`, a pipe) is written to, whatever `overwrite` says: it must stay.
 /// - Of a file that has several names (hard links) only this one gets the new content.
-pub fn write_file(path: &Path, overwrite: Overwrite, write: impl FnOnce(&mut Out) -> io::Result<()>) -> Result<u64> {
+pub fn write_file(
+    path: &Path,
+    overwrite: Overwrite,
+    write: impl FnOnce(&mut Out) -> io::Result<()>,
+) -> Result<u64> {
     match fs::metadata(path) {
         Ok(found) if found.is_dir() => Err(is_directory(path)),
         Ok(found) if !found.is_file() => write_through(path, write),
         Ok(_) if overwrite == Overwrite::No => Err(exists(path)),
         Ok(_) => replace(path, overwrite, Some(writable(path)?), write),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => replace(path, overwrite, None, write),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {
+            replace(path, overwrite, None, write)
+        }
         // Any other error says that there may well be a file, which must not be replaced unseen.
         Err(error) => Err(Error::creating(path, &error)),
     }
@@ -85,7 +91,10 @@ fn is_directory(path: &Path) -> Error {
 }
 
 fn exists(path: &Path) -> Error {
-    Error::creating(path, &io::Error::new(io::ErrorKind::AlreadyExists, "the file exists"))
+    Error::creating(
+        path,
+        &io::Error::new(io::ErrorKind::AlreadyExists, "the file exists"),
+    )
 }
 
 /// The metadata of the existing file `path`, if it may be written to.
@@ -104,14 +113,20 @@ fn replace(
     write: impl FnOnce(&mut Out) -> io::Result<()>,
 ) -> Result<u64> {
     let target = follow_links(path).map_err(|error| Error::creating(path, &error))?;
-    let (file, unfinished) = Unfinished::beside(&target).map_err(|error| creating(path, &target, &error))?;
+    let (file, unfinished) =
+        Unfinished::beside(&target).map_err(|error| creating(path, &target, &error))?;
     // From here on, dropping `unfinished` removes the file, by an error or a panic.
     let mut file = fill(file, replaced, write).map_err(|error| writing(path, &error))?;
-    let size = file.metadata().map_err(|error| writing(path, &error))?.len();
-    unfinished.finish(&mut file, &target, overwrite).map_err(|error| match error.kind() {
-        io::ErrorKind::AlreadyExists => exists(path),
-        _ => writing(path, &error),
-    })?;
+    let size = file
+        .metadata()
+        .map_err(|error| writing(path, &error))?
+        .len();
+    unfinished
+        .finish(&mut file, &target, overwrite)
+        .map_err(|error| match error.kind() {
+            io::ErrorKind::AlreadyExists => exists(path),
+            _ => writing(path, &error),
+        })?;
     Ok(size)
 }
 
@@ -119,7 +134,9 @@ fn replace(
 fn writing(path: &Path, error: &io::Error) -> Error {
     let writing = Error::writing(path, error);
     match error.kind() {
-        io::ErrorKind::FileTooLarge => writing.note("raise the limit on the size of files (`ulimit -f`)"),
+        io::ErrorKind::FileTooLarge => {
+            writing.note("raise the limit on the size of files (`ulimit -f`)")
+        }
         _ => writing,
     }
 }
@@ -139,11 +156,18 @@ pub(super) fn creating(path: &Path, target: &Path, error: &io::Error) -> Error {
     if directory.exists() {
         return creating;
     }
-    creating.note(format!("create the directory `{}` first", directory.display()))
+    creating.note(format!(
+        "create the directory `{}` first",
+        directory.display()
+    ))
 }
 
 /// Writes the content and brings it to the disk.
-fn fill(file: File, replaced: Option<Metadata>, write: impl FnOnce(&mut Out) -> io::Result<()>) -> io::Result<File> {
+fn fill(
+    file: File,
+    replaced: Option<Metadata>,
+    write: impl FnOnce(&mut Out) -> io::Result<()>,
+) -> io::Result<File> {
     let mut out = BufWriter::with_capacity(BUFFER, file);
     write(&mut out)?;
     let file = out.into_inner()?;
@@ -167,7 +191,8 @@ pub fn sync_folder(path: &Path) -> Result<()> {
     if cfg!(not(unix)) || !path.is_file() {
         return Ok(());
     }
-    let synced = follow_links(path).and_then(|target| File::open(directory_of(&target))?.sync_all());
+    let synced =
+        follow_links(path).and_then(|target| File::open(directory_of(&target))?.sync_all());
     match synced {
         Err(error) if !matches!(error.kind(), InvalidInput | PermissionDenied | Unsupported) => {
             Err(Error::writing(path, &error))
@@ -178,7 +203,10 @@ pub fn sync_folder(path: &Path) -> Result<()> {
 
 /// Writes to a device or a pipe. Formats seek, and a pipe cannot, so the content is made in an unnamed file.
 fn write_through(path: &Path, write: impl FnOnce(&mut Out) -> io::Result<()>) -> Result<u64> {
-    let mut device = File::options().write(true).open(path).map_err(|error| Error::creating(path, &error))?;
+    let mut device = File::options()
+        .write(true)
+        .open(path)
+        .map_err(|error| Error::creating(path, &error))?;
     let copy = || {
         let mut out = BufWriter::with_capacity(BUFFER, tempfile::tempfile()?);
         write(&mut out)?;

@@ -30,11 +30,17 @@ impl CameraAttributes {
         };
         let camera_from_world = camera.world_from_camera.inverse().rows;
         let last = [0.0, 0.0, 0.0, 1.0];
-        let world_to_camera = [camera_from_world[0], camera_from_world[1], camera_from_world[2], last];
+        let world_to_camera = [
+            camera_from_world[0],
+            camera_from_world[1],
+            camera_from_world[2],
+            last,
+        ];
         let world_to_ndc = times(&ndc_from_camera(camera, scale), &world_to_camera);
         let attributes = CameraAttributes {
             pixel_aspect: (((x1 - x0) / width) / ((y1 - y0) / height)).abs() as f32,
-            screen_window_center: [scale * (x0 + x1) / 2.0, scale * (y0 + y1) / 2.0].map(|x| x as f32),
+            screen_window_center: [scale * (x0 + x1) / 2.0, scale * (y0 + y1) / 2.0]
+                .map(|x| x as f32),
             screen_window_width: (scale * (x1 - x0)).abs() as f32,
             world_to_camera: for_row_vectors(&world_to_camera),
             world_to_ndc: for_row_vectors(&world_to_ndc),
@@ -44,7 +50,9 @@ impl CameraAttributes {
 
     /// Whether readers will take it: they refuse a file of odd aspect.
     fn is_sound(&self) -> bool {
-        let numbers = [self.screen_window_width].into_iter().chain(self.screen_window_center);
+        let numbers = [self.screen_window_width]
+            .into_iter()
+            .chain(self.screen_window_center);
         let mut numbers = numbers.chain(self.world_to_camera).chain(self.world_to_ndc);
         (1e-6..=1e6).contains(&self.pixel_aspect) && numbers.all(f32::is_finite)
     }
@@ -59,12 +67,18 @@ fn ndc_from_camera(camera: &Camera, scale: f64) -> Matrix4 {
     let (x, y) = (1.0 / (scale * width), -1.0 / (scale * height));
     let (left, top) = (-x0 / width, y1 / height);
     match camera.projection {
-        Projection::Perspective { .. } => {
-            [[x, 0.0, left, 0.0], [0.0, y, top, 0.0], [0.0, 0.0, 0.0, 1.0], [0.0, 0.0, 1.0, 0.0]]
-        }
-        Projection::Orthographic => {
-            [[x, 0.0, 0.0, left], [0.0, y, 0.0, top], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]]
-        }
+        Projection::Perspective { .. } => [
+            [x, 0.0, left, 0.0],
+            [0.0, y, top, 0.0],
+            [0.0, 0.0, 0.0, 1.0],
+            [0.0, 0.0, 1.0, 0.0],
+        ],
+        Projection::Orthographic => [
+            [x, 0.0, 0.0, left],
+            [0.0, y, 0.0, top],
+            [0.0, 0.0, 1.0, 0.0],
+            [0.0, 0.0, 0.0, 1.0],
+        ],
     }
 }
 
@@ -84,20 +98,38 @@ mod tests {
     fn camera(projection: Projection, screen_window: ScreenWindow) -> Camera {
         let eye = Point::new(3.0, -2.0, 5.0);
         let camera_from_world =
-            Transform::look_at(eye, Point::new(0.5, 0.25, -1.0), Vector::new(0.1, 1.0, 0.2)).unwrap();
-        Camera { world_from_camera: camera_from_world.inverse, projection, screen_window, resolution: [40, 30] }
+            Transform::look_at(eye, Point::new(0.5, 0.25, -1.0), Vector::new(0.1, 1.0, 0.2))
+                .unwrap();
+        Camera {
+            world_from_camera: camera_from_world.inverse,
+            projection,
+            screen_window,
+            resolution: [40, 30],
+        }
     }
 
     /// A point times a matrix, as OpenEXR says, and divided.
     fn apply(point: Point, matrix: &[f32; 16]) -> [f64; 3] {
         let row = [point.x, point.y, point.z, 1.0];
-        let column = |j: usize| (0..4).map(|i| row[i] * f64::from(matrix[4 * i + j])).sum::<f64>();
+        let column = |j: usize| {
+            (0..4)
+                .map(|i| row[i] * f64::from(matrix[4 * i + j]))
+                .sum::<f64>()
+        };
         [0, 1, 2].map(|j| column(j) / column(3))
     }
 
     #[test]
     fn points_on_a_pixels_ray_are_in_the_pixel() {
-        let windows = [ScreenWindow::of_aspect(4.0 / 3.0), ScreenWindow { x0: -0.25, x1: 1.5, y0: -2.0, y1: 0.5 }];
+        let windows = [
+            ScreenWindow::of_aspect(4.0 / 3.0),
+            ScreenWindow {
+                x0: -0.25,
+                x1: 1.5,
+                y0: -2.0,
+                y1: 0.5,
+            },
+        ];
         for screen_window in windows {
             for projection in [Projection::perspective(50.0), Projection::Orthographic] {
                 let camera = camera(projection, screen_window);
@@ -108,10 +140,15 @@ mod tests {
                     let [ndc_x, ndc_y, ndc_z] = apply(point, &attributes.world_to_ndc);
                     let pixel = [ndc_x * 40.0 - 0.5, ndc_y * 30.0 - 0.5];
                     assert!(
-                        (pixel[0] - f64::from(x)).abs() < 1e-4 && (pixel[1] - f64::from(y)).abs() < 1e-4,
+                        (pixel[0] - f64::from(x)).abs() < 1e-4
+                            && (pixel[1] - f64::from(y)).abs() < 1e-4,
                         "{pixel:?}"
                     );
-                    let z = if projection == Projection::Orthographic { 4.0 } else { 0.25 };
+                    let z = if projection == Projection::Orthographic {
+                        4.0
+                    } else {
+                        0.25
+                    };
                     assert!((ndc_z - z).abs() < 1e-5, "{ndc_z}");
                     assert!((apply(point, &attributes.world_to_camera)[2] - 4.0).abs() < 1e-5);
                 }
@@ -121,20 +158,50 @@ mod tests {
 
     #[test]
     fn the_window_is_that_of_the_plane_at_distance_1() {
-        let window = ScreenWindow { x0: -1.0, x1: 2.0, y0: -1.0, y1: 1.0 };
-        let perspective = CameraAttributes::of(&camera(Projection::Perspective { tangent: 0.5 }, window)).unwrap();
-        assert_eq!((perspective.screen_window_width, perspective.screen_window_center), (1.5, [0.25, 0.0]));
+        let window = ScreenWindow {
+            x0: -1.0,
+            x1: 2.0,
+            y0: -1.0,
+            y1: 1.0,
+        };
+        let perspective =
+            CameraAttributes::of(&camera(Projection::Perspective { tangent: 0.5 }, window))
+                .unwrap();
+        assert_eq!(
+            (
+                perspective.screen_window_width,
+                perspective.screen_window_center
+            ),
+            (1.5, [0.25, 0.0])
+        );
         let orthographic = CameraAttributes::of(&camera(Projection::Orthographic, window)).unwrap();
-        assert_eq!((orthographic.screen_window_width, orthographic.screen_window_center), (3.0, [0.5, 0.0]));
+        assert_eq!(
+            (
+                orthographic.screen_window_width,
+                orthographic.screen_window_center
+            ),
+            (3.0, [0.5, 0.0])
+        );
         assert_eq!(perspective.pixel_aspect, 1.125);
     }
 
     #[test]
     fn what_no_file_should_say_is_left_out() {
         let whole = ScreenWindow::of_aspect(1.0);
-        let far = Camera { world_from_camera: Matrix::scale([1e-50; 3]), ..camera(Projection::Orthographic, whole) };
+        let far = Camera {
+            world_from_camera: Matrix::scale([1e-50; 3]),
+            ..camera(Projection::Orthographic, whole)
+        };
         assert_eq!(CameraAttributes::of(&far), None);
-        let line = ScreenWindow { x0: 0.0, x1: 0.0, y0: -1.0, y1: 1.0 };
-        assert_eq!(CameraAttributes::of(&camera(Projection::Orthographic, line)), None);
+        let line = ScreenWindow {
+            x0: 0.0,
+            x1: 0.0,
+            y0: -1.0,
+            y1: 1.0,
+        };
+        assert_eq!(
+            CameraAttributes::of(&camera(Projection::Orthographic, line)),
+            None
+        );
     }
 }

@@ -41,12 +41,33 @@ impl ChannelName {
     pub const ALL: [ChannelName; 15] = {
         let [z, t, a, id, prim] = ChannelName::USUAL;
         let [nx, ny, nz, px, py, pz, u, v] = ChannelName::SURFACE;
-        [z, t, a, id, prim, ChannelName::Instance, ChannelName::Cost, nx, ny, nz, px, py, pz, u, v]
+        [
+            z,
+            t,
+            a,
+            id,
+            prim,
+            ChannelName::Instance,
+            ChannelName::Cost,
+            nx,
+            ny,
+            nz,
+            px,
+            py,
+            pz,
+            u,
+            v,
+        ]
     };
 
     /// Those of an image of which nothing else was said.
-    pub const USUAL: [ChannelName; 5] =
-        [ChannelName::Z, ChannelName::T, ChannelName::A, ChannelName::Id, ChannelName::Prim];
+    pub const USUAL: [ChannelName; 5] = [
+        ChannelName::Z,
+        ChannelName::T,
+        ChannelName::A,
+        ChannelName::Id,
+        ChannelName::Prim,
+    ];
 
     /// Those that say what the surface is like where it is hit.
     pub const SURFACE: [ChannelName; 8] = [
@@ -93,7 +114,10 @@ impl ChannelName {
 
     /// Whether the samples are numbers of what was hit, 0 for a miss.
     pub fn is_number_of_hit(self) -> bool {
-        matches!(self, ChannelName::Id | ChannelName::Prim | ChannelName::Instance)
+        matches!(
+            self,
+            ChannelName::Id | ChannelName::Prim | ChannelName::Instance
+        )
     }
 
     /// Whether it is one of [`ChannelName::SURFACE`].

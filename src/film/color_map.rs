@@ -50,7 +50,9 @@ impl ColorMap {
     /// The colours from near to far in equal steps.
     pub(super) fn table(self) -> Vec<Rgb> {
         let last = (TABLE_LENGTH - 1) as f64;
-        (0..TABLE_LENGTH).map(|index| self.color(index as f64 / last)).collect()
+        (0..TABLE_LENGTH)
+            .map(|index| self.color(index as f64 / last))
+            .collect()
     }
 
     /// The colour at `position` between near (0) and far (1).
@@ -81,18 +83,26 @@ mod tests {
         let ends = |map: ColorMap| (map.color(0.0), map.color(1.0));
         assert_eq!(ends(ColorMap::Gray), ([255; 3], [0; 3]));
         let (near, far) = ends(ColorMap::Turbo);
-        assert!(near[0] > 2 * near[2] && far.iter().all(|value| *value < 50), "{near:?} {far:?}");
+        assert!(
+            near[0] > 2 * near[2] && far.iter().all(|value| *value < 50),
+            "{near:?} {far:?}"
+        );
         let blue = ColorMap::Turbo.color(0.9);
         assert!(blue[2] > 2 * blue[0] && blue[2] > blue[1], "{blue:?}");
         let (near, far) = ends(ColorMap::Viridis);
-        assert!(near[0] > 200 && near[1] > 200 && far[1] < 50, "{near:?} {far:?}");
+        assert!(
+            near[0] > 200 && near[1] > 200 && far[1] < 50,
+            "{near:?} {far:?}"
+        );
     }
 
     #[test]
     fn no_map_jumps() {
         for map in ColorMap::value_variants() {
             let table = map.table();
-            let steps = table.windows(2).flat_map(|pair| (0..3).map(|i| pair[0][i].abs_diff(pair[1][i])));
+            let steps = table
+                .windows(2)
+                .flat_map(|pair| (0..3).map(|i| pair[0][i].abs_diff(pair[1][i])));
             assert!(steps.max().unwrap() <= 2, "{map:?}");
         }
     }
@@ -104,7 +114,10 @@ mod tests {
             let mut places = std::collections::HashMap::new();
             for (place, color) in table.iter().enumerate() {
                 let first = *places.entry(color).or_insert(place);
-                assert!(place - first <= TABLE_LENGTH / 50, "{map:?}: {color:?} at {first} and {place}");
+                assert!(
+                    place - first <= TABLE_LENGTH / 50,
+                    "{map:?}: {color:?} at {first} and {place}"
+                );
             }
         }
     }
@@ -113,6 +126,10 @@ mod tests {
     fn the_table_skips_no_gray() {
         let table = ColorMap::Gray.table();
         assert_eq!(table.len(), TABLE_LENGTH);
-        assert!((0..=255).rev().eq(table.chunk_by(|a, b| a == b).map(|run| run[0][0])));
+        assert!(
+            (0..=255)
+                .rev()
+                .eq(table.chunk_by(|a, b| a == b).map(|run| run[0][0]))
+        );
     }
 }

@@ -17,7 +17,10 @@ impl CostRange {
     /// From 0 to the largest cost of the image. `None` where it lacks the channel `cost`.
     pub fn of_image(image: &Image) -> Option<CostRange> {
         let largest = image.numbers(ChannelName::Cost)?.par_iter().max();
-        Some(CostRange { low: 0.0, high: largest.map_or(0.0, |cost| *cost as f32) })
+        Some(CostRange {
+            low: 0.0,
+            high: largest.map_or(0.0, |cost| *cost as f32),
+        })
     }
 
     /// Where `cost` lies on the way from high (0) to low (1), clamped to it: its place in a colour map. In a range of one cost, that
@@ -34,27 +37,50 @@ mod tests {
 
     fn image(name: ChannelName, costs: Vec<u32>) -> Image {
         let width = costs.len() as u32;
-        let channels = vec![Channel { name, samples: Samples::U32(costs) }];
-        Image { display_window: (width, 1), data_window: PixelBounds::of_film(width, 1), channels }
+        let channels = vec![Channel {
+            name,
+            samples: Samples::U32(costs),
+        }];
+        Image {
+            display_window: (width, 1),
+            data_window: PixelBounds::of_film(width, 1),
+            channels,
+        }
     }
 
     #[test]
     fn spans_all_from_zero() {
         assert_eq!(
             CostRange::of_image(&image(ChannelName::Cost, vec![7, 90, 8])),
-            Some(CostRange { low: 0.0, high: 90.0 })
+            Some(CostRange {
+                low: 0.0,
+                high: 90.0
+            })
         );
         assert_eq!(CostRange::of_image(&image(ChannelName::Id, vec![7])), None);
     }
 
     #[test]
     fn dear_is_near_and_cheap_is_far() {
-        let range = CostRange { low: 10.0, high: 30.0 };
-        assert_eq!([0, 10, 20, 30, u32::MAX].map(|cost| range.position(cost)), [1.0, 1.0, 0.5, 0.0, 0.0]);
+        let range = CostRange {
+            low: 10.0,
+            high: 30.0,
+        };
+        assert_eq!(
+            [0, 10, 20, 30, u32::MAX].map(|cost| range.position(cost)),
+            [1.0, 1.0, 0.5, 0.0, 0.0]
+        );
     }
 
     #[test]
     fn where_nothing_costs_anything_all_is_cheap() {
-        assert_eq!(CostRange { low: 0.0, high: 0.0 }.position(0), 1.0);
+        assert_eq!(
+            CostRange {
+                low: 0.0,
+                high: 0.0
+            }
+            .position(0),
+            1.0
+        );
     }
 }

@@ -16,9 +16,15 @@ impl DepthRange {
     /// The smallest and the largest finite `Z` of the image's hits. `None` where no hit has a finite depth, or
     /// the image lacks `Z` or `A`.
     pub fn of_hits(image: &Image) -> Option<DepthRange> {
-        let (z, a) = (image.measures(ChannelName::Z)?, image.measures(ChannelName::A)?);
+        let (z, a) = (
+            image.measures(ChannelName::Z)?,
+            image.measures(ChannelName::A)?,
+        );
         // In parts of a fixed size and in order: of two zeros the sign depends on the order.
-        let parts = z.par_chunks(PART).zip(a.par_chunks(PART)).map(|(z, a)| range_of_part(z, a));
+        let parts = z
+            .par_chunks(PART)
+            .zip(a.par_chunks(PART))
+            .map(|(z, a)| range_of_part(z, a));
         let parts: Vec<(f32, f32)> = parts.collect();
         let (near, far) = parts.into_iter().fold(NOTHING, wider);
         (near <= far).then_some(DepthRange { near, far })
@@ -36,9 +42,17 @@ impl DepthRange {
 pub(super) fn position_between(value: f32, start: f32, end: f32) -> f64 {
     // In f64 the difference of two f32 neither overflows nor vanishes.
     let (value, start, end) = (f64::from(value), f64::from(start), f64::from(end));
-    let position = if start == end { value - start } else { (value - start) / (end - start) };
+    let position = if start == end {
+        value - start
+    } else {
+        (value - start) / (end - start)
+    };
     // Only infinite ends can make a NaN.
-    if position.is_nan() { 0.0 } else { position.clamp(0.0, 1.0) }
+    if position.is_nan() {
+        0.0
+    } else {
+        position.clamp(0.0, 1.0)
+    }
 }
 
 /// Pixels that one thread looks at.
@@ -48,7 +62,13 @@ const PART: usize = 1 << 14;
 const NOTHING: (f32, f32) = (f32::INFINITY, f32::NEG_INFINITY);
 
 fn range_of_part(z: &[f32], a: &[f32]) -> (f32, f32) {
-    let of_hit = |(z, a): (&f32, &f32)| if *a != 0.0 && z.is_finite() { (*z, *z) } else { NOTHING };
+    let of_hit = |(z, a): (&f32, &f32)| {
+        if *a != 0.0 && z.is_finite() {
+            (*z, *z)
+        } else {
+            NOTHING
+        }
+    };
     z.iter().zip(a).map(of_hit).fold(NOTHING, wider)
 }
 
@@ -64,7 +84,10 @@ mod tests {
     use proptest::prelude::*;
 
     fn image(z: &[f32], a: &[f32]) -> Image {
-        let channel = |name, values: &[f32]| Channel { name, samples: Samples::F32(values.to_vec()) };
+        let channel = |name, values: &[f32]| Channel {
+            name,
+            samples: Samples::F32(values.to_vec()),
+        };
         Image {
             display_window: (z.len() as u32, 1),
             data_window: PixelBounds::of_film(z.len() as u32, 1),
@@ -74,8 +97,17 @@ mod tests {
 
     #[test]
     fn spans_the_finite_hits_and_ignores_what_misses_hold() {
-        let image = image(&[0.0, 3.0, f32::NAN, -1.0, f32::INFINITY, 5.0], &[0.0, 1.0, 0.0, 1.0, 1.0, 0.0]);
-        assert_eq!(DepthRange::of_hits(&image), Some(DepthRange { near: -1.0, far: 3.0 }));
+        let image = image(
+            &[0.0, 3.0, f32::NAN, -1.0, f32::INFINITY, 5.0],
+            &[0.0, 1.0, 0.0, 1.0, 1.0, 0.0],
+        );
+        assert_eq!(
+            DepthRange::of_hits(&image),
+            Some(DepthRange {
+                near: -1.0,
+                far: 3.0
+            })
+        );
     }
 
     #[test]
@@ -86,17 +118,38 @@ mod tests {
 
     #[test]
     fn one_depth_is_near() {
-        let range = DepthRange { near: 2.0, far: 2.0 };
-        assert_eq!([1.0, 2.0, f32::INFINITY].map(|z| range.position(z)), [0.0, 0.0, 1.0]);
+        let range = DepthRange {
+            near: 2.0,
+            far: 2.0,
+        };
+        assert_eq!(
+            [1.0, 2.0, f32::INFINITY].map(|z| range.position(z)),
+            [0.0, 0.0, 1.0]
+        );
     }
 
     #[test]
     fn clamps_to_both_ends_and_reverses() {
-        let range = DepthRange { near: 1.0, far: 3.0 };
-        assert_eq!([0.0, 1.0, 2.0, 3.0, f32::INFINITY].map(|z| range.position(z)), [0.0, 0.0, 0.5, 1.0, 1.0]);
-        let reversed = DepthRange { near: 3.0, far: 1.0 };
-        assert_eq!([0.0, 1.0, 2.0, 4.0].map(|z| reversed.position(z)), [1.0, 1.0, 0.5, 0.0]);
-        let whole = DepthRange { near: -f32::MAX, far: f32::MAX };
+        let range = DepthRange {
+            near: 1.0,
+            far: 3.0,
+        };
+        assert_eq!(
+            [0.0, 1.0, 2.0, 3.0, f32::INFINITY].map(|z| range.position(z)),
+            [0.0, 0.0, 0.5, 1.0, 1.0]
+        );
+        let reversed = DepthRange {
+            near: 3.0,
+            far: 1.0,
+        };
+        assert_eq!(
+            [0.0, 1.0, 2.0, 4.0].map(|z| reversed.position(z)),
+            [1.0, 1.0, 0.5, 0.0]
+        );
+        let whole = DepthRange {
+            near: -f32::MAX,
+            far: f32::MAX,
+        };
         assert_eq!(whole.position(0.0), 0.5);
     }
 

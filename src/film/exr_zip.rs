@@ -17,19 +17,34 @@ impl Zipper {
     /// shorter, since readers tell by the length.
     pub(super) fn zip(&mut self, channels: &[&Channel], width: usize, line: usize) -> Vec<u8> {
         let row = line * width..(line + 1) * width;
-        self.split.resize(channels.len() * width * size_of::<u32>(), 0);
-        let (even, odd) = self.split.split_at_mut(channels.len() * width * size_of::<u16>());
-        let halves = even.as_chunks_mut().0.chunks_exact_mut(width).zip(odd.as_chunks_mut().0.chunks_exact_mut(width));
+        self.split
+            .resize(channels.len() * width * size_of::<u32>(), 0);
+        let (even, odd) = self
+            .split
+            .split_at_mut(channels.len() * width * size_of::<u16>());
+        let halves = even
+            .as_chunks_mut()
+            .0
+            .chunks_exact_mut(width)
+            .zip(odd.as_chunks_mut().0.chunks_exact_mut(width));
         for (channel, (even, odd)) in channels.iter().zip(halves) {
             match &channel.samples {
-                Samples::F32(values) => split(values[row.clone()].iter().map(|value| value.to_bits()), even, odd),
+                Samples::F32(values) => split(
+                    values[row.clone()].iter().map(|value| value.to_bits()),
+                    even,
+                    odd,
+                ),
                 Samples::U32(values) => split(values[row.clone()].iter().copied(), even, odd),
             }
         }
         take_differences(&self.split, &mut self.differences);
         self.zipped.clear();
         run_deflate::compress(&self.differences, &mut self.zipped);
-        if self.zipped.len() < self.split.len() { self.zipped.clone() } else { bytes_of_row(channels, row) }
+        if self.zipped.len() < self.split.len() {
+            self.zipped.clone()
+        } else {
+            bytes_of_row(channels, row)
+        }
     }
 }
 
@@ -56,8 +71,16 @@ pub(super) fn bytes_of_row(channels: &[&Channel], row: Range<usize>) -> Vec<u8> 
     let mut bytes = Vec::with_capacity(channels.len() * row.len() * size_of::<u32>());
     for channel in channels {
         match &channel.samples {
-            Samples::F32(values) => bytes.extend(values[row.clone()].iter().flat_map(|value| value.to_le_bytes())),
-            Samples::U32(values) => bytes.extend(values[row.clone()].iter().flat_map(|value| value.to_le_bytes())),
+            Samples::F32(values) => bytes.extend(
+                values[row.clone()]
+                    .iter()
+                    .flat_map(|value| value.to_le_bytes()),
+            ),
+            Samples::U32(values) => bytes.extend(
+                values[row.clone()]
+                    .iter()
+                    .flat_map(|value| value.to_le_bytes()),
+            ),
         }
     }
     bytes

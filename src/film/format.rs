@@ -33,16 +33,24 @@ impl Format {
 
     /// The format that the name `path` asks for; capitals do not count.
     pub fn of_path(path: &Path) -> Result<Format> {
-        let extension = path.extension().map(|extension| extension.to_string_lossy());
-        let known =
-            |extension: &str| Format::ALL.into_iter().find(|format| format.extension().eq_ignore_ascii_case(extension));
+        let extension = path
+            .extension()
+            .map(|extension| extension.to_string_lossy());
+        let known = |extension: &str| {
+            Format::ALL
+                .into_iter()
+                .find(|format| format.extension().eq_ignore_ascii_case(extension))
+        };
         extension.as_deref().and_then(known).ok_or_else(|| {
             let found = match extension {
                 Some(extension) => format!("unknown image format `.{extension}`"),
                 None => "no extension that tells the image format".to_string(),
             };
-            let known = Format::ALL.map(|format| format!(".{}", format.extension())).join(", ");
-            Error::usage(format!("{}: {found}", path.display())).note(format!("known formats: {known}"))
+            let known = Format::ALL
+                .map(|format| format!(".{}", format.extension()))
+                .join(", ");
+            Error::usage(format!("{}: {found}", path.display()))
+                .note(format!("known formats: {known}"))
         })
     }
 }
@@ -55,7 +63,10 @@ mod tests {
     #[test]
     fn the_extension_decides_whatever_its_case() {
         assert_eq!(Format::of_path(Path::new("a/b.exr")).unwrap(), Format::Exr);
-        assert_eq!(Format::of_path(Path::new("b.tar.PNG")).unwrap(), Format::Png);
+        assert_eq!(
+            Format::of_path(Path::new("b.tar.PNG")).unwrap(),
+            Format::Png
+        );
     }
 
     #[test]
@@ -63,7 +74,12 @@ mod tests {
         for path in ["a.jpg", "a", ".png", "a.", "a.png/..", ""] {
             let error = Format::of_path(Path::new(path)).unwrap_err();
             assert_eq!(error.kind(), ErrorKind::Usage);
-            assert!(error.to_string().ends_with("known formats: .exr, .png, .pfm, .npy"), "{error}");
+            assert!(
+                error
+                    .to_string()
+                    .ends_with("known formats: .exr, .png, .pfm, .npy"),
+                "{error}"
+            );
         }
     }
 }

@@ -28,7 +28,10 @@ impl ImageFile {
         if png_reader::recognises(&bytes) {
             return png_reader::decode_within(path, &bytes, factor).map(ImageFile::Png);
         }
-        let found = Diagnostic::new("this is neither an EXR nor a PNG file").at(SourceLocation::file(path));
-        Err(Error::bad_input(found.note("expected an image, as `feimos render` writes it")))
+        let found =
+            Diagnostic::new("this is neither an EXR nor a PNG file").at(SourceLocation::file(path));
+        Err(Error::bad_input(
+            found.note("expected an image, as `feimos render` writes it"),
+        ))
     }
 }

@@ -24,8 +24,15 @@ impl Metadata {
     /// What `json` says, without a camera.
     pub fn of_json(json: String) -> Metadata {
         let value: Option<serde_json::Value> = serde_json::from_str(&json).ok();
-        let depth_channel = value.as_ref().and_then(|value| value[DEPTH_CHANNEL].as_str()).map(str::to_owned);
-        Metadata { json, camera: None, depth_channel }
+        let depth_channel = value
+            .as_ref()
+            .and_then(|value| value[DEPTH_CHANNEL].as_str())
+            .map(str::to_owned);
+        Metadata {
+            json,
+            camera: None,
+            depth_channel,
+        }
     }
 
     /// What `Z` and `t` hold where nothing is hit: as the JSON says under [`MISS`], else infinity.
@@ -54,17 +61,29 @@ mod tests {
     #[test]
     fn a_miss_is_what_the_json_says() {
         let miss = |json: &str| Metadata::of_json(json.to_owned()).miss();
-        assert_eq!((miss(r#"{"miss": -1.5}"#), miss(r#"{"miss": "-inf"}"#)), (-1.5, f32::NEG_INFINITY));
+        assert_eq!(
+            (miss(r#"{"miss": -1.5}"#), miss(r#"{"miss": "-inf"}"#)),
+            (-1.5, f32::NEG_INFINITY)
+        );
         assert!(miss(r#"{"miss": "NaN"}"#).is_nan());
-        assert_eq!([miss(""), miss("{}"), miss(r#"{"miss": "far"}"#)], [f32::INFINITY; 3]);
+        assert_eq!(
+            [miss(""), miss("{}"), miss(r#"{"miss": "far"}"#)],
+            [f32::INFINITY; 3]
+        );
     }
 
     #[test]
     fn the_depth_channel_is_called_as_the_json_says() {
         let renamed = Metadata::of_json(r#"{"depth_channel": "Y"}"#.to_owned());
-        assert_eq!([ChannelName::Z, ChannelName::A].map(|name| renamed.name_in_file(name)), ["Y", "A"]);
+        assert_eq!(
+            [ChannelName::Z, ChannelName::A].map(|name| renamed.name_in_file(name)),
+            ["Y", "A"]
+        );
         for json in ["", "{}", r#"{"depth_channel": 7}"#, "[", "3"] {
-            assert_eq!(Metadata::of_json(json.to_owned()).name_in_file(ChannelName::Z), "Z");
+            assert_eq!(
+                Metadata::of_json(json.to_owned()).name_in_file(ChannelName::Z),
+                "Z"
+            );
         }
     }
 }

@@ -56,11 +56,17 @@ fn header(image: &Image, fields: &[Field]) -> Vec<u8> {
                 1 => String::new(),
                 count => format!(", {count}"),
             };
-            (format!("'{}'", type_of(field)), format!("({height}, {width}{components})"))
+            (
+                format!("'{}'", type_of(field)),
+                format!("({height}, {width}{components})"),
+            )
         }
         fields => {
             let descr: Vec<String> = fields.iter().map(describe).collect();
-            (format!("[{}]", descr.join(", ")), format!("({height}, {width})"))
+            (
+                format!("[{}]", descr.join(", ")),
+                format!("({height}, {width})"),
+            )
         }
     };
     let mut text = format!("{{'descr': {descr}, 'fortran_order': False, 'shape': {shape}, }}");
@@ -68,7 +74,12 @@ fn header(image: &Image, fields: &[Field]) -> Vec<u8> {
     text.push_str(&" ".repeat(end - BEFORE - text.len() - 1));
     text.push('\n');
     let length = u16::try_from(text.len()).expect("some twenty short names");
-    [&b"\x93NUMPY\x01\x00"[..], &length.to_le_bytes(), text.as_bytes()].concat()
+    [
+        &b"\x93NUMPY\x01\x00"[..],
+        &length.to_le_bytes(),
+        text.as_bytes(),
+    ]
+    .concat()
 }
 
 fn describe(field: &Field) -> String {
@@ -80,7 +91,11 @@ fn describe(field: &Field) -> String {
 }
 
 fn type_of(field: &Field) -> &'static str {
-    if field.channels.iter().any(|channel| channel.is_integer()) { "<u4" } else { "<f4" }
+    if field.channels.iter().any(|channel| channel.is_integer()) {
+        "<u4"
+    } else {
+        "<f4"
+    }
 }
 
 #[cfg(test)]
@@ -89,21 +104,34 @@ mod tests {
     use crate::film::PixelBounds;
 
     fn image() -> Image {
-        let f32s =
-            |name, start: f32| Channel { name, samples: Samples::F32((0..6).map(|i| start + i as f32).collect()) };
+        let f32s = |name, start: f32| Channel {
+            name,
+            samples: Samples::F32((0..6).map(|i| start + i as f32).collect()),
+        };
         Image {
             display_window: (9, 9),
-            data_window: PixelBounds { x0: 1, x1: 4, y0: 2, y1: 4 },
+            data_window: PixelBounds {
+                x0: 1,
+                x1: 4,
+                y0: 2,
+                y1: 4,
+            },
             channels: vec![
                 f32s(ChannelName::Z, 0.5),
                 f32s(ChannelName::T, 10.0),
-                Channel { name: ChannelName::Id, samples: Samples::U32(vec![0, 1, u32::MAX, 3, 4, 5]) },
+                Channel {
+                    name: ChannelName::Id,
+                    samples: Samples::U32(vec![0, 1, u32::MAX, 3, 4, 5]),
+                },
             ],
         }
     }
 
     fn field(name: &'static str, channels: &[ChannelName]) -> Field {
-        Field { name, channels: channels.to_vec() }
+        Field {
+            name,
+            channels: channels.to_vec(),
+        }
     }
 
     /// The header's dictionary, and the samples.
@@ -113,30 +141,55 @@ mod tests {
         assert_eq!(file[..8], *b"\x93NUMPY\x01\x00");
         let end = 10 + usize::from(u16::from_le_bytes([file[8], file[9]]));
         assert!(end.is_multiple_of(64) && file[end - 1] == b'\n');
-        (String::from_utf8(file[10..end].to_vec()).unwrap().trim_end().to_owned(), file[end..].to_vec())
+        (
+            String::from_utf8(file[10..end].to_vec())
+                .unwrap()
+                .trim_end()
+                .to_owned(),
+            file[end..].to_vec(),
+        )
     }
 
     #[test]
     fn one_channel_is_an_array_of_two_axes() {
         let (header, samples) = written(&[field("id", &[ChannelName::Id])]);
-        assert_eq!(header, "{'descr': '<u4', 'fortran_order': False, 'shape': (2, 3), }");
-        assert_eq!(samples, [0, 1, u32::MAX, 3, 4, 5].map(u32::to_le_bytes).concat());
+        assert_eq!(
+            header,
+            "{'descr': '<u4', 'fortran_order': False, 'shape': (2, 3), }"
+        );
+        assert_eq!(
+            samples,
+            [0, 1, u32::MAX, 3, 4, 5].map(u32::to_le_bytes).concat()
+        );
     }
 
     #[test]
     fn components_are_a_third_axis() {
         let (header, samples) = written(&[field("both", &[ChannelName::Z, ChannelName::T])]);
-        assert_eq!(header, "{'descr': '<f4', 'fortran_order': False, 'shape': (2, 3, 2), }");
-        assert_eq!(samples[..16], [0.5f32, 10.0, 1.5, 11.0].map(f32::to_le_bytes).concat());
+        assert_eq!(
+            header,
+            "{'descr': '<f4', 'fortran_order': False, 'shape': (2, 3, 2), }"
+        );
+        assert_eq!(
+            samples[..16],
+            [0.5f32, 10.0, 1.5, 11.0].map(f32::to_le_bytes).concat()
+        );
     }
 
     #[test]
     fn several_fields_have_names() {
-        let (header, samples) =
-            written(&[field("id", &[ChannelName::Id]), field("both", &[ChannelName::Z, ChannelName::T])]);
+        let (header, samples) = written(&[
+            field("id", &[ChannelName::Id]),
+            field("both", &[ChannelName::Z, ChannelName::T]),
+        ]);
         let expected = "{'descr': [('id', '<u4'), ('both', '<f4', (2,))], 'fortran_order': False, 'shape': (2, 3), }";
         assert_eq!(header, expected);
-        let second = [1u32.to_le_bytes(), 1.5f32.to_le_bytes(), 11f32.to_le_bytes()].concat();
+        let second = [
+            1u32.to_le_bytes(),
+            1.5f32.to_le_bytes(),
+            11f32.to_le_bytes(),
+        ]
+        .concat();
         assert_eq!((samples.len(), &samples[12..24]), (6 * 12, &second[..]));
     }
 

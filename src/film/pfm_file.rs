@@ -13,22 +13,36 @@ pub fn write(image: &Image, channels: &[ChannelName], out: &mut impl Write) -> i
     let invalid = |problem: String| io::Error::new(io::ErrorKind::InvalidInput, problem);
     image.validate().map_err(invalid)?;
     let samples = |name: &ChannelName| {
-        image.measures(*name).ok_or_else(|| invalid(format!("no channel {} of floats", name.as_str())))
+        image
+            .measures(*name)
+            .ok_or_else(|| invalid(format!("no channel {} of floats", name.as_str())))
     };
-    let samples = channels.iter().map(samples).collect::<io::Result<Vec<&[f32]>>>()?;
+    let samples = channels
+        .iter()
+        .map(samples)
+        .collect::<io::Result<Vec<&[f32]>>>()?;
     let kind = match samples.len() {
         1 => "Pf",
         3 => "PF",
-        count => return Err(invalid(format!("a PFM holds one or three channels, not {count}"))),
+        count => {
+            return Err(invalid(format!(
+                "a PFM holds one or three channels, not {count}"
+            )));
+        }
     };
-    let (width, height) = (image.data_window.width() as usize, image.data_window.height() as usize);
+    let (width, height) = (
+        image.data_window.width() as usize,
+        image.data_window.height() as usize,
+    );
     write!(out, "{kind}\n{width} {height}\n-1.0\n")?;
     let mut row = Vec::new();
     for first in (0..height).rev().map(|y| y * width) {
         row.clear();
-        row.extend(
-            (first..first + width).flat_map(|at| samples.iter().flat_map(move |values| values[at].to_le_bytes())),
-        );
+        row.extend((first..first + width).flat_map(|at| {
+            samples
+                .iter()
+                .flat_map(move |values| values[at].to_le_bytes())
+        }));
         out.write_all(&row)?;
     }
     Ok(())
@@ -40,8 +54,10 @@ mod tests {
     use crate::film::{Channel, PixelBounds, Samples};
 
     fn written(channels: &[ChannelName]) -> io::Result<Vec<u8>> {
-        let f32s =
-            |name, start: f32| Channel { name, samples: Samples::F32((0..4).map(|i| start + i as f32).collect()) };
+        let f32s = |name, start: f32| Channel {
+            name,
+            samples: Samples::F32((0..4).map(|i| start + i as f32).collect()),
+        };
         let image = Image {
             display_window: (2, 2),
             data_window: PixelBounds::of_film(2, 2),
@@ -49,7 +65,10 @@ mod tests {
                 f32s(ChannelName::Z, 0.5),
                 f32s(ChannelName::T, 10.0),
                 f32s(ChannelName::A, 20.0),
-                Channel { name: ChannelName::Id, samples: Samples::U32(vec![1; 4]) },
+                Channel {
+                    name: ChannelName::Id,
+                    samples: Samples::U32(vec![1; 4]),
+                },
             ],
         };
         let mut file = Vec::new();
@@ -58,16 +77,34 @@ mod tests {
 
     #[test]
     fn rows_come_from_the_bottom() {
-        let expected = [b"Pf\n2 2\n-1.0\n".to_vec(), [2.5f32, 3.5, 0.5, 1.5].map(f32::to_le_bytes).concat()].concat();
+        let expected = [
+            b"Pf\n2 2\n-1.0\n".to_vec(),
+            [2.5f32, 3.5, 0.5, 1.5].map(f32::to_le_bytes).concat(),
+        ]
+        .concat();
         assert_eq!(written(&[ChannelName::Z]).unwrap(), expected);
         let three = written(&[ChannelName::Z, ChannelName::T, ChannelName::A]).unwrap();
-        let pixels = [2.5f32, 12.0, 22.0, 3.5, 13.0, 23.0, 0.5, 10.0, 20.0, 1.5, 11.0, 21.0];
-        assert_eq!(three, [b"PF\n2 2\n-1.0\n".to_vec(), pixels.map(f32::to_le_bytes).concat()].concat());
+        let pixels = [
+            2.5f32, 12.0, 22.0, 3.5, 13.0, 23.0, 0.5, 10.0, 20.0, 1.5, 11.0, 21.0,
+        ];
+        assert_eq!(
+            three,
+            [
+                b"PF\n2 2\n-1.0\n".to_vec(),
+                pixels.map(f32::to_le_bytes).concat()
+            ]
+            .concat()
+        );
     }
 
     #[test]
     fn what_the_format_cannot_hold_is_an_error() {
-        for channels in [&[ChannelName::Id][..], &[ChannelName::Cost], &[], &[ChannelName::Z, ChannelName::T]] {
+        for channels in [
+            &[ChannelName::Id][..],
+            &[ChannelName::Cost],
+            &[],
+            &[ChannelName::Z, ChannelName::T],
+        ] {
             assert!(written(channels).is_err(), "{channels:?}");
         }
     }

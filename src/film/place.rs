@@ -10,14 +10,18 @@ use std::path::Path;
 pub(super) fn names_directory(target: &Path) -> bool {
     let name = target.as_os_str().as_encoded_bytes();
     let is_separator = |byte: u8| std::path::is_separator(char::from(byte));
-    let name =
-        name.strip_suffix(b".").filter(|rest| rest.last().is_some_and(|byte| is_separator(*byte))).unwrap_or(name);
+    let name = name
+        .strip_suffix(b".")
+        .filter(|rest| rest.last().is_some_and(|byte| is_separator(*byte)))
+        .unwrap_or(name);
     name.last().is_some_and(|byte| is_separator(*byte))
 }
 
 /// Checks that the directory of `target`, where `path` leads to, takes new files, by making one.
 pub(super) fn check_free(path: &Path, target: &Path) -> Result<()> {
-    Unfinished::beside(target).map(drop).map_err(|error| creating(path, target, &error))
+    Unfinished::beside(target)
+        .map(drop)
+        .map_err(|error| creating(path, target, &error))
 }
 
 /// Checks that the file `target`, which `path` leads to and `found` is of, can be replaced.
@@ -37,7 +41,9 @@ pub(super) fn check_replaceable(path: &Path, target: &Path, found: &Metadata) ->
 fn keeps_from_renaming(target: &Path, found: &Metadata) -> bool {
     use std::os::unix::fs::MetadataExt;
     const STICKY: u32 = 0o1000;
-    let Ok(directory) = std::fs::metadata(directory_of(target)) else { return false };
+    let Ok(directory) = std::fs::metadata(directory_of(target)) else {
+        return false;
+    };
     let user = rustix::process::geteuid();
     let owners = [found.uid(), directory.uid()];
     directory.mode() & STICKY != 0 && !user.is_root() && !owners.contains(&user.as_raw())

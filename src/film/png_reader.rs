@@ -46,7 +46,9 @@ pub fn decode(path: &Path, bytes: &[u8]) -> Result<Picture> {
 pub(super) fn decode_within(path: &Path, bytes: &[u8], factor: BudgetFactor) -> Result<Picture> {
     let limit = factor.image_limit(bytes.len() as u64);
     let mut decoder = decoder(Cursor::new(bytes));
-    decoder.set_limits(Limits { bytes: usize::try_from(limit).unwrap_or(usize::MAX) });
+    decoder.set_limits(Limits {
+        bytes: usize::try_from(limit).unwrap_or(usize::MAX),
+    });
     // Words and colour profiles are nothing that is compared.
     decoder.set_ignore_text_chunk(true);
     decoder.set_transformations(Transformations::EXPAND);
@@ -58,23 +60,40 @@ pub(super) fn decode_within(path: &Path, bytes: &[u8], factor: BudgetFactor) -> 
     let size = reader.output_buffer_size().ok_or_else(too_large)?;
     samples.try_reserve_exact(size).map_err(|_| too_large())?;
     samples.resize(size, 0);
-    let frame = reader.next_frame(&mut samples).map_err(|error| refused(path, &error))?;
+    let frame = reader
+        .next_frame(&mut samples)
+        .map_err(|error| refused(path, &error))?;
     Ok(Picture::of(&samples[..frame.buffer_size()], &frame))
 }
 
 /// Refuses pictures that are too wide or high, and those whose pixels take far more memory than the file.
-fn check_size(path: &Path, (width, height): (u32, u32), size: usize, factor: BudgetFactor) -> Result<()> {
+fn check_size(
+    path: &Path,
+    (width, height): (u32, u32),
+    size: usize,
+    factor: BudgetFactor,
+) -> Result<()> {
     let limit = PixelBounds::MAX_SIDE;
     if width.max(height) > limit {
-        return Err(refused(path, &format!("it is {width} x {height} pixels, and a side has {limit} at most")));
+        return Err(refused(
+            path,
+            &format!("it is {width} x {height} pixels, and a side has {limit} at most"),
+        ));
     }
     let taken = (u64::from(width) * u64::from(height)).saturating_mul(size_of::<[u16; 4]>() as u64);
     if taken > factor.image_limit(size as u64) {
-        let found = format!("{size} bytes of PNG hold {width} x {height} pixels, which take {taken} bytes of memory");
+        let found = format!(
+            "{size} bytes of PNG hold {width} x {height} pixels, which take {taken} bytes of memory"
+        );
         let diagnostic = Diagnostic::new(found).at(SourceLocation::file(path));
         return Err(Error::bad_input(diagnostic.note(factor.advice())));
     }
-    memory::check(taken, || format!("{}: this image is too large for this machine's memory", path.display()))
+    memory::check(taken, || {
+        format!(
+            "{}: this image is too large for this machine's memory",
+            path.display()
+        )
+    })
 }
 
 /// A decoder that leaves colour profiles alone.
@@ -93,15 +112,28 @@ const MOST_TEXT: usize = 1 << 20;
 /// What is no PNG file, damaged, or cannot be read; words of more than a megabyte.
 pub fn read_text(path: &Path, keyword: &str) -> Result<Option<String>> {
     let file = File::open(path).map_err(|error| Error::reading(path, &error))?;
-    let reader = decoder(BufReader::new(file)).read_info().map_err(|error| refused(path, &error))?;
+    let reader = decoder(BufReader::new(file))
+        .read_info()
+        .map_err(|error| refused(path, &error))?;
     let info = reader.info();
-    if let Some(chunk) = info.uncompressed_latin1_text.iter().find(|chunk| chunk.keyword == keyword) {
+    if let Some(chunk) = info
+        .uncompressed_latin1_text
+        .iter()
+        .find(|chunk| chunk.keyword == keyword)
+    {
         return Ok(Some(chunk.text.clone()));
     }
-    let Some(mut chunk) = info.utf8_text.iter().find(|chunk| chunk.keyword == keyword).cloned() else {
+    let Some(mut chunk) = info
+        .utf8_text
+        .iter()
+        .find(|chunk| chunk.keyword == keyword)
+        .cloned()
+    else {
         return Ok(None);
     };
-    let text = chunk.decompress_text_with_limit(MOST_TEXT).and_then(|()| chunk.get_text());
+    let text = chunk
+        .decompress_text_with_limit(MOST_TEXT)
+        .and_then(|()| chunk.get_text());
     text.map(Some).map_err(|error| refused(path, &error))
 }
 
@@ -125,7 +157,8 @@ pub fn is_whole(path: &Path) -> Result<bool> {
 }
 
 fn refused(path: &Path, error: &impl Display) -> Error {
-    let found = Diagnostic::new(format!("this PNG file cannot be read: {error}")).at(SourceLocation::file(path));
+    let found = Diagnostic::new(format!("this PNG file cannot be read: {error}"))
+        .at(SourceLocation::file(path));
     Error::bad_input(found.note("expected a whole file: it may be damaged or cut off"))
 }
 
@@ -148,20 +181,35 @@ impl Picture {
             true => samples
                 .chunks_exact(2 * channels)
                 .map(|bytes| {
-                    let deep = bytes.as_chunks().0.iter().map(|bytes| u16::from_be_bytes(*bytes));
-                    values.iter_mut().zip(deep).for_each(|(value, sample)| *value = sample);
+                    let deep = bytes
+                        .as_chunks()
+                        .0
+                        .iter()
+                        .map(|bytes| u16::from_be_bytes(*bytes));
+                    values
+                        .iter_mut()
+                        .zip(deep)
+                        .for_each(|(value, sample)| *value = sample);
                     pixel(values)
                 })
                 .collect(),
             false => samples
                 .chunks_exact(channels)
                 .map(|bytes| {
-                    values.iter_mut().zip(bytes).for_each(|(value, sample)| *value = (*sample).into());
+                    values
+                        .iter_mut()
+                        .zip(bytes)
+                        .for_each(|(value, sample)| *value = (*sample).into());
                     pixel(values)
                 })
                 .collect(),
         };
-        Picture { width: frame.width, height: frame.height, pixels, full }
+        Picture {
+            width: frame.width,
+            height: frame.height,
+            pixels,
+            full,
+        }
     }
 }
 
@@ -183,13 +231,32 @@ mod tests {
 
     #[test]
     fn eight_and_sixteen_bits_are_read() {
-        let gray = decoded(&encoded(GrayImage::from_fn(2, 1, |x, _| Luma([x as u8 * 7])))).unwrap();
+        let gray = decoded(&encoded(GrayImage::from_fn(2, 1, |x, _| {
+            Luma([x as u8 * 7])
+        })))
+        .unwrap();
         let expected = vec![[0, 0, 0, 255], [7, 7, 7, 255]];
-        assert_eq!(gray, Picture { width: 2, height: 1, pixels: expected, full: 255 });
+        assert_eq!(
+            gray,
+            Picture {
+                width: 2,
+                height: 1,
+                pixels: expected,
+                full: 255
+            }
+        );
         let deep = ImageBuffer::from_fn(1, 2, |_, y| Rgb([y as u16, 300, 65535]));
         let deep = decoded(&encoded(DynamicImage::ImageRgb16(deep))).unwrap();
         let expected = vec![[0, 300, 65535, 65535], [1, 300, 65535, 65535]];
-        assert_eq!(deep, Picture { width: 1, height: 2, pixels: expected, full: 65535 });
+        assert_eq!(
+            deep,
+            Picture {
+                width: 1,
+                height: 2,
+                pixels: expected,
+                full: 65535
+            }
+        );
     }
 
     #[test]
@@ -209,7 +276,12 @@ mod tests {
         for end in 0..file.len() - 12 {
             let error = decoded(&file[..end]).expect_err("cut off");
             assert_eq!(error.kind(), ErrorKind::BadInput);
-            assert!(error.to_string().starts_with("a.png: this PNG file cannot be read: "), "{error}");
+            assert!(
+                error
+                    .to_string()
+                    .starts_with("a.png: this PNG file cannot be read: "),
+                "{error}"
+            );
         }
         for place in 0..file.len() {
             let mut changed = file.clone();

@@ -33,7 +33,10 @@ impl Image {
     }
 
     fn samples(&self, name: ChannelName) -> Option<&Samples> {
-        self.channels.iter().find(|channel| channel.name == name).map(|channel| &channel.samples)
+        self.channels
+            .iter()
+            .find(|channel| channel.name == name)
+            .map(|channel| &channel.samples)
     }
 
     /// Checks what the writers rely on; says what is wrong.
@@ -41,17 +44,25 @@ impl Image {
         let (width, height) = self.display_window;
         let window = self.data_window;
         if window.is_empty() || !PixelBounds::of_film(width, height).contains_bounds(&window) {
-            return Err(format!("data window {window:?} in a film of {width} by {height}"));
+            return Err(format!(
+                "data window {window:?} in a film of {width} by {height}"
+            ));
         }
         for (index, channel) in self.channels.iter().enumerate() {
             let name = channel.name.as_str();
             if channel.samples.len() as u64 != window.area() {
-                return Err(format!("{} samples of {name} for {window:?}", channel.samples.len()));
+                return Err(format!(
+                    "{} samples of {name} for {window:?}",
+                    channel.samples.len()
+                ));
             }
             if channel.name.is_integer() != matches!(channel.samples, Samples::U32(_)) {
                 return Err(format!("samples of {name} have the wrong type"));
             }
-            if self.channels[..index].iter().any(|other| other.name == channel.name) {
+            if self.channels[..index]
+                .iter()
+                .any(|other| other.name == channel.name)
+            {
                 return Err(format!("channel {name} twice"));
             }
         }
@@ -64,8 +75,17 @@ mod tests {
     use super::*;
 
     fn image(name: ChannelName, samples: Samples) -> Image {
-        let data_window = PixelBounds { x0: 1, x1: 3, y0: 0, y1: 1 };
-        Image { display_window: (3, 2), data_window, channels: vec![Channel { name, samples }] }
+        let data_window = PixelBounds {
+            x0: 1,
+            x1: 3,
+            y0: 0,
+            y1: 1,
+        };
+        Image {
+            display_window: (3, 2),
+            data_window,
+            channels: vec![Channel { name, samples }],
+        }
     }
 
     #[test]
@@ -79,12 +99,42 @@ mod tests {
 
     #[test]
     fn refuses_what_no_file_can_hold() {
-        assert!(image(ChannelName::Z, Samples::F32(vec![1.0])).validate().is_err());
-        assert!(image(ChannelName::Z, Samples::U32(vec![1, 2])).validate().is_err());
+        assert!(
+            image(ChannelName::Z, Samples::F32(vec![1.0]))
+                .validate()
+                .is_err()
+        );
+        assert!(
+            image(ChannelName::Z, Samples::U32(vec![1, 2]))
+                .validate()
+                .is_err()
+        );
         let good = image(ChannelName::Z, Samples::F32(vec![1.0, 2.0]));
-        let twice = Image { channels: [good.channels.clone(), good.channels.clone()].concat(), ..good.clone() };
+        let twice = Image {
+            channels: [good.channels.clone(), good.channels.clone()].concat(),
+            ..good.clone()
+        };
         assert!(twice.validate().is_err());
-        assert!(Image { display_window: (2, 2), ..good.clone() }.validate().is_err());
-        assert!(Image { data_window: PixelBounds { x0: 1, x1: 1, y0: 0, y1: 1 }, ..good }.validate().is_err());
+        assert!(
+            Image {
+                display_window: (2, 2),
+                ..good.clone()
+            }
+            .validate()
+            .is_err()
+        );
+        assert!(
+            Image {
+                data_window: PixelBounds {
+                    x0: 1,
+                    x1: 1,
+                    y0: 0,
+                    y1: 1
+                },
+                ..good
+            }
+            .validate()
+            .is_err()
+        );
     }
 }

@@ -34,7 +34,11 @@ const MAX_STORED: usize = u16::MAX as usize;
 pub(super) fn compress(bytes: &[u8], out: &mut Vec<u8>) {
     // The window and the level are for the reader's information: 32 KiB, and the fastest.
     out.extend([0x78, 0x01]);
-    let mut blocks = Blocks { bits: 0, bit_count: 0, out };
+    let mut blocks = Blocks {
+        bits: 0,
+        bit_count: 0,
+        out,
+    };
     let mut done = 0;
     while let Some((start, end)) = next_run(bytes, done) {
         blocks.store(&bytes[done..start]);
@@ -54,7 +58,10 @@ fn next_run(bytes: &[u8], from: usize) -> Option<(usize, usize)> {
             place += STRIDE;
             continue;
         }
-        let before = bytes[from.max(PERIOD)..place].iter().rev().zip(bytes[..place - PERIOD].iter().rev());
+        let before = bytes[from.max(PERIOD)..place]
+            .iter()
+            .rev()
+            .zip(bytes[..place - PERIOD].iter().rev());
         let start = place - before.take_while(|(byte, earlier)| byte == earlier).count();
         let end = end_of_run(bytes, place + WORD);
         if end - start >= MIN_RUN {
@@ -163,7 +170,11 @@ fn length_symbol(length: usize) -> (u32, u32, u32) {
         255 => (285, 0, 0),
         _ => {
             let extra_bits = beyond.ilog2() - 2;
-            (257 + 4 * extra_bits + (beyond >> extra_bits), extra_bits, beyond & ((1 << extra_bits) - 1))
+            (
+                257 + 4 * extra_bits + (beyond >> extra_bits),
+                extra_bits,
+                beyond & ((1 << extra_bits) - 1),
+            )
         }
     }
 }
@@ -204,13 +215,19 @@ mod tests {
 
     /// Bytes without a pattern.
     fn noise(length: usize) -> Vec<u8> {
-        (0..length as u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 13) as u8).collect()
+        (0..length as u32)
+            .map(|i| (i.wrapping_mul(2_654_435_761) >> 13) as u8)
+            .collect()
     }
 
     /// `noise`, then `length` bytes of one pattern, then `noise` again.
     fn run_in_noise(before: usize, length: usize, after: usize) -> Vec<u8> {
         let pattern = (0..length).map(|i| [7, 9][i % 2]);
-        noise(before).into_iter().chain(pattern).chain(noise(after)).collect()
+        noise(before)
+            .into_iter()
+            .chain(pattern)
+            .chain(noise(after))
+            .collect()
     }
 
     #[test]
@@ -223,7 +240,19 @@ mod tests {
 
     #[test]
     fn noise_survives_and_takes_a_few_bytes_more() {
-        for length in [0, 1, 2, 3, 9, 10, 1000, MAX_STORED - 1, MAX_STORED, MAX_STORED + 1, 3 * MAX_STORED] {
+        for length in [
+            0,
+            1,
+            2,
+            3,
+            9,
+            10,
+            1000,
+            MAX_STORED - 1,
+            MAX_STORED,
+            MAX_STORED + 1,
+            3 * MAX_STORED,
+        ] {
             assert_survives(&noise(length));
             assert!(compressed(&noise(length)).len() <= length + 16 + length / 10_000);
         }
@@ -241,8 +270,23 @@ mod tests {
     #[test]
     fn every_length_has_its_symbol() {
         // The ends of the table in RFC 1951, 3.2.5.
-        let known = [(3, 257, 0), (10, 264, 0), (11, 265, 0), (12, 265, 1), (13, 266, 0), (18, 268, 1), (19, 269, 0)];
-        let further = [(34, 272, 3), (35, 273, 0), (130, 280, 15), (131, 281, 0), (257, 284, 30), (258, 285, 0)];
+        let known = [
+            (3, 257, 0),
+            (10, 264, 0),
+            (11, 265, 0),
+            (12, 265, 1),
+            (13, 266, 0),
+            (18, 268, 1),
+            (19, 269, 0),
+        ];
+        let further = [
+            (34, 272, 3),
+            (35, 273, 0),
+            (130, 280, 15),
+            (131, 281, 0),
+            (257, 284, 30),
+            (258, 285, 0),
+        ];
         for (length, symbol, extra) in known.into_iter().chain(further) {
             let (found, bits, found_extra) = length_symbol(length);
             assert_eq!((found, found_extra), (symbol, extra), "{length}");

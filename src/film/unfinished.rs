@@ -71,8 +71,15 @@ impl Unfinished {
     }
 
     /// Gives `file`, which is complete, its final name.
-    pub(super) fn finish(mut self, file: &mut File, target: &Path, overwrite: Overwrite) -> io::Result<()> {
-        let Some(path) = self.path.take() else { return finish_unnamed(file, target, overwrite) };
+    pub(super) fn finish(
+        mut self,
+        file: &mut File,
+        target: &Path,
+        overwrite: Overwrite,
+    ) -> io::Result<()> {
+        let Some(path) = self.path.take() else {
+            return finish_unnamed(file, target, overwrite);
+        };
         let mut unfinished = unfinished();
         forget(&mut unfinished, &path);
         rename(path, target, overwrite)
@@ -96,8 +103,14 @@ fn forget(unfinished: &mut Vec<PathBuf>, path: &Path) {
 
 /// A file with a temporary name beside `target`, made by `create`. The name is short whatever the
 /// target's, because names have a greatest length.
-fn temporary<F>(target: &Path, create: impl FnMut(&Path) -> io::Result<F>) -> io::Result<NamedTempFile<F>> {
-    tempfile::Builder::new().prefix(".feimos-").suffix(".tmp").make_in(directory_of(target), create)
+fn temporary<F>(
+    target: &Path,
+    create: impl FnMut(&Path) -> io::Result<F>,
+) -> io::Result<NamedTempFile<F>> {
+    tempfile::Builder::new()
+        .prefix(".feimos-")
+        .suffix(".tmp")
+        .make_in(directory_of(target), create)
 }
 
 fn rename(path: TempPath, target: &Path, overwrite: Overwrite) -> io::Result<()> {
@@ -113,7 +126,9 @@ fn rename(path: TempPath, target: &Path, overwrite: Overwrite) -> io::Result<()>
 fn finish_unnamed(file: &mut File, target: &Path, overwrite: Overwrite) -> io::Result<()> {
     match link_or_replace(file, target, overwrite) {
         // The file system takes unnamed files, but does not give them names.
-        Err(error) if error.kind() != io::ErrorKind::AlreadyExists => finish_copy(file, target, overwrite),
+        Err(error) if error.kind() != io::ErrorKind::AlreadyExists => {
+            finish_copy(file, target, overwrite)
+        }
         result => result,
     }
 }
@@ -122,7 +137,9 @@ fn link_or_replace(file: &File, target: &Path, overwrite: Overwrite) -> io::Resu
     // The end of the program waits until the temporary name is gone again.
     let _unfinished = unfinished();
     match unnamed_file::link(file, target) {
-        Err(error) if error.kind() == io::ErrorKind::AlreadyExists && overwrite == Overwrite::Yes => {
+        Err(error)
+            if error.kind() == io::ErrorKind::AlreadyExists && overwrite == Overwrite::Yes =>
+        {
             let path = temporary(target, |path| unnamed_file::link(file, path))?.into_temp_path();
             rename(path, target, overwrite)
         }
@@ -147,7 +164,9 @@ mod tests {
 
     fn names_in(directory: &Path) -> Vec<String> {
         let entries = fs::read_dir(directory).unwrap();
-        let mut names: Vec<String> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        let mut names: Vec<String> = entries
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect();
         names.sort();
         names
     }
@@ -191,7 +210,9 @@ mod tests {
             assert!(names_in(directory.path()).is_empty());
         }
         file.write_all(b"abc").unwrap();
-        unfinished.finish(&mut file, &target, Overwrite::No).unwrap();
+        unfinished
+            .finish(&mut file, &target, Overwrite::No)
+            .unwrap();
         assert_eq!(names_in(directory.path()), ["a.exr"]);
     }
 

@@ -25,7 +25,13 @@ mod linux {
 
     /// Gives `file` the name `path`, which must be free.
     pub(in crate::film) fn link(file: &File, path: &Path) -> io::Result<()> {
-        Ok(linkat(CWD, path_of(file), CWD, path, AtFlags::SYMLINK_FOLLOW)?)
+        Ok(linkat(
+            CWD,
+            path_of(file),
+            CWD,
+            path,
+            AtFlags::SYMLINK_FOLLOW,
+        )?)
     }
 
     /// The path of a file without a name; there is none where `/proc` is not mounted.

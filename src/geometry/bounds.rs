@@ -25,19 +25,31 @@ impl Bounds {
 
     /// The smallest box around this one and `point`.
     pub fn including(self, point: Point) -> Bounds {
-        self.union(Bounds { low: point, high: point })
+        self.union(Bounds {
+            low: point,
+            high: point,
+        })
     }
 
     /// The smallest box around both.
     pub fn union(self, other: Bounds) -> Bounds {
         let lower = |a: Point, b: Point| Point::new(a.x.min(b.x), a.y.min(b.y), a.z.min(b.z));
         let upper = |a: Point, b: Point| Point::new(a.x.max(b.x), a.y.max(b.y), a.z.max(b.z));
-        Bounds { low: lower(self.low, other.low), high: upper(self.high, other.high) }
+        Bounds {
+            low: lower(self.low, other.low),
+            high: upper(self.high, other.high),
+        }
     }
 
     /// The eight corners.
     pub fn corners(&self) -> [Point; 8] {
-        let end = |corner: usize, axis: usize| if corner >> axis & 1 == 0 { self.low[axis] } else { self.high[axis] };
+        let end = |corner: usize, axis: usize| {
+            if corner >> axis & 1 == 0 {
+                self.low[axis]
+            } else {
+                self.high[axis]
+            }
+        };
         std::array::from_fn(|corner| Point::new(end(corner, 0), end(corner, 1), end(corner, 2)))
     }
 

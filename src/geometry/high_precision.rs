@@ -50,7 +50,11 @@ impl High {
     }
 
     pub(crate) fn abs(&self) -> High {
-        if self.0 < BigInt::ZERO { self.negated() } else { self.clone() }
+        if self.0 < BigInt::ZERO {
+            self.negated()
+        } else {
+            self.clone()
+        }
     }
 
     /// Whether the number is not above `bound`, but for what has been cut off.
@@ -62,7 +66,9 @@ impl High {
 
 /// `a0*b0 + a1*b1 + a2*b2`.
 pub(crate) fn dot(a: &[High], b: &[High]) -> High {
-    a[0].times(&b[0]).plus(&a[1].times(&b[1])).plus(&a[2].times(&b[2]))
+    a[0].times(&b[0])
+        .plus(&a[1].times(&b[1]))
+        .plus(&a[2].times(&b[2]))
 }
 
 /// The length of a vector.
@@ -104,7 +110,10 @@ fn product(a: &Rows, b: &Rows) -> Rows {
 
 impl Meant {
     fn times(&self, right: &Meant) -> Meant {
-        Meant { matrix: product(&self.matrix, &right.matrix), inverse: product(&right.inverse, &self.inverse) }
+        Meant {
+            matrix: product(&self.matrix, &right.matrix),
+            inverse: product(&right.inverse, &self.inverse),
+        }
     }
 
     /// A matrix with its inverse by Cramer's rule; `None` where that is near none.
@@ -138,7 +147,9 @@ impl Meant {
                 _ => product.plus(&a[k].times(&s)),
             }
         };
-        Meant::of_matrix(std::array::from_fn(|i| [entry(i, 0), entry(i, 1), entry(i, 2), High::from(0.0)]))
+        Meant::of_matrix(std::array::from_fn(|i| {
+            [entry(i, 0), entry(i, 1), entry(i, 2), High::from(0.0)]
+        }))
     }
 
     fn look_at([eye, look, up]: [[f64; 3]; 3]) -> Meant {
@@ -146,9 +157,26 @@ impl Meant {
         let forward = normalized(&[0, 1, 2].map(|k| look[k].minus(&eye[k])));
         let right = normalized(&cross(&normalized(&up), &forward));
         let up = cross(&forward, &right);
-        let row = |a: &[High; 3]| [a[0].clone(), a[1].clone(), a[2].clone(), dot(a, &eye).negated()];
-        let inverse = [0, 1, 2].map(|k| [right[k].clone(), up[k].clone(), forward[k].clone(), eye[k].clone()]);
-        Meant { matrix: [row(&right), row(&up), row(&forward)], inverse }
+        let row = |a: &[High; 3]| {
+            [
+                a[0].clone(),
+                a[1].clone(),
+                a[2].clone(),
+                dot(a, &eye).negated(),
+            ]
+        };
+        let inverse = [0, 1, 2].map(|k| {
+            [
+                right[k].clone(),
+                up[k].clone(),
+                forward[k].clone(),
+                eye[k].clone(),
+            ]
+        });
+        Meant {
+            matrix: [row(&right), row(&up), row(&forward)],
+            inverse,
+        }
     }
 }
 
@@ -158,7 +186,10 @@ fn cosine_and_sine(angle: f64) -> [High; 2] {
     let quarter = |x: High| x.over(&High::from(4.0));
     let half = |x: High| x.over(&High::from(2.0));
     match angle {
-        15.0 => [quarter(root(6.0).plus(&root(2.0))), quarter(root(6.0).minus(&root(2.0)))],
+        15.0 => [
+            quarter(root(6.0).plus(&root(2.0))),
+            quarter(root(6.0).minus(&root(2.0))),
+        ],
         30.0 => [half(root(3.0)), High::from(0.5)],
         36.0 => {
             let cosine = quarter(root(5.0).plus(&High::from(1.0)));
@@ -184,11 +215,28 @@ fn leaf() -> impl Strategy<Value = (RoundedTransform, Meant)> {
     let is_long = |v: &[f64; 3]| v.iter().any(|x| x.abs() > 0.1);
     let translate = prop::array::uniform3(number()).prop_map(|t| {
         let moved = |sign: f64| rows(super::Matrix::translate(t.map(|t| sign * t)).rows);
-        (RoundedTransform::translate(t), Meant { matrix: moved(1.0), inverse: moved(-1.0) })
+        (
+            RoundedTransform::translate(t),
+            Meant {
+                matrix: moved(1.0),
+                inverse: moved(-1.0),
+            },
+        )
     });
-    let factor = || prop_oneof![0.2f64..20.0, -20.0f64..-0.2, Just(1.0), Just(0.5), Just(3.0)];
+    let factor = || {
+        prop_oneof![
+            0.2f64..20.0,
+            -20.0f64..-0.2,
+            Just(1.0),
+            Just(0.5),
+            Just(3.0)
+        ]
+    };
     let scale = prop::array::uniform3(factor()).prop_map(|s| {
-        (RoundedTransform::scale(s), Meant::of_matrix(rows(super::Matrix::scale(s).rows)).expect("no factor is small"))
+        (
+            RoundedTransform::scale(s),
+            Meant::of_matrix(rows(super::Matrix::scale(s).rows)).expect("no factor is small"),
+        )
     });
     let angle = prop::sample::select(vec![15.0, 30.0, 36.0, 45.0, 90.0, 180.0, -75.0]);
     let rotate = (angle, vector().prop_filter("an axis", is_long)).prop_map(|(angle, axis)| {
@@ -201,14 +249,20 @@ fn leaf() -> impl Strategy<Value = (RoundedTransform, Meant)> {
         let sideways = up_vector.cross(l - e);
         (u.is_finite() && sideways.largest() > 1e-3).then_some(())?;
         Transform::look_at(e, l, up_vector)?;
-        Some((RoundedTransform::look_at([eye, look, up]), Meant::look_at([eye, look, up])))
+        Some((
+            RoundedTransform::look_at([eye, look, up]),
+            Meant::look_at([eye, look, up]),
+        ))
     });
     let numbers = prop::array::uniform12(small()).prop_filter_map("an inverse", |m| {
         let mut column_major = [0.0; 16];
         (0..12).for_each(|k| column_major[k / 3 * 4 + k % 3] = m[k]);
         column_major[15] = 1.0;
         let transform = Transform::from_column_major(&column_major)?;
-        Some((RoundedTransform::of_numbers(&transform, false), Meant::of_matrix(rows(transform.matrix.rows))?))
+        Some((
+            RoundedTransform::of_numbers(&transform, false),
+            Meant::of_matrix(rows(transform.matrix.rows))?,
+        ))
     });
     prop_oneof![translate, scale, rotate, look_at, numbers]
 }
@@ -216,7 +270,9 @@ fn leaf() -> impl Strategy<Value = (RoundedTransform, Meant)> {
 /// Some directives, one after the other.
 pub(crate) fn chain() -> impl Strategy<Value = (RoundedTransform, Meant)> {
     prop::collection::vec(leaf(), 1..7).prop_map(|leaves| {
-        let product = leaves.into_iter().reduce(|(a, x), (b, y)| (a.times(&b), x.times(&y)));
+        let product = leaves
+            .into_iter()
+            .reduce(|(a, x), (b, y)| (a.times(&b), x.times(&y)));
         product.expect("a leaf at least")
     })
 }

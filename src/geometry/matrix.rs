@@ -13,15 +13,25 @@ pub struct Matrix {
 
 impl Matrix {
     /// Leaves everything where it is.
-    pub const IDENTITY: Matrix = Matrix { rows: [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]] };
+    pub const IDENTITY: Matrix = Matrix {
+        rows: [
+            [1.0, 0.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0, 0.0],
+            [0.0, 0.0, 1.0, 0.0],
+        ],
+    };
 
     /// What stands for the inverse of a singular matrix (rule R2).
-    pub(super) const NOT_A_MATRIX: Matrix = Matrix { rows: [[f64::NAN; 4]; 3] };
+    pub(super) const NOT_A_MATRIX: Matrix = Matrix {
+        rows: [[f64::NAN; 4]; 3],
+    };
 
     /// From three column vectors and the image of the origin.
     pub fn from_columns(x: Vector, y: Vector, z: Vector, origin: Point) -> Matrix {
         let row = |i| [x[i], y[i], z[i], origin[i]];
-        Matrix { rows: [row(0), row(1), row(2)] }
+        Matrix {
+            rows: [row(0), row(1), row(2)],
+        }
     }
 
     /// A diagonal matrix.
@@ -49,13 +59,19 @@ impl Matrix {
             let b3 = if j == 3 { 1.0 } else { 0.0 };
             ((a[0] * b[0][j] + a[1] * b[1][j]) + a[2] * b[2][j]) + a[3] * b3
         };
-        Matrix { rows: self.rows.map(|a| std::array::from_fn(|j| entry(&a, j))) }
+        Matrix {
+            rows: self.rows.map(|a| std::array::from_fn(|j| entry(&a, j))),
+        }
     }
 
     /// The image of `point`: `((m0*x + m1*y) + m2*z) + m3` (rule R4).
     pub fn apply(&self, point: Point) -> Point {
         let image = |m: &[f64; 4]| ((m[0] * point.x + m[1] * point.y) + m[2] * point.z) + m[3];
-        Point::new(image(&self.rows[0]), image(&self.rows[1]), image(&self.rows[2]))
+        Point::new(
+            image(&self.rows[0]),
+            image(&self.rows[1]),
+            image(&self.rows[2]),
+        )
     }
 
     /// Column `j`: the image of an axis for 0 to 2, of the origin for 3.
@@ -66,7 +82,9 @@ impl Matrix {
     /// The 3x3 part with rows and columns exchanged, no translation.
     pub fn transposed(&self) -> Matrix {
         let row = |i: usize| [self.rows[0][i], self.rows[1][i], self.rows[2][i], 0.0];
-        Matrix { rows: [row(0), row(1), row(2)] }
+        Matrix {
+            rows: [row(0), row(1), row(2)],
+        }
     }
 
     /// Whether no entry is infinite or NaN.
@@ -99,10 +117,18 @@ impl Matrix {
         // The offset is divided by w, too: in the last column it cancels.
         let row = |i: usize| {
             let moved = -&adjugate[i].dot(&offset);
-            let entry = |j: usize| if j < 3 { &adjugate[i][j] * &w } else { moved.clone() };
+            let entry = |j: usize| {
+                if j < 3 {
+                    &adjugate[i][j] * &w
+                } else {
+                    moved.clone()
+                }
+            };
             std::array::from_fn(|j| entry(j).quotient_to_f64(&determinant))
         };
-        Matrix { rows: [row(0), row(1), row(2)] }
+        Matrix {
+            rows: [row(0), row(1), row(2)],
+        }
     }
 
     /// Whether the determinant of the 3x3 part is exactly 0. The matrix must be finite.
@@ -121,8 +147,13 @@ impl Matrix {
         let magnitude = x.absolute().dot(y.absolute_cross(z));
         let determinant = x.dot(y.cross(z));
         // Two roundings of products, one of a difference, two of sums: less than the 8 units of 2^-53.
-        let sure = magnitude > may_underflow_below(x.largest()) && determinant.abs() > 8.0 * UNIT_ROUNDOFF * magnitude;
-        if sure { determinant.total_cmp(&0.0) } else { self.exact_adjugate().1.sign() }
+        let sure = magnitude > may_underflow_below(x.largest())
+            && determinant.abs() > 8.0 * UNIT_ROUNDOFF * magnitude;
+        if sure {
+            determinant.total_cmp(&0.0)
+        } else {
+            self.exact_adjugate().1.sign()
+        }
     }
 
     /// The rows of the adjugate of the 3x3 part, which must be finite, and its determinant: exactly.
@@ -142,8 +173,20 @@ mod tests {
     fn inverts_with_one_rounding_an_entry() {
         let third = Matrix::scale([3.0, 3.0, -7.0]).inverse();
         assert_eq!(third, Matrix::scale([1.0 / 3.0, 1.0 / 3.0, -1.0 / 7.0]));
-        let moved = Matrix { rows: [[0.0, 2.0, 0.0, 1.0], [0.5, 0.0, 0.0, -3.0], [0.0, 0.0, 4.0, 0.1]] };
-        let expected = Matrix { rows: [[0.0, 2.0, 0.0, 6.0], [0.5, 0.0, 0.0, -0.5], [0.0, 0.0, 0.25, -0.025]] };
+        let moved = Matrix {
+            rows: [
+                [0.0, 2.0, 0.0, 1.0],
+                [0.5, 0.0, 0.0, -3.0],
+                [0.0, 0.0, 4.0, 0.1],
+            ],
+        };
+        let expected = Matrix {
+            rows: [
+                [0.0, 2.0, 0.0, 6.0],
+                [0.5, 0.0, 0.0, -0.5],
+                [0.0, 0.0, 0.25, -0.025],
+            ],
+        };
         assert_eq!(moved.inverse(), expected);
     }
 
@@ -161,12 +204,19 @@ mod tests {
         assert!(flat.is_singular() && flat.inverse().rows[0][0].is_nan());
         // Rows 3 and 9 times the same vector of thirds: singular only in exact arithmetic on the stored numbers.
         let v = [0.1, 0.2, 0.3];
-        let dependent =
-            Matrix { rows: [[v[0], v[1], v[2], 0.0], [4.0 * v[0], 4.0 * v[1], 4.0 * v[2], 0.0], [1.0, 2.0, 5.0, 0.0]] };
+        let dependent = Matrix {
+            rows: [
+                [v[0], v[1], v[2], 0.0],
+                [4.0 * v[0], 4.0 * v[1], 4.0 * v[2], 0.0],
+                [1.0, 2.0, 5.0, 0.0],
+            ],
+        };
         assert!(dependent.is_singular());
         // The third row is the sum of the others, and the products have 90 bits.
-        let (a, b) =
-            ([123_456_789.0, 987_654_321.0, 555_555_555.0, 0.0], [192_837_465.0, 564_738_291.0, 918_273_645.0, 0.0]);
+        let (a, b) = (
+            [123_456_789.0, 987_654_321.0, 555_555_555.0, 0.0],
+            [192_837_465.0, 564_738_291.0, 918_273_645.0, 0.0],
+        );
         let sum = [a[0] + b[0], a[1] + b[1], a[2] + b[2], 0.0];
         assert!(Matrix { rows: [a, b, sum] }.is_singular());
         // The first column is 2^330 times the third; the products that tell underflow.
@@ -178,7 +228,13 @@ mod tests {
             Point::default(),
         );
         assert!(lost.is_singular());
-        let nearly = Matrix { rows: [[0.1, 0.2, 0.3, 0.0], [0.3, 0.6, 0.9, 0.0], [1.0, 3.0, 5.0, 0.0]] };
+        let nearly = Matrix {
+            rows: [
+                [0.1, 0.2, 0.3, 0.0],
+                [0.3, 0.6, 0.9, 0.0],
+                [1.0, 3.0, 5.0, 0.0],
+            ],
+        };
         assert!(!nearly.is_singular(), "3 * 0.1 is not 0.3 in binary");
     }
 
@@ -192,15 +248,28 @@ mod tests {
             ([-1.0, 0.0, 1.0], false),
             ([-1.0, f64::INFINITY, 1.0], false),
         ] {
-            assert_eq!(Matrix::scale(factors).swaps_handedness(), swaps, "{factors:?}");
+            assert_eq!(
+                Matrix::scale(factors).swaps_handedness(),
+                swaps,
+                "{factors:?}"
+            );
         }
-        let exchanged = Matrix { rows: [[0.0, 1.0, 0.0, 5.0], [1.0, 0.0, 0.0, 5.0], [0.0, 0.0, 1.0, 5.0]] };
+        let exchanged = Matrix {
+            rows: [
+                [0.0, 1.0, 0.0, 5.0],
+                [1.0, 0.0, 0.0, 5.0],
+                [0.0, 0.0, 1.0, 5.0],
+            ],
+        };
         assert!(exchanged.swaps_handedness());
     }
 
     #[test]
     fn products_apply_from_right_to_left() {
         let product = Matrix::translate([1.0, 2.0, 3.0]).times(&Matrix::scale([2.0, 2.0, 2.0]));
-        assert_eq!(product.apply(Point::new(1.0, 1.0, 1.0)), Point::new(3.0, 4.0, 5.0));
+        assert_eq!(
+            product.apply(Point::new(1.0, 1.0, 1.0)),
+            Point::new(3.0, 4.0, 5.0)
+        );
     }
 }

@@ -93,13 +93,21 @@ impl Vector {
 
     /// Every component without its sign.
     pub fn absolute(self) -> Vector {
-        Vector { x: self.x.abs(), y: self.y.abs(), z: self.z.abs() }
+        Vector {
+            x: self.x.abs(),
+            y: self.y.abs(),
+            z: self.z.abs(),
+        }
     }
 
     /// The cross product with every product taken positive and added: what its terms can add up to at most.
     pub fn absolute_cross(self, other: Vector) -> Vector {
         let (a, b) = (self.absolute(), other.absolute());
-        Vector { x: a.y * b.z + a.z * b.y, y: a.z * b.x + a.x * b.z, z: a.x * b.y + a.y * b.x }
+        Vector {
+            x: a.y * b.z + a.z * b.y,
+            y: a.z * b.x + a.x * b.z,
+            z: a.x * b.y + a.y * b.x,
+        }
     }
 
     /// The largest absolute value of a component.
@@ -111,7 +119,11 @@ impl Vector {
     /// Divided by its length `sqrt((x*x+y*y)+z*z)`, component by component (rule R2); NaN for the zero vector.
     pub fn normalized(self) -> Vector {
         let length = self.dot(self).sqrt();
-        Vector { x: self.x / length, y: self.y / length, z: self.z / length }
+        Vector {
+            x: self.x / length,
+            y: self.y / length,
+            z: self.z / length,
+        }
     }
 
     /// The axis of the component with the largest absolute value; the lowest of equal ones.
@@ -131,7 +143,11 @@ impl Sub for Point {
     type Output = Vector;
 
     fn sub(self, other: Point) -> Vector {
-        Vector { x: self.x - other.x, y: self.y - other.y, z: self.z - other.z }
+        Vector {
+            x: self.x - other.x,
+            y: self.y - other.y,
+            z: self.z - other.z,
+        }
     }
 }
 
@@ -139,7 +155,11 @@ impl Add<Vector> for Point {
     type Output = Point;
 
     fn add(self, offset: Vector) -> Point {
-        Point { x: self.x + offset.x, y: self.y + offset.y, z: self.z + offset.z }
+        Point {
+            x: self.x + offset.x,
+            y: self.y + offset.y,
+            z: self.z + offset.z,
+        }
     }
 }
 
@@ -147,7 +167,11 @@ impl Mul<f64> for Vector {
     type Output = Vector;
 
     fn mul(self, factor: f64) -> Vector {
-        Vector { x: self.x * factor, y: self.y * factor, z: self.z * factor }
+        Vector {
+            x: self.x * factor,
+            y: self.y * factor,
+            z: self.z * factor,
+        }
     }
 }
 
@@ -155,6 +179,10 @@ impl Neg for Vector {
     type Output = Vector;
 
     fn neg(self) -> Vector {
-        Vector { x: -self.x, y: -self.y, z: -self.z }
+        Vector {
+            x: -self.x,
+            y: -self.y,
+            z: -self.z,
+        }
     }
 }

@@ -29,7 +29,10 @@ impl RoundedTransform {
     /// Leaves everything where it is, exactly.
     pub const IDENTITY: RoundedTransform = RoundedTransform {
         transform: Transform::IDENTITY,
-        error: TransformError { matrix: [[0.0; 4]; 3], inverse: [[0.0; 4]; 3] },
+        error: TransformError {
+            matrix: [[0.0; 4]; 3],
+            inverse: [[0.0; 4]; 3],
+        },
     };
 
     /// [`Transform::translate`]: exact, and so is its inverse.
@@ -54,7 +57,11 @@ impl RoundedTransform {
             return RoundedTransform::IDENTITY;
         }
         let nearest = |matrix: &Matrix| matrix.rows.map(|row| row.map(Rounded::nearest));
-        let matrix = if divided { nearest(&transform.matrix) } else { exact(&transform.matrix) };
+        let matrix = if divided {
+            nearest(&transform.matrix)
+        } else {
+            exact(&transform.matrix)
+        };
         RoundedTransform::of(matrix, nearest(&transform.inverse))
     }
 
@@ -64,16 +71,38 @@ impl RoundedTransform {
         let [a0, a1, a2] = normalized(axis.to_array().map(Rounded::exactly));
         let correctly_rounded = |value: f64| {
             let is_exact = angle % 30.0 == 0.0 && (2.0 * value).fract() == 0.0;
-            if is_exact { Rounded::exactly(value) } else { Rounded::nearest(value) }
+            if is_exact {
+                Rounded::exactly(value)
+            } else {
+                Rounded::nearest(value)
+            }
         };
-        let (s, c) = (correctly_rounded(degrees::sine(angle)), correctly_rounded(degrees::cosine(angle)));
+        let (s, c) = (
+            correctly_rounded(degrees::sine(angle)),
+            correctly_rounded(degrees::cosine(angle)),
+        );
         let (one, zero) = (Rounded::exactly(1.0), Rounded::exactly(0.0));
         let on_diagonal = |a: Rounded| a * a + (one - a * a) * c;
         let beside = |a: Rounded, b: Rounded| (a * b) * (one - c);
         let rows = [
-            [on_diagonal(a0), beside(a0, a1) - a2 * s, beside(a0, a2) + a1 * s, zero],
-            [beside(a0, a1) + a2 * s, on_diagonal(a1), beside(a1, a2) - a0 * s, zero],
-            [beside(a0, a2) - a1 * s, beside(a1, a2) + a0 * s, on_diagonal(a2), zero],
+            [
+                on_diagonal(a0),
+                beside(a0, a1) - a2 * s,
+                beside(a0, a2) + a1 * s,
+                zero,
+            ],
+            [
+                beside(a0, a1) + a2 * s,
+                on_diagonal(a1),
+                beside(a1, a2) - a0 * s,
+                zero,
+            ],
+            [
+                beside(a0, a2) - a1 * s,
+                beside(a1, a2) + a0 * s,
+                on_diagonal(a2),
+                zero,
+            ],
         ];
         let transposed = [0, 1, 2].map(|i| [rows[0][i], rows[1][i], rows[2][i], zero]);
         RoundedTransform::of(rows, transposed)
@@ -96,15 +125,27 @@ impl RoundedTransform {
     pub fn times(&self, right: &RoundedTransform) -> RoundedTransform {
         let matrix = product(&self.matrix(), &right.matrix());
         let inverse = product(&right.inverse(), &self.inverse());
-        let error = TransformError { matrix: errors(&matrix), inverse: errors(&inverse) };
-        RoundedTransform { transform: self.transform.times(&right.transform), error }
+        let error = TransformError {
+            matrix: errors(&matrix),
+            inverse: errors(&inverse),
+        };
+        RoundedTransform {
+            transform: self.transform.times(&right.transform),
+            error,
+        }
     }
 
     /// [`Transform::inverted`].
     pub fn inverted(&self) -> RoundedTransform {
         let TransformError { matrix, inverse } = self.error;
-        let error = TransformError { matrix: inverse, inverse: matrix };
-        RoundedTransform { transform: self.transform.inverted(), error }
+        let error = TransformError {
+            matrix: inverse,
+            inverse: matrix,
+        };
+        RoundedTransform {
+            transform: self.transform.inverted(),
+            error,
+        }
     }
 
     /// The entries of the matrix with their bounds.
@@ -118,9 +159,20 @@ impl RoundedTransform {
     }
 
     fn of(matrix: Entries, inverse: Entries) -> RoundedTransform {
-        let values = |entries: &Entries| Matrix { rows: entries.map(|row| row.map(|entry| entry.value)) };
-        let transform = Transform { matrix: values(&matrix), inverse: values(&inverse) };
-        RoundedTransform { transform, error: TransformError { matrix: errors(&matrix), inverse: errors(&inverse) } }
+        let values = |entries: &Entries| Matrix {
+            rows: entries.map(|row| row.map(|entry| entry.value)),
+        };
+        let transform = Transform {
+            matrix: values(&matrix),
+            inverse: values(&inverse),
+        };
+        RoundedTransform {
+            transform,
+            error: TransformError {
+                matrix: errors(&matrix),
+                inverse: errors(&inverse),
+            },
+        }
     }
 }
 
@@ -129,7 +181,9 @@ fn exact(matrix: &Matrix) -> Entries {
 }
 
 fn entries(matrix: &Matrix, errors: &[[f64; 4]; 3]) -> Entries {
-    std::array::from_fn(|i| std::array::from_fn(|j| Rounded::within(matrix.rows[i][j], errors[i][j])))
+    std::array::from_fn(|i| {
+        std::array::from_fn(|j| Rounded::within(matrix.rows[i][j], errors[i][j]))
+    })
 }
 
 fn errors(entries: &Entries) -> [[f64; 4]; 3] {
@@ -152,7 +206,11 @@ fn dot(a: [Rounded; 3], b: [Rounded; 3]) -> Rounded {
 
 /// As [`Vector::cross`].
 fn cross(a: [Rounded; 3], b: [Rounded; 3]) -> [Rounded; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
 }
 
 /// As [`Vector::normalized`].
@@ -202,27 +260,60 @@ mod tests {
     #[test]
     fn only_sums_of_translations_are_rounded() {
         let [a, b] = [[0.1, 0.5, 1e6], [0.2, 0.25, 0.1]].map(RoundedTransform::translate);
-        assert_eq!((a.error, b.error), (RoundedTransform::IDENTITY.error, RoundedTransform::IDENTITY.error));
+        assert_eq!(
+            (a.error, b.error),
+            (
+                RoundedTransform::IDENTITY.error,
+                RoundedTransform::IDENTITY.error
+            )
+        );
         let TransformError { matrix, inverse } = a.times(&b).error;
         for error in [matrix, inverse] {
             assert!(error.iter().all(|row| row[..3] == [0.0; 3]));
             assert_eq!(error[1][3], 0.0, "a sum without a rounding");
             assert!(error[0][3] > 0.0 && error[0][3] <= U, "{}", error[0][3]);
-            assert!(error[2][3] > 0.0 && error[2][3] <= 1e6 * U, "{}", error[2][3]);
+            assert!(
+                error[2][3] > 0.0 && error[2][3] <= 1e6 * U,
+                "{}",
+                error[2][3]
+            );
         }
     }
 
     #[test]
     fn bounds_are_a_few_roundings() {
         let of = |rounded: RoundedTransform| {
-            rounded.error.matrix.into_iter().chain(rounded.error.inverse).flatten().fold(0.0, f64::max) / U
+            rounded
+                .error
+                .matrix
+                .into_iter()
+                .chain(rounded.error.inverse)
+                .flatten()
+                .fold(0.0, f64::max)
+                / U
         };
         let axis = Vector::new(1.0, 2.0, 3.0);
-        assert_eq!(of(RoundedTransform::rotate(90.0, Vector::new(0.0, 2.0, 0.0))), 0.0);
+        assert_eq!(
+            of(RoundedTransform::rotate(90.0, Vector::new(0.0, 2.0, 0.0))),
+            0.0
+        );
         let turned = of(RoundedTransform::rotate(37.0, axis));
         assert!(turned > 0.0 && turned < 16.0, "{turned}");
-        assert_eq!(of(RoundedTransform::look_at([[0.0, 0.0, -3.0], [0.0; 3], [0.0, 1.0, 0.0]])), 0.0);
-        let view = |up: [f64; 3]| of(RoundedTransform::look_at([[0.1, 0.2, 0.3], [1.0, 2.0, 3.0], up]));
+        assert_eq!(
+            of(RoundedTransform::look_at([
+                [0.0, 0.0, -3.0],
+                [0.0; 3],
+                [0.0, 1.0, 0.0]
+            ])),
+            0.0
+        );
+        let view = |up: [f64; 3]| {
+            of(RoundedTransform::look_at([
+                [0.1, 0.2, 0.3],
+                [1.0, 2.0, 3.0],
+                up,
+            ]))
+        };
         let (wide, narrow) = (view([0.0, 0.0, 1.0]), view([0.9, 1.8, 2.7001]));
         assert!(wide < 32.0 && narrow > 100.0 * wide, "{wide} {narrow}");
         assert!(of(RoundedTransform::scale([2.0, 0.25, 3.0])) < 1.0);
@@ -231,12 +322,29 @@ mod tests {
     #[test]
     fn what_is_not_known_is_infinite() {
         let flat = RoundedTransform::scale([1.0, 0.0, 1.0]);
-        assert_eq!((flat.error.matrix[1][1], flat.error.inverse[1][1]), (0.0, f64::INFINITY));
+        assert_eq!(
+            (flat.error.matrix[1][1], flat.error.inverse[1][1]),
+            (0.0, f64::INFINITY)
+        );
         let huge = RoundedTransform::translate([1e308, 0.0, 0.0]);
         assert_eq!(huge.times(&huge).error.matrix[0][3], f64::INFINITY);
-        assert_eq!(RoundedTransform::rotate(1.0, Vector::default()).error.matrix[0][0], f64::INFINITY);
+        assert_eq!(
+            RoundedTransform::rotate(1.0, Vector::default())
+                .error
+                .matrix[0][0],
+            f64::INFINITY
+        );
         let matrix = Matrix::scale([1.0, 0.0, 1.0]);
-        let singular = RoundedTransform::of_numbers(&Transform { matrix, inverse: matrix.inverse() }, false);
-        assert_eq!((singular.error.matrix, singular.error.inverse), ([[0.0; 4]; 3], [[f64::INFINITY; 4]; 3]));
+        let singular = RoundedTransform::of_numbers(
+            &Transform {
+                matrix,
+                inverse: matrix.inverse(),
+            },
+            false,
+        );
+        assert_eq!(
+            (singular.error.matrix, singular.error.inverse),
+            ([[0.0; 4]; 3], [[f64::INFINITY; 4]; 3])
+        );
     }
 }

@@ -45,7 +45,9 @@ impl BudgetFactor {
 
     /// The factor `factor`, if it is from 1 to [`BudgetFactor::MAX`].
     pub fn new(factor: u32) -> Option<BudgetFactor> {
-        NonZeroU32::new(factor).filter(|factor| factor.get() <= Self::MAX).map(BudgetFactor)
+        NonZeroU32::new(factor)
+            .filter(|factor| factor.get() <= Self::MAX)
+            .map(BudgetFactor)
     }
 
     fn times(self, limit: u64) -> u64 {
@@ -106,7 +108,10 @@ struct Account {
 impl Budget {
     /// An account that nothing is charged to yet.
     pub(crate) fn new(factor: BudgetFactor) -> Budget {
-        Budget { factor, account: Mutex::default() }
+        Budget {
+            factor,
+            account: Mutex::default(),
+        }
     }
 
     /// The account of a file alone that has `size` bytes.
@@ -123,7 +128,9 @@ impl Budget {
     /// The file `path` is about to be read. Whether it was read before; a file that is not there has no bytes, and its reader
     /// says so.
     pub(crate) fn enter(&self, path: &Path) -> bool {
-        let Some((id, size)) = FileId::with_size(path) else { return false };
+        let Some((id, size)) = FileId::with_size(path) else {
+            return false;
+        };
         let mut account = self.account();
         let is_new = account.known.insert(id);
         account.read = account.read.saturating_add(size);
@@ -150,8 +157,13 @@ impl Budget {
     /// Bytes that may still be decompressed.
     pub(crate) fn decompressed_left(&self) -> u64 {
         let account = self.account();
-        let limit = account.read.saturating_mul(MOST_TIMES).saturating_add(FREE_DECOMPRESSED);
-        self.factor.times(limit).saturating_sub(account.decompressed)
+        let limit = account
+            .read
+            .saturating_mul(MOST_TIMES)
+            .saturating_add(FREE_DECOMPRESSED);
+        self.factor
+            .times(limit)
+            .saturating_sub(account.decompressed)
     }
 
     /// `bytes` have been decompressed.
@@ -163,8 +175,15 @@ impl Budget {
     /// The file of a scene whose text has `bytes` is read; `is_known` says whether it has been before.
     pub(crate) fn charge_text(&self, bytes: u64, is_known: bool) -> Result<(), Error> {
         let mut account = self.account();
-        account.repeated = account.repeated.saturating_add(if is_known { bytes } else { 0 });
-        let limit = self.factor.times(account.distinct.saturating_mul(MOST_TIMES).saturating_add(FREE_BYTES));
+        account.repeated = account
+            .repeated
+            .saturating_add(if is_known { bytes } else { 0 });
+        let limit = self.factor.times(
+            account
+                .distinct
+                .saturating_mul(MOST_TIMES)
+                .saturating_add(FREE_BYTES),
+        );
         self.check(account.repeated, limit, |limit| {
             format!("the scene's files are read again and again: more than {limit} bytes of text")
         })
@@ -174,7 +193,12 @@ impl Budget {
     pub(crate) fn charge_stored(&self, bytes: u64) -> Result<(), Error> {
         let mut account = self.account();
         account.stored = account.stored.saturating_add(bytes);
-        let limit = self.factor.times(account.distinct.saturating_mul(MOST_TIMES).saturating_add(FREE_BYTES));
+        let limit = self.factor.times(
+            account
+                .distinct
+                .saturating_mul(MOST_TIMES)
+                .saturating_add(FREE_BYTES),
+        );
         let read = account.distinct;
         self.check(account.stored, limit, |limit| {
             format!("the scene's meshes take more than {limit} bytes of memory, though its files have only {read}")
@@ -194,8 +218,14 @@ impl Budget {
     pub(crate) fn charge_faces(&self, control: u64, faces: u128) -> Result<(), Error> {
         let mut account = self.account();
         account.control_faces = account.control_faces.saturating_add(control);
-        account.faces = account.faces.saturating_add(u64::try_from(faces).unwrap_or(u64::MAX));
-        let limit = account.control_faces.saturating_mul(FACES_PER_FACE).saturating_add(FREE_FACES).min(MOST_FACES);
+        account.faces = account
+            .faces
+            .saturating_add(u64::try_from(faces).unwrap_or(u64::MAX));
+        let limit = account
+            .control_faces
+            .saturating_mul(FACES_PER_FACE)
+            .saturating_add(FREE_FACES)
+            .min(MOST_FACES);
         self.check(account.faces, self.factor.times(limit), |limit| {
             let (faces, control) = (account.faces, account.control_faces);
             format!(
@@ -209,10 +239,18 @@ impl Budget {
     pub(crate) fn pairs_left(&self, corners: usize) -> u64 {
         let mut account = self.account();
         account.largest_polygon = account.largest_polygon.max(corners as u64);
-        let of_largest = account.largest_polygon.saturating_mul(account.largest_polygon);
+        let of_largest = account
+            .largest_polygon
+            .saturating_mul(account.largest_polygon);
         let of_bytes = account.read.saturating_mul(PAIRS_BEFORE_PER_BYTE);
-        let before = of_largest.saturating_mul(PAIRS_BEFORE_PER_SQUARE).saturating_add(of_bytes);
-        if account.pairs <= self.factor.times(before) { self.factor.times(pairs_of(corners as u64)) } else { 0 }
+        let before = of_largest
+            .saturating_mul(PAIRS_BEFORE_PER_SQUARE)
+            .saturating_add(of_bytes);
+        if account.pairs <= self.factor.times(before) {
+            self.factor.times(pairs_of(corners as u64))
+        } else {
+            0
+        }
     }
 
     /// `pairs` have been looked at.
@@ -226,11 +264,18 @@ impl Budget {
         self.factor.advice()
     }
 
-    fn check(&self, found: u64, limit: u64, message: impl FnOnce(u64) -> String) -> Result<(), Error> {
+    fn check(
+        &self,
+        found: u64,
+        limit: u64,
+        message: impl FnOnce(u64) -> String,
+    ) -> Result<(), Error> {
         if found <= limit {
             return Ok(());
         }
-        Err(Error::bad_input(Diagnostic::new(message(limit)).note(self.advice())))
+        Err(Error::bad_input(
+            Diagnostic::new(message(limit)).note(self.advice()),
+        ))
     }
 }
 
@@ -247,10 +292,19 @@ mod tests {
     fn a_factor_raises_every_limit() {
         let budgets = [1, 3].map(|factor| Budget::new(BudgetFactor::new(factor).unwrap()));
         let [once, thrice] = budgets.each_ref();
-        assert_eq!((once.decompressed_left(), thrice.decompressed_left()), (64 << 20, 192 << 20));
+        assert_eq!(
+            (once.decompressed_left(), thrice.decompressed_left()),
+            (64 << 20, 192 << 20)
+        );
         assert_eq!((once.pairs_left(10), thrice.pairs_left(10)), (800, 2400));
-        assert!(once.charge_stored((1 << 30) + 1).is_err() && thrice.charge_stored((1 << 30) + 1).is_ok());
-        assert!(once.charge_text((1 << 30) + 1, true).is_err() && thrice.charge_text((1 << 30) + 1, true).is_ok());
+        assert!(
+            once.charge_stored((1 << 30) + 1).is_err()
+                && thrice.charge_stored((1 << 30) + 1).is_ok()
+        );
+        assert!(
+            once.charge_text((1 << 30) + 1, true).is_err()
+                && thrice.charge_text((1 << 30) + 1, true).is_ok()
+        );
         assert!(once.charge_faces(1, 1 << 23).is_err() && thrice.charge_faces(1, 1 << 23).is_ok());
         assert_eq!(BudgetFactor::new(0), None);
         let error = once.charge_faces(1, 1).unwrap_err().to_string();
@@ -268,7 +322,10 @@ mod tests {
         assert_eq!(budget.decompressed_left(), 20 << 20);
         assert!(budget.charge_stored(1280 << 20).is_ok());
         assert!(budget.charge_stored(1).is_err());
-        assert!(budget.charge_text(u64::MAX, false).is_ok(), "for the first time");
+        assert!(
+            budget.charge_text(u64::MAX, false).is_ok(),
+            "for the first time"
+        );
     }
 
     #[test]
@@ -276,7 +333,10 @@ mod tests {
         let budget = Budget::default();
         assert_eq!(budget.pairs_left(100), 80_000);
         budget.charge_pairs(20_000);
-        assert_eq!((budget.pairs_left(100), budget.pairs_left(10)), (80_000, 800));
+        assert_eq!(
+            (budget.pairs_left(100), budget.pairs_left(10)),
+            (80_000, 800)
+        );
         budget.charge_pairs(1);
         assert_eq!((budget.pairs_left(100), budget.pairs_left(10)), (0, 0));
         budget.enter_bytes(1);

@@ -21,7 +21,9 @@ fn recognises(bytes: &[u8]) -> bool {
 /// Whether the content of `storage` is compressed.
 pub(crate) fn is_in(storage: &Storage) -> bool {
     let mut buffer = Vec::new();
-    storage.piece(0..MAGIC.len() as u64, &mut buffer).is_ok_and(recognises)
+    storage
+        .piece(0..MAGIC.len() as u64, &mut buffer)
+        .is_ok_and(recognises)
 }
 
 /// Compressed content, decompressed as it is read.
@@ -33,14 +35,23 @@ pub(crate) struct Stream<'a> {
 }
 
 /// What `read` makes of the content of the compressed `storage`: nothing where there is more of it than `budget` allows.
-pub(crate) fn stream<T>(storage: &Storage, budget: &Budget, read: impl FnOnce(&mut Stream) -> Option<T>) -> Option<T> {
+pub(crate) fn stream<T>(
+    storage: &Storage,
+    budget: &Budget,
+    read: impl FnOnce(&mut Stream) -> Option<T>,
+) -> Option<T> {
     let mut buffer = Vec::new();
     let size = storage.size();
-    let end = storage.piece(size.saturating_sub(4)..size, &mut buffer).ok()?;
+    let end = storage
+        .piece(size.saturating_sub(4)..size, &mut buffer)
+        .ok()?;
     let trusted_size = trusted_size(end, usize::try_from(size).ok()?);
     let limit = budget.decompressed_left();
     let mut content = Members::new(storage.reader()).take(limit.saturating_add(1));
-    let made = read(&mut Stream { content: Box::new(&mut content), trusted_size })?;
+    let made = read(&mut Stream {
+        content: Box::new(&mut content),
+        trusted_size,
+    })?;
     let length = limit.saturating_add(1) - content.limit();
     // What gives nothing is read again in another way, and charged then.
     (length <= limit).then(|| budget.charge_decompressed(length))?;
@@ -65,7 +76,11 @@ pub(crate) fn parsed<T>(
 /// # Errors
 /// Damaged data, and those that are more than `budget` allows.
 pub(crate) fn content(path: &Path, bytes: Vec<u8>, budget: &Budget) -> Result<Vec<u8>> {
-    if recognises(&bytes) { decompressed(path, &bytes, budget).map(Cow::into_owned) } else { Ok(bytes) }
+    if recognises(&bytes) {
+        decompressed(path, &bytes, budget).map(Cow::into_owned)
+    } else {
+        Ok(bytes)
+    }
 }
 
 fn decompressed<'a>(path: &Path, bytes: &'a [u8], budget: &Budget) -> Result<Cow<'a, [u8]>> {
@@ -73,11 +88,15 @@ fn decompressed<'a>(path: &Path, bytes: &'a [u8], budget: &Budget) -> Result<Cow
         return Ok(Cow::Borrowed(bytes));
     }
     let limit = budget.decompressed_left();
-    let trusted = trusted_size(bytes, bytes.len()).min(usize::try_from(limit).unwrap_or(usize::MAX));
+    let trusted =
+        trusted_size(bytes, bytes.len()).min(usize::try_from(limit).unwrap_or(usize::MAX));
     let too_large = || "these gzip data are too large for this machine's memory".to_owned();
-    memory::check(trusted as u64, too_large).map_err(|error| error.or_at(|| SourceLocation::file(path)))?;
+    memory::check(trusted as u64, too_large)
+        .map_err(|error| error.or_at(|| SourceLocation::file(path)))?;
     let mut content = Vec::with_capacity(trusted);
-    let read = Members::new(bytes).take(limit.saturating_add(1)).read_to_end(&mut content);
+    let read = Members::new(bytes)
+        .take(limit.saturating_add(1))
+        .read_to_end(&mut content);
     read.map_err(|error| damaged(path, &error))?;
     if content.len() as u64 > limit {
         return Err(bomb(path, bytes.len(), limit).note(budget.advice()));
@@ -88,14 +107,20 @@ fn decompressed<'a>(path: &Path, bytes: &'a [u8], budget: &Budget) -> Result<Cow
 
 /// What is believed of the last four bytes, the size of the content modulo 2^32, at the `end` of `size` bytes.
 fn trusted_size(end: &[u8], size: usize) -> usize {
-    let claimed = end.last_chunk().map_or(0, |size| u32::from_le_bytes(*size) as usize);
+    let claimed = end
+        .last_chunk()
+        .map_or(0, |size| u32::from_le_bytes(*size) as usize);
     claimed.min(size.saturating_mul(TRUSTED_TIMES))
 }
 
 fn damaged(path: &Path, error: &std::io::Error) -> Error {
     let message = format!("the gzip data are damaged or cut off: {error}");
     let location = SourceLocation::file(path);
-    Error::bad_input(Diagnostic::new(message).at(location).note("test the file with `gzip -t`"))
+    Error::bad_input(
+        Diagnostic::new(message)
+            .at(location)
+            .note("test the file with `gzip -t`"),
+    )
 }
 
 fn bomb(path: &Path, size: usize, limit: u64) -> Error {

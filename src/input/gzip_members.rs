@@ -25,12 +25,16 @@ enum State<R> {
 impl<R: BufRead> Members<R> {
     /// The members that `file` begins with.
     pub(super) fn new(file: R) -> Members<R> {
-        Members { state: State::Member(Box::new(GzDecoder::new(file))) }
+        Members {
+            state: State::Member(Box::new(GzDecoder::new(file))),
+        }
     }
 
     /// Goes to the next member, if there is one.
     fn advance(&mut self) -> io::Result<()> {
-        let State::Member(member) = std::mem::replace(&mut self.state, State::Done) else { return Ok(()) };
+        let State::Member(member) = std::mem::replace(&mut self.state, State::Done) else {
+            return Ok(());
+        };
         let mut file = member.into_inner();
         match skip_zeros(&mut file)? {
             None => Ok(()),
@@ -67,7 +71,9 @@ fn skip_zeros(file: &mut impl BufRead) -> io::Result<Option<u8>> {
 impl<R: BufRead> Read for Members<R> {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         loop {
-            let State::Member(member) = &mut self.state else { return Ok(0) };
+            let State::Member(member) = &mut self.state else {
+                return Ok(0);
+            };
             match member.read(buffer)? {
                 0 if !buffer.is_empty() => self.advance()?,
                 length => return Ok(length),
@@ -95,7 +101,10 @@ mod tests {
             Members::new(BufReader::with_capacity(size, file)).read_to_end(&mut content)?;
             contents.push(content);
         }
-        assert!(contents.windows(2).all(|pair| pair[0] == pair[1]), "the size of the buffer has no influence");
+        assert!(
+            contents.windows(2).all(|pair| pair[0] == pair[1]),
+            "the size of the buffer has no influence"
+        );
         Ok(contents.remove(0))
     }
 
@@ -109,7 +118,11 @@ mod tests {
     fn zeros_pad_the_file_and_its_members() {
         let zeros = |count: usize| vec![0; count];
         for count in [1, 2, 3, 511, 100_000] {
-            assert_eq!(read(&[member(b"one"), zeros(count)].concat()).unwrap(), b"one", "{count}");
+            assert_eq!(
+                read(&[member(b"one"), zeros(count)].concat()).unwrap(),
+                b"one",
+                "{count}"
+            );
             let tape = [member(b"one "), zeros(count), member(b"two"), zeros(count)].concat();
             assert_eq!(read(&tape).unwrap(), b"one two", "{count}");
         }
@@ -117,8 +130,18 @@ mod tests {
 
     #[test]
     fn anything_else_after_a_member_is_an_error() {
-        for rest in [&b"x"[..], b"\0\0x", b"\x1f", b"\x1f\x8c\x08", b"\0\x1f\x8b\x08", b"\n"] {
-            assert!(read(&[&member(b"one")[..], rest].concat()).is_err(), "{rest:?}");
+        for rest in [
+            &b"x"[..],
+            b"\0\0x",
+            b"\x1f",
+            b"\x1f\x8c\x08",
+            b"\0\x1f\x8b\x08",
+            b"\n",
+        ] {
+            assert!(
+                read(&[&member(b"one")[..], rest].concat()).is_err(),
+                "{rest:?}"
+            );
         }
         let whole = member(b"one and two");
         for end in 1..whole.len() {

@@ -13,23 +13,31 @@ const MOST_ENTRIES: usize = 10_000;
 pub(super) fn advise(path: &Path, error: Error) -> Error {
     let text = path.to_string_lossy();
     let (error, path) = match cfg!(not(windows)) && text.contains('\\') {
-        true => (error.note("paths take `/` on every system"), PathBuf::from(text.replace('\\', "/"))),
+        true => (
+            error.note("paths take `/` on every system"),
+            PathBuf::from(text.replace('\\', "/")),
+        ),
         false => (error, path.to_path_buf()),
     };
     if path.exists() {
         return error.note(format!("did you mean `{}`?", path.display()));
     }
     match in_other_letters(&path) {
-        Some(found) => {
-            error.note(format!("there is `{}`: upper and lower case are different letters here", found.display()))
-        }
+        Some(found) => error.note(format!(
+            "there is `{}`: upper and lower case are different letters here",
+            found.display()
+        )),
         None => error,
     }
 }
 
 /// `error`, which reading the file `looked_for` gave, with what is there beside the file `naming` that calls it `name`.
 pub(crate) fn advise_beside(naming: &Path, name: &Path, looked_for: &Path, error: Error) -> Error {
-    let is_about_it = error.diagnostic().location.as_ref().is_some_and(|location| location.path == looked_for);
+    let is_about_it = error
+        .diagnostic()
+        .location
+        .as_ref()
+        .is_some_and(|location| location.path == looked_for);
     if error.kind() != ErrorKind::MissingInput || !is_about_it || looked_for.exists() {
         return error;
     }
@@ -38,7 +46,9 @@ pub(crate) fn advise_beside(naming: &Path, name: &Path, looked_for: &Path, error
         return error;
     }
     let (beside, naming) = (beside.display(), naming.display());
-    error.note(format!("there is `{beside}` beside {naming}: names count from the folder of the scene, as in pbrt"))
+    error.note(format!(
+        "there is `{beside}` beside {naming}: names count from the folder of the scene, as in pbrt"
+    ))
 }
 
 /// The file whose path differs from `path` by upper and lower case, or by how letters are composed, if there is one.
@@ -50,11 +60,23 @@ fn in_other_letters(path: &Path) -> Option<PathBuf> {
             found = next;
             continue;
         }
-        let Component::Normal(name) = component else { return None };
-        let folder = if found.as_os_str().is_empty() { Path::new(".") } else { &found };
-        let entries = fs::read_dir(folder).ok()?.take(MOST_ENTRIES).filter_map(Result::ok);
+        let Component::Normal(name) = component else {
+            return None;
+        };
+        let folder = if found.as_os_str().is_empty() {
+            Path::new(".")
+        } else {
+            &found
+        };
+        let entries = fs::read_dir(folder)
+            .ok()?
+            .take(MOST_ENTRIES)
+            .filter_map(Result::ok);
         let name = folded(name);
-        let alike = entries.map(|entry| entry.file_name()).filter(|entry| folded(entry) == name).min()?;
+        let alike = entries
+            .map(|entry| entry.file_name())
+            .filter(|entry| folded(entry) == name)
+            .min()?;
         found.push(alike);
     }
     (found != path).then_some(found)
@@ -78,15 +100,26 @@ mod tests {
         let advice = |name: &str| {
             let path = root.join(name);
             let error = std::io::Error::from(std::io::ErrorKind::NotFound);
-            let notes = advise(&path, Error::reading(&path, &error)).diagnostic().notes.clone();
-            notes.join("; ").replace(&format!("{}/", root.display()), "")
+            let notes = advise(&path, Error::reading(&path, &error))
+                .diagnostic()
+                .notes
+                .clone();
+            notes
+                .join("; ")
+                .replace(&format!("{}/", root.display()), "")
         };
         let other_case = "there is `Sub/a.ply`: upper and lower case are different letters here";
         for name in ["sub/a.ply", "SUB/A.PLY", "Sub/A.ply"] {
             assert_eq!(advice(name), other_case);
         }
-        assert_eq!(advice("Sub\\a.ply"), "paths take `/` on every system; did you mean `Sub/a.ply`?");
-        assert_eq!(advice("sub\\A.ply"), format!("paths take `/` on every system; {other_case}"));
+        assert_eq!(
+            advice("Sub\\a.ply"),
+            "paths take `/` on every system; did you mean `Sub/a.ply`?"
+        );
+        assert_eq!(
+            advice("sub\\A.ply"),
+            format!("paths take `/` on every system; {other_case}")
+        );
         assert_eq!(advice("sub\\b.ply"), "paths take `/` on every system");
         assert_eq!(advice("sub/b.ply"), "");
     }

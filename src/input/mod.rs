@@ -37,9 +37,14 @@ fn read_stream(path: &Path, stream: &mut impl Read) -> Result<Vec<u8>> {
     let read = stream.take(limit + 1).read_to_end(&mut bytes);
     read.map_err(|error| Error::reading(path, &error))?;
     if bytes.len() as u64 > limit {
-        let message = format!("the input has more than {limit} bytes, a quarter of the memory that is to be had");
+        let message = format!(
+            "the input has more than {limit} bytes, a quarter of the memory that is to be had"
+        );
         let diagnostic = Diagnostic::new(message).at(SourceLocation::file(path));
-        return Err(Error::new(ErrorKind::TryAgain, diagnostic.note("does it never end? else put it into a file")));
+        return Err(Error::new(
+            ErrorKind::TryAgain,
+            diagnostic.note("does it never end? else put it into a file"),
+        ));
     }
     Ok(bytes)
 }
@@ -52,14 +57,16 @@ const PART_OF_MEMORY: u64 = 4;
 /// # Errors
 /// A file that is missing, unreadable, or a device, some of which never end.
 pub(crate) fn read(path: &Path) -> Result<Vec<u8>> {
-    let metadata = fs::metadata(path).map_err(|error| missing::advise(path, Error::reading(path, &error)))?;
+    let metadata =
+        fs::metadata(path).map_err(|error| missing::advise(path, Error::reading(path, &error)))?;
     let file_type = metadata.file_type();
     if is_device(file_type) {
         return Err(no_file(path, "a device"));
     }
     if file_type.is_file() || file_type.is_dir() {
         let too_large = || "this file is too large for this machine's memory".to_owned();
-        memory::check(metadata.len(), too_large).map_err(|error| error.or_at(|| SourceLocation::file(path)))?;
+        memory::check(metadata.len(), too_large)
+            .map_err(|error| error.or_at(|| SourceLocation::file(path)))?;
         return read_whole(path).map_err(|error| Error::reading(path, &error));
     }
     let mut pipe = File::open(path).map_err(|error| Error::reading(path, &error))?;
@@ -71,7 +78,9 @@ pub(crate) fn read(path: &Path) -> Result<Vec<u8>> {
 /// # Errors
 /// What is there and is no regular file with a size. What is not there is its reader's to tell.
 pub(crate) fn refuse_special(path: &Path) -> Result<()> {
-    let Ok(metadata) = fs::metadata(path) else { return Ok(()) };
+    let Ok(metadata) = fs::metadata(path) else {
+        return Ok(());
+    };
     let file_type = metadata.file_type();
     if is_device(file_type) {
         return Err(no_file(path, "a device"));
@@ -80,8 +89,10 @@ pub(crate) fn refuse_special(path: &Path) -> Result<()> {
         return Err(no_file(path, "a pipe or a socket"));
     }
     // Files of the kernel claim to be regular and empty.
-    let is_of_kernel =
-        || fs::canonicalize(path).is_ok_and(|path| path.starts_with("/proc") || path.starts_with("/sys"));
+    let is_of_kernel = || {
+        fs::canonicalize(path)
+            .is_ok_and(|path| path.starts_with("/proc") || path.starts_with("/sys"))
+    };
     if metadata.len() == 0 && is_of_kernel() {
         return Err(no_file(path, "a window to the kernel"));
     }
@@ -89,13 +100,16 @@ pub(crate) fn refuse_special(path: &Path) -> Result<()> {
 }
 
 fn no_file(path: &Path, found: &str) -> Error {
-    let diagnostic = Diagnostic::new(format!("this is {found}, not a file")).at(SourceLocation::file(path));
+    let diagnostic =
+        Diagnostic::new(format!("this is {found}, not a file")).at(SourceLocation::file(path));
     Error::new(ErrorKind::MissingInput, diagnostic)
 }
 
 fn read_whole(path: &Path) -> io::Result<Vec<u8>> {
     match Storage::open(path) {
-        Some(Storage::File(file, size)) if size > PIECE as u64 => read_pieces(&file, size).or_else(|_| fs::read(path)),
+        Some(Storage::File(file, size)) if size > PIECE as u64 => {
+            read_pieces(&file, size).or_else(|_| fs::read(path))
+        }
         _ => fs::read(path),
     }
 }
@@ -107,7 +121,8 @@ fn read_pieces(file: &File, size: u64) -> io::Result<Vec<u8>> {
     Vec::<u8>::new().try_reserve_exact(size)?;
     let mut bytes = vec![0; size];
     let pieces = bytes.par_chunks_mut(PIECE).enumerate();
-    pieces.try_for_each(|(number, piece)| storage::read_at(file, piece, (number * PIECE) as u64))?;
+    pieces
+        .try_for_each(|(number, piece)| storage::read_at(file, piece, (number * PIECE) as u64))?;
     Ok(bytes)
 }
 
@@ -128,17 +143,32 @@ mod tests {
 
     #[test]
     fn large_files_are_read_in_pieces() {
-        let bytes: Vec<u8> = (0..3 * PIECE + 7).map(|at| (at ^ at >> 8 ^ at >> 16) as u8).collect();
+        let bytes: Vec<u8> = (0..3 * PIECE + 7)
+            .map(|at| (at ^ at >> 8 ^ at >> 16) as u8)
+            .collect();
         let directory = tempfile::tempdir().expect("a directory");
         let path = directory.path().join("large");
         fs::write(&path, &bytes).expect("room for it");
         assert!(read(&path).as_ref() == Ok(&bytes));
         let storage = Storage::open(&path).expect("a regular file");
         let mut buffer = Vec::new();
-        for span in [0..5, 1000..70_000, 3 * PIECE as u64..bytes.len() as u64, 9..9] {
+        for span in [
+            0..5,
+            1000..70_000,
+            3 * PIECE as u64..bytes.len() as u64,
+            9..9,
+        ] {
             let expected = &bytes[span.start as usize..span.end as usize];
-            assert_eq!(storage.piece(span.clone(), &mut buffer).expect("bytes"), expected);
-            assert_eq!(Storage::Memory(&bytes).piece(span, &mut buffer).expect("bytes"), expected);
+            assert_eq!(
+                storage.piece(span.clone(), &mut buffer).expect("bytes"),
+                expected
+            );
+            assert_eq!(
+                Storage::Memory(&bytes)
+                    .piece(span, &mut buffer)
+                    .expect("bytes"),
+                expected
+            );
         }
         let beyond = bytes.len() as u64 - 1..bytes.len() as u64 + 1;
         assert!(storage.piece(beyond.clone(), &mut buffer).is_err());
@@ -148,7 +178,10 @@ mod tests {
     #[test]
     fn streams_are_read_up_to_a_part_of_the_memory() {
         let path = Path::new("-");
-        assert_eq!(read_stream(path, &mut &b"all of it"[..]), Ok(b"all of it".to_vec()));
+        assert_eq!(
+            read_stream(path, &mut &b"all of it"[..]),
+            Ok(b"all of it".to_vec())
+        );
     }
 
     #[test]
@@ -156,7 +189,12 @@ mod tests {
         let directory = tempfile::tempdir().expect("a directory");
         let socket = directory.path().join("socket");
         let _listener = std::os::unix::net::UnixListener::bind(&socket).expect("a socket");
-        assert!(refuse_special(&socket).unwrap_err().to_string().ends_with("this is a pipe or a socket, not a file"));
+        assert!(
+            refuse_special(&socket)
+                .unwrap_err()
+                .to_string()
+                .ends_with("this is a pipe or a socket, not a file")
+        );
         assert!(refuse_special(Path::new("/dev/zero")).is_err());
         assert!(refuse_special(Path::new("Cargo.toml")).is_ok());
         assert!(refuse_special(Path::new("no/such")).is_ok());

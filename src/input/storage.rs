@@ -50,15 +50,24 @@ impl Storage<'_> {
     ///
     /// # Errors
     /// Where reading fails or the bytes end earlier.
-    pub(crate) fn piece<'b>(&'b self, span: Range<u64>, buffer: &'b mut Vec<u8>) -> io::Result<&'b [u8]> {
+    pub(crate) fn piece<'b>(
+        &'b self,
+        span: Range<u64>,
+        buffer: &'b mut Vec<u8>,
+    ) -> io::Result<&'b [u8]> {
         match self {
             Storage::Memory(bytes) => {
-                let ends = usize::try_from(span.start).ok().zip(usize::try_from(span.end).ok());
+                let ends = usize::try_from(span.start)
+                    .ok()
+                    .zip(usize::try_from(span.end).ok());
                 let piece = ends.and_then(|(start, end)| bytes.get(start..end));
                 piece.ok_or_else(|| io::ErrorKind::UnexpectedEof.into())
             }
             Storage::File(file, _) => {
-                let size = span.end.checked_sub(span.start).and_then(|size| usize::try_from(size).ok());
+                let size = span
+                    .end
+                    .checked_sub(span.start)
+                    .and_then(|size| usize::try_from(size).ok());
                 buffer.resize(size.ok_or(io::ErrorKind::InvalidInput)?, 0);
                 read_at(file, buffer, span.start)?;
                 Ok(buffer)

@@ -13,7 +13,10 @@ pub(super) struct Holes {
 impl Holes {
     /// Those that `parts` leave of `window`. Looks at bands of rows in which the same parts are, so at no pixel by itself.
     pub(super) fn of(window: &PixelBounds, parts: &[PixelBounds]) -> Holes {
-        let mut holes = Holes { count: 0, first: None };
+        let mut holes = Holes {
+            count: 0,
+            first: None,
+        };
         each(window, parts, |hole| {
             holes.count += hole.area();
             holes.first = holes.first.or(Some([hole.x0, hole.y0]));
@@ -23,7 +26,11 @@ impl Holes {
 }
 
 /// Shows `visit` the rectangles that make up what `parts` leave of `window`, from the topmost on.
-pub(super) fn each(window: &PixelBounds, parts: &[PixelBounds], mut visit: impl FnMut(&PixelBounds)) {
+pub(super) fn each(
+    window: &PixelBounds,
+    parts: &[PixelBounds],
+    mut visit: impl FnMut(&PixelBounds),
+) {
     let mut parts: Vec<PixelBounds> = parts.iter().map(|part| part.intersection(window)).collect();
     parts.retain(|part| !part.is_empty());
     parts.sort_unstable_by_key(|part| part.x0);
@@ -32,11 +39,21 @@ pub(super) fn each(window: &PixelBounds, parts: &[PixelBounds], mut visit: impl 
     cuts.sort_unstable();
     cuts.dedup();
     for band in cuts.windows(2) {
-        let in_band = parts.iter().filter(|part| part.y0 <= band[0] && band[1] <= part.y1);
+        let in_band = parts
+            .iter()
+            .filter(|part| part.y0 <= band[0] && band[1] <= part.y1);
         let mut covered = window.x0;
-        for part in in_band.map(|part| [part.x0, part.x1]).chain([[window.x1, window.x1]]) {
+        for part in in_band
+            .map(|part| [part.x0, part.x1])
+            .chain([[window.x1, window.x1]])
+        {
             if part[0] > covered {
-                visit(&PixelBounds { x0: covered, x1: part[0], y0: band[0], y1: band[1] });
+                visit(&PixelBounds {
+                    x0: covered,
+                    x1: part[0],
+                    y0: band[0],
+                    y1: band[1],
+                });
             }
             covered = covered.max(part[1]);
         }
@@ -49,13 +66,30 @@ mod tests {
     use proptest::prelude::*;
 
     fn bounds(x0: u32, width: u32, y0: u32, height: u32) -> PixelBounds {
-        PixelBounds { x0, x1: x0 + width, y0, y1: y0 + height }
+        PixelBounds {
+            x0,
+            x1: x0 + width,
+            y0,
+            y1: y0 + height,
+        }
     }
 
     #[test]
     fn a_window_without_parts_is_one_hole() {
-        assert_eq!(Holes::of(&bounds(3, 4, 5, 6), &[]), Holes { count: 24, first: Some([3, 5]) });
-        assert_eq!(Holes::of(&bounds(3, 4, 5, 6), &[bounds(0, 9, 0, 20)]), Holes { count: 0, first: None });
+        assert_eq!(
+            Holes::of(&bounds(3, 4, 5, 6), &[]),
+            Holes {
+                count: 24,
+                first: Some([3, 5])
+            }
+        );
+        assert_eq!(
+            Holes::of(&bounds(3, 4, 5, 6), &[bounds(0, 9, 0, 20)]),
+            Holes {
+                count: 0,
+                first: None
+            }
+        );
     }
 
     proptest! {

@@ -15,7 +15,10 @@ pub fn triangles([p00, p10, p01, p11]: [u32; 4]) -> [[u32; 3]; 2] {
 }
 
 /// u and v at the corners of these triangles.
-pub const UV: [CornerUv; 2] = [[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]], [[0.0, 0.0], [1.0, 1.0], [0.0, 1.0]]];
+pub const UV: [CornerUv; 2] = [
+    [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]],
+    [[0.0, 0.0], [1.0, 1.0], [0.0, 1.0]],
+];
 
 /// Whether the patch with the corners p00, p10, p01 and p11 is flat and convex, exactly: whether its two triangles are the same
 /// set of points. One with a corner that is not finite counts as flat, since it is never hit.
@@ -42,7 +45,9 @@ fn is_surely_curved(around: &[Point; 4]) -> bool {
     let [a, b, c] = [1, 2, 3].map(|k| around[k] - around[0]);
     let terms = a.absolute().dot(b.absolute_cross(c));
     // What overflows is not sure, nor is what is so small that underflow might matter.
-    terms > 1e-280 && terms < f64::INFINITY && a.dot(b.cross(c)).abs() > 16.0 * UNIT_ROUNDOFF * terms
+    terms > 1e-280
+        && terms < f64::INFINITY
+        && a.dot(b.cross(c)).abs() > 16.0 * UNIT_ROUNDOFF * terms
 }
 
 #[cfg(test)]
@@ -66,12 +71,27 @@ mod tests {
         let mut bent = square;
         bent[3].z = bent[3].z.next_up();
         assert!(!is_flat_and_convex(bent), "by one unit in the last place");
-        let sizes = [1e-300, 1e-160, 1e160, 1e300].map(|size| square.map(|p| Point::new(p.x * size, p.y, p.z * size)));
+        let sizes = [1e-300, 1e-160, 1e160, 1e300]
+            .map(|size| square.map(|p| Point::new(p.x * size, p.y, p.z * size)));
         assert!(sizes.into_iter().all(is_flat_and_convex));
-        assert!(!is_flat_and_convex(patch([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])), "crossed sides");
-        assert!(!is_flat_and_convex(patch([[0, 0, 0], [1, 1, 0], [0, 4, 0], [4, 0, 0]])), "a corner that turns inward");
-        assert!(is_flat_and_convex(patch([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 0, 0]])), "a triangle");
-        assert!(is_flat_and_convex([Point::new(f64::NAN, 0.0, 0.0), square[1], square[2], square[3]]));
+        assert!(
+            !is_flat_and_convex(patch([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])),
+            "crossed sides"
+        );
+        assert!(
+            !is_flat_and_convex(patch([[0, 0, 0], [1, 1, 0], [0, 4, 0], [4, 0, 0]])),
+            "a corner that turns inward"
+        );
+        assert!(
+            is_flat_and_convex(patch([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 0, 0]])),
+            "a triangle"
+        );
+        assert!(is_flat_and_convex([
+            Point::new(f64::NAN, 0.0, 0.0),
+            square[1],
+            square[2],
+            square[3]
+        ]));
     }
 
     proptest! {

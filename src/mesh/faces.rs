@@ -23,12 +23,25 @@ impl<'a> Faces<'a> {
     /// No faces yet, over `vertices`, and memory for `triangles`. To cut polygons is charged to `budget`.
     pub(super) fn new(vertices: &'a [Point], triangles: usize, budget: &'a Budget) -> Faces<'a> {
         let triangles = Vec::with_capacity(triangles);
-        Faces { vertices, triangles, clipper: Clipper::within(budget), places: None, small: Tally::default() }
+        Faces {
+            vertices,
+            triangles,
+            clipper: Clipper::within(budget),
+            places: None,
+            small: Tally::default(),
+        }
     }
 
     /// The same, to [tell](Faces::take_places) which corner of a face is which corner of a triangle.
-    pub(super) fn with_places(vertices: &'a [Point], triangles: usize, budget: &'a Budget) -> Faces<'a> {
-        Faces { places: Some(Vec::with_capacity(triangles)), ..Faces::new(vertices, triangles, budget) }
+    pub(super) fn with_places(
+        vertices: &'a [Point],
+        triangles: usize,
+        budget: &'a Budget,
+    ) -> Faces<'a> {
+        Faces {
+            places: Some(Vec::with_capacity(triangles)),
+            ..Faces::new(vertices, triangles, budget)
+        }
     }
 
     /// Of the triangles of all faces that were [added](Faces::push), which corners of their faces their corners are, from 0.
@@ -55,15 +68,26 @@ impl<'a> Faces<'a> {
 
     /// Adds the face found at `span`; its corners are places in the vertices.
     #[inline]
-    pub(super) fn push(&mut self, corners: &[u32], span: impl FnOnce() -> Range<usize>) -> Result<()> {
+    pub(super) fn push(
+        &mut self,
+        corners: &[u32],
+        span: impl FnOnce() -> Range<usize>,
+    ) -> Result<()> {
         if let Some(places) = &mut self.places {
             // A face may name a vertex twice: its triangles are those of its corners, each by itself.
-            let points: Vec<Point> = corners.iter().map(|corner| self.vertices[*corner as usize]).collect();
+            let points: Vec<Point> = corners
+                .iter()
+                .map(|corner| self.vertices[*corner as usize])
+                .collect();
             let numbers: Vec<u32> = (0..corners.len() as u32).collect();
             let first = places.len();
             polygon::triangulate(&numbers, &points, &mut self.clipper, places)?;
             if corners.len() >= 3 {
-                self.triangles.extend(places[first..].iter().map(|cut| cut.map(|number| corners[number as usize])));
+                self.triangles.extend(
+                    places[first..]
+                        .iter()
+                        .map(|cut| cut.map(|number| corners[number as usize])),
+                );
                 return Ok(());
             }
         }
@@ -71,7 +95,12 @@ impl<'a> Faces<'a> {
             [a, b, c] => self.triangles.push([a, b, c]),
             [a, b, c, d] => self.triangles.extend([[a, b, c], [a, c, d]]),
             [] | [_] | [_, _] => self.small.add(span()),
-            _ => polygon::triangulate(corners, self.vertices, &mut self.clipper, &mut self.triangles)?,
+            _ => polygon::triangulate(
+                corners,
+                self.vertices,
+                &mut self.clipper,
+                &mut self.triangles,
+            )?,
         }
         Ok(())
     }
@@ -91,5 +120,7 @@ pub(super) fn check_count(count: u64, things: &str) -> Result<()> {
     }
     let limit = u32::MAX;
     let diagnostic = Diagnostic::new(format!("{count} {things} in one mesh"));
-    Err(Error::bad_input(diagnostic.note(format!("at most {limit} are supported"))))
+    Err(Error::bad_input(
+        diagnostic.note(format!("at most {limit} are supported")),
+    ))
 }

@@ -70,10 +70,16 @@ pub fn read(path: &Path, format: MeshFormat, with_uv: bool) -> Result<Loaded> {
 }
 
 /// As [`read`], for a scene with this `budget`.
-pub(crate) fn read_within(path: &Path, format: MeshFormat, with_uv: bool, budget: &Budget) -> Result<Loaded> {
+pub(crate) fn read_within(
+    path: &Path,
+    format: MeshFormat,
+    with_uv: bool,
+    budget: &Budget,
+) -> Result<Loaded> {
     budget.enter(path);
     if (format, with_uv) == (MeshFormat::Ply, false) {
-        let plain = input::Storage::open(path).and_then(|storage| ply::read_plain(path, &storage, budget));
+        let plain =
+            input::Storage::open(path).and_then(|storage| ply::read_plain(path, &storage, budget));
         return plain.map_or_else(|| ply::parse_odd(path, &input::read(path)?, budget), Ok);
     }
     parse_within(path, &input::read(path)?, format, with_uv, budget)
@@ -84,7 +90,13 @@ pub fn parse(path: &Path, bytes: &[u8], format: MeshFormat, with_uv: bool) -> Re
     parse_within(path, bytes, format, with_uv, &Budget::of_bytes(bytes.len()))
 }
 
-fn parse_within(path: &Path, bytes: &[u8], format: MeshFormat, with_uv: bool, budget: &Budget) -> Result<Loaded> {
+fn parse_within(
+    path: &Path,
+    bytes: &[u8],
+    format: MeshFormat,
+    with_uv: bool,
+    budget: &Budget,
+) -> Result<Loaded> {
     match (format, with_uv) {
         (MeshFormat::Ply, false) => ply::parse_any(path, bytes, budget),
         (MeshFormat::Obj, false) => obj::parse_any(path, bytes, budget),
@@ -116,9 +128,16 @@ pub fn parse_obj(path: &Path, bytes: &[u8]) -> Result<Loaded> {
 impl Loaded {
     /// Adds the warnings that any format can give rise to.
     fn new(path: &Path, mesh: TriangleMesh, mut warnings: Vec<Diagnostic>) -> Loaded {
-        let broken = mesh.vertices.par_iter().filter(|vertex| !vertex.is_finite()).count();
+        let broken = mesh
+            .vertices
+            .par_iter()
+            .filter(|vertex| !vertex.is_finite())
+            .count();
         if broken > 0 && !mesh.triangles.is_empty() {
-            let message = format!("{} with an infinite or NaN coordinate", tally::counted(broken as u64, "vertex"));
+            let message = format!(
+                "{} with an infinite or NaN coordinate",
+                tally::counted(broken as u64, "vertex")
+            );
             let warning = Diagnostic::new(message).at(SourceLocation::file(path));
             warnings.push(warning.note("triangles that use such a vertex are never hit"));
         }
@@ -131,13 +150,21 @@ impl Loaded {
 
 /// What the corners of `triangles` have where vertices have `uv`.
 pub fn uv_of_corners(triangles: &[[u32; 3]], uv: &[[f32; 2]]) -> Vec<CornerUv> {
-    triangles.par_iter().map(|corners| corners.map(|corner| uv[corner as usize])).collect()
+    triangles
+        .par_iter()
+        .map(|corners| corners.map(|corner| uv[corner as usize]))
+        .collect()
 }
 
 fn empty(path: &Path, vertices: usize) -> Diagnostic {
     let message = match vertices {
         0 => "the mesh is empty: it has no faces".to_string(),
-        _ => format!("the mesh has no faces, only {}", tally::counted(vertices as u64, "vertex")),
+        _ => format!(
+            "the mesh has no faces, only {}",
+            tally::counted(vertices as u64, "vertex")
+        ),
     };
-    Diagnostic::new(message).at(SourceLocation::file(path)).note("nothing of it can be hit")
+    Diagnostic::new(message)
+        .at(SourceLocation::file(path))
+        .note("nothing of it can be hit")
 }

@@ -40,18 +40,30 @@ pub fn triangulate(
     clipper: &mut Clipper<'_>,
     triangles: &mut Vec<[u32; 3]>,
 ) -> Result<()> {
-    if corners.len() <= 4 || !flatten(corners, vertices, &mut clipper.flat) || is_convex(&clipper.flat) {
+    if corners.len() <= 4
+        || !flatten(corners, vertices, &mut clipper.flat)
+        || is_convex(&clipper.flat)
+    {
         fan(corners, triangles);
         return Ok(());
     }
     if corners.len() > MOST_CORNERS {
         let message = format!("a face of {} corners that is not convex", corners.len());
-        return Err(refused(message, format!("at most {MOST_CORNERS} corners are supported")));
+        return Err(refused(
+            message,
+            format!("at most {MOST_CORNERS} corners are supported"),
+        ));
     }
     clipper.clip(corners, triangles).ok_or_else(|| {
-        let message = format!("the outline of a face of {} corners crosses itself too often", corners.len());
+        let message = format!(
+            "the outline of a face of {} corners crosses itself too often",
+            corners.len()
+        );
         let error = refused(message, "split the face into simple polygons".to_string());
-        clipper.budget.iter().fold(error, |error, budget| error.note(budget.advice()))
+        clipper
+            .budget
+            .iter()
+            .fold(error, |error, budget| error.note(budget.advice()))
     })
 }
 
@@ -85,7 +97,10 @@ fn flatten(corners: &[u32], vertices: &[Point], flat: &mut Vec<Flat>) -> bool {
         std::mem::swap(&mut u, &mut v);
     }
     flat.clear();
-    flat.extend((0..corners.len()).map(|at| Flat { u: corner(at)[u], v: corner(at)[v] }));
+    flat.extend((0..corners.len()).map(|at| Flat {
+        u: corner(at)[u],
+        v: corner(at)[v],
+    }));
     (0..corners.len()).all(|at| corner(at).is_finite())
 }
 
@@ -108,12 +123,15 @@ fn turn(a: Flat, b: Flat, c: Flat) -> f64 {
 /// Step 4.
 fn is_convex(flat: &[Flat]) -> bool {
     let around = |at: usize| flat[at % flat.len()];
-    (0..flat.len()).all(|at| turn(around(at), around(at + 1), around(at + 2)) >= 0.0) && goes_around_once(flat)
+    (0..flat.len()).all(|at| turn(around(at), around(at + 1), around(at + 2)) >= 0.0)
+        && goes_around_once(flat)
 }
 
 fn goes_around_once(flat: &[Flat]) -> bool {
     let edges = flat.iter().zip(flat.iter().cycle().skip(1));
-    let upwards = edges.filter(|(a, b)| a != b).map(|(a, b)| b.v > a.v || (b.v == a.v && b.u > a.u));
+    let upwards = edges
+        .filter(|(a, b)| a != b)
+        .map(|(a, b)| b.v > a.v || (b.v == a.v && b.u > a.u));
     let mut first = None;
     let mut last = None;
     let mut changes = 0;
@@ -145,7 +163,10 @@ pub struct Clipper<'a> {
 impl<'a> Clipper<'a> {
     /// A clipper of polygons that belong to a scene.
     pub(crate) fn within(budget: &'a Budget) -> Clipper<'a> {
-        Clipper { budget: Some(budget), ..Clipper::default() }
+        Clipper {
+            budget: Some(budget),
+            ..Clipper::default()
+        }
     }
 
     /// Steps 5 to 7; `None` when no more pairs may be looked at.
@@ -153,7 +174,9 @@ impl<'a> Clipper<'a> {
         self.begin();
         let before = self.pairs;
         let cut = self.cut_all(corners, triangles);
-        self.budget.iter().for_each(|budget| budget.charge_pairs(before - self.pairs));
+        self.budget
+            .iter()
+            .for_each(|budget| budget.charge_pairs(before - self.pairs));
         cut
     }
 
@@ -175,14 +198,17 @@ impl<'a> Clipper<'a> {
     fn begin(&mut self) {
         let count = self.flat.len();
         self.previous.clear();
-        self.previous.extend((0..count).map(|at| (at + count - 1) % count));
+        self.previous
+            .extend((0..count).map(|at| (at + count - 1) % count));
         self.next.clear();
         self.next.extend((0..count).map(|at| (at + 1) % count));
         self.blocked_by.clear();
         self.blocked_by.resize(count, None);
         self.is_cut.clear();
         self.is_cut.resize(count, false);
-        self.pairs = self.budget.map_or_else(|| pairs_of(count as u64), |budget| budget.pairs_left(count));
+        self.pairs = self
+            .budget
+            .map_or_else(|| pairs_of(count as u64), |budget| budget.pairs_left(count));
         self.collect_blockers();
     }
 
@@ -194,7 +220,11 @@ impl<'a> Clipper<'a> {
     }
 
     fn turn_at(&self, corner: usize) -> f64 {
-        turn(self.flat[self.previous[corner]], self.flat[corner], self.flat[self.next[corner]])
+        turn(
+            self.flat[self.previous[corner]],
+            self.flat[corner],
+            self.flat[self.next[corner]],
+        )
     }
 
     fn is_left_turn(&self, corner: usize) -> bool {
@@ -225,7 +255,10 @@ impl<'a> Clipper<'a> {
         if self.blocked_by[corner].is_some_and(|blocker| self.blocks(blocker as usize, corner)) {
             return Some(false);
         }
-        let found = self.blockers.iter().position(|blocker| self.blocks(*blocker, corner));
+        let found = self
+            .blockers
+            .iter()
+            .position(|blocker| self.blocks(*blocker, corner));
         self.blocked_by[corner] = found.map(|at| self.blockers[at] as u32);
         let looked_at = found.unwrap_or(self.blockers.len()) as u64;
         self.pairs = self.pairs.checked_sub(looked_at)?;
@@ -238,7 +271,10 @@ impl<'a> Clipper<'a> {
         let triangle = [self.previous[corner], corner, self.next[corner]].map(|at| self.flat[at]);
         let [a, b, c] = triangle;
         let outside = turn(a, b, point) < 0.0 || turn(b, c, point) < 0.0 || turn(c, a, point) < 0.0;
-        !outside && !triangle.contains(&point) && !self.is_cut[blocker] && !self.is_left_turn(blocker)
+        !outside
+            && !triangle.contains(&point)
+            && !self.is_cut[blocker]
+            && !self.is_left_turn(blocker)
     }
 
     fn cut(&mut self, corner: usize) {

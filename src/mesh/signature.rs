@@ -2,7 +2,10 @@
 
 /// First bytes, and what they are the mark of.
 const SIGNATURES: [(&[u8], &str); 17] = [
-    (b"version https://git-lfs.github.com/spec", "a Git LFS pointer: the mesh itself has not been fetched"),
+    (
+        b"version https://git-lfs.github.com/spec",
+        "a Git LFS pointer: the mesh itself has not been fetched",
+    ),
     (b"\xff\xfe", "UTF-16 text"),
     (b"\xfe\xff", "UTF-16 text"),
     (b"\x1f\x8b", "gzip data compressed twice"),
@@ -29,7 +32,10 @@ pub(super) fn describe(bytes: &[u8]) -> Option<&'static str> {
         return Some("an empty file");
     }
     // Text in ASCII characters of two bytes each, without the mark that tells their order.
-    if matches!(bytes, [0, 1..=127, 0, 1..=127, ..] | [1..=127, 0, 1..=127, 0, ..]) {
+    if matches!(
+        bytes,
+        [0, 1..=127, 0, 1..=127, ..] | [1..=127, 0, 1..=127, 0, ..]
+    ) {
         return Some("UTF-16 text");
     }
     let known = SIGNATURES.iter().find(|(mark, _)| bytes.starts_with(mark));

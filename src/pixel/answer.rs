@@ -48,15 +48,32 @@ impl Found {
 pub(super) fn answers(scene: &Scene, tree: &Aggregate, pixel: [u32; 2]) -> Result<Vec<Answer>> {
     let mut found: Vec<(Option<Precision>, &'static str, Option<Found>)> = Vec::new();
     for precision in Precision::ALL {
-        found.push((Some(precision), "alone", alone(scene, tree, pixel, precision)));
-        found.push((Some(precision), "in a tile", in_tile(scene, tree, pixel, precision)?));
+        found.push((
+            Some(precision),
+            "alone",
+            alone(scene, tree, pixel, precision),
+        ));
+        found.push((
+            Some(precision),
+            "in a tile",
+            in_tile(scene, tree, pixel, precision)?,
+        ));
     }
     for classic in [Classic::MoellerTrumbore, Classic::Watertight] {
-        found.push((None, Kernel::Classic(classic).name(), by_yardstick(scene, tree, pixel, classic)));
+        found.push((
+            None,
+            Kernel::Classic(classic).name(),
+            by_yardstick(scene, tree, pixel, classic),
+        ));
     }
     let exact = found[0].2;
     let off = |(a, b): (Found, Found)| [ulps_between(a.z, b.z), ulps_between(a.t, b.t)];
-    let answer = |(precision, way, found)| Answer { precision, way, found, ulps: exact.zip(found).map(off) };
+    let answer = |(precision, way, found)| Answer {
+        precision,
+        way,
+        found,
+        ulps: exact.zip(found).map(off),
+    };
     Ok(found.into_iter().map(answer).collect())
 }
 
@@ -68,7 +85,12 @@ fn alone(scene: &Scene, tree: &Aggregate, [x, y]: [u32; 2], precision: Precision
     Some(of_hit(scene, hit.primitive, depth))
 }
 
-fn by_yardstick(scene: &Scene, tree: &Aggregate, [x, y]: [u32; 2], classic: Classic) -> Option<Found> {
+fn by_yardstick(
+    scene: &Scene,
+    tree: &Aggregate,
+    [x, y]: [u32; 2],
+    classic: Classic,
+) -> Option<Found> {
     let mut tracer = Tracer::new(tree, &scene.shapes, Precision::Exact);
     let (primitive, depth) =
         Yardstick::new(classic, &scene.shapes).closest_hit(&mut tracer, &scene.camera.ray(x, y))?;
@@ -76,22 +98,46 @@ fn by_yardstick(scene: &Scene, tree: &Aggregate, [x, y]: [u32; 2], classic: Clas
 }
 
 fn of_hit(scene: &Scene, primitive: Placed, depth: Depth) -> Found {
-    let instance = primitive.instance().map_or(0, |instance| instance as u32 + 1);
-    Found { prim: scene.shapes.image_number(primitive), instance, z: depth.z, t: depth.t }
+    let instance = primitive
+        .instance()
+        .map_or(0, |instance| instance as u32 + 1);
+    Found {
+        prim: scene.shapes.image_number(primitive),
+        instance,
+        z: depth.z,
+        t: depth.t,
+    }
 }
 
 /// By an image of this pixel.
-fn in_tile(scene: &Scene, tree: &Aggregate, [x, y]: [u32; 2], precision: Precision) -> Result<Option<Found>> {
+fn in_tile(
+    scene: &Scene,
+    tree: &Aggregate,
+    [x, y]: [u32; 2],
+    precision: Precision,
+) -> Result<Option<Found>> {
     use ChannelName::{A, Instance, Prim, T, Z};
     let options = RenderOptions {
-        data_window: PixelBounds { x0: x, x1: x + 1, y0: y, y1: y + 1 },
+        data_window: PixelBounds {
+            x0: x,
+            x1: x + 1,
+            y0: y,
+            y1: y + 1,
+        },
         channels: vec![A, Z, T, Prim, Instance],
         precision,
         miss: f32::INFINITY,
         counted: false,
         level: Level::detect(),
     };
-    let image = render(&scene.camera, &scene.shapes, tree, &options, Progress::SILENT)?.image;
+    let image = render(
+        &scene.camera,
+        &scene.shapes,
+        tree,
+        &options,
+        Progress::SILENT,
+    )?
+    .image;
     Ok((measure(&image, A) != 0.0).then(|| Found {
         prim: number(&image, Prim),
         instance: number(&image, Instance),

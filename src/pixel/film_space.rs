@@ -20,14 +20,22 @@ impl<'a> FilmSpace<'a> {
     pub(super) fn new(camera: &'a Camera, pixel: [u32; 2]) -> Option<FilmSpace<'a>> {
         let camera_from_world = camera.world_from_camera.inverse();
         let centre = pixel.map(|place| f64::from(place) + 0.5);
-        camera_from_world.is_finite().then_some(FilmSpace { camera, camera_from_world, centre })
+        camera_from_world.is_finite().then_some(FilmSpace {
+            camera,
+            camera_from_world,
+            centre,
+        })
     }
 
     /// How far the centre of the pixel is from the nearest edge of a triangle, as far as that is before the eye.
     pub(super) fn distance(&self, triangle: &Triangle) -> Option<f64> {
-        let corners = triangle.0.map(|corner| self.camera_from_world.apply(corner));
+        let corners = triangle
+            .0
+            .map(|corner| self.camera_from_world.apply(corner));
         let edges = (0..3).filter_map(|k| self.distance_of_edge(corners[k], corners[(k + 1) % 3]));
-        edges.filter(|distance| distance.is_finite()).min_by(f64::total_cmp)
+        edges
+            .filter(|distance| distance.is_finite())
+            .min_by(f64::total_cmp)
     }
 
     fn distance_of_edge(&self, a: Point, b: Point) -> Option<f64> {
@@ -38,7 +46,11 @@ impl<'a> FilmSpace<'a> {
         let [a, b] = [cut(a, b, least)?, cut(b, a, least)?].map(|point| self.on_film(point));
         let along = [b[0] - a[0], b[1] - a[1]];
         let square = along[0] * along[0] + along[1] * along[1];
-        let share = if square > 0.0 { -(a[0] * along[0] + a[1] * along[1]) / square } else { 0.0 };
+        let share = if square > 0.0 {
+            -(a[0] * along[0] + a[1] * along[1]) / square
+        } else {
+            0.0
+        };
         let share = share.clamp(0.0, 1.0);
         Some((a[0] + share * along[0]).hypot(a[1] + share * along[1]))
     }
@@ -46,10 +58,15 @@ impl<'a> FilmSpace<'a> {
     /// Where a point in camera space is, in pixels from the centre.
     fn on_film(&self, point: Point) -> [f64; 2] {
         let [x, y] = match self.camera.projection {
-            Projection::Perspective { tangent } => [point.x, point.y].map(|place| place / (point.z * tangent)),
+            Projection::Perspective { tangent } => {
+                [point.x, point.y].map(|place| place / (point.z * tangent))
+            }
             Projection::Orthographic => [point.x, point.y],
         };
-        let (screen, [width, height]) = (&self.camera.screen_window, self.camera.resolution.map(f64::from));
+        let (screen, [width, height]) = (
+            &self.camera.screen_window,
+            self.camera.resolution.map(f64::from),
+        );
         let across = (x - screen.x0) / (screen.x1 - screen.x0) * width;
         let down = (y - screen.y1) / (screen.y0 - screen.y1) * height;
         [across - self.centre[0], down - self.centre[1]]

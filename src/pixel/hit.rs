@@ -32,7 +32,13 @@ pub struct HitDetails {
 }
 
 impl HitDetails {
-    pub(super) fn new(scene: &Scene, pixel: [u32; 2], ray: &Ray, primitive: Placed, depth: Depth) -> HitDetails {
+    pub(super) fn new(
+        scene: &Scene,
+        pixel: [u32; 2],
+        ray: &Ray,
+        primitive: Placed,
+        depth: Depth,
+    ) -> HitDetails {
         let shapes = &scene.shapes;
         let surface = shapes.surface(primitive);
         let z = surface.exact_t(ray).bracket();
@@ -57,7 +63,11 @@ fn normal(surface: &Surface, ray: &Ray, t: f64) -> Option<Vector> {
         Surface::Triangle(triangle) => normal_of_triangle(triangle, ray),
         Surface::Quadric(quadric) => {
             let normal = quadric.normal_at(ray, t);
-            Some(if normal.dot(ray.direction) > 0.0 { -normal } else { normal })
+            Some(if normal.dot(ray.direction) > 0.0 {
+                -normal
+            } else {
+                normal
+            })
         }
     }
 }
@@ -65,6 +75,10 @@ fn normal(surface: &Surface, ray: &Ray, t: f64) -> Option<Vector> {
 /// Made exactly and then rounded: slivers have normals, too.
 fn normal_of_triangle(triangle: &Triangle, ray: &Ray) -> Option<Vector> {
     let unit = triangle.exact_normal()?;
-    let is_away = triangle.exact_cross().dot(&ExactVector::from(ray.direction)).sign() == Ordering::Greater;
+    let is_away = triangle
+        .exact_cross()
+        .dot(&ExactVector::from(ray.direction))
+        .sign()
+        == Ordering::Greater;
     Some(if is_away { -unit } else { unit })
 }

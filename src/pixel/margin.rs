@@ -32,7 +32,9 @@ impl Margin {
                 barycentric: barycentric(triangle, ray),
                 on_film: FilmSpace::new(camera, pixel).and_then(|film| film.distance(triangle)),
             },
-            Surface::Quadric(quadric) => Margin::Quadric { clearance: quadric.clearance(ray) },
+            Surface::Quadric(quadric) => Margin::Quadric {
+                clearance: quadric.clearance(ray),
+            },
         }
     }
 

@@ -55,7 +55,8 @@ pub struct Explanation {
 pub fn explain(scene: &Scene, pixel: [u32; 2], builds: &[BuildOptions]) -> Result<Explanation> {
     let Scene { camera, shapes, .. } = scene;
     let ray = camera.ray(pixel[0], pixel[1]);
-    let tree = |build: BuildOptions| Aggregate::build(shapes, camera.anchor(), build, Progress::SILENT);
+    let tree =
+        |build: BuildOptions| Aggregate::build(shapes, camera.anchor(), build, Progress::SILENT);
     let cost = |tree: &Aggregate| {
         let mut work = Work::default();
         Tracer::new(tree, shapes, Precision::Exact).closest_hit_counted(&ray, &mut work);
@@ -70,12 +71,25 @@ pub fn explain(scene: &Scene, pixel: [u32; 2], builds: &[BuildOptions]) -> Resul
     let answers = answers(scene, &first, pixel)?;
     let mut costs = vec![(builds[0].method, cost(&first))];
     drop(first);
-    costs.extend(builds[1..].iter().map(|build| (build.method, cost(&tree(*build)))));
+    costs.extend(
+        builds[1..]
+            .iter()
+            .map(|build| (build.method, cost(&tree(*build)))),
+    );
     let scan = Scan::of(scene, pixel, &ray, hit.is_none());
     let is_judged = shapes.primitive_count() <= MAX_JUDGED;
     let judged = is_judged.then(|| reference::closest_hit(shapes, &ray));
     let contradictions = contradictions(hit.as_ref(), &answers, scan.as_ref(), judged);
-    Ok(Explanation { pixel, ray, hit, scan, answers, costs, is_judged, contradictions })
+    Ok(Explanation {
+        pixel,
+        ray,
+        hit,
+        scan,
+        answers,
+        costs,
+        is_judged,
+        contradictions,
+    })
 }
 
 fn contradictions(
@@ -85,14 +99,23 @@ fn contradictions(
     judged: Option<Option<ReferenceHit>>,
 ) -> Vec<String> {
     let mut found = Vec::new();
-    for answer in answers.iter().filter(|answer| answer.precision == Some(Precision::Exact)) {
+    for answer in answers
+        .iter()
+        .filter(|answer| answer.precision == Some(Precision::Exact))
+    {
         if answer.found.map(Found::bits) != answers[0].found.map(Found::bits) {
-            found.push(format!("exact {}: {:?} is not {:?}", answer.way, answer.found, answers[0].found));
+            found.push(format!(
+                "exact {}: {:?} is not {:?}",
+                answer.way, answer.found, answers[0].found
+            ));
         }
     }
     let primitive = hit.map(|hit| hit.primitive);
     if let Some(scan) = scan.filter(|scan| scan.first != primitive) {
-        found.push(format!("all primitives: {:?} is not {primitive:?}", scan.first));
+        found.push(format!(
+            "all primitives: {:?} is not {primitive:?}",
+            scan.first
+        ));
     }
     let expected = hit.map(|hit| (hit.primitive, hit.depth.z.to_bits(), hit.depth.t.to_bits()));
     if let Some(judged) = judged {

@@ -62,39 +62,80 @@ impl Scan {
         if shapes.primitive_count() > MAX_SCANNED {
             return None;
         }
-        let film = is_miss.then(|| FilmSpace::new(&scene.camera, pixel)).flatten();
+        let film = is_miss
+            .then(|| FilmSpace::new(&scene.camera, pixel))
+            .flatten();
         let filter_ray = ray.can_hit().then(|| FilterRay::new(ray));
         let look = |mut part: Part, (placed, surface): (Placed, Surface)| {
-            part.hits.extend(filter_ray.as_ref().and_then(|ray| meet(&surface, ray)).map(|t| (placed, t)));
+            part.hits.extend(
+                filter_ray
+                    .as_ref()
+                    .and_then(|ray| meet(&surface, ray))
+                    .map(|t| (placed, t)),
+            );
             if let (Surface::Triangle(triangle), Some(film)) = (&surface, &film) {
-                let missed = film.distance(triangle).map(|on_film| Missed { primitive: placed, on_film });
+                let missed = film.distance(triangle).map(|on_film| Missed {
+                    primitive: placed,
+                    on_film,
+                });
                 part.missed = closer(part.missed, missed, shapes);
             }
             part
         };
-        let part = all(shapes).fold(Part::default, look).reduce(Part::default, |mut part, other| {
-            part.hits.extend(other.hits);
-            Part { missed: closer(part.missed, other.missed, shapes), hits: part.hits }
-        });
-        let unmeasured =
-            if is_miss { all(shapes).filter(|(placed, _)| placed.primitive().is_sphere()).count() } else { 0 };
+        let part =
+            all(shapes)
+                .fold(Part::default, look)
+                .reduce(Part::default, |mut part, other| {
+                    part.hits.extend(other.hits);
+                    Part {
+                        missed: closer(part.missed, other.missed, shapes),
+                        hits: part.hits,
+                    }
+                });
+        let unmeasured = if is_miss {
+            all(shapes)
+                .filter(|(placed, _)| placed.primitive().is_sphere())
+                .count()
+        } else {
+            0
+        };
         let met = part.hits.len() as u64;
         let (first, next) = nearest_two(part.hits, shapes, ray);
-        Some(Scan { met, first, next, missed: part.missed, unmeasured: unmeasured as u64 })
+        Some(Scan {
+            met,
+            first,
+            next,
+            missed: part.missed,
+            unmeasured: unmeasured as u64,
+        })
     }
 }
 
 /// All primitives, where they are in the world.
 fn all(shapes: &Shapes) -> impl ParallelIterator<Item = (Placed, Surface)> {
-    let triangles = (0..shapes.triangle_count()).into_par_iter().map(Primitive::triangle);
-    let own = triangles.chain((0..shapes.sphere_count()).into_par_iter().map(Primitive::sphere)).map(Placed::alone);
+    let triangles = (0..shapes.triangle_count())
+        .into_par_iter()
+        .map(Primitive::triangle);
+    let own = triangles
+        .chain(
+            (0..shapes.sphere_count())
+                .into_par_iter()
+                .map(Primitive::sphere),
+        )
+        .map(Placed::alone);
     let instances = (0..shapes.instances().len()).into_par_iter();
     let instanced = instances.flat_map_iter(|instance| {
         let mut pose = shapes.pose(instance);
         let primitives = shapes.object_of(instance).shapes().primitives();
-        primitives.map(move |primitive| (Placed::in_instance(instance, primitive), pose.surface(primitive)))
+        primitives.map(move |primitive| {
+            (
+                Placed::in_instance(instance, primitive),
+                pose.surface(primitive),
+            )
+        })
     });
-    own.map(|placed| (placed, shapes.surface(placed))).chain(instanced)
+    own.map(|placed| (placed, shapes.surface(placed)))
+        .chain(instanced)
 }
 
 fn meet(surface: &Surface, ray: &FilterRay) -> Option<Bracket> {
@@ -117,7 +158,11 @@ fn closer(a: Option<Missed>, b: Option<Missed>, shapes: &Shapes) -> Option<Misse
 }
 
 /// The nearest hit and the one after it, by exact comparisons of those whose brackets leave a doubt.
-fn nearest_two(mut hits: Vec<(Placed, Bracket)>, shapes: &Shapes, ray: &Ray) -> (Option<Placed>, Option<Next>) {
+fn nearest_two(
+    mut hits: Vec<(Placed, Bracket)>,
+    shapes: &Shapes,
+    ray: &Ray,
+) -> (Option<Placed>, Option<Next>) {
     let mut ends: Vec<f64> = hits.iter().map(|(_, t)| t.high).collect();
     if ends.len() > 2 {
         let (_, second, _) = ends.select_nth_unstable_by(1, f64::total_cmp);
@@ -127,7 +172,10 @@ fn nearest_two(mut hits: Vec<(Placed, Bracket)>, shapes: &Shapes, ray: &Ray) -> 
     let mut best: Vec<(Root, Placed)> = Vec::with_capacity(3);
     for (placed, _) in hits {
         best.push((shapes.surface(placed).exact_t(ray), placed));
-        best.sort_by(|(a, p), (b, q)| a.cmp(b).then_with(|| shapes.number(*p).cmp(&shapes.number(*q))));
+        best.sort_by(|(a, p), (b, q)| {
+            a.cmp(b)
+                .then_with(|| shapes.number(*p).cmp(&shapes.number(*q)))
+        });
         best.truncate(2);
     }
     let next = match &best[..] {
@@ -135,8 +183,17 @@ fn nearest_two(mut hits: Vec<(Placed, Bracket)>, shapes: &Shapes, ray: &Ray) -> 
             let (z, before) = (second.bracket(), first.bracket());
             let middle = |t: &Bracket| t.low + (t.high - t.low) / 2.0;
             let is_tie = first.cmp(second) == Ordering::Equal;
-            let farther = if is_tie { 0.0 } else { middle(&z) - middle(&before) };
-            Some(Next { primitive: *primitive, z, farther, is_tie })
+            let farther = if is_tie {
+                0.0
+            } else {
+                middle(&z) - middle(&before)
+            };
+            Some(Next {
+                primitive: *primitive,
+                z,
+                farther,
+                is_tie,
+            })
         }
         _ => None,
     };

@@ -11,7 +11,10 @@ pub(super) struct Beam {
     direction: [Bracket; 3],
 }
 
-const ANYTHING: Bracket = Bracket { low: f64::NEG_INFINITY, high: f64::INFINITY };
+const ANYTHING: Bracket = Bracket {
+    low: f64::NEG_INFINITY,
+    high: f64::INFINITY,
+};
 
 impl Beam {
     /// Of the rays that pass the plane at distance 1 between `x` and `y`.
@@ -19,7 +22,12 @@ impl Beam {
     /// Rounding is monotone, so each component of a ray, as rule R5 computes it, goes up or down with x and with y; its extremes are
     /// at the corners.
     pub(super) fn new(camera: &Camera, x: Bracket, y: Bracket) -> Beam {
-        let corners = [[x.low, y.low], [x.low, y.high], [x.high, y.low], [x.high, y.high]];
+        let corners = [
+            [x.low, y.low],
+            [x.low, y.high],
+            [x.high, y.low],
+            [x.high, y.high],
+        ];
         let rays = corners.map(|corner| camera.ray_through(corner));
         let hull = |of: &dyn Fn(&Ray) -> f64| {
             let values = rays.each_ref().map(of);
@@ -40,7 +48,8 @@ impl Beam {
     /// Whether any of the rays may meet the box: false only where none does. Interval arithmetic, rounded outward; whatever is
     /// no number leaves everything open.
     pub(super) fn may_meet(&self, bounds: &Bounds) -> bool {
-        let way: [Bracket; 3] = std::array::from_fn(|k| minus(bounds.low[k], bounds.high[k], &self.origin[k]));
+        let way: [Bracket; 3] =
+            std::array::from_fn(|k| minus(bounds.low[k], bounds.high[k], &self.origin[k]));
         let mut t = Bracket::POSITIVE;
         for (way, direction) in way.iter().zip(&self.direction) {
             let (enter, exit) = crossing(way, direction);
@@ -49,7 +58,8 @@ impl Beam {
         // An axis along which rays go either way says nothing about t, but t says how far they get.
         let is_reached = |(way, direction): (&Bracket, &Bracket)| {
             let reach = |speed: f64| if speed == 0.0 { 0.0 } else { t.high * speed };
-            let misses = reach(direction.low).next_down() > way.high || reach(direction.high).next_up() < way.low;
+            let misses = reach(direction.low).next_down() > way.high
+                || reach(direction.high).next_up() < way.low;
             !(goes_either_way(direction) && misses)
         };
         // Neither end is ever a NaN: `max` and `min` pass over them.
@@ -63,7 +73,10 @@ fn goes_either_way(direction: &Bracket) -> bool {
 
 /// From any of the origins to any place between `low` and `high`.
 fn minus(low: f64, high: f64, origin: &Bracket) -> Bracket {
-    Bracket { low: (low - origin.high).next_down(), high: (high - origin.low).next_up() }
+    Bracket {
+        low: (low - origin.high).next_down(),
+        high: (high - origin.low).next_up(),
+    }
 }
 
 /// The `t` at which rays can be in a slab: after the first, before the second.
@@ -74,10 +87,29 @@ fn crossing(way: &Bracket, direction: &Bracket) -> (f64, f64) {
     // Mirrored, if need be, so that rays go up.
     let (way, direction) = match direction.low > 0.0 {
         true => (*way, *direction),
-        false => (Bracket { low: -way.high, high: -way.low }, Bracket { low: -direction.high, high: -direction.low }),
+        false => (
+            Bracket {
+                low: -way.high,
+                high: -way.low,
+            },
+            Bracket {
+                low: -direction.high,
+                high: -direction.low,
+            },
+        ),
     };
-    let enter = way.low / if way.low > 0.0 { direction.high } else { direction.low };
-    let exit = way.high / if way.high > 0.0 { direction.low } else { direction.high };
+    let enter = way.low
+        / if way.low > 0.0 {
+            direction.high
+        } else {
+            direction.low
+        };
+    let exit = way.high
+        / if way.high > 0.0 {
+            direction.low
+        } else {
+            direction.high
+        };
     (enter.next_down(), exit.next_up())
 }
 
@@ -127,21 +159,41 @@ mod tests {
     #[test]
     fn rules_out_what_is_beside_behind_and_too_far_up() {
         let camera = camera(Projection::perspective(90.0), Matrix::IDENTITY);
-        let beam = Beam::new(&camera, Bracket { low: -0.1, high: 0.1 }, Bracket { low: -0.1, high: 0.1 });
+        let beam = Beam::new(
+            &camera,
+            Bracket {
+                low: -0.1,
+                high: 0.1,
+            },
+            Bracket {
+                low: -0.1,
+                high: 0.1,
+            },
+        );
         let cube = |x: f64, y: f64, z: f64| Bounds {
             low: Point::new(x - 0.1, y - 0.1, z - 0.1),
             high: Point::new(x + 0.1, y + 0.1, z + 0.1),
         };
         assert!(beam.may_meet(&cube(0.0, 0.0, 2.0)) && beam.may_meet(&cube(0.25, -0.25, 2.0)));
-        let missed = [cube(0.35, 0.0, 2.0), cube(0.0, -0.35, 2.0), cube(0.0, 0.0, -2.0)];
+        let missed = [
+            cube(0.35, 0.0, 2.0),
+            cube(0.0, -0.35, 2.0),
+            cube(0.0, 0.0, -2.0),
+        ];
         assert!(missed.iter().all(|bounds| !beam.may_meet(bounds)));
     }
 
     #[test]
     fn what_is_no_number_leaves_everything_open() {
-        let broken = camera(Projection::perspective(90.0), Matrix::scale([f64::NAN, 1.0, 1.0]));
+        let broken = camera(
+            Projection::perspective(90.0),
+            Matrix::scale([f64::NAN, 1.0, 1.0]),
+        );
         let beam = Beam::new(&broken, Bracket::exactly(0.5), Bracket::exactly(0.5));
-        let far = Bounds { low: Point::new(90.0, 0.0, 1.0), high: Point::new(91.0, 1.0, 2.0) };
+        let far = Bounds {
+            low: Point::new(90.0, 0.0, 1.0),
+            high: Point::new(91.0, 1.0, 2.0),
+        };
         assert!(beam.may_meet(&far));
     }
 }

@@ -20,7 +20,10 @@ fn meet_triangle(triangle: &Triangle, ray: &Ray) -> Option<Root> {
     }
     let corners = triangle.0.map(ExactVector::from);
     let [a, b, c] = &corners;
-    let (origin, direction) = (ExactVector::from(ray.origin), ExactVector::from(ray.direction));
+    let (origin, direction) = (
+        ExactVector::from(ray.origin),
+        ExactVector::from(ray.direction),
+    );
     let normal = b.minus(a).cross(&c.minus(a));
     let slope = normal.dot(&direction);
     if slope.is_zero() {
@@ -42,8 +45,13 @@ fn meet_triangle(triangle: &Triangle, ray: &Ray) -> Option<Root> {
 
 /// Rules E2, E5 and E6.
 fn meet_quadric(quadric: &Quadric, ray: &Ray) -> Option<Root> {
-    let Quadric { world_from_object: m, radius, form } = quadric;
-    if !(m.is_finite() && radius.is_finite() && *radius > 0.0) || determinant(&columns(m)).is_zero() {
+    let Quadric {
+        world_from_object: m,
+        radius,
+        form,
+    } = quadric;
+    if !(m.is_finite() && radius.is_finite() && *radius > 0.0) || determinant(&columns(m)).is_zero()
+    {
         return None;
     }
     match form {
@@ -82,7 +90,9 @@ fn meet_sphere(m: &Matrix, radius: f64, cut: Option<&Cut>, ray: &Ray) -> Option<
             })
         })
     };
-    roots.into_iter().find(|t| t.sign() == Greater && is_there(t))
+    roots
+        .into_iter()
+        .find(|t| t.sign() == Greater && is_there(t))
 }
 
 /// Rule E5 by Cramer's rule: a coordinate is the determinant with that column replaced, over the determinant.
@@ -107,19 +117,29 @@ fn meet_cylinder(m: &Matrix, radius: f64, cut: &Cut, ray: &Ray) -> Option<Root> 
     let roots = Root::of_quadratic(&a, &across(&start, &step), &c)?;
     let is_there = |t: &Root| {
         is_left(cut, |weights, offset| {
-            let sum = |of: &[Dyadic; 3]| ExactVector::from(weights).dot(&ExactVector::new(of.clone()));
+            let sum =
+                |of: &[Dyadic; 3]| ExactVector::from(weights).dot(&ExactVector::new(of.clone()));
             let offset = &Dyadic::from(offset) * &below;
             let sign = t.sign_of_linear(&(&sum(&start) - &offset), &sum(&step));
-            if below.sign() == Less { sign.reverse() } else { sign }
+            if below.sign() == Less {
+                sign.reverse()
+            } else {
+                sign
+            }
         })
     };
-    roots.into_iter().find(|t| t.sign() == Greater && is_there(t))
+    roots
+        .into_iter()
+        .find(|t| t.sign() == Greater && is_there(t))
 }
 
 /// Rule E6 in the world: where the ray crosses the plane, a point is x and y times the first two columns, which the normal tells.
 fn meet_disk(m: &Matrix, radius: f64, disk: &Disk, ray: &Ray) -> Option<Root> {
     let [x, y, z] = columns(m);
-    let (origin, direction) = (ExactVector::from(ray.origin), ExactVector::from(ray.direction));
+    let (origin, direction) = (
+        ExactVector::from(ray.origin),
+        ExactVector::from(ray.direction),
+    );
     let middle = ExactVector::from(m.column(3)).plus(&z.times(&Dyadic::from(disk.height)));
     let normal = x.cross(&y);
     let slope = normal.dot(&direction);
@@ -131,7 +151,10 @@ fn meet_disk(m: &Matrix, radius: f64, disk: &Disk, ray: &Ray) -> Option<Root> {
         return None;
     }
     // From the middle to the point, times the slope; x and y times the slope and the square of the normal.
-    let point = origin.minus(&middle).times(&slope).plus(&direction.times(&height));
+    let point = origin
+        .minus(&middle)
+        .times(&slope)
+        .plus(&direction.times(&height));
     let coordinates = [point.cross(&y).dot(&normal), x.cross(&point).dot(&normal)];
     let distance = &coordinates[0].square() + &coordinates[1].square();
     let unit = (&slope * &normal.dot(&normal)).square();
@@ -140,10 +163,13 @@ fn meet_disk(m: &Matrix, radius: f64, disk: &Disk, ray: &Ray) -> Option<Root> {
         return None;
     }
     let sign = |weights: [f64; 3]| {
-        let sum = &(&Dyadic::from(weights[0]) * &coordinates[0]) + &(&Dyadic::from(weights[1]) * &coordinates[1]);
+        let sum = &(&Dyadic::from(weights[0]) * &coordinates[0])
+            + &(&Dyadic::from(weights[1]) * &coordinates[1]);
         (&sum * &slope).sign()
     };
-    disk.sector.is_none_or(|sector| is_in_sector(&sector, sign)).then(|| Root::ratio(height, slope))
+    disk.sector
+        .is_none_or(|sector| is_in_sector(&sector, sign))
+        .then(|| Root::ratio(height, slope))
 }
 
 /// Whether a cut leaves the point of which `sign` tells the sign of `weights . q - offset`.
@@ -151,7 +177,8 @@ fn is_left(cut: &Cut, sign: impl Fn([f64; 3], f64) -> Ordering) -> bool {
     if sign([0.0, 0.0, 1.0], cut.z_min) == Less || sign([0.0, 0.0, 1.0], cut.z_max) == Greater {
         return false;
     }
-    cut.sector.is_none_or(|sector| is_in_sector(&sector, |weights| sign(weights, 0.0)))
+    cut.sector
+        .is_none_or(|sector| is_in_sector(&sector, |weights| sign(weights, 0.0)))
 }
 
 /// Whether a sector holds the point of which `sign` tells the sign of `weights . q`.
@@ -160,7 +187,10 @@ fn is_in_sector(sector: &Sector, sign: impl Fn([f64; 3]) -> Ordering) -> bool {
     // tells which of two comes first.
     let half = |x, y| y == Less || (y == Equal && x == Less);
     let of_point = half(sign([1.0, 0.0, 0.0]), sign([0.0, 1.0, 0.0]));
-    let of_end = half(Dyadic::from(sector.cosine).sign(), Dyadic::from(sector.sine).sign());
+    let of_end = half(
+        Dyadic::from(sector.cosine).sign(),
+        Dyadic::from(sector.sine).sign(),
+    );
     if of_point != of_end {
         return of_end;
     }

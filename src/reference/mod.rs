@@ -34,16 +34,24 @@ pub fn closest_hit(shapes: &Shapes, ray: &Ray) -> Option<ReferenceHit> {
 }
 
 /// The nearest hit among some of the primitives.
-fn closest_hit_among(primitives: impl Iterator<Item = Placed>, shapes: &Shapes, ray: &Ray) -> Option<ReferenceHit> {
+fn closest_hit_among(
+    primitives: impl Iterator<Item = Placed>,
+    shapes: &Shapes,
+    ray: &Ray,
+) -> Option<ReferenceHit> {
     if !ray.can_hit() {
         return None;
     }
-    let hits = primitives.filter_map(|placed| Some((intersect(&shapes.surface(placed), ray)?, placed)));
+    let hits =
+        primitives.filter_map(|placed| Some((intersect(&shapes.surface(placed), ray)?, placed)));
     let number = |placed: &Placed| shapes.number(*placed);
-    let (root, primitive) = hits.min_by(|(a, p), (b, q)| a.cmp(b).then(number(p).cmp(&number(q))))?;
+    let (root, primitive) =
+        hits.min_by(|(a, p), (b, q)| a.cmp(b).then(number(p).cmp(&number(q))))?;
     let direction = ExactVector::from(ray.direction);
     let square = direction.dot(&direction);
     let z = nearest_f32(&Bracket::POSITIVE, |x| root.compare_with(x));
-    let t = nearest_f32(&Bracket::POSITIVE, |x| root.times_root_compare_with(&square, x));
+    let t = nearest_f32(&Bracket::POSITIVE, |x| {
+        root.times_root_compare_with(&square, x)
+    });
     Some(ReferenceHit { primitive, z, t })
 }

@@ -25,7 +25,12 @@ const SHORT: usize = 1 << 14;
 ///
 /// # Panics
 /// Where there are more than [`MAX_PRIMITIVES`].
-pub fn answers(camera: &Camera, shapes: &Shapes, pixels: &[[u32; 2]], progress: Progress) -> Vec<Option<ReferenceHit>> {
+pub fn answers(
+    camera: &Camera,
+    shapes: &Shapes,
+    pixels: &[[u32; 2]],
+    progress: Progress,
+) -> Vec<Option<ReferenceHit>> {
     by_area(camera, shapes, pixels, |[x, y], primitives| {
         progress.advance(1);
         closest_hit_among(primitives.iter().copied(), shapes, &camera.ray(x, y))
@@ -44,21 +49,37 @@ fn by_area<T: Send + Clone>(
     pixels: &[[u32; 2]],
     visit: impl Fn([u32; 2], &[Placed]) -> T + Sync,
 ) -> Vec<T> {
-    assert!(shapes.primitive_count() <= MAX_PRIMITIVES, "too many primitives for one list");
+    assert!(
+        shapes.primitive_count() <= MAX_PRIMITIVES,
+        "too many primitives for one list"
+    );
     let [width, height] = camera.resolution;
     let sorter = Sorter {
         shapes,
         camera,
-        columns: (0..width).map(|x| camera.plane_coordinates(x, 0)[0]).collect(),
-        rows: (0..height).map(|y| camera.plane_coordinates(0, y)[1]).collect(),
+        columns: (0..width)
+            .map(|x| camera.plane_coordinates(x, 0)[0])
+            .collect(),
+        rows: (0..height)
+            .map(|y| camera.plane_coordinates(0, y)[1])
+            .collect(),
         visit,
     };
     let mut answers: Vec<Option<T>> = vec![None; pixels.len()];
-    let mut pending: Vec<Pixel<T>> =
-        answers.iter_mut().zip(pixels).map(|(answer, pixel)| Pixel { place: *pixel, answer }).collect();
+    let mut pending: Vec<Pixel<T>> = answers
+        .iter_mut()
+        .zip(pixels)
+        .map(|(answer, pixel)| Pixel {
+            place: *pixel,
+            answer,
+        })
+        .collect();
     let all: Vec<Placed> = shapes.all().collect();
     sorter.sort(PixelBounds::of_film(width, height), &mut pending, &all);
-    answers.into_iter().map(|answer| answer.expect("every pixel lies in some part of the film")).collect()
+    answers
+        .into_iter()
+        .map(|answer| answer.expect("every pixel lies in some part of the film"))
+        .collect()
 }
 
 /// A pixel, and where its answer goes.
@@ -79,33 +100,56 @@ struct Sorter<'a, F> {
 
 impl<F> Sorter<'_, F> {
     /// Answers all `pixels`, which lie in `area`, by the `primitives` that rays through it may meet.
-    fn sort<T: Send + Clone>(&self, area: PixelBounds, pixels: &mut [Pixel<T>], primitives: &[Placed])
-    where
+    fn sort<T: Send + Clone>(
+        &self,
+        area: PixelBounds,
+        pixels: &mut [Pixel<T>],
+        primitives: &[Placed],
+    ) where
         F: Fn([u32; 2], &[Placed]) -> T + Sync,
     {
-        let Some(first) = pixels.first().map(|pixel| pixel.place) else { return };
+        let Some(first) = pixels.first().map(|pixel| pixel.place) else {
+            return;
+        };
         // Where one pixel is left, its own rectangle tells the most.
         let is_one = pixels.iter().all(|pixel| pixel.place == first);
         let area = match is_one {
-            true => PixelBounds { x0: first[0], x1: first[0] + 1, y0: first[1], y1: first[1] + 1 },
+            true => PixelBounds {
+                x0: first[0],
+                x1: first[0] + 1,
+                y0: first[1],
+                y1: first[1] + 1,
+            },
             false => area,
         };
         let met = self.met(&area, primitives);
         if is_one {
             let answer = (self.visit)(first, &met);
-            return pixels.iter_mut().for_each(|pixel| *pixel.answer = Some(answer.clone()));
+            return pixels
+                .iter_mut()
+                .for_each(|pixel| *pixel.answer = Some(answer.clone()));
         }
         let (axis, middle) = match area.width() >= area.height() {
             true => (0, area.x0 + area.width() / 2),
             false => (1, area.y0 + area.height() / 2),
         };
         let (low, high) = match axis {
-            0 => (PixelBounds { x1: middle, ..area }, PixelBounds { x0: middle, ..area }),
-            _ => (PixelBounds { y1: middle, ..area }, PixelBounds { y0: middle, ..area }),
+            0 => (
+                PixelBounds { x1: middle, ..area },
+                PixelBounds { x0: middle, ..area },
+            ),
+            _ => (
+                PixelBounds { y1: middle, ..area },
+                PixelBounds { y0: middle, ..area },
+            ),
         };
         pixels.sort_by_key(|pixel| pixel.place[axis] >= middle);
-        let (before, after) = pixels.split_at_mut(pixels.partition_point(|pixel| pixel.place[axis] < middle));
-        rayon::join(|| self.sort(low, before, &met), || self.sort(high, after, &met));
+        let (before, after) =
+            pixels.split_at_mut(pixels.partition_point(|pixel| pixel.place[axis] < middle));
+        rayon::join(
+            || self.sort(low, before, &met),
+            || self.sort(high, after, &met),
+        );
     }
 
     /// Those of the `primitives` that a ray through `area` may meet.
@@ -135,7 +179,13 @@ fn bounds_of(surface: &Surface) -> Bounds {
 
 /// The box in object space is taken to the world: along an axis it reaches as far as the absolute values of its half widths add up
 /// to, times those of the matrix. A factor makes up for all roundings.
-fn bounds_of_quadric(Quadric { world_from_object: m, radius, form }: &Quadric) -> Bounds {
+fn bounds_of_quadric(
+    Quadric {
+        world_from_object: m,
+        radius,
+        form,
+    }: &Quadric,
+) -> Bounds {
     let [low, high] = match form {
         Form::Sphere(_) => [-radius, *radius],
         Form::Cylinder(cut) => [cut.z_min, cut.z_max],
@@ -152,5 +202,8 @@ fn bounds_of_quadric(Quadric { world_from_object: m, radius, form }: &Quadric) -
         let at = |k: usize| m.rows[k][3] + sign * reach(k);
         Point::new(at(0), at(1), at(2))
     };
-    Bounds { low: corner(-1.0), high: corner(1.0) }
+    Bounds {
+        low: corner(-1.0),
+        high: corner(1.0),
+    }
 }

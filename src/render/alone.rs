@@ -24,14 +24,19 @@ impl Alone<'_> {
     /// Casts every ray.
     pub(super) fn count(&self) -> Traced {
         let PixelBounds { y0, y1, .. } = self.window;
-        (y0..y1).into_par_iter().map(|y| self.cast_row(y, |_, _| ())).reduce(Traced::default, Traced::plus)
+        (y0..y1)
+            .into_par_iter()
+            .map(|y| self.cast_row(y, |_, _| ()))
+            .reduce(Traced::default, Traced::plus)
     }
 
     /// Casts every ray and puts into `costs`, one for each pixel of the window, the nodes and primitives that it tested.
     pub(super) fn fill(&self, costs: &mut [u32]) -> Traced {
         let rows = (self.window.y0..self.window.y1).into_par_iter();
         let costs = costs.par_chunks_mut(self.window.width() as usize);
-        let traced = rows.zip(costs).map(|(y, row)| self.cast_row(y, |x, work| row[x] = cost(work)));
+        let traced = rows
+            .zip(costs)
+            .map(|(y, row)| self.cast_row(y, |x, work| row[x] = cost(work)));
         traced.reduce(Traced::default, Traced::plus)
     }
 
@@ -41,12 +46,20 @@ impl Alone<'_> {
         let (mut hits, mut sum) = (0, Work::default());
         for (place, x) in (self.window.x0..self.window.x1).enumerate() {
             let mut work = Work::default();
-            hits += u64::from(tracer.closest_hit_counted(&self.camera.ray(x, y), &mut work).is_some());
+            hits += u64::from(
+                tracer
+                    .closest_hit_counted(&self.camera.ray(x, y), &mut work)
+                    .is_some(),
+            );
             each(place, work);
             sum += work;
         }
         self.progress.advance(self.window.width() as usize);
-        Traced { hits, work: Some(sum), fallbacks: tracer.fallbacks() }
+        Traced {
+            hits,
+            work: Some(sum),
+            fallbacks: tracer.fallbacks(),
+        }
     }
 }
 
@@ -61,7 +74,19 @@ mod tests {
 
     #[test]
     fn a_cost_beyond_the_channel_is_the_most_it_holds() {
-        assert_eq!(cost(Work { nodes: 3, primitives: 4 }), 7);
-        assert_eq!(cost(Work { nodes: 1, primitives: u64::from(u32::MAX) }), u32::MAX);
+        assert_eq!(
+            cost(Work {
+                nodes: 3,
+                primitives: 4
+            }),
+            7
+        );
+        assert_eq!(
+            cost(Work {
+                nodes: 1,
+                primitives: u64::from(u32::MAX)
+            }),
+            u32::MAX
+        );
     }
 }

@@ -49,7 +49,10 @@ impl RenderOptions {
             precision: self.precision,
             with_z: self.wants(ChannelName::Z),
             with_t: self.wants(ChannelName::T),
-            with_primitives: self.channels.iter().any(|channel| channel.is_number_of_hit() || channel.is_of_surface()),
+            with_primitives: self
+                .channels
+                .iter()
+                .any(|channel| channel.is_number_of_hit() || channel.is_of_surface()),
             miss: self.miss,
             level: self.level,
         }
@@ -90,7 +93,11 @@ pub fn render(
 pub fn blank_image(camera: &Camera, options: &RenderOptions) -> Result<Image> {
     let [width, height] = camera.resolution;
     let channels = allocate(&options.channels, &options.data_window)?;
-    Ok(Image { display_window: (width, height), data_window: options.data_window, channels })
+    Ok(Image {
+        display_window: (width, height),
+        data_window: options.data_window,
+        channels,
+    })
 }
 
 /// What came of the rays of an image.
@@ -125,31 +132,54 @@ pub fn render_into(
     options: &RenderOptions,
     progress: Progress,
 ) -> Traced {
-    let (costs, channels): (Vec<_>, Vec<_>) =
-        image.channels.iter_mut().partition(|channel| channel.name == ChannelName::Cost);
+    let (costs, channels): (Vec<_>, Vec<_>) = image
+        .channels
+        .iter_mut()
+        .partition(|channel| channel.name == ChannelName::Cost);
     let alone = |precision, progress| {
         let window = options.data_window;
-        Alone { camera, shapes, aggregate, window, precision, progress }
+        Alone {
+            camera,
+            shapes,
+            aggregate,
+            window,
+            precision,
+            progress,
+        }
     };
     // Hits are known on the way: whoever wants nothing but costs needs no tiles.
     let by_tiles = (!channels.is_empty() || costs.is_empty()).then(|| {
         let tiles = Tiles::new(camera, shapes, aggregate, options.of_tiles());
-        let renderer = Renderer { camera, shapes, options, progress };
+        let renderer = Renderer {
+            camera,
+            shapes,
+            options,
+            progress,
+        };
         renderer.fill_all(&tiles, segments_of(channels, &options.data_window))
     });
-    let by_cost = costs.into_iter().find_map(|channel| match &mut channel.samples {
-        Samples::U32(costs) => {
-            let progress = if by_tiles.is_some() { Progress::SILENT } else { progress };
-            Some(alone(Precision::Exact, progress).fill(costs))
-        }
-        Samples::F32(_) => None,
-    });
+    let by_cost = costs
+        .into_iter()
+        .find_map(|channel| match &mut channel.samples {
+            Samples::U32(costs) => {
+                let progress = if by_tiles.is_some() {
+                    Progress::SILENT
+                } else {
+                    progress
+                };
+                Some(alone(Precision::Exact, progress).fill(costs))
+            }
+            Samples::F32(_) => None,
+        });
     let work = match &by_cost {
         _ if !options.counted => None,
         Some(traced) if options.precision == Precision::Exact => traced.work,
         _ => alone(options.precision, Progress::SILENT).count().work,
     };
-    Traced { work, ..by_tiles.or(by_cost).unwrap_or_default() }
+    Traced {
+        work,
+        ..by_tiles.or(by_cost).unwrap_or_default()
+    }
 }
 
 const IN_PARTS: &str = "render it in parts, with --pixelbounds";
@@ -170,14 +200,24 @@ pub(crate) fn allocate(names: &[ChannelName], window: &PixelBounds) -> Result<Ve
     };
     let bytes = (names.len() * size_of::<f32>()) as u64 * count as u64;
     // To write the file takes some more.
-    memory::check(bytes.saturating_add(bytes / 8), message).map_err(|error| error.note(IN_PARTS))?;
+    memory::check(bytes.saturating_add(bytes / 8), message)
+        .map_err(|error| error.note(IN_PARTS))?;
     // All of them before the first is touched, so that too much is refused at once.
     let reserve = |name: &ChannelName| {
-        let samples =
-            if name.is_integer() { reserved(count).map(Samples::U32) } else { reserved(count).map(Samples::F32) };
-        Ok(Channel { name: *name, samples: samples.map_err(|_| too_large(ErrorKind::TryAgain))? })
+        let samples = if name.is_integer() {
+            reserved(count).map(Samples::U32)
+        } else {
+            reserved(count).map(Samples::F32)
+        };
+        Ok(Channel {
+            name: *name,
+            samples: samples.map_err(|_| too_large(ErrorKind::TryAgain))?,
+        })
     };
-    let mut channels = names.iter().map(reserve).collect::<Result<Vec<Channel>>>()?;
+    let mut channels = names
+        .iter()
+        .map(reserve)
+        .collect::<Result<Vec<Channel>>>()?;
     // Now that there is room, memory that the system clears when it is first touched: by the threads, then. What was reserved is
     // given back first, so that no channel is there twice.
     for channel in &mut channels {
@@ -213,7 +253,10 @@ impl Renderer<'_> {
     /// Traces the tiles of all segments, on all threads.
     fn fill_all(&self, tiles: &Tiles, segments: Vec<Segment>) -> Traced {
         let segments = segments.into_par_iter();
-        let traced = segments.map_init(|| tiles.tracer(), |tracer, segment| self.fill(tracer, segment));
+        let traced = segments.map_init(
+            || tiles.tracer(),
+            |tracer, segment| self.fill(tracer, segment),
+        );
         traced.reduce(Traced::default, Traced::plus)
     }
 
@@ -222,19 +265,33 @@ impl Renderer<'_> {
         let PixelBounds { x0, x1, y0, y1 } = segment.bounds;
         let before = tracer.fallbacks();
         let first_row = y0 / TILE * TILE;
-        let mut surface = SurfaceTile::of_channels(&self.options.channels, self.camera, self.shapes);
+        let mut surface =
+            SurfaceTile::of_channels(&self.options.channels, self.camera, self.shapes);
         let mut hits = 0;
         for first_column in (x0 / TILE * TILE..x1).step_by(TILE as usize) {
             let traced = tracer.trace([first_column, first_row], &self.options.data_window);
             let columns = [x0.max(first_column), x1.min(first_column + TILE)];
-            let (within, rows) = (columns.map(|x| x - first_column), [y0 - first_row, y1 - first_row]);
+            let (within, rows) = (
+                columns.map(|x| x - first_column),
+                [y0 - first_row, y1 - first_row],
+            );
             hits += traced.hits_within(within, rows);
             if let Some(surface) = &mut surface {
                 surface.fill(traced, [first_column, first_row], within, rows);
             }
-            segment.put(traced, surface.as_ref(), [first_column, first_row], columns, self.shapes);
+            segment.put(
+                traced,
+                surface.as_ref(),
+                [first_column, first_row],
+                columns,
+                self.shapes,
+            );
         }
         self.progress.advance(segment.bounds.area() as usize);
-        Traced { hits, work: None, fallbacks: tracer.fallbacks().since(&before) }
+        Traced {
+            hits,
+            work: None,
+            fallbacks: tracer.fallbacks().since(&before),
+        }
     }
 }

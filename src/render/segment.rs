@@ -23,26 +23,48 @@ enum Rows<'a> {
 
 /// Cuts between `low` and `high` at the multiples of `step`.
 fn cuts(low: u32, high: u32, step: u32) -> Vec<[u32; 2]> {
-    (low / step * step..high).step_by(step as usize).map(|at| [at.max(low), (at + step).min(high)]).collect()
+    (low / step * step..high)
+        .step_by(step as usize)
+        .map(|at| [at.max(low), (at + step).min(high)])
+        .collect()
 }
 
 /// All of `window`, whose samples the channels hold, in segments. Tiles know what these channels want.
-pub(super) fn segments_of<'a>(channels: Vec<&'a mut Channel>, window: &PixelBounds) -> Vec<Segment<'a>> {
+pub(super) fn segments_of<'a>(
+    channels: Vec<&'a mut Channel>,
+    window: &PixelBounds,
+) -> Vec<Segment<'a>> {
     let columns = cuts(window.x0, window.x1, WIDTH);
     let rows = cuts(window.y0, window.y1, TILE);
-    let bounds = rows
-        .iter()
-        .flat_map(|[y0, y1]| columns.iter().map(|[x0, x1]| PixelBounds { x0: *x0, x1: *x1, y0: *y0, y1: *y1 }));
-    let mut segments: Vec<Segment> = bounds.map(|bounds| Segment { bounds, channels: Vec::new() }).collect();
+    let bounds = rows.iter().flat_map(|[y0, y1]| {
+        columns.iter().map(|[x0, x1]| PixelBounds {
+            x0: *x0,
+            x1: *x1,
+            y0: *y0,
+            y1: *y1,
+        })
+    });
+    let mut segments: Vec<Segment> = bounds
+        .map(|bounds| Segment {
+            bounds,
+            channels: Vec::new(),
+        })
+        .collect();
     for channel in channels {
         match &mut channel.samples {
             Samples::F32(values) => {
-                for (segment, rows) in segments.iter_mut().zip(divide(values, window, &columns, &rows)) {
+                for (segment, rows) in segments
+                    .iter_mut()
+                    .zip(divide(values, window, &columns, &rows))
+                {
                     segment.channels.push((channel.name, Rows::F32(rows)));
                 }
             }
             Samples::U32(values) => {
-                for (segment, rows) in segments.iter_mut().zip(divide(values, window, &columns, &rows)) {
+                for (segment, rows) in segments
+                    .iter_mut()
+                    .zip(divide(values, window, &columns, &rows))
+                {
                     segment.channels.push((channel.name, Rows::U32(rows)));
                 }
             }
@@ -58,7 +80,9 @@ fn divide<'a, T>(
     columns: &[[u32; 2]],
     rows: &[[u32; 2]],
 ) -> Vec<Vec<&'a mut [T]>> {
-    let mut divided: Vec<Vec<&mut [T]>> = (0..columns.len() * rows.len()).map(|_| Vec::new()).collect();
+    let mut divided: Vec<Vec<&mut [T]>> = (0..columns.len() * rows.len())
+        .map(|_| Vec::new())
+        .collect();
     let mut lines = values.chunks_mut(window.width() as usize);
     for (down, [y0, y1]) in rows.iter().enumerate() {
         for line in lines.by_ref().take((y1 - y0) as usize) {
@@ -84,7 +108,12 @@ impl Segment<'_> {
         columns: [u32; 2],
         shapes: &Shapes,
     ) {
-        let part = Part { tile, first, columns, bounds: self.bounds };
+        let part = Part {
+            tile,
+            first,
+            columns,
+            bounds: self.bounds,
+        };
         let mut numbers = Numbers::new(shapes);
         for (name, rows) in &mut self.channels {
             match (rows, name) {
@@ -92,14 +121,20 @@ impl Segment<'_> {
                 (Rows::F32(rows), ChannelName::T) => part.put_depths(rows, TracedTile::t_of_row),
                 (Rows::F32(rows), ChannelName::A) => part.put_hits(rows, |_| 1.0),
                 (Rows::F32(rows), name) => {
-                    let place = ChannelName::SURFACE.iter().position(|channel| channel == name);
+                    let place = ChannelName::SURFACE
+                        .iter()
+                        .position(|channel| channel == name);
                     if let (Some(surface), Some(place)) = (surface, place) {
                         part.put_surface(rows, surface, place);
                     }
                 }
-                (Rows::U32(rows), ChannelName::Id) => part.put_hits(rows, |hit| shapes.shape_number(hit)),
+                (Rows::U32(rows), ChannelName::Id) => {
+                    part.put_hits(rows, |hit| shapes.shape_number(hit))
+                }
                 (Rows::U32(rows), ChannelName::Instance) => {
-                    part.put_hits(rows, |hit| hit.instance().map_or(0, |instance| instance as u32 + 1));
+                    part.put_hits(rows, |hit| {
+                        hit.instance().map_or(0, |instance| instance as u32 + 1)
+                    });
                 }
                 (Rows::U32(rows), _) => part.put_hits(rows, |hit| numbers.of(hit)),
             }
@@ -136,19 +171,27 @@ impl Part<'_> {
     fn put_surface(&self, rows: &mut [&mut [f32]], surface: &SurfaceTile, place: usize) {
         let [first, end] = self.columns.map(|x| (x - self.first[0]) as usize);
         for (y, to) in self.rows(rows) {
-            to.iter_mut().zip(&surface.row(y)[first..end]).for_each(|(to, samples)| *to = samples[place]);
+            to.iter_mut()
+                .zip(&surface.row(y)[first..end])
+                .for_each(|(to, samples)| *to = samples[place]);
         }
     }
 
     /// Puts a value for each hit, and 0 for misses.
-    fn put_hits<T: Copy + Default>(&self, rows: &mut [&mut [T]], mut of_hit: impl FnMut(Placed) -> T) {
+    fn put_hits<T: Copy + Default>(
+        &self,
+        rows: &mut [&mut [T]],
+        mut of_hit: impl FnMut(Placed) -> T,
+    ) {
         let [first, end] = self.columns.map(|x| x - self.first[0]);
         let within = (1 << end) - (1 << first);
         for (y, to) in self.rows(rows) {
             let hit = &self.tile.primitives_of_row(y)[first as usize..end as usize];
             let mut hits = (self.tile.hits_of_row(y) & within) >> first;
             if hits == within >> first {
-                to.iter_mut().zip(hit).for_each(|(to, hit)| *to = of_hit(*hit));
+                to.iter_mut()
+                    .zip(hit)
+                    .for_each(|(to, hit)| *to = of_hit(*hit));
                 continue;
             }
             to.fill(T::default());

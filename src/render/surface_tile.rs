@@ -21,15 +21,30 @@ impl<'a> SurfaceTile<'a> {
     ) -> Option<SurfaceTile<'a>> {
         use ChannelName::{Nx, Ny, Nz, Px, Py, Pz, U, V};
         let wants = |some: &[ChannelName]| channels.iter().any(|channel| some.contains(channel));
-        let wanted = SurfaceWants { normal: wants(&[Nx, Ny, Nz]), point: wants(&[Px, Py, Pz]), uv: wants(&[U, V]) };
+        let wanted = SurfaceWants {
+            normal: wants(&[Nx, Ny, Nz]),
+            point: wants(&[Px, Py, Pz]),
+            uv: wants(&[U, V]),
+        };
         let is_wanted = wanted.normal || wanted.point || wanted.uv;
-        is_wanted.then(|| SurfaceTile { camera, points: SurfacePoints::new(shapes, wanted), samples: Vec::new() })
+        is_wanted.then(|| SurfaceTile {
+            camera,
+            points: SurfacePoints::new(shapes, wanted),
+            samples: Vec::new(),
+        })
     }
 
     /// Fills the columns and rows of `tile` from the first to before the second; its first pixel is `first`, in film pixels.
-    pub(super) fn fill(&mut self, tile: &TracedTile, first: [u32; 2], columns: [u32; 2], rows: [u32; 2]) {
+    pub(super) fn fill(
+        &mut self,
+        tile: &TracedTile,
+        first: [u32; 2],
+        columns: [u32; 2],
+        rows: [u32; 2],
+    ) {
         self.samples.clear();
-        self.samples.resize((TILE * TILE) as usize, Default::default());
+        self.samples
+            .resize((TILE * TILE) as usize, Default::default());
         for y in rows[0]..rows[1] {
             let (hits, primitives) = (tile.hits_of_row(y), tile.primitives_of_row(y));
             for x in (columns[0]..columns[1]).filter(|x| hits >> x & 1 == 1) {
@@ -48,5 +63,8 @@ impl<'a> SurfaceTile<'a> {
 
 /// In the order of [`ChannelName::SURFACE`]; a 0 has no sign.
 fn samples(SurfacePoint { normal, point, uv }: &SurfacePoint) -> [f32; ChannelName::SURFACE.len()] {
-    [normal.x, normal.y, normal.z, point.x, point.y, point.z, uv[0], uv[1]].map(|value| value as f32 + 0.0)
+    [
+        normal.x, normal.y, normal.z, point.x, point.y, point.z, uv[0], uv[1],
+    ]
+    .map(|value| value as f32 + 0.0)
 }

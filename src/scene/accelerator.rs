@@ -19,11 +19,20 @@ impl AcceleratorParameters {
         let name = Some(parameters.entity_name().to_owned());
         // Parameters of accelerators that feimos does not have are no concern of anyone.
         if parameters.entity_name() != "bvh" {
-            return Ok(AcceleratorParameters { name, ..AcceleratorParameters::default() });
+            return Ok(AcceleratorParameters {
+                name,
+                ..AcceleratorParameters::default()
+            });
         }
         let split_method = parameters.string("splitmethod")?.map(str::to_owned);
         // Larger ones are clamped, as in pbrt.
-        let max_leaf = parameters.integer("maxnodeprims", 1, i32::MAX.into())?.map(|count| count.min(255) as u32);
-        Ok(AcceleratorParameters { name, split_method, max_leaf })
+        let max_leaf = parameters
+            .integer("maxnodeprims", 1, i32::MAX.into())?
+            .map(|count| count.min(255) as u32);
+        Ok(AcceleratorParameters {
+            name,
+            split_method,
+            max_leaf,
+        })
     }
 }

@@ -22,20 +22,42 @@ const MARGIN: f64 = 1.02;
 /// The scene of one mesh, seen whole from +z with y upwards and x to the right: the way its maker sees it, not
 /// mirrored by pbrt's left-handed camera. A mesh that is flat in x or y is seen from the side and above as well. `shape` is what
 /// a scene would call the mesh.
-pub(super) fn scene_of_mesh(path: &Path, shape: &str, loaded: Loaded, options: &LoadOptions) -> Result<Scene> {
+pub(super) fn scene_of_mesh(
+    path: &Path,
+    shape: &str,
+    loaded: Loaded,
+    options: &LoadOptions,
+) -> Result<Scene> {
     let resolution = options.resolution.unwrap_or([1280, 720]);
     let mut warnings = Warnings::default();
-    loaded.warnings.into_iter().for_each(|warning| warnings.add_single(warning));
-    let finite = loaded.mesh.vertices.iter().copied().filter(|vertex| vertex.is_finite());
+    loaded
+        .warnings
+        .into_iter()
+        .for_each(|warning| warnings.add_single(warning));
+    let finite = loaded
+        .mesh
+        .vertices
+        .iter()
+        .copied()
+        .filter(|vertex| vertex.is_finite());
     let frame = frame(&Bounds::of(finite));
-    let frame = frame.filter(|frame| frame.transform.inverse.is_finite()).ok_or_else(|| {
-        let message = "the mesh is too large to be framed automatically";
-        let diagnostic = Diagnostic::new(message).at(SourceLocation::file(path));
-        Error::bad_input(diagnostic.note("write a scene with a Scale and a LookAt around it"))
-    })?;
+    let frame = frame
+        .filter(|frame| frame.transform.inverse.is_finite())
+        .ok_or_else(|| {
+            let message = "the mesh is too large to be framed automatically";
+            let diagnostic = Diagnostic::new(message).at(SourceLocation::file(path));
+            Error::bad_input(diagnostic.note("write a scene with a Scale and a LookAt around it"))
+        })?;
     let mut shapes = Shapes::default();
-    let added = shapes.add_mesh(loaded.mesh.vertices, loaded.mesh.triangles, &Matrix::IDENTITY, 1);
-    added.map_err(|error| Error::bad_input(Diagnostic::new(error.to_string()).at(SourceLocation::file(path))))?;
+    let added = shapes.add_mesh(
+        loaded.mesh.vertices,
+        loaded.mesh.triangles,
+        &Matrix::IDENTITY,
+        1,
+    );
+    added.map_err(|error| {
+        Error::bad_input(Diagnostic::new(error.to_string()).at(SourceLocation::file(path)))
+    })?;
     loaded.mesh.uv.into_iter().for_each(|uv| shapes.add_uv(uv));
     let mut census = Census::default();
     census.count_shape(shape, Some(shapes.own_count()));
@@ -52,7 +74,11 @@ pub(super) fn scene_of_mesh(path: &Path, shape: &str, loaded: Loaded, options: &
             screen_window: ScreenWindow::of_aspect(aspect),
             resolution,
         },
-        film: Film { resolution, crop: PixelBounds::of_film(resolution[0], resolution[1]), filename: None },
+        film: Film {
+            resolution,
+            crop: PixelBounds::of_film(resolution[0], resolution[1]),
+            filename: None,
+        },
         accelerator: AcceleratorParameters::default(),
         shapes,
         shape_count: 1,
@@ -76,12 +102,17 @@ fn frame(bounds: &Bounds) -> Option<RoundedTransform> {
     let radius = if radius > 0.0 { radius } else { 1.0 };
     let half_angle = (FIELD_OF_VIEW / 2.0).to_radians();
     let flat = to_corner.x.min(to_corner.y) < FLAT * radius;
-    let towards_eye = if flat { Vector::new(1.0, 1.0, 2.0).normalized() } else { Vector::new(0.0, 0.0, 1.0) };
+    let towards_eye = if flat {
+        Vector::new(1.0, 1.0, 2.0).normalized()
+    } else {
+        Vector::new(0.0, 0.0, 1.0)
+    };
     let eye = centre + towards_eye * (MARGIN * radius / half_angle.sin());
     let ahead = eye + towards_eye * -radius;
     let up = Vector::new(0.0, 1.0, 0.0);
     Transform::look_at(eye, ahead, up)?;
-    let camera_from_world = RoundedTransform::look_at([eye.to_array(), ahead.to_array(), up.to_array()]);
+    let camera_from_world =
+        RoundedTransform::look_at([eye.to_array(), ahead.to_array(), up.to_array()]);
     Some(RoundedTransform::scale([-1.0, 1.0, 1.0]).times(&camera_from_world))
 }
 
@@ -92,7 +123,10 @@ mod tests {
 
     #[test]
     fn sees_the_whole_box_with_x_to_the_right() {
-        let bounds = Bounds { low: Point::new(-1.0, 2.0, -3.0), high: Point::new(5.0, 4.0, 1.0) };
+        let bounds = Bounds {
+            low: Point::new(-1.0, 2.0, -3.0),
+            high: Point::new(5.0, 4.0, 1.0),
+        };
         let camera = frame(&bounds).unwrap().transform.inverse;
         let [eye_x, eye_y, eye_z] = camera.column(3);
         assert_eq!((eye_x, eye_y), (2.0, 3.0));
@@ -106,8 +140,20 @@ mod tests {
     fn odd_sizes_do_not_break_it() {
         assert!(frame(&Bounds::EMPTY).is_some());
         let point = Point::new(1.0, 1.0, 1.0);
-        assert!(frame(&Bounds { low: point, high: point }).unwrap().transform.inverse.is_finite());
-        let huge = Bounds { low: Point::new(-1e308, 0.0, 0.0), high: Point::new(1e308, 1.0, 1.0) };
+        assert!(
+            frame(&Bounds {
+                low: point,
+                high: point
+            })
+            .unwrap()
+            .transform
+            .inverse
+            .is_finite()
+        );
+        let huge = Bounds {
+            low: Point::new(-1e308, 0.0, 0.0),
+            high: Point::new(1e308, 1.0, 1.0),
+        };
         assert!(frame(&huge).is_none_or(|camera| !camera.transform.inverse.is_finite()));
     }
 }

@@ -61,9 +61,14 @@ impl Builder<'_> {
             Some((open, _)) if open == block => {}
             Some((open, place)) => self.warn_of_mismatch(block, open, source.at(keyword), &place),
             None => {
-                let message = format!("{} without {}: ignored, as pbrt does", block.end(), block.begin());
+                let message = format!(
+                    "{} without {}: ignored, as pbrt does",
+                    block.end(),
+                    block.begin()
+                );
                 let kind = format!("{} without begin", block.end());
-                self.warnings.add(kind, || Diagnostic::new(message).at(source.at(keyword)));
+                self.warnings
+                    .add(kind, || Diagnostic::new(message).at(source.at(keyword)));
             }
         }
     }
@@ -84,10 +89,17 @@ impl Builder<'_> {
     /// Closes all blocks that are open where a file or the world ends, each with a warning.
     pub(super) fn close_blocks(&mut self) {
         while let Some((block, place)) = self.state.end_innermost() {
-            self.warnings.add(format!("{} without end", block.begin()), || {
-                let message = format!("{} without {}: it ends with the file", block.begin(), block.end());
-                Diagnostic::new(message).at(place.location()).note("pbrt-v3 renders this; pbrt-v4 refuses it")
-            });
+            self.warnings
+                .add(format!("{} without end", block.begin()), || {
+                    let message = format!(
+                        "{} without {}: it ends with the file",
+                        block.begin(),
+                        block.end()
+                    );
+                    Diagnostic::new(message)
+                        .at(place.location())
+                        .note("pbrt-v3 renders this; pbrt-v4 refuses it")
+                });
         }
     }
 }

@@ -11,7 +11,9 @@ use super::materials::{Material, Materials};
 use super::mesh_cache::MeshCache;
 use super::name::Name;
 use super::objects::Objects;
-use super::parser::{Directive, Directives, Next, Span, Statement, Text, end_of_arguments, is_last};
+use super::parser::{
+    Directive, Directives, Next, Span, Statement, Text, end_of_arguments, is_last,
+};
 use super::places::Places;
 use super::source::{Place, Source};
 use super::transform_cache::TransformCache;
@@ -100,10 +102,16 @@ impl<'a> Builder<'a> {
     }
 
     /// The same, keeping what is wanted from the first directive on.
-    pub(super) fn with_options(path: &Path, options: &LoadOptions, progress: Progress<'a>) -> Builder<'a> {
+    pub(super) fn with_options(
+        path: &Path,
+        options: &LoadOptions,
+        progress: Progress<'a>,
+    ) -> Builder<'a> {
         let mut builder = Builder::new(path, options.input_budget, progress);
         builder.places = options.places.then(Places::default);
-        builder.state.rounded = options.roundings.then(|| Arc::new(RoundedTransform::IDENTITY));
+        builder.state.rounded = options
+            .roundings
+            .then(|| Arc::new(RoundedTransform::IDENTITY));
         builder.roundings = options.roundings.then(Roundings::default);
         (builder.keeps_orientation, builder.keeps_uv) = (options.orientation, options.uv);
         builder
@@ -113,7 +121,10 @@ impl<'a> Builder<'a> {
     pub(super) fn read_options(mut self) -> Result<SceneOptions> {
         self.only_options = true;
         self.read_top_level()?;
-        Ok(SceneOptions { film_filename: self.film.filename, accelerator: self.accelerator })
+        Ok(SceneOptions {
+            film_filename: self.film.filename,
+            accelerator: self.accelerator,
+        })
     }
 
     /// Obeys the directives of the file that the builder is for.
@@ -126,14 +137,17 @@ impl<'a> Builder<'a> {
     /// Obeys the directives in `text`, as if it were the file that the builder is for.
     pub(super) fn read_text(&mut self, text: Vec<u8>) -> Result<()> {
         self.budget.enter_bytes(text.len() as u64);
-        self.read(Rc::new(Source::new(&self.path, text)), false).map(|_| ())
+        self.read(Rc::new(Source::new(&self.path, text)), false)
+            .map(|_| ())
     }
 
     /// Obeys the directives of one file and of those that it includes. Where the file `is_continued` by arguments
     /// behind its `Include`, the last directive is handed back.
     pub(super) fn read(&mut self, source: Rc<Source>, is_continued: bool) -> Result<Option<Tail>> {
         self.includes.enter(&source.path);
-        self.places.iter_mut().for_each(|places| places.enter(&source.path));
+        self.places
+            .iter_mut()
+            .for_each(|places| places.enter(&source.path));
         let tail = self.read_directives(&source, is_continued)?;
         self.includes.leave();
         self.places.iter_mut().for_each(Places::leave);
@@ -170,7 +184,9 @@ impl<'a> Builder<'a> {
             }
             self.census.count(&directive);
             let tail = match &directive.statement {
-                Statement::Include(name) => self.include_and_go_on(name, source, &mut directives, is_continued)?,
+                Statement::Include(name) => {
+                    self.include_and_go_on(name, source, &mut directives, is_continued)?
+                }
                 _ => self.obey(&directive, source).map(|()| None)?,
             };
             if tail.is_some() || (self.only_options && self.in_world) {
@@ -193,7 +209,9 @@ impl<'a> Builder<'a> {
             Next::End => is_continued,
             Next::Directive => false,
         };
-        let Some(tail) = self.include(name, source, goes_on)? else { return Ok(None) };
+        let Some(tail) = self.include(name, source, goes_on)? else {
+            return Ok(None);
+        };
         let start = directives.offset();
         let end = end_of_arguments(&source.text, start);
         directives.go_to(end);
@@ -206,29 +224,43 @@ impl<'a> Builder<'a> {
 
     fn warn_of_the_rest(&mut self, directive: &Directive, source: &Source) {
         let message = "what follows WorldEnd is ignored: one world is one picture";
-        self.warnings.add("after the world", || Diagnostic::new(message).at(source.at(&directive.span)));
+        self.warnings.add("after the world", || {
+            Diagnostic::new(message).at(source.at(&directive.span))
+        });
     }
 
     fn obey(&mut self, directive: &Directive, source: &Rc<Source>) -> Result<()> {
         let keyword = &directive.keyword;
         match &directive.statement {
             Statement::Identity => self.replace(Transform::IDENTITY, directive, source),
-            Statement::Translate(offset) => self.concat(Transform::translate(*offset), directive, source),
+            Statement::Translate(offset) => {
+                self.concat(Transform::translate(*offset), directive, source)
+            }
             Statement::Scale(factors) => self.concat(Transform::scale(*factors), directive, source),
             Statement::Rotate([angle, x, y, z]) => {
-                self.concat(Transform::rotate(*angle, Vector::new(*x, *y, *z)), directive, source);
+                self.concat(
+                    Transform::rotate(*angle, Vector::new(*x, *y, *z)),
+                    directive,
+                    source,
+                );
             }
             Statement::LookAt(numbers) => self.look_at(numbers, directive, source),
-            Statement::Transform(m) | Statement::ConcatTransform(m) => self.numbers(m, directive, source),
+            Statement::Transform(m) | Statement::ConcatTransform(m) => {
+                self.numbers(m, directive, source)
+            }
             Statement::ActiveTransform(active) => self.state.active = *active,
             Statement::CoordinateSystem(name) => self.state.name(Name::new(name)),
             Statement::CoordSysTransform(name) => self.recall(name, source),
             Statement::ReverseOrientation => self.state.reverses_orientation ^= true,
             Statement::Ignored("AreaLightSource") => self.state.is_light = true,
             Statement::TransformTimes(_) | Statement::Ignored(_) => {}
-            Statement::AttributeBegin => self.state.begin(Block::Attribute, Place::new(source, keyword)),
+            Statement::AttributeBegin => self
+                .state
+                .begin(Block::Attribute, Place::new(source, keyword)),
             Statement::AttributeEnd => self.end(Block::Attribute, keyword, source),
-            Statement::TransformBegin => self.state.begin(Block::Transform, Place::new(source, keyword)),
+            Statement::TransformBegin => self
+                .state
+                .begin(Block::Transform, Place::new(source, keyword)),
             Statement::TransformEnd => self.end(Block::Transform, keyword, source),
             Statement::ObjectBegin(name) => self.begin_object(name, keyword, source)?,
             Statement::ObjectEnd => self.end_object(keyword, source),
@@ -254,8 +286,12 @@ impl<'a> Builder<'a> {
 
     fn warn_of_private(&mut self, name: &str, keyword: &Span, source: &Source) {
         self.warnings.add(format!("directive {name}"), || {
-            let diagnostic = Diagnostic::new(format!("`{name}` is no directive of pbrt: skipped with its arguments"));
-            diagnostic.at(source.at(keyword)).note("if it places geometry, that is missing from the picture")
+            let diagnostic = Diagnostic::new(format!(
+                "`{name}` is no directive of pbrt: skipped with its arguments"
+            ));
+            diagnostic
+                .at(source.at(keyword))
+                .note("if it places geometry, that is missing from the picture")
         });
     }
 
@@ -277,19 +313,28 @@ impl<'a> Builder<'a> {
     }
 
     /// Geometry belongs after `WorldBegin`.
-    pub(super) fn check_in_world(&self, name: &str, keyword: &Span, source: &Rc<Source>) -> Result<()> {
+    pub(super) fn check_in_world(
+        &self,
+        name: &str,
+        keyword: &Span,
+        source: &Rc<Source>,
+    ) -> Result<()> {
         if self.in_world {
             return Ok(());
         }
-        let error = source.error(keyword, format!("{name} outside the world")).note("expected after WorldBegin");
+        let error = source
+            .error(keyword, format!("{name} outside the world"))
+            .note("expected after WorldBegin");
         Err(error.note("or is this file a part that another one includes?"))
     }
 
     /// What moves is rendered where it is at the start time.
     pub(super) fn warn_if_moving(&mut self, keyword: &Span, source: &Source) {
         if self.state.is_moving() {
-            let message = "moving shapes are not supported: they stand where they are at the start time";
-            self.warnings.add("moving", || Diagnostic::new(message).at(source.at(keyword)));
+            let message =
+                "moving shapes are not supported: they stand where they are at the start time";
+            self.warnings
+                .add("moving", || Diagnostic::new(message).at(source.at(keyword)));
         }
     }
 
@@ -301,14 +346,25 @@ impl<'a> Builder<'a> {
         self.shapes.hide(&self.materials.late_boundaries());
         self.census.set_unused(self.objects.unused(MAX_LISTED));
         if !self.in_world {
-            let diagnostic = Diagnostic::new("the scene has no WorldBegin").at(SourceLocation::file(&self.path));
-            return Err(Error::bad_input(diagnostic.note("expected Camera and Film, WorldBegin, and then the shapes")));
+            let diagnostic =
+                Diagnostic::new("the scene has no WorldBegin").at(SourceLocation::file(&self.path));
+            return Err(Error::bad_input(
+                diagnostic.note("expected Camera and Film, WorldBegin, and then the shapes"),
+            ));
         }
-        let film = self.film.resolve(options.resolution).map_err(|message| match self.film_place {
-            Some(place) => place.error(message),
-            None => Error::bad_input(Diagnostic::new(message).at(SourceLocation::file(&self.path))),
-        })?;
-        let camera = self.camera.unwrap_or_else(CameraParameters::default_camera).resolve(film.resolution);
+        let film =
+            self.film
+                .resolve(options.resolution)
+                .map_err(|message| match self.film_place {
+                    Some(place) => place.error(message),
+                    None => Error::bad_input(
+                        Diagnostic::new(message).at(SourceLocation::file(&self.path)),
+                    ),
+                })?;
+        let camera = self
+            .camera
+            .unwrap_or_else(CameraParameters::default_camera)
+            .resolve(film.resolution);
         Ok(Scene {
             camera,
             film,

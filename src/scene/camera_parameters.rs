@@ -36,8 +36,11 @@ impl CameraParameters {
     ) -> Result<CameraParameters> {
         let world_from_camera = current.inverse;
         if !world_from_camera.is_finite() {
-            let message = "the camera's matrix is not finite: its transform is singular, or too large";
-            return Err(parameters.error_at_name(message).note("check the transforms before this directive"));
+            let message =
+                "the camera's matrix is not finite: its transform is singular, or too large";
+            return Err(parameters
+                .error_at_name(message)
+                .note("check the transforms before this directive"));
         }
         let projection = match parameters.entity_name() {
             "perspective" => Projection::perspective(field_of_view(parameters)?),
@@ -45,28 +48,48 @@ impl CameraParameters {
             other => {
                 let message = format!("the camera `{other}` is not supported");
                 let error = parameters.error_at_name(message);
-                return Err(match spelling::closest(other, ["perspective", "orthographic"].into_iter()) {
-                    Some(known) => error.note(format!("did you mean `{known}`?")),
-                    None => error.note("expected \"perspective\" or \"orthographic\"").note(closest_camera(other)),
-                });
+                return Err(
+                    match spelling::closest(other, ["perspective", "orthographic"].into_iter()) {
+                        Some(known) => error.note(format!("did you mean `{known}`?")),
+                        None => error
+                            .note("expected \"perspective\" or \"orthographic\"")
+                            .note(closest_camera(other)),
+                    },
+                );
             }
         };
         let frame_aspect_ratio = parameters.positive_number("frameaspectratio")?;
         let screen_window = screen_window(parameters, warnings)?;
-        if parameters.number("lensradius")?.is_some_and(|radius| radius != 0.0) {
-            parameters.warn("lensradius", "the lens radius is ignored: every ray starts at one point", warnings);
+        if parameters
+            .number("lensradius")?
+            .is_some_and(|radius| radius != 0.0)
+        {
+            parameters.warn(
+                "lensradius",
+                "the lens radius is ignored: every ray starts at one point",
+                warnings,
+            );
         }
         parameters.ignore(&["focaldistance", "shutteropen", "shutterclose"]);
-        Ok(CameraParameters { world_from_camera, projection, frame_aspect_ratio, screen_window })
+        Ok(CameraParameters {
+            world_from_camera,
+            projection,
+            frame_aspect_ratio,
+            screen_window,
+        })
     }
 
     /// The camera for a film of `resolution`.
     pub(super) fn resolve(self, resolution: [u32; 2]) -> Camera {
-        let aspect = self.frame_aspect_ratio.unwrap_or(f64::from(resolution[0]) / f64::from(resolution[1]));
+        let aspect = self
+            .frame_aspect_ratio
+            .unwrap_or(f64::from(resolution[0]) / f64::from(resolution[1]));
         Camera {
             world_from_camera: self.world_from_camera,
             projection: self.projection,
-            screen_window: self.screen_window.unwrap_or_else(|| ScreenWindow::of_aspect(aspect)),
+            screen_window: self
+                .screen_window
+                .unwrap_or_else(|| ScreenWindow::of_aspect(aspect)),
             resolution,
         }
     }
@@ -85,8 +108,13 @@ fn closest_camera(name: &str) -> &'static str {
 
 /// Four finite numbers. A window that is turned round mirrors the picture; one without extent repeats a line of it, which
 /// is worth a warning.
-fn screen_window(parameters: &mut Parameters, warnings: &mut Warnings) -> Result<Option<ScreenWindow>> {
-    let Some([x0, x1, y0, y1]) = parameters.fixed_numbers::<4>("screenwindow", DeclaredType::FLOAT)? else {
+fn screen_window(
+    parameters: &mut Parameters,
+    warnings: &mut Warnings,
+) -> Result<Option<ScreenWindow>> {
+    let Some([x0, x1, y0, y1]) =
+        parameters.fixed_numbers::<4>("screenwindow", DeclaredType::FLOAT)?
+    else {
         return Ok(None);
     };
     if [x0, x1, y0, y1].iter().any(|number| !number.is_finite()) {
@@ -94,7 +122,8 @@ fn screen_window(parameters: &mut Parameters, warnings: &mut Warnings) -> Result
         return Err(error.note("expected x0 x1 y0 y1 with x0 < x1 and y0 < y1"));
     }
     if x0 == x1 || y0 == y1 {
-        let message = "the screen window has no extent: all pixels of a row or a column look the same way";
+        let message =
+            "the screen window has no extent: all pixels of a row or a column look the same way";
         parameters.warn("screenwindow", message, warnings);
     }
     Ok(Some(ScreenWindow { x0, x1, y0, y1 }))

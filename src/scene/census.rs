@@ -41,7 +41,10 @@ pub(super) const MAX_LISTED: usize = 20;
 
 impl<T> Default for Listed<T> {
     fn default() -> Listed<T> {
-        Listed { first: Vec::new(), count: 0 }
+        Listed {
+            first: Vec::new(),
+            count: 0,
+        }
     }
 }
 
@@ -68,7 +71,9 @@ impl Census {
         let counts = match &directive.statement {
             Statement::Private(name) => return *count_of(&mut self.private, name) += 1,
             Statement::Ignored(_) | Statement::TransformTimes(_) => &mut self.skipped,
-            Statement::Material(_) | Statement::MakeNamedMaterial(_) | Statement::NamedMaterial(_) => &mut self.skipped,
+            Statement::Material(_)
+            | Statement::MakeNamedMaterial(_)
+            | Statement::NamedMaterial(_) => &mut self.skipped,
             Statement::Attribute(target) if target.name.text != "shape" => &mut self.skipped,
             _ => &mut self.obeyed,
         };
@@ -89,7 +94,10 @@ impl Census {
     pub(super) fn add_boundary(&mut self, shape: &str, place: impl FnOnce() -> SourceLocation) {
         self.boundaries.count += 1;
         if self.boundaries.first.len() < MAX_LISTED {
-            self.boundaries.first.push(Boundary { shape: shape.to_owned(), place: place().to_string() });
+            self.boundaries.first.push(Boundary {
+                shape: shape.to_owned(),
+                place: place().to_string(),
+            });
         }
     }
 
@@ -110,38 +118,61 @@ impl Census {
 
     /// Directives that were obeyed, sorted by keyword.
     pub fn obeyed(&self) -> impl Iterator<Item = (&'static str, u64)> {
-        KEYWORDS.into_iter().zip(self.obeyed).filter(|(_, count)| *count > 0)
+        KEYWORDS
+            .into_iter()
+            .zip(self.obeyed)
+            .filter(|(_, count)| *count > 0)
     }
 
     /// Directives that were skipped because hit and depth do not depend on them, sorted by keyword.
     pub fn skipped(&self) -> impl Iterator<Item = (&'static str, u64)> {
-        KEYWORDS.into_iter().zip(self.skipped).filter(|(_, count)| *count > 0)
+        KEYWORDS
+            .into_iter()
+            .zip(self.skipped)
+            .filter(|(_, count)| *count > 0)
     }
 
     /// Directives that no pbrt knows, sorted by keyword.
     pub fn private(&self) -> impl Iterator<Item = (&str, u64)> {
-        self.private.iter().map(|(name, count)| (name.as_str(), *count))
+        self.private
+            .iter()
+            .map(|(name, count)| (name.as_str(), *count))
     }
 
     /// Types of shape, sorted by name.
     pub fn shapes(&self) -> impl Iterator<Item = (&str, ShapeCount)> {
-        self.shapes.iter().map(|(name, count)| (name.as_str(), *count))
+        self.shapes
+            .iter()
+            .map(|(name, count)| (name.as_str(), *count))
     }
 
     /// `Shape` statements whose geometry is not in the picture, since their type is not supported.
     pub fn left_out(&self) -> u64 {
-        self.shapes.values().filter(|count| count.is_left_out).map(|count| count.statements).sum()
+        self.shapes
+            .values()
+            .filter(|count| count.is_left_out)
+            .map(|count| count.statements)
+            .sum()
     }
 
     /// One line on what was skipped or left out since rays do not meet it, where anything was.
     pub fn summary(&self) -> Option<String> {
-        let counts: Vec<String> = self.skipped().map(|(keyword, count)| format!("{count} {keyword}")).collect();
-        let skipped =
-            (!counts.is_empty()).then(|| format!("skipped, without influence on hit and depth: {}", counts.join(", ")));
+        let counts: Vec<String> = self
+            .skipped()
+            .map(|(keyword, count)| format!("{count} {keyword}"))
+            .collect();
+        let skipped = (!counts.is_empty()).then(|| {
+            format!(
+                "skipped, without influence on hit and depth: {}",
+                counts.join(", ")
+            )
+        });
         let left_out = match self.boundaries.count {
             0 => None,
             1 => Some("left out, as in pbrt: 1 shape that only bounds a medium".to_owned()),
-            count => Some(format!("left out, as in pbrt: {count} shapes that only bound a medium")),
+            count => Some(format!(
+                "left out, as in pbrt: {count} shapes that only bound a medium"
+            )),
         };
         let parts: Vec<String> = skipped.into_iter().chain(left_out).collect();
         (!parts.is_empty()).then(|| parts.join("; "))
@@ -164,7 +195,11 @@ impl Default for Census {
 
 /// What is counted under `name`; a file has no end of names.
 fn count_of<'a, T: Default>(counts: &'a mut BTreeMap<String, T>, name: &str) -> &'a mut T {
-    let name = if counts.contains_key(name) || counts.len() < MAX_NAMES { name } else { OTHER_NAMES };
+    let name = if counts.contains_key(name) || counts.len() < MAX_NAMES {
+        name
+    } else {
+        OTHER_NAMES
+    };
     if !counts.contains_key(name) {
         counts.insert(name.to_owned(), T::default());
     }
@@ -181,9 +216,20 @@ mod tests {
         census.count_shape("sphere", Some(1));
         census.count_shape("nurbs", None);
         census.count_shape("sphere", Some(1));
-        let nurbs = ShapeCount { statements: 1, primitives: 0, is_left_out: true };
-        let sphere = ShapeCount { statements: 2, primitives: 2, is_left_out: false };
-        assert_eq!(census.shapes().collect::<Vec<_>>(), [("nurbs", nurbs), ("sphere", sphere)]);
+        let nurbs = ShapeCount {
+            statements: 1,
+            primitives: 0,
+            is_left_out: true,
+        };
+        let sphere = ShapeCount {
+            statements: 2,
+            primitives: 2,
+            is_left_out: false,
+        };
+        assert_eq!(
+            census.shapes().collect::<Vec<_>>(),
+            [("nurbs", nurbs), ("sphere", sphere)]
+        );
         assert_eq!(census.left_out(), 1);
     }
 
@@ -192,7 +238,10 @@ mod tests {
         let mut census = Census::default();
         (0..1000).for_each(|name| census.count_shape(&name.to_string(), Some(1)));
         assert_eq!(census.shapes().count(), MAX_NAMES + 1);
-        assert_eq!(census.shapes[OTHER_NAMES].statements, 1000 - MAX_NAMES as u64);
+        assert_eq!(
+            census.shapes[OTHER_NAMES].statements,
+            1000 - MAX_NAMES as u64
+        );
         census.count_shape("7", Some(1));
         assert_eq!(census.shapes["7"].statements, 2);
     }

@@ -23,10 +23,12 @@ impl DeclaredType {
         }
         let diagnostic = Diagnostic::new(format!("`{}` is declared as `{found}`", parameter.name));
         let spellings = self.0.join("` or `");
-        Some(diagnostic.note(match spelling::closest(found, self.0.iter().copied()) {
-            Some(known) => format!("did you mean `{known}`?"),
-            None => format!("expected `{spellings}`"),
-        }))
+        Some(
+            diagnostic.note(match spelling::closest(found, self.0.iter().copied()) {
+                Some(known) => format!("did you mean `{known}`?"),
+                None => format!("expected `{spellings}`"),
+            }),
+        )
     }
 }
 
@@ -48,6 +50,9 @@ pub(super) fn refusal_of_values(parameter: &Parameter) -> Option<Diagnostic> {
     if fits {
         return None;
     }
-    let message = format!("`{}` is declared as `{}`, but its value is {found}", parameter.name, parameter.type_name);
+    let message = format!(
+        "`{}` is declared as `{}`, but its value is {found}",
+        parameter.name, parameter.type_name
+    );
     Some(Diagnostic::new(message).note(format!("expected {expected}")))
 }

@@ -18,7 +18,12 @@ impl SceneDigest {
     /// Of everything in a scene that decides pixels as `camera` sees it: geometry, camera and film, but not which part of the film is
     /// wanted. What does not show does not count: comments, materials, or how the same numbers are written.
     pub fn seen_by(&self, camera: &Camera) -> Digest {
-        let Camera { world_from_camera, projection, screen_window, resolution } = camera;
+        let Camera {
+            world_from_camera,
+            projection,
+            screen_window,
+            resolution,
+        } = camera;
         let ScreenWindow { x0, x1, y0, y1 } = screen_window;
         let mut digester = Digester::default();
         digester.list(&[self.0], |digest| digest.words());
@@ -28,7 +33,9 @@ impl SceneDigest {
             Projection::Orthographic => [1.0, 0.0],
         });
         digester.measures(&[*x0, *x1, *y0, *y1]);
-        resolution.iter().for_each(|side| digester.word((*side).into()));
+        resolution
+            .iter()
+            .for_each(|side| digester.word((*side).into()));
         digester.finish()
     }
 }
@@ -40,7 +47,11 @@ mod tests {
     use std::path::Path;
 
     fn digest(text: &str) -> Digest {
-        let options = LoadOptions { orientation: true, uv: true, ..LoadOptions::default() };
+        let options = LoadOptions {
+            orientation: true,
+            uv: true,
+            ..LoadOptions::default()
+        };
         let scene = parse(Path::new("a.pbrt"), text.into(), &options).unwrap();
         SceneDigest::of(&scene.shapes).seen_by(&scene.camera)
     }
@@ -94,12 +105,24 @@ Shape "trianglemesh" "point3 P" [-2 -1 0  2 -1 0.5  0 2 0] "integer indices" [0 
     #[test]
     fn what_does_not_show_does_not_change_it() {
         let changes = [
-            ("WorldBegin\n", "WorldBegin # a comment\nMaterial \"diffuse\"\n"),
+            (
+                "WorldBegin\n",
+                "WorldBegin # a comment\nMaterial \"diffuse\"\n",
+            ),
             ("fov\" 40", "fov\" 4e1"),
-            ("yresolution\" 7", "yresolution\" 7 \"float cropwindow\" [0 0.5 0 0.5]"),
+            (
+                "yresolution\" 7",
+                "yresolution\" 7 \"float cropwindow\" [0 0.5 0 0.5]",
+            ),
             ("0 2 0] \"integer", "0 2 -0.0] \"integer"),
-            ("yresolution\" 7", "yresolution\" 7 \"string filename\" \"other.exr\""),
-            ("WorldBegin\n", "Accelerator \"bvh\" \"string splitmethod\" \"hlbvh\"\nWorldBegin\n"),
+            (
+                "yresolution\" 7",
+                "yresolution\" 7 \"string filename\" \"other.exr\"",
+            ),
+            (
+                "WorldBegin\n",
+                "Accelerator \"bvh\" \"string splitmethod\" \"hlbvh\"\nWorldBegin\n",
+            ),
         ];
         for (from, to) in changes {
             assert_eq!(digest(&SCENE.replace(from, to)), digest(SCENE), "{to}");

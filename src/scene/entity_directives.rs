@@ -27,14 +27,24 @@ impl Builder<'_> {
         Err(error.note("expected before WorldBegin"))
     }
 
-    pub(super) fn camera(&mut self, entity: &Entity, keyword: &Span, source: &Rc<Source>) -> Result<()> {
+    pub(super) fn camera(
+        &mut self,
+        entity: &Entity,
+        keyword: &Span,
+        source: &Rc<Source>,
+    ) -> Result<()> {
         self.check_before_world("Camera", keyword, source)?;
         let mut parameters = Parameters::new("Camera", entity, source)?;
         self.check_usable("Camera", keyword, source)?;
-        if let (Some((reason, place)), false) = (&self.singular, self.state.current.inverse.is_finite()) {
-            return Err(place.error(*reason).note("so the camera, which comes after it, has no place"));
+        if let (Some((reason, place)), false) =
+            (&self.singular, self.state.current.inverse.is_finite())
+        {
+            return Err(place
+                .error(*reason)
+                .note("so the camera, which comes after it, has no place"));
         }
-        let camera = CameraParameters::read(&mut parameters, &self.state.current, &mut self.warnings)?;
+        let camera =
+            CameraParameters::read(&mut parameters, &self.state.current, &mut self.warnings)?;
         parameters.finish(&mut self.warnings);
         self.camera = Some(camera);
         if let (Some(roundings), Some(rounded)) = (&mut self.roundings, &self.state.rounded) {
@@ -42,13 +52,21 @@ impl Builder<'_> {
         }
         self.state.name_inverse(Name::from("camera"));
         if self.state.is_moving() {
-            let message = "a moving camera is not supported: it stands where it is at the start time";
-            self.warnings.add("moving camera", || Diagnostic::new(message).at(source.at(keyword)));
+            let message =
+                "a moving camera is not supported: it stands where it is at the start time";
+            self.warnings.add("moving camera", || {
+                Diagnostic::new(message).at(source.at(keyword))
+            });
         }
         Ok(())
     }
 
-    pub(super) fn film(&mut self, entity: &Entity, keyword: &Span, source: &Rc<Source>) -> Result<()> {
+    pub(super) fn film(
+        &mut self,
+        entity: &Entity,
+        keyword: &Span,
+        source: &Rc<Source>,
+    ) -> Result<()> {
         self.check_before_world("Film", keyword, source)?;
         let mut parameters = Parameters::new("Film", entity, source)?;
         self.film = FilmParameters::read(&mut parameters, &mut self.warnings)?;
@@ -79,11 +97,16 @@ impl Builder<'_> {
         let target = Parameters::new("Attribute", entity, source)?.entity_name();
         if target == "shape" {
             if !self.state.defaults.add(&entity.parameters, source) {
-                let message = format!("more than {MAX_DEFAULTS} parameters of shapes are set by Attribute at a time");
+                let message = format!(
+                    "more than {MAX_DEFAULTS} parameters of shapes are set by Attribute at a time"
+                );
                 return Err(source.error(&entity.name.span, message));
             }
         } else if !TARGETS.contains(&target) {
-            let error = source.error(&entity.name.span, format!("Attribute sets nothing for `{target}`"));
+            let error = source.error(
+                &entity.name.span,
+                format!("Attribute sets nothing for `{target}`"),
+            );
             return Err(match spelling::closest(target, TARGETS.into_iter()) {
                 Some(known) => error.note(format!("did you mean `{known}`?")),
                 None => error.note(format!("expected one of {}", TARGETS.join(", "))),

@@ -34,24 +34,45 @@ pub(super) struct FilmParameters {
 }
 
 impl FilmParameters {
-    pub(super) fn read(parameters: &mut Parameters, warnings: &mut Warnings) -> Result<FilmParameters> {
+    pub(super) fn read(
+        parameters: &mut Parameters,
+        warnings: &mut Warnings,
+    ) -> Result<FilmParameters> {
         let most = PixelBounds::MAX_SIDE.into();
-        let x_resolution = parameters.integer("xresolution", 1, most)?.map(|x| x as u32);
-        let y_resolution = parameters.integer("yresolution", 1, most)?.map(|y| y as u32);
+        let x_resolution = parameters
+            .integer("xresolution", 1, most)?
+            .map(|x| x as u32);
+        let y_resolution = parameters
+            .integer("yresolution", 1, most)?
+            .map(|y| y as u32);
         let crop_window = crop_window(parameters, warnings)?;
-        let size = [x_resolution.unwrap_or(WIDTH), y_resolution.unwrap_or(HEIGHT)];
+        let size = [
+            x_resolution.unwrap_or(WIDTH),
+            y_resolution.unwrap_or(HEIGHT),
+        ];
         let pixel_bounds = pixel_bounds(parameters, size, warnings)?;
         if crop_window.is_some() && pixel_bounds.is_some() {
             let message = "both `cropwindow` and `pixelbounds` are set: the crop window counts, as in pbrt-v4";
             parameters.warn("pixelbounds", message, warnings);
         }
         let filename = parameters.string("filename")?.map(str::to_owned);
-        if filename.as_deref().is_some_and(|name| name.chars().any(is_command)) {
-            let error =
-                parameters.error_at("filename", "`filename` holds control characters, which no image is named by");
+        if filename
+            .as_deref()
+            .is_some_and(|name| name.chars().any(is_command))
+        {
+            let error = parameters.error_at(
+                "filename",
+                "`filename` holds control characters, which no image is named by",
+            );
             return Err(error.note("expected the name of a file, such as \"image.exr\""));
         }
-        Ok(FilmParameters { x_resolution, y_resolution, crop_window, pixel_bounds, filename })
+        Ok(FilmParameters {
+            x_resolution,
+            y_resolution,
+            crop_window,
+            pixel_bounds,
+            filename,
+        })
     }
 
     /// The film, 1280 x 720 by default, with `resolution` in place of the scene's.
@@ -59,7 +80,10 @@ impl FilmParameters {
     /// # Errors
     /// The crop, where it has no pixel.
     pub(super) fn resolve(self, resolution: Option<[u32; 2]>) -> std::result::Result<Film, String> {
-        let from_scene = [self.x_resolution.unwrap_or(WIDTH), self.y_resolution.unwrap_or(HEIGHT)];
+        let from_scene = [
+            self.x_resolution.unwrap_or(WIDTH),
+            self.y_resolution.unwrap_or(HEIGHT),
+        ];
         let resolution = resolution.unwrap_or(from_scene);
         let whole = PixelBounds::of_film(resolution[0], resolution[1]);
         let crop = match (self.crop_window, self.pixel_bounds) {
@@ -70,15 +94,24 @@ impl FilmParameters {
         if crop.is_empty() {
             return Err("the crop of the film has no pixel".to_owned());
         }
-        Ok(Film { resolution, crop, filename: self.filename })
+        Ok(Film {
+            resolution,
+            crop,
+            filename: self.filename,
+        })
     }
 }
 
 /// The crop window in fractions of the film. What reaches out of it is cut off, as in pbrt.
 fn crop_window(parameters: &mut Parameters, warnings: &mut Warnings) -> Result<Option<[f64; 4]>> {
-    let Some(window) = parameters.fixed_numbers::<4>("cropwindow", DeclaredType::FLOAT)? else { return Ok(None) };
+    let Some(window) = parameters.fixed_numbers::<4>("cropwindow", DeclaredType::FLOAT)? else {
+        return Ok(None);
+    };
     if window.iter().any(|fraction| fraction.is_nan()) {
-        let error = parameters.error_at("cropwindow", "`cropwindow` takes fractions of the film, from 0 to 1");
+        let error = parameters.error_at(
+            "cropwindow",
+            "`cropwindow` takes fractions of the film, from 0 to 1",
+        );
         return Err(error.note("expected x0 x1 y0 y1; `pixelbounds` takes pixels"));
     }
     let clamped = window.map(|fraction| fraction.clamp(0.0, 1.0));
@@ -86,26 +119,51 @@ fn crop_window(parameters: &mut Parameters, warnings: &mut Warnings) -> Result<O
         let [x0, x1, y0, y1] = clamped;
         let message = format!("`cropwindow` reaches out of the film: read as {x0} {x1} {y0} {y1}");
         let diagnostic = Diagnostic::new(message).at(parameters.place_of("cropwindow"));
-        let note = "expected fractions of the film from 0 to 1: x0 x1 y0 y1; `pixelbounds` takes pixels";
+        let note =
+            "expected fractions of the film from 0 to 1: x0 x1 y0 y1; `pixelbounds` takes pixels";
         warnings.add("cropwindow beyond the film", || diagnostic.note(note));
     }
     Ok(Some(clamped))
 }
 
 /// The pixels that the scene asks for, ends in order as in pbrt-v4. What reaches out of its film of `size` is cut off.
-fn pixel_bounds(parameters: &mut Parameters, size: [u32; 2], warnings: &mut Warnings) -> Result<Option<PixelBounds>> {
-    let Some(bounds) = parameters.fixed_numbers::<4>("pixelbounds", DeclaredType::INTEGER)? else { return Ok(None) };
-    if bounds.iter().any(|bound| bound.fract() != 0.0 || !bound.is_finite()) {
-        return Err(parameters.error_at("pixelbounds", "`pixelbounds` takes four integers: x0 x1 y0 y1"));
+fn pixel_bounds(
+    parameters: &mut Parameters,
+    size: [u32; 2],
+    warnings: &mut Warnings,
+) -> Result<Option<PixelBounds>> {
+    let Some(bounds) = parameters.fixed_numbers::<4>("pixelbounds", DeclaredType::INTEGER)? else {
+        return Ok(None);
+    };
+    if bounds
+        .iter()
+        .any(|bound| bound.fract() != 0.0 || !bound.is_finite())
+    {
+        return Err(parameters.error_at(
+            "pixelbounds",
+            "`pixelbounds` takes four integers: x0 x1 y0 y1",
+        ));
     }
     let [width, height] = size.map(f64::from);
-    if bounds.into_iter().zip([width, width, height, height]).any(|(bound, most)| !(0.0..=most).contains(&bound)) {
-        let message =
-            format!("`pixelbounds` reaches out of the film of {width} x {height} pixels: cut off at its edges");
+    if bounds
+        .into_iter()
+        .zip([width, width, height, height])
+        .any(|(bound, most)| !(0.0..=most).contains(&bound))
+    {
+        let message = format!(
+            "`pixelbounds` reaches out of the film of {width} x {height} pixels: cut off at its edges"
+        );
         let diagnostic = Diagnostic::new(message).at(parameters.place_of("pixelbounds"));
-        warnings.add("pixelbounds beyond the film", || diagnostic.note("expected pixels of the film: x0 x1 y0 y1"));
+        warnings.add("pixelbounds beyond the film", || {
+            diagnostic.note("expected pixels of the film: x0 x1 y0 y1")
+        });
     }
     // Those before the first pixel become 0 by the conversion; those beyond the film are cut off by its size.
     let [x0, x1, y0, y1] = bounds.map(|bound| bound as u32);
-    Ok(Some(PixelBounds { x0: x0.min(x1), x1: x0.max(x1), y0: y0.min(y1), y1: y0.max(y1) }))
+    Ok(Some(PixelBounds {
+        x0: x0.min(x1),
+        x1: x0.max(x1),
+        y0: y0.min(y1),
+        y1: y0.max(y1),
+    }))
 }

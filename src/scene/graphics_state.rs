@@ -90,7 +90,10 @@ impl GraphicsState {
         self.reverses_orientation = false;
         (self.material, self.is_light) = (Material::default(), false);
         self.unusable = None;
-        self.rounded = self.rounded.as_ref().map(|_| Arc::new(RoundedTransform::IDENTITY));
+        self.rounded = self
+            .rounded
+            .as_ref()
+            .map(|_| Arc::new(RoundedTransform::IDENTITY));
         self.name(Name::from("world"));
     }
 
@@ -106,7 +109,11 @@ impl GraphicsState {
     }
 
     /// `transform` takes the place of the current transform. `rounded` is as for `concat`.
-    pub(super) fn replace(&mut self, transform: &Transform, rounded: impl FnOnce() -> RoundedTransform) {
+    pub(super) fn replace(
+        &mut self,
+        transform: &Transform,
+        rounded: impl FnOnce() -> RoundedTransform,
+    ) {
         self.change(|_| *transform);
         self.change_rounded(|_| rounded());
     }
@@ -129,7 +136,11 @@ impl GraphicsState {
         if self.changes_start() {
             self.current = changed(&self.current);
         }
-        if self.end.as_ref().is_some_and(|end| end.matrix.bits() == self.current.matrix.bits()) {
+        if self
+            .end
+            .as_ref()
+            .is_some_and(|end| end.matrix.bits() == self.current.matrix.bits())
+        {
             self.end = None;
         }
     }
@@ -152,7 +163,11 @@ impl GraphicsState {
         if block == Block::Import {
             self.renamed.push(HashMap::new());
         }
-        self.open.push(OpenBlock { block, place, saved });
+        self.open.push(OpenBlock {
+            block,
+            place,
+            saved,
+        });
     }
 
     /// Closes the innermost block, whatever it is, but for an import: that is closed by nothing in its file. Gives
@@ -195,7 +210,12 @@ impl GraphicsState {
     }
 
     fn restore(&mut self, transforms: Transforms) {
-        let Transforms { start, rounded, end, unusable } = transforms;
+        let Transforms {
+            start,
+            rounded,
+            end,
+            unusable,
+        } = transforms;
         (self.current, self.rounded, self.end, self.unusable) = (start, rounded, end, unusable);
     }
 
@@ -209,7 +229,10 @@ impl GraphicsState {
     pub(super) fn name_inverse(&mut self, name: Name) {
         let transforms = Transforms {
             start: self.current.inverted(),
-            rounded: self.rounded.as_ref().map(|rounded| Arc::new(rounded.inverted())),
+            rounded: self
+                .rounded
+                .as_ref()
+                .map(|rounded| Arc::new(rounded.inverted())),
             end: self.end.as_ref().map(|end| Box::new(end.inverted())),
             unusable: self.unusable.clone(),
         };
@@ -227,7 +250,9 @@ impl GraphicsState {
     pub(super) fn recall(&mut self, name: &[u8]) -> bool {
         let found = self.named.get(name).cloned();
         let is_known = found.is_some();
-        found.into_iter().for_each(|transforms| self.restore(transforms));
+        found
+            .into_iter()
+            .for_each(|transforms| self.restore(transforms));
         is_known
     }
 }

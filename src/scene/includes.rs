@@ -55,7 +55,10 @@ pub(super) struct Tail {
 
 impl Tail {
     pub(super) fn new(source: &Rc<Source>, start: usize) -> Tail {
-        Tail { source: Rc::clone(source), start }
+        Tail {
+            source: Rc::clone(source),
+            start,
+        }
     }
 
     /// The directive with the `arguments` that it has in another file.
@@ -67,7 +70,12 @@ impl Tail {
 impl Builder<'_> {
     /// Reads the file `name` in place of a directive. Where `is_continued`, its last directive is not obeyed but
     /// handed back, since more of it is to come.
-    pub(super) fn include(&mut self, name: &Text, source: &Rc<Source>, is_continued: bool) -> Result<Option<Tail>> {
+    pub(super) fn include(
+        &mut self,
+        name: &Text,
+        source: &Rc<Source>,
+        is_continued: bool,
+    ) -> Result<Option<Tail>> {
         if name.text.is_empty() {
             return Err(source.error(&name.span, "the name of the file is empty"));
         }
@@ -89,9 +97,16 @@ impl Builder<'_> {
 
     /// As `Include`, but what the file does to the graphics state ends with it, and so do the coordinate systems that
     /// it names; objects and materials stay.
-    pub(super) fn import(&mut self, name: &Text, keyword: &Span, source: &Rc<Source>) -> Result<()> {
+    pub(super) fn import(
+        &mut self,
+        name: &Text,
+        keyword: &Span,
+        source: &Rc<Source>,
+    ) -> Result<()> {
         if !self.in_world {
-            let error = source.error(keyword, "Import outside the world").note("expected after WorldBegin");
+            let error = source
+                .error(keyword, "Import outside the world")
+                .note("expected after WorldBegin");
             return Err(error.note("Include reads a file anywhere"));
         }
         let is_in_object = self.objects.open.is_some();

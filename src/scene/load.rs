@@ -21,13 +21,20 @@ pub fn load(path: &Path, options: &LoadOptions, progress: Progress) -> Result<Sc
 }
 
 /// As [`load`]; also returns the files that were read, or tried, up to an error too.
-pub fn load_listing_files(path: &Path, options: &LoadOptions, progress: Progress) -> (Result<Scene>, InputFiles) {
+pub fn load_listing_files(
+    path: &Path,
+    options: &LoadOptions,
+    progress: Progress,
+) -> (Result<Scene>, InputFiles) {
     if let Some((shape, format)) = bare_mesh(path) {
         let mut files = InputFiles::default();
         files.add(path);
         let budget = Budget::new(options.input_budget);
         let loaded = mesh::read_within(path, format, options.uv, &budget);
-        return (loaded.and_then(|loaded| scene_of_mesh(path, shape, loaded, options)), files);
+        return (
+            loaded.and_then(|loaded| scene_of_mesh(path, shape, loaded, options)),
+            files,
+        );
     }
     let mut builder = Builder::with_options(path, options, progress);
     let read = builder.read_top_level();
@@ -66,7 +73,8 @@ pub fn is_bare_mesh(path: &Path) -> bool {
 
 /// Whether the file `path` is a scene by itself: it begins a world, or cannot be read to find out.
 pub fn is_top_level(path: &Path) -> bool {
-    Source::read_top_level(path, &Budget::default()).map_or(true, |source| parser::begins_world(&source.text))
+    Source::read_top_level(path, &Budget::default())
+        .map_or(true, |source| parser::begins_world(&source.text))
 }
 
 /// What a scene would call the mesh, and its format.

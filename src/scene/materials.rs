@@ -89,7 +89,10 @@ impl Materials {
     /// `MakeNamedMaterial`: a later material takes the name from an earlier one. Tells whether it has a type; without
     /// one it is none in pbrt-v3, and an error in v4.
     pub(super) fn make(&mut self, entity: &Entity) -> bool {
-        let type_name = entity.parameters.iter().rfind(|parameter| parameter.name == "type");
+        let type_name = entity
+            .parameters
+            .iter()
+            .rfind(|parameter| parameter.name == "type");
         let type_name = type_name.and_then(|parameter| match &parameter.values {
             Values::Strings(types) => types.first(),
             _ => None,
@@ -104,7 +107,10 @@ impl Materials {
         match (self.made.get(&*key(name)), before) {
             (Some(kind), _) => Material::Known(*kind),
             (None, Material::Known(before) | Material::NotMade { before, .. }) => {
-                Material::NotMade { name: Name::new(name), before: *before }
+                Material::NotMade {
+                    name: Name::new(name),
+                    before: *before,
+                }
             }
         }
     }
@@ -112,7 +118,11 @@ impl Materials {
     /// Notes that `Shape` statement `shape` has a material that may still have to be made.
     pub(super) fn wait(&mut self, material: &Material, shape: u32, is_light: bool) {
         if let Material::NotMade { name, before } = material {
-            self.waiting.entry(name.clone()).or_default().push(Waiting { shape, before: *before, is_light });
+            self.waiting.entry(name.clone()).or_default().push(Waiting {
+                shape,
+                before: *before,
+                is_light,
+            });
         }
     }
 
@@ -121,8 +131,16 @@ impl Materials {
         let mut boundaries = HashSet::new();
         for (name, shapes) in self.waiting.drain() {
             let made = self.made.get(&name).copied();
-            let bounds = |waiting: &Waiting| made.unwrap_or(waiting.before).only_bounds_media(waiting.is_light);
-            boundaries.extend(shapes.iter().filter(|waiting| bounds(waiting)).map(|waiting| waiting.shape));
+            let bounds = |waiting: &Waiting| {
+                made.unwrap_or(waiting.before)
+                    .only_bounds_media(waiting.is_light)
+            };
+            boundaries.extend(
+                shapes
+                    .iter()
+                    .filter(|waiting| bounds(waiting))
+                    .map(|waiting| waiting.shape),
+            );
         }
         boundaries
     }

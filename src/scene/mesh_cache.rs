@@ -23,7 +23,13 @@ impl MeshCache {
     ///
     /// # Errors
     /// As [`mesh::read`].
-    pub(super) fn read(&mut self, path: &Path, format: MeshFormat, with_uv: bool, budget: &Budget) -> Result<Loaded> {
+    pub(super) fn read(
+        &mut self,
+        path: &Path,
+        format: MeshFormat,
+        with_uv: bool,
+        budget: &Budget,
+    ) -> Result<Loaded> {
         match self.meshes.entry((path.to_path_buf(), format)) {
             Entry::Vacant(place) => {
                 let loaded = mesh::read_within(path, format, with_uv, budget)?;
@@ -54,11 +60,17 @@ mod tests {
     fn a_mesh_is_read_twice_and_then_kept() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.obj");
-        let write = |z: u32| fs::write(&path, format!("v 0 0 {z}\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")).unwrap();
+        let write =
+            |z: u32| fs::write(&path, format!("v 0 0 {z}\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")).unwrap();
         let (mut cache, budget) = (MeshCache::default(), Budget::default());
         let found = [1, 2, 3, 4].map(|z| {
             write(z);
-            cache.read(&path, MeshFormat::Obj, false, &budget).unwrap().mesh.vertices[0].z
+            cache
+                .read(&path, MeshFormat::Obj, false, &budget)
+                .unwrap()
+                .mesh
+                .vertices[0]
+                .z
         });
         assert_eq!(found, [1.0, 2.0, 2.0, 2.0]);
     }

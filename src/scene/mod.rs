@@ -37,7 +37,9 @@ pub use accelerator::AcceleratorParameters;
 pub use census::{Boundary, Census, Listed, ShapeCount};
 pub use digest::SceneDigest;
 pub use film::Film;
-pub use load::{SceneOptions, is_bare_mesh, is_top_level, load, load_listing_files, parse, read_options};
+pub use load::{
+    SceneOptions, is_bare_mesh, is_top_level, load, load_listing_files, parse, read_options,
+};
 pub use objects::UnusedObject;
 pub use places::{Place, Places};
 pub use poses::{Pose, parse_poses, read_poses};

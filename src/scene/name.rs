@@ -62,7 +62,11 @@ mod tests {
     fn composed_and_decomposed_spellings_are_one_name() {
         assert_eq!(name("caf\u{e9}".as_bytes()), name("cafe\u{301}".as_bytes()));
         assert_ne!(name(b"cafe"), name("caf\u{e9}".as_bytes()));
-        assert_ne!(name("\u{fb01}".as_bytes()), name(b"fi"), "compatible characters are others");
+        assert_ne!(
+            name("\u{fb01}".as_bytes()),
+            name(b"fi"),
+            "compatible characters are others"
+        );
     }
 
     #[test]

@@ -60,20 +60,31 @@ pub struct UnusedObject {
 }
 
 impl Builder<'_> {
-    pub(super) fn begin_object(&mut self, name: &Text, keyword: &Span, source: &Rc<Source>) -> Result<()> {
+    pub(super) fn begin_object(
+        &mut self,
+        name: &Text,
+        keyword: &Span,
+        source: &Rc<Source>,
+    ) -> Result<()> {
         self.check_in_world("ObjectBegin", keyword, source)?;
         if self.objects.open.is_some() {
             self.warnings.add("object in object", || {
                 let message = "ObjectBegin within an object: the outer object ends here";
                 let diagnostic = Diagnostic::new(message).at(source.at(keyword));
-                diagnostic.note("expected ObjectEnd before it; pbrt-v3 reads it so; pbrt-v4 refuses it")
+                diagnostic
+                    .note("expected ObjectEnd before it; pbrt-v3 reads it so; pbrt-v4 refuses it")
             });
             self.define_object();
         }
         self.state.begin(Block::Object, Place::new(source, keyword));
         let (name, place) = (Name::new(name), Place::new(source, &name.span));
         let (shapes, transforms) = (Shapes::default(), TransformCache::default());
-        self.objects.open = Some(Definition { name, place, shapes, transforms });
+        self.objects.open = Some(Definition {
+            name,
+            place,
+            shapes,
+            transforms,
+        });
         Ok(())
     }
 
@@ -84,16 +95,34 @@ impl Builder<'_> {
 
     /// Whatever is being defined is an object from now on.
     pub(super) fn define_object(&mut self) {
-        let Some(Definition { name, place, shapes, transforms }) = self.objects.open.take() else { return };
+        let Some(Definition {
+            name,
+            place,
+            shapes,
+            transforms,
+        }) = self.objects.open.take()
+        else {
+            return;
+        };
         self.objects.transform_count += transforms.len();
         if self.objects.defined.contains_key(&name) {
-            let message = format!("a second object called `{name}`: instances that follow show this one");
-            self.warnings.add("object defined twice", || Diagnostic::new(message).at(place.location()));
+            let message =
+                format!("a second object called `{name}`: instances that follow show this one");
+            self.warnings.add("object defined twice", || {
+                Diagnostic::new(message).at(place.location())
+            });
         }
-        self.objects.defined.insert(name, Object::Unused(Box::new(shapes), place));
+        self.objects
+            .defined
+            .insert(name, Object::Unused(Box::new(shapes), place));
     }
 
-    pub(super) fn instance(&mut self, name: &Text, keyword: &Span, source: &Rc<Source>) -> Result<()> {
+    pub(super) fn instance(
+        &mut self,
+        name: &Text,
+        keyword: &Span,
+        source: &Rc<Source>,
+    ) -> Result<()> {
         self.check_in_world("ObjectInstance", keyword, source)?;
         if self.objects.open.is_some() {
             let error = source.error(keyword, "an instance within an object");
@@ -104,17 +133,32 @@ impl Builder<'_> {
         let world_from_instance = self.state.current.matrix;
         if !world_from_instance.is_finite() {
             let message = "an instance under a transform that is not finite is never hit";
-            self.warnings.add("infinite instance", || Diagnostic::new(message).at(source.at(keyword)));
+            self.warnings.add("infinite instance", || {
+                Diagnostic::new(message).at(source.at(keyword))
+            });
         }
         let added = match self.number_of_object(&key(name)) {
             Some(object) => self.shapes.add_instance(object, world_from_instance),
-            None => self.shapes.add_undefined_instance(world_from_instance).map(|instance| {
-                let (name, place) = (Name::new(name), Place::new(source, &name.span));
-                self.objects.awaited.push(Awaited { name, place, instance });
-            }),
+            None => self
+                .shapes
+                .add_undefined_instance(world_from_instance)
+                .map(|instance| {
+                    let (name, place) = (Name::new(name), Place::new(source, &name.span));
+                    self.objects.awaited.push(Awaited {
+                        name,
+                        place,
+                        instance,
+                    });
+                }),
         };
-        added.map_err(|error| source.error(keyword, error.to_string()).note("split the scene"))?;
-        self.places.iter_mut().for_each(|places| places.add_instance(keyword, &source.text));
+        added.map_err(|error| {
+            source
+                .error(keyword, error.to_string())
+                .note("split the scene")
+        })?;
+        self.places
+            .iter_mut()
+            .for_each(|places| places.add_instance(keyword, &source.text));
         if let (Some(roundings), Some(rounded)) = (&mut self.roundings, &self.state.rounded) {
             roundings.instances.push(Arc::clone(rounded));
         }
@@ -139,15 +183,25 @@ impl Builder<'_> {
     pub(super) fn define_awaited(&mut self) -> Result<()> {
         let awaited = std::mem::take(&mut self.objects.awaited);
         let mut defined = Vec::with_capacity(awaited.len());
-        for Awaited { name, place, instance } in awaited {
+        for Awaited {
+            name,
+            place,
+            instance,
+        } in awaited
+        {
             let Some(object) = self.number_of_object(name.borrow()) else {
                 let error = place.error(format!("there is no object called `{name}`"));
-                let (name, known) = (name.to_string(), self.objects.defined.keys().map(Name::to_string));
+                let (name, known) = (
+                    name.to_string(),
+                    self.objects.defined.keys().map(Name::to_string),
+                );
                 let known: Vec<String> = known.collect();
-                return Err(match spelling::closest(&name, known.iter().map(String::as_str)) {
-                    Some(known) => error.note(format!("did you mean `{known}`?")),
-                    None => error.note("expected the name of an ObjectBegin"),
-                });
+                return Err(
+                    match spelling::closest(&name, known.iter().map(String::as_str)) {
+                        Some(known) => error.note(format!("did you mean `{known}`?")),
+                        None => error.note("expected the name of an ObjectBegin"),
+                    },
+                );
             };
             defined.push((instance, object));
         }
@@ -161,15 +215,20 @@ impl Builder<'_> {
 impl Objects {
     /// The objects that no instance shows, sorted by name: the first `most` of them, and the number of all.
     pub(super) fn unused(&self, most: usize) -> (Vec<UnusedObject>, u64) {
-        let unused = self.defined.iter().filter_map(|(name, object)| match object {
-            Object::Unused(_, place) => Some((name, place)),
-            Object::Used(_) => None,
-        });
+        let unused = self
+            .defined
+            .iter()
+            .filter_map(|(name, object)| match object {
+                Object::Unused(_, place) => Some((name, place)),
+                Object::Used(_) => None,
+            });
         let mut unused: Vec<_> = unused.collect();
         unused.sort_by_key(|(name, _)| *name);
         let shown = unused.iter().take(most);
-        let shown =
-            shown.map(|(name, place)| UnusedObject { name: name.to_string(), place: place.location().to_string() });
+        let shown = shown.map(|(name, place)| UnusedObject {
+            name: name.to_string(),
+            place: place.location().to_string(),
+        });
         (shown.collect(), unused.len() as u64)
     }
 }

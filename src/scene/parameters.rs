@@ -26,13 +26,26 @@ pub(super) struct Parameters<'a> {
 impl<'a> Parameters<'a> {
     /// # Errors
     /// A value that is not of its declared type, whatever its name.
-    pub(super) fn new(keyword: &'static str, entity: &'a Entity<'a>, source: &'a Source) -> Result<Parameters<'a>> {
+    pub(super) fn new(
+        keyword: &'static str,
+        entity: &'a Entity<'a>,
+        source: &'a Source,
+    ) -> Result<Parameters<'a>> {
         for parameter in &entity.parameters {
             if let Some(refusal) = refusal_of_values(parameter) {
-                return Err(Error::bad_input(refusal.at(source.at(&parameter.values_span))));
+                return Err(Error::bad_input(
+                    refusal.at(source.at(&parameter.values_span)),
+                ));
             }
         }
-        Ok(Parameters { keyword, entity, source, defaults: &[], asked: Vec::new(), ignored: Vec::new() })
+        Ok(Parameters {
+            keyword,
+            entity,
+            source,
+            defaults: &[],
+            asked: Vec::new(),
+            ignored: Vec::new(),
+        })
     }
 
     /// The parameters of a `Shape`; its own win over `defaults`.
@@ -41,7 +54,10 @@ impl<'a> Parameters<'a> {
         source: &'a Source,
         defaults: &'a ShapeDefaults,
     ) -> Result<Parameters<'a>> {
-        Ok(Parameters { defaults: defaults.as_slice(), ..Parameters::new("Shape", entity, source)? })
+        Ok(Parameters {
+            defaults: defaults.as_slice(),
+            ..Parameters::new("Shape", entity, source)?
+        })
     }
 
     /// The name behind the keyword: `sphere`, `perspective`.
@@ -61,9 +77,16 @@ impl<'a> Parameters<'a> {
 
     /// The last parameter of this name, as in pbrt, with the file that it stands in.
     fn last(&self, name: &str) -> Option<(&'a Parameter<'a>, &'a Source)> {
-        let own = self.entity.parameters.iter().rfind(|parameter| parameter.name == name);
+        let own = self
+            .entity
+            .parameters
+            .iter()
+            .rfind(|parameter| parameter.name == name);
         own.map(|parameter| (parameter, self.source)).or_else(|| {
-            let default = self.defaults.iter().rfind(|default| default.parameter.name == name)?;
+            let default = self
+                .defaults
+                .iter()
+                .rfind(|default| default.parameter.name == name)?;
             Some((&default.parameter, &*default.source))
         })
     }
@@ -80,7 +103,9 @@ impl<'a> Parameters<'a> {
         declared: DeclaredType,
     ) -> Result<Option<(&'a Parameter<'a>, &'a Source)>> {
         let found = self.find(name);
-        match found.and_then(|(parameter, source)| Some((declared.refusal(parameter)?, source.at(&parameter.span)))) {
+        match found.and_then(|(parameter, source)| {
+            Some((declared.refusal(parameter)?, source.at(&parameter.span)))
+        }) {
             Some((refusal, place)) => Err(Error::bad_input(refusal.at(place))),
             None => Ok(found),
         }
@@ -92,8 +117,14 @@ impl<'a> Parameters<'a> {
     }
 
     /// All numbers of a parameter that is to be a `declared`.
-    pub(super) fn numbers(&mut self, name: &'static str, declared: DeclaredType) -> Result<Option<&'a [f64]>> {
-        let Some((parameter, source)) = self.find_declared(name, declared)? else { return Ok(None) };
+    pub(super) fn numbers(
+        &mut self,
+        name: &'static str,
+        declared: DeclaredType,
+    ) -> Result<Option<&'a [f64]>> {
+        let Some((parameter, source)) = self.find_declared(name, declared)? else {
+            return Ok(None);
+        };
         match &parameter.values {
             Values::Numbers(numbers) => Ok(Some(numbers)),
             Values::None => Ok(Some(&[])),
@@ -107,19 +138,30 @@ impl<'a> Parameters<'a> {
         name: &'static str,
         declared: DeclaredType,
     ) -> Result<Option<[f64; N]>> {
-        let Some(numbers) = self.numbers(name, declared)? else { return Ok(None) };
+        let Some(numbers) = self.numbers(name, declared)? else {
+            return Ok(None);
+        };
         match numbers.try_into() {
             Ok(numbers) => Ok(Some(numbers)),
             Err(_) => {
-                let number = if N == 1 { "one number".to_owned() } else { format!("{N} numbers") };
-                Err(self.error_at(name, format!("`{name}` takes {number}, found {}", numbers.len())))
+                let number = if N == 1 {
+                    "one number".to_owned()
+                } else {
+                    format!("{N} numbers")
+                };
+                Err(self.error_at(
+                    name,
+                    format!("`{name}` takes {number}, found {}", numbers.len()),
+                ))
             }
         }
     }
 
     /// One number, declared as `float`.
     pub(super) fn number(&mut self, name: &'static str) -> Result<Option<f64>> {
-        Ok(self.fixed_numbers::<1>(name, DeclaredType::FLOAT)?.map(|[number]| number))
+        Ok(self
+            .fixed_numbers::<1>(name, DeclaredType::FLOAT)?
+            .map(|[number]| number))
     }
 
     /// The number that a parameter is, where it is one; it may be anything else.
@@ -133,16 +175,24 @@ impl<'a> Parameters<'a> {
     /// One finite number above 0.
     pub(super) fn positive_number(&mut self, name: &'static str) -> Result<Option<f64>> {
         match self.number(name)? {
-            Some(number) if !(number > 0.0 && number.is_finite()) => {
-                Err(self.error_at(name, format!("`{name}` is {number}, expected a number above 0")))
-            }
+            Some(number) if !(number > 0.0 && number.is_finite()) => Err(self.error_at(
+                name,
+                format!("`{name}` is {number}, expected a number above 0"),
+            )),
             number => Ok(number),
         }
     }
 
     /// One integer from `least` to `most`.
-    pub(super) fn integer(&mut self, name: &'static str, least: i64, most: i64) -> Result<Option<i64>> {
-        let Some([number]) = self.fixed_numbers(name, DeclaredType::INTEGER)? else { return Ok(None) };
+    pub(super) fn integer(
+        &mut self,
+        name: &'static str,
+        least: i64,
+        most: i64,
+    ) -> Result<Option<i64>> {
+        let Some([number]) = self.fixed_numbers(name, DeclaredType::INTEGER)? else {
+            return Ok(None);
+        };
         if number.fract() == 0.0 && number >= least as f64 && number <= most as f64 {
             return Ok(Some(number as i64));
         }
@@ -161,13 +211,17 @@ impl<'a> Parameters<'a> {
     }
 
     fn text(&mut self, name: &'static str) -> Result<Option<&'a Text<'a>>> {
-        let Some((parameter, source)) = self.find_declared(name, DeclaredType::STRING)? else { return Ok(None) };
+        let Some((parameter, source)) = self.find_declared(name, DeclaredType::STRING)? else {
+            return Ok(None);
+        };
         match &parameter.values {
-            Values::Strings(strings) if strings.len() == 1 && !strings[0].text.is_empty() => Ok(Some(&strings[0])),
-            _ => {
-                Err(source
-                    .error(&parameter.values_span, format!("`{name}` takes one string in quotes that is not empty")))
+            Values::Strings(strings) if strings.len() == 1 && !strings[0].text.is_empty() => {
+                Ok(Some(&strings[0]))
             }
+            _ => Err(source.error(
+                &parameter.values_span,
+                format!("`{name}` takes one string in quotes that is not empty"),
+            )),
         }
     }
 
@@ -189,7 +243,9 @@ impl<'a> Parameters<'a> {
     }
 
     fn span_of(&self, name: &str) -> (&'a Span, &'a Source) {
-        let found = self.last(name).map(|(parameter, source)| (&parameter.values_span, source));
+        let found = self
+            .last(name)
+            .map(|(parameter, source)| (&parameter.values_span, source));
         found.unwrap_or((&self.entity.name.span, self.source))
     }
 
@@ -207,7 +263,9 @@ impl<'a> Parameters<'a> {
     /// A warning, once a kind, that points at the name behind the keyword.
     pub(super) fn warn_at_name(&self, kind: &str, diagnostic: Diagnostic, warnings: &mut Warnings) {
         let kind = format!("{} {kind}", self.keyword);
-        warnings.add(kind, || diagnostic.at(self.source.at(&self.entity.name.span)));
+        warnings.add(kind, || {
+            diagnostic.at(self.source.at(&self.entity.name.span))
+        });
     }
 
     /// Warns of parameters that nobody asked for, and of those that occur more than once.
@@ -217,7 +275,10 @@ impl<'a> Parameters<'a> {
             if self.known().any(|known| parameter.name == known) {
                 continue;
             }
-            let kind = format!("unknown {} {} {}", self.keyword, self.entity.name.text, parameter.name);
+            let kind = format!(
+                "unknown {} {} {}",
+                self.keyword, self.entity.name.text, parameter.name
+            );
             warnings.add(kind, || self.unknown(parameter));
         }
     }
@@ -240,10 +301,16 @@ impl<'a> Parameters<'a> {
         while let Some((parameter, later)) = rest.split_first() {
             rest = later;
             let matters = || self.asked.iter().any(|name| parameter.name == *name);
-            if !later.is_empty() && matters() && later.iter().any(|other| other.name == parameter.name) {
+            if !later.is_empty()
+                && matters()
+                && later.iter().any(|other| other.name == parameter.name)
+            {
                 let kind = format!("repeated {} {}", self.keyword, parameter.name);
                 warnings.add(kind, || {
-                    let message = format!("`{}` is set more than once: the last one counts", parameter.name);
+                    let message = format!(
+                        "`{}` is set more than once: the last one counts",
+                        parameter.name
+                    );
                     Diagnostic::new(message).at(self.source.at(&parameter.span))
                 });
             }
@@ -253,7 +320,11 @@ impl<'a> Parameters<'a> {
     /// The error `message`, with a hint at a parameter that may be a misspelt `name`.
     pub(super) fn missing(&self, name: &str, message: impl Into<String>) -> Error {
         let error = self.error_at_name(message);
-        let mut names = self.entity.parameters.iter().map(|parameter| &*parameter.name);
+        let mut names = self
+            .entity
+            .parameters
+            .iter()
+            .map(|parameter| &*parameter.name);
         match names.find(|found| spelling::closest(found, std::iter::once(name)).is_some()) {
             Some(found) => error.note(format!("did you mean `{name}` by `{found}`?")),
             None => error,
@@ -261,14 +332,22 @@ impl<'a> Parameters<'a> {
     }
 
     /// An error that points at number `place`, from 0, of the array called `name`.
-    pub(super) fn error_at_number(&self, name: &str, place: usize, message: impl Into<String>) -> Error {
+    pub(super) fn error_at_number(
+        &self,
+        name: &str,
+        place: usize,
+        message: impl Into<String>,
+    ) -> Error {
         let (array, source) = self.span_of(name);
         source.error(&parser::number_in(&source.text, array, place), message)
     }
 
     fn unknown(&self, parameter: &Parameter) -> Diagnostic {
         let (keyword, entity) = (self.keyword, &self.entity.name.text);
-        let message = format!("{keyword} \"{entity}\" has no parameter `{}`: ignored", parameter.name);
+        let message = format!(
+            "{keyword} \"{entity}\" has no parameter `{}`: ignored",
+            parameter.name
+        );
         let diagnostic = Diagnostic::new(message).at(self.source.at(&parameter.span));
         match spelling::closest(&parameter.name, self.known()) {
             Some(known) => diagnostic.note(format!("did you mean `{known}`?")),

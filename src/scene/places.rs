@@ -39,20 +39,35 @@ pub struct Place<'a> {
 impl fmt::Display for Place<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.path.display().fmt(f)?;
-        self.line_and_column.map_or(Ok(()), |[line, column]| write!(f, ":{line}:{column}"))
+        self.line_and_column
+            .map_or(Ok(()), |[line, column]| write!(f, ":{line}:{column}"))
     }
 }
 
 impl Places {
     /// Of a mesh that is a scene by itself.
     pub(super) fn of_mesh(path: &Path, shape: &str) -> Places {
-        let whole = Spot { file: 0, offset: 0, line: 0, column: 0 };
-        Places { files: vec![path.to_path_buf()], shapes: vec![(shape.into(), whole)], ..Places::default() }
+        let whole = Spot {
+            file: 0,
+            offset: 0,
+            line: 0,
+            column: 0,
+        };
+        Places {
+            files: vec![path.to_path_buf()],
+            shapes: vec![(shape.into(), whole)],
+            ..Places::default()
+        }
     }
 
     /// A file begins.
     pub(super) fn enter(&mut self, path: &Path) {
-        self.open.push(Spot { file: self.files.len(), offset: 0, line: 1, column: 1 });
+        self.open.push(Spot {
+            file: self.files.len(),
+            offset: 0,
+            line: 1,
+            column: 1,
+        });
         self.files.push(path.to_path_buf());
     }
 
@@ -73,7 +88,15 @@ impl Places {
             Position::Text { line, column, .. } => (line, column),
             _ => (0, 0),
         };
-        self.shapes.push((name.into(), Spot { file: self.files.len(), offset: 0, line, column }));
+        self.shapes.push((
+            name.into(),
+            Spot {
+                file: self.files.len(),
+                offset: 0,
+                line,
+                column,
+            },
+        ));
         self.files.push(location.path.clone());
     }
 
@@ -85,13 +108,21 @@ impl Places {
 
     /// Goes on to a statement, so that no part of a file is looked through twice.
     fn advance(&mut self, keyword: &Span, text: &[u8]) -> Spot {
-        let spot = self.open.last_mut().expect("statements stand in a file that was entered");
+        let spot = self
+            .open
+            .last_mut()
+            .expect("statements stand in a file that was entered");
         let passed = &text[spot.offset..keyword.start];
         let characters = |bytes: &[u8]| String::from_utf8_lossy(bytes).chars().count() as u64;
-        match passed.iter().rposition(|byte| matches!(byte, b'\n' | b'\r')) {
+        match passed
+            .iter()
+            .rposition(|byte| matches!(byte, b'\n' | b'\r'))
+        {
             Some(end) => {
-                let ends =
-                    |at: &usize| passed[*at] == b'\n' || (passed[*at] == b'\r' && passed.get(at + 1) != Some(&b'\n'));
+                let ends = |at: &usize| {
+                    passed[*at] == b'\n'
+                        || (passed[*at] == b'\r' && passed.get(at + 1) != Some(&b'\n'))
+                };
                 spot.line += (0..=end).filter(ends).count() as u64;
                 spot.column = 1 + characters(&passed[end + 1..]);
             }
@@ -103,7 +134,10 @@ impl Places {
 
     fn place(&self, spot: &Spot) -> Place<'_> {
         let line_and_column = (spot.line > 0).then_some([spot.line, spot.column]);
-        Place { path: &self.files[spot.file], line_and_column }
+        Place {
+            path: &self.files[spot.file],
+            line_and_column,
+        }
     }
 
     /// Type and place of `Shape` statement `number`, counted from 1.
@@ -136,7 +170,10 @@ mod tests {
             let expected = SourceLocation::text(Path::new("a"), text.as_bytes(), span).to_string();
             assert_eq!((name, place.to_string()), ("sphere", expected));
         }
-        assert_eq!((places.shape(0), places.shape(6), places.instance(0)), (None, None, None));
+        assert_eq!(
+            (places.shape(0), places.shape(6), places.instance(0)),
+            (None, None, None)
+        );
     }
 
     #[test]
@@ -148,8 +185,22 @@ mod tests {
         places.add_shape("b", &(2..3), b"  S");
         places.leave();
         places.add_instance(&(4..5), b"\nS\n I");
-        let found = [places.shape(1).unwrap().1, places.shape(2).unwrap().1, places.instance(0).unwrap()];
-        assert_eq!(found.map(|place| place.to_string()), ["outer:2:1", "inner:1:3", "outer:3:2"]);
-        assert_eq!(Places::of_mesh(Path::new("m.ply"), "plymesh").shape(1).unwrap().1.to_string(), "m.ply");
+        let found = [
+            places.shape(1).unwrap().1,
+            places.shape(2).unwrap().1,
+            places.instance(0).unwrap(),
+        ];
+        assert_eq!(
+            found.map(|place| place.to_string()),
+            ["outer:2:1", "inner:1:3", "outer:3:2"]
+        );
+        assert_eq!(
+            Places::of_mesh(Path::new("m.ply"), "plymesh")
+                .shape(1)
+                .unwrap()
+                .1
+                .to_string(),
+            "m.ply"
+        );
     }
 }

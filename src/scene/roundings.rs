@@ -17,6 +17,10 @@ pub struct Roundings {
 impl Default for Roundings {
     /// Those of a world without shapes, and of the default camera, which is exact.
     fn default() -> Roundings {
-        Roundings { camera: Arc::new(RoundedTransform::IDENTITY), shapes: Vec::new(), instances: Vec::new() }
+        Roundings {
+            camera: Arc::new(RoundedTransform::IDENTITY),
+            shapes: Vec::new(),
+            instances: Vec::new(),
+        }
     }
 }

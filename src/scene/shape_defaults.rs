@@ -23,7 +23,10 @@ impl ShapeDefaults {
         if parameters.len() > MAX_DEFAULTS - self.0.len() {
             return false;
         }
-        let copy = |parameter: &Parameter| ShapeDefault { parameter: parameter.to_owned(), source: Rc::clone(source) };
+        let copy = |parameter: &Parameter| ShapeDefault {
+            parameter: parameter.to_owned(),
+            source: Rc::clone(source),
+        };
         self.0.extend(parameters.iter().map(copy));
         true
     }

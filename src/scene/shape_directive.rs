@@ -11,7 +11,12 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 impl Builder<'_> {
-    pub(super) fn shape(&mut self, entity: &Entity, keyword: &Span, source: &Rc<Source>) -> Result<()> {
+    pub(super) fn shape(
+        &mut self,
+        entity: &Entity,
+        keyword: &Span,
+        source: &Rc<Source>,
+    ) -> Result<()> {
         self.check_in_world("Shape", keyword, source)?;
         let number = self.next_shape(entity, keyword, source)?;
         let name = &entity.name.text;
@@ -22,10 +27,13 @@ impl Builder<'_> {
             self.check_usable("Shape", keyword, source)?;
             self.warn_if_moving(keyword, source);
         }
-        self.materials.wait(&self.state.material, number, self.state.is_light);
+        self.materials
+            .wait(&self.state.material, number, self.state.is_light);
         let is_in_object = self.objects.open.is_some();
         let (shapes, transforms) = match &mut self.objects.open {
-            Some(Definition { shapes, transforms, .. }) => (shapes, transforms),
+            Some(Definition {
+                shapes, transforms, ..
+            }) => (shapes, transforms),
             None => (&mut self.shapes, &mut self.transforms),
         };
         let world_from_object = self.state.current.matrix;
@@ -56,7 +64,10 @@ impl Builder<'_> {
     /// The number of a `Shape` statement, and its place where that is wanted.
     fn next_shape(&mut self, entity: &Entity, keyword: &Span, source: &Rc<Source>) -> Result<u32> {
         let Some(number) = self.shape_count.checked_add(1) else {
-            return Err(source.error(keyword, format!("the scene has more than {} shapes", u32::MAX)));
+            return Err(source.error(
+                keyword,
+                format!("the scene has more than {} shapes", u32::MAX),
+            ));
         };
         self.shape_count = number;
         let name = &entity.name.text;

@@ -25,7 +25,12 @@ struct Part {
 
 impl Part {
     fn piece(&self) -> Piece<'_> {
-        Piece { start: self.start, path: &self.file.path, file: &self.file.text, offset: self.offset }
+        Piece {
+            start: self.start,
+            path: &self.file.path,
+            file: &self.file.text,
+            offset: self.offset,
+        }
     }
 }
 
@@ -35,7 +40,11 @@ impl Source {
     pub(super) fn read_top_level(path: &Path, budget: &Budget) -> Result<Source> {
         let is_stdin = path == Path::new("-");
         let is_known = !is_stdin && budget.enter(path);
-        let bytes = if is_stdin { input::read_stdin()? } else { input::read(path)? };
+        let bytes = if is_stdin {
+            input::read_stdin()?
+        } else {
+            input::read(path)?
+        };
         if !is_known {
             // A pipe has no size before it is read.
             budget.enter_stream(path, bytes.len() as u64);
@@ -59,25 +68,45 @@ impl Source {
 
     /// The text of the file `path`.
     pub(super) fn new(path: &Path, text: Vec<u8>) -> Source {
-        Source { path: path.to_path_buf(), text, parts: Vec::new() }
+        Source {
+            path: path.to_path_buf(),
+            text,
+            parts: Vec::new(),
+        }
     }
 
     /// What `first` has from `start` on, and behind it the bytes `span` of `second`.
-    pub(super) fn spliced(first: &Rc<Source>, start: usize, second: &Rc<Source>, span: Span) -> Source {
+    pub(super) fn spliced(
+        first: &Rc<Source>,
+        start: usize,
+        second: &Rc<Source>,
+        span: Span,
+    ) -> Source {
         let mut text = first.text[start..].to_vec();
         let mut parts = first.parts_from(start);
         // The end of a file ends a word and a comment.
         text.push(b'\n');
-        let moved = |part: Part| Part { start: part.start + text.len(), ..part };
+        let moved = |part: Part| Part {
+            start: part.start + text.len(),
+            ..part
+        };
         parts.extend(second.parts_from(span.start).into_iter().map(moved));
         text.extend_from_slice(&second.text[span]);
-        Source { path: second.path.clone(), text, parts }
+        Source {
+            path: second.path.clone(),
+            text,
+            parts,
+        }
     }
 
     /// The parts of the text from `start` on, as if it began there.
     fn parts_from(self: &Rc<Source>, start: usize) -> Vec<Part> {
         if self.parts.is_empty() {
-            return vec![Part { start: 0, file: Rc::clone(self), offset: start }];
+            return vec![Part {
+                start: 0,
+                file: Rc::clone(self),
+                offset: start,
+            }];
         }
         let first = self.parts.partition_point(|part| part.start <= start) - 1;
         let moved = |part: &Part| Part {
@@ -126,7 +155,10 @@ pub(super) struct Place {
 
 impl Place {
     pub(super) fn new(source: &Rc<Source>, span: &Span) -> Place {
-        Place { source: Rc::clone(source), span: span.clone() }
+        Place {
+            source: Rc::clone(source),
+            span: span.clone(),
+        }
     }
 
     /// The place as messages show it.
@@ -156,6 +188,9 @@ mod tests {
         let last = file("last", "  2\n3");
         let twice = Source::spliced(&spliced, 6, &last, 2..5);
         let at = |start: usize| twice.at(&(start..start + 1)).to_string();
-        assert_eq!([at(0), at(6), at(12), at(14)], ["inner:2:7", "outer:2:2", "last:1:3", "last:2:1"]);
+        assert_eq!(
+            [at(0), at(6), at(12), at(14)],
+            ["inner:2:7", "outer:2:2", "last:1:3", "last:2:1"]
+        );
     }
 }

@@ -46,7 +46,10 @@ mod tests {
     use super::*;
 
     fn suggestion(word: &str) -> Option<&'static str> {
-        closest(word, ["Shape", "Scale", "radius", "P", "N", "Translate"].into_iter())
+        closest(
+            word,
+            ["Shape", "Scale", "radius", "P", "N", "Translate"].into_iter(),
+        )
     }
 
     #[test]
@@ -68,7 +71,13 @@ mod tests {
 
     #[test]
     fn counts_edits() {
-        let cases = [("", "abc", 3), ("abc", "", 3), ("abc", "abc", 0), ("abc", "acb", 1), ("kitten", "sitting", 3)];
+        let cases = [
+            ("", "abc", 3),
+            ("abc", "", 3),
+            ("abc", "abc", 0),
+            ("abc", "acb", 1),
+            ("kitten", "sitting", 3),
+        ];
         for (a, b, edits) in cases {
             assert_eq!(distance(a, b), edits, "{a} {b}");
         }

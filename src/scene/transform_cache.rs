@@ -21,7 +21,10 @@ impl TransformCache {
         {
             return *number;
         }
-        let number = *self.number_of.entry(matrix.bits()).or_insert_with(|| shapes.add_transform(*matrix));
+        let number = *self
+            .number_of
+            .entry(matrix.bits())
+            .or_insert_with(|| shapes.add_transform(*matrix));
         self.last = Some((*matrix, number));
         number
     }
@@ -41,7 +44,8 @@ mod tests {
         let (mut cache, mut shapes) = (TransformCache::default(), Shapes::default());
         let zero = Matrix::translate([0.0, 0.0, 0.0]);
         let negative_zero = Matrix::translate([-0.0, 0.0, 0.0]);
-        let numbers = [zero, zero, negative_zero, zero, negative_zero].map(|m| cache.intern(&m, &mut shapes));
+        let numbers =
+            [zero, zero, negative_zero, zero, negative_zero].map(|m| cache.intern(&m, &mut shapes));
         assert_eq!((numbers, cache.len()), ([0, 0, 1, 0, 1], 2));
     }
 }

@@ -13,30 +13,49 @@ impl Builder<'_> {
     /// Multiplies the current transform, and remembers where it first went wrong.
     pub(super) fn concat(&mut self, leaf: Transform, directive: &Directive, source: &Rc<Source>) {
         if !self.state.changes_start() {
-            return self.state.concat(&leaf, || rounded(&leaf, &directive.statement));
+            return self
+                .state
+                .concat(&leaf, || rounded(&leaf, &directive.statement));
         }
         if self.state.unusable.is_some() {
-            return self.state.concat(&leaf, || rounded(&leaf, &directive.statement));
+            return self
+                .state
+                .concat(&leaf, || rounded(&leaf, &directive.statement));
         }
         if !leaf.matrix.is_finite() {
             let message = why_not_finite(&directive.statement);
-            self.warnings.add(message, || Diagnostic::new(message).at(source.at(&directive.span)));
+            self.warnings.add(message, || {
+                Diagnostic::new(message).at(source.at(&directive.span))
+            });
         }
-        self.state.concat(&leaf, || rounded(&leaf, &directive.statement));
+        self.state
+            .concat(&leaf, || rounded(&leaf, &directive.statement));
         if self.singular.is_none() && !self.state.current.inverse.is_finite() {
-            self.singular = Some((why_not_finite(&directive.statement), Place::new(source, &directive.span)));
+            self.singular = Some((
+                why_not_finite(&directive.statement),
+                Place::new(source, &directive.span),
+            ));
         }
     }
 
-    pub(super) fn replace(&mut self, transform: Transform, directive: &Directive, source: &Rc<Source>) {
+    pub(super) fn replace(
+        &mut self,
+        transform: Transform,
+        directive: &Directive,
+        source: &Rc<Source>,
+    ) {
         if self.state.changes_start() {
             self.state.unusable = None;
         }
-        self.state.replace(&transform, || rounded(&transform, &directive.statement));
+        self.state
+            .replace(&transform, || rounded(&transform, &directive.statement));
         if self.state.changes_start() {
             self.singular = None;
             if !transform.inverse.is_finite() {
-                self.singular = Some((why_not_finite(&directive.statement), Place::new(source, &directive.span)));
+                self.singular = Some((
+                    why_not_finite(&directive.statement),
+                    Place::new(source, &directive.span),
+                ));
             }
         }
     }
@@ -49,7 +68,8 @@ impl Builder<'_> {
             (Some(transform), false) => self.concat(transform, directive, source),
             (None, _) => {
                 let nowhere = Transform::NOT_A_TRANSFORM;
-                self.state.replace(&nowhere, || RoundedTransform::of_numbers(&nowhere, false));
+                self.state
+                    .replace(&nowhere, || RoundedTransform::of_numbers(&nowhere, false));
                 if self.state.changes_start() && (replaces || self.state.unusable.is_none()) {
                     let (message, place) = (why_unusable(m), Place::new(source, &directive.span));
                     self.state.unusable = Some(Rc::new(Unusable { message, place }));
@@ -61,7 +81,9 @@ impl Builder<'_> {
     /// # Errors
     /// A current transform that cannot place what `keyword` stands for.
     pub(super) fn check_usable(&self, name: &str, keyword: &Span, source: &Source) -> Result<()> {
-        let Some(unusable) = &self.state.unusable else { return Ok(()) };
+        let Some(unusable) = &self.state.unusable else {
+            return Ok(());
+        };
         let error = unusable.place.error(&*unusable.message);
         let error = error.note(format!("{name} at {} depends on it", source.at(keyword)));
         Err(error.note(
@@ -69,9 +91,27 @@ impl Builder<'_> {
         ))
     }
 
-    pub(super) fn look_at(&mut self, numbers: &[f64; 9], directive: &Directive, source: &Rc<Source>) {
-        let [eye_x, eye_y, eye_z, look_x, look_y, look_z, up_x, up_y, up_z] = *numbers;
-        let (eye, look) = (Point::new(eye_x, eye_y, eye_z), Point::new(look_x, look_y, look_z));
+    pub(super) fn look_at(
+        &mut self,
+        numbers: &[f64; 9],
+        directive: &Directive,
+        source: &Rc<Source>,
+    ) {
+        let [
+            eye_x,
+            eye_y,
+            eye_z,
+            look_x,
+            look_y,
+            look_z,
+            up_x,
+            up_y,
+            up_z,
+        ] = *numbers;
+        let (eye, look) = (
+            Point::new(eye_x, eye_y, eye_z),
+            Point::new(look_x, look_y, look_z),
+        );
         match Transform::look_at(eye, look, Vector::new(up_x, up_y, up_z)) {
             Some(camera_from_world) => self.concat(camera_from_world, directive, source),
             None => self.warnings.add("parallel LookAt", || {
@@ -87,7 +127,9 @@ impl Builder<'_> {
     pub(super) fn recall(&mut self, name: &Text, source: &Rc<Source>) {
         if !self.state.recall(&key(name)) {
             let message = format!("no coordinate system is called `{}`: ignored", name.text);
-            self.warnings.add(message.clone(), || Diagnostic::new(message).at(source.at(&name.span)));
+            self.warnings.add(message.clone(), || {
+                Diagnostic::new(message).at(source.at(&name.span))
+            });
         }
     }
 }
@@ -98,9 +140,13 @@ fn why_not_finite(statement: &Statement) -> &'static str {
         Statement::Rotate([angle, ..]) if angle.is_finite() => {
             "the axis of this Rotate has no length, or one whose square is out of range"
         }
-        Statement::LookAt(_) => "this LookAt has no direction: eye and look are one point, or up has no length",
+        Statement::LookAt(_) => {
+            "this LookAt has no direction: eye and look are one point, or up has no length"
+        }
         Statement::Scale(factors) if factors.contains(&0.0) => "this Scale by 0 cannot be undone",
-        Statement::Transform(_) | Statement::ConcatTransform(_) => "this matrix has no finite inverse",
+        Statement::Transform(_) | Statement::ConcatTransform(_) => {
+            "this matrix has no finite inverse"
+        }
         _ => "the numbers of this transform are beyond the range of f64, or no numbers",
     }
 }
@@ -111,11 +157,15 @@ fn rounded(leaf: &Transform, statement: &Statement) -> RoundedTransform {
         Statement::Identity => RoundedTransform::IDENTITY,
         Statement::Translate(offset) => RoundedTransform::translate(*offset),
         Statement::Scale(factors) => RoundedTransform::scale(*factors),
-        Statement::Rotate([angle, x, y, z]) => RoundedTransform::rotate(*angle, Vector::new(*x, *y, *z)),
+        Statement::Rotate([angle, x, y, z]) => {
+            RoundedTransform::rotate(*angle, Vector::new(*x, *y, *z))
+        }
         Statement::LookAt([ex, ey, ez, lx, ly, lz, ux, uy, uz]) => {
             RoundedTransform::look_at([[*ex, *ey, *ez], [*lx, *ly, *lz], [*ux, *uy, *uz]])
         }
-        Statement::Transform(m) | Statement::ConcatTransform(m) => RoundedTransform::of_numbers(leaf, m[15] != 1.0),
+        Statement::Transform(m) | Statement::ConcatTransform(m) => {
+            RoundedTransform::of_numbers(leaf, m[15] != 1.0)
+        }
         _ => RoundedTransform::of_numbers(leaf, false),
     }
 }

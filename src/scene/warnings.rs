@@ -34,13 +34,21 @@ impl Warnings {
         if !known && list.len() >= MAX_KINDS {
             if list.len() == MAX_KINDS {
                 let first = Diagnostic::new("more warnings of other kinds");
-                list.push(Warning { kind: "others".to_owned(), first, count: 0 });
+                list.push(Warning {
+                    kind: "others".to_owned(),
+                    first,
+                    count: 0,
+                });
             }
             list[MAX_KINDS].count += 1;
             return;
         }
         let place = *self.place_of_kind.entry(kind).or_insert_with_key(|kind| {
-            list.push(Warning { kind: kind.clone(), first: first(), count: 0 });
+            list.push(Warning {
+                kind: kind.clone(),
+                first: first(),
+                count: 0,
+            });
             list.len() - 1
         });
         list[place].count += 1;
@@ -70,11 +78,18 @@ mod tests {
     fn a_kind_is_reported_once_with_its_count() {
         let mut warnings = Warnings::default();
         for place in 1..4 {
-            warnings.add("disk", || Diagnostic::new(format!("a disk in line {place}")));
+            warnings.add("disk", || {
+                Diagnostic::new(format!("a disk in line {place}"))
+            });
         }
         warnings.add("curve", || Diagnostic::new("a curve"));
-        let counts = warnings.iter().map(|warning| (warning.first.message.as_str(), warning.count));
-        assert_eq!(counts.collect::<Vec<_>>(), [("a disk in line 1", 3), ("a curve", 1)]);
+        let counts = warnings
+            .iter()
+            .map(|warning| (warning.first.message.as_str(), warning.count));
+        assert_eq!(
+            counts.collect::<Vec<_>>(),
+            [("a disk in line 1", 3), ("a curve", 1)]
+        );
     }
 
     #[test]
@@ -84,6 +99,9 @@ mod tests {
             warnings.add(kind.to_string(), || Diagnostic::new("odd"));
         }
         assert_eq!(warnings.iter().count(), MAX_KINDS + 1);
-        assert_eq!(warnings.iter().last().map(|warning| warning.count), Some(1000 - MAX_KINDS as u64));
+        assert_eq!(
+            warnings.iter().last().map(|warning| warning.count),
+            Some(1000 - MAX_KINDS as u64)
+        );
     }
 }

@@ -8,22 +8,38 @@ impl Shapes {
     /// The box in the world around all primitives that can be hit; empty where there are none. Of an instance it is the box
     /// around the box of its object, which may be larger than need be.
     pub fn extent(&self) -> Bounds {
-        let objects: Vec<Bounds> = self.objects().iter().map(|object| object.shapes().extent_of_object()).collect();
+        let objects: Vec<Bounds> = self
+            .objects()
+            .iter()
+            .map(|object| object.shapes().extent_of_object())
+            .collect();
         let placed = self.instances().par_iter().map(|instance| {
             let corners = objects[instance.object()].corners();
             let corners = corners.map(|corner| instance.world_from_instance().apply(corner));
             Bounds::of(corners.into_iter().filter(|corner| corner.is_finite()))
         });
-        let triangles = (0..self.triangle_count()).into_par_iter().map(Primitive::triangle);
-        let own = triangles.chain((0..self.sphere_count()).into_par_iter().map(Primitive::sphere));
-        let surfaces = own.map(|primitive| self.own_surface(primitive)).filter(Surface::can_be_hit);
-        placed.chain(surfaces.map(|surface| surface.bounds())).reduce(|| Bounds::EMPTY, Bounds::union)
+        let triangles = (0..self.triangle_count())
+            .into_par_iter()
+            .map(Primitive::triangle);
+        let own = triangles.chain(
+            (0..self.sphere_count())
+                .into_par_iter()
+                .map(Primitive::sphere),
+        );
+        let surfaces = own
+            .map(|primitive| self.own_surface(primitive))
+            .filter(Surface::can_be_hit);
+        placed
+            .chain(surfaces.map(|surface| surface.bounds()))
+            .reduce(|| Bounds::EMPTY, Bounds::union)
     }
 
     fn extent_of_object(&self) -> Bounds {
         let mut pose = Pose::new(self, Matrix::IDENTITY);
         let surfaces = self.primitives().map(|primitive| pose.surface(primitive));
-        let bounds = surfaces.filter(Surface::can_be_hit).map(|surface| surface.bounds());
+        let bounds = surfaces
+            .filter(Surface::can_be_hit)
+            .map(|surface| surface.bounds());
         bounds.fold(Bounds::EMPTY, Bounds::union)
     }
 }
@@ -42,20 +58,38 @@ mod tests {
         let mut shapes = Shapes::default();
         assert!(shapes.extent().is_empty());
         let dead = triangle([[9.0, 9.0, 9.0]; 3]);
-        shapes.add_mesh(dead, vec![[0, 1, 2]], &Matrix::IDENTITY, 1).unwrap();
+        shapes
+            .add_mesh(dead, vec![[0, 1, 2]], &Matrix::IDENTITY, 1)
+            .unwrap();
         assert!(shapes.extent().is_empty());
         let corners = triangle([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 2.0, 0.0]]);
-        shapes.add_mesh(corners.clone(), vec![[0, 1, 2]], &Matrix::translate([0.0, 0.0, 3.0]), 2).unwrap();
-        let around = |low: [f64; 3], high: [f64; 3]| Bounds { low: low.into(), high: high.into() };
+        shapes
+            .add_mesh(
+                corners.clone(),
+                vec![[0, 1, 2]],
+                &Matrix::translate([0.0, 0.0, 3.0]),
+                2,
+            )
+            .unwrap();
+        let around = |low: [f64; 3], high: [f64; 3]| Bounds {
+            low: low.into(),
+            high: high.into(),
+        };
         assert_eq!(shapes.extent(), around([0.0, 0.0, 3.0], [1.0, 2.0, 3.0]));
         let mut object = Shapes::default();
         let transform = object.add_transform(Matrix::scale([2.0, 2.0, 2.0]));
-        object.add_object_mesh(corners, vec![[0, 1, 2]], transform, 3).unwrap();
+        object
+            .add_object_mesh(corners, vec![[0, 1, 2]], transform, 3)
+            .unwrap();
         let number = shapes.add_object(object);
         assert_eq!(shapes.extent().low.z, 3.0, "nothing shows the object");
-        shapes.add_instance(number, Matrix::scale([-1.0, 1.0, 1.0])).unwrap();
+        shapes
+            .add_instance(number, Matrix::scale([-1.0, 1.0, 1.0]))
+            .unwrap();
         assert_eq!(shapes.extent(), around([-2.0, 0.0, 0.0], [1.0, 4.0, 3.0]));
-        shapes.add_instance(number, Matrix::scale([f64::NAN, 1.0, 1.0])).unwrap();
+        shapes
+            .add_instance(number, Matrix::scale([f64::NAN, 1.0, 1.0]))
+            .unwrap();
         assert_eq!(shapes.extent().low.x, -2.0);
     }
 }

@@ -18,6 +18,10 @@ impl FilterRay {
     /// Prepares `ray`.
     pub fn new(ray: &Ray) -> FilterRay {
         let Vector { x, y, z } = ray.direction.absolute();
-        FilterRay { ray: *ray, direction_sum: x + y + z, least: may_underflow_below(ray.direction.largest()) }
+        FilterRay {
+            ray: *ray,
+            direction_sum: x + y + z,
+            least: may_underflow_below(ray.direction.largest()),
+        }
     }
 }

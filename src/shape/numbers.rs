@@ -14,7 +14,11 @@ pub struct Numbers<'a> {
 impl<'a> Numbers<'a> {
     /// Those of `shapes`.
     pub fn new(shapes: &'a Shapes) -> Numbers<'a> {
-        Numbers { shapes, mesh: 0..0, first_number: 0 }
+        Numbers {
+            shapes,
+            mesh: 0..0,
+            first_number: 0,
+        }
     }
 
     /// As [`Shapes::image_number`].
@@ -48,17 +52,31 @@ mod tests {
     #[test]
     fn numbers_do_not_depend_on_what_was_asked_before() {
         let mut shapes = Shapes::default();
-        let corners = || [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)].map(|(x, y)| Point::new(x, y, 0.0)).to_vec();
+        let corners = || {
+            [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)]
+                .map(|(x, y)| Point::new(x, y, 0.0))
+                .to_vec()
+        };
         let transform = shapes.add_transform(Matrix::IDENTITY);
-        shapes.add_mesh(corners(), vec![[0, 1, 2]; 3], &Matrix::IDENTITY, 1).unwrap();
+        shapes
+            .add_mesh(corners(), vec![[0, 1, 2]; 3], &Matrix::IDENTITY, 1)
+            .unwrap();
         shapes.add_sphere(1.0, None, transform, 2).unwrap();
-        shapes.add_mesh(Vec::new(), Vec::new(), &Matrix::IDENTITY, 3).unwrap();
-        shapes.add_mesh(corners(), vec![[0, 1, 2]; 2], &Matrix::IDENTITY, 4).unwrap();
+        shapes
+            .add_mesh(Vec::new(), Vec::new(), &Matrix::IDENTITY, 3)
+            .unwrap();
+        shapes
+            .add_mesh(corners(), vec![[0, 1, 2]; 2], &Matrix::IDENTITY, 4)
+            .unwrap();
         let mut object = Shapes::default();
-        object.add_object_mesh(corners(), vec![[0, 1, 2]; 2], 0, 5).unwrap();
+        object
+            .add_object_mesh(corners(), vec![[0, 1, 2]; 2], 0, 5)
+            .unwrap();
         let object = shapes.add_object(object);
         shapes.add_instance(object, Matrix::IDENTITY).unwrap();
-        shapes.add_mesh(corners(), vec![[0, 1, 2]; 2], &Matrix::IDENTITY, 6).unwrap();
+        shapes
+            .add_mesh(corners(), vec![[0, 1, 2]; 2], &Matrix::IDENTITY, 6)
+            .unwrap();
         let all: Vec<Placed> = shapes.all().collect();
         for a in &all {
             for b in &all {

@@ -69,7 +69,12 @@ pub struct Pose<'a> {
 impl<'a> Pose<'a> {
     #[inline]
     pub(crate) fn new(object: &'a Shapes, world_from_instance: Matrix) -> Pose<'a> {
-        Pose { object, world_from_instance, mesh: 0..0, world_from_mesh: world_from_instance }
+        Pose {
+            object,
+            world_from_instance,
+            mesh: 0..0,
+            world_from_mesh: world_from_instance,
+        }
     }
 
     /// A primitive of the object: its vertices, or its quadric, under the product of the transforms of instance and shape.
@@ -79,7 +84,10 @@ impl<'a> Pose<'a> {
         if primitive.is_sphere() {
             let quadric = self.object.sphere(index);
             let world_from_object = self.world_from_instance.times(&quadric.world_from_object);
-            return Surface::Quadric(Quadric { world_from_object, ..quadric });
+            return Surface::Quadric(Quadric {
+                world_from_object,
+                ..quadric
+            });
         }
         Surface::Triangle(self.triangle(index))
     }
@@ -90,9 +98,16 @@ impl<'a> Pose<'a> {
         let triangle = index as u32;
         if !self.mesh.contains(&triangle) {
             self.mesh = self.object.mesh_around(triangle);
-            self.world_from_mesh = self.world_from_instance.times(self.object.transform_of_mesh(triangle));
+            self.world_from_mesh = self
+                .world_from_instance
+                .times(self.object.transform_of_mesh(triangle));
         }
-        Triangle(self.object.triangle(index).0.map(|vertex| self.world_from_mesh.apply(vertex)))
+        Triangle(
+            self.object
+                .triangle(index)
+                .0
+                .map(|vertex| self.world_from_mesh.apply(vertex)),
+        )
     }
 }
 
@@ -103,7 +118,9 @@ mod tests {
     use crate::shape::Placed;
 
     fn corners() -> Vec<Point> {
-        [(0.1, 0.2), (1.3, 0.4), (1.5, 1.6)].map(|(x, y)| Point::new(x, y, 0.7)).to_vec()
+        [(0.1, 0.2), (1.3, 0.4), (1.5, 1.6)]
+            .map(|(x, y)| Point::new(x, y, 0.7))
+            .to_vec()
     }
 
     /// Two meshes under different transforms, and a sphere.
@@ -111,9 +128,13 @@ mod tests {
         let mut object = Shapes::default();
         let first = object.add_transform(Matrix::scale([0.1, 0.3, 0.7]));
         let second = object.add_transform(Matrix::translate([0.1, 0.2, 0.3]));
-        object.add_object_mesh(corners(), vec![[0, 1, 2], [2, 1, 0]], first, 3).unwrap();
+        object
+            .add_object_mesh(corners(), vec![[0, 1, 2], [2, 1, 0]], first, 3)
+            .unwrap();
         object.add_sphere(2.0, None, second, 4).unwrap();
-        object.add_object_mesh(corners(), vec![[0, 1, 2]], second, 5).unwrap();
+        object
+            .add_object_mesh(corners(), vec![[0, 1, 2]], second, 5)
+            .unwrap();
         object
     }
 
@@ -121,30 +142,47 @@ mod tests {
     fn transforms_are_multiplied_before_a_vertex_is_rounded() {
         let mut shapes = Shapes::default();
         let number = shapes.add_object(object());
-        let world_from_instance = Matrix::translate([0.7, 1e9, -0.3]).times(&Matrix::scale([1.1, 1.3, -1.7]));
+        let world_from_instance =
+            Matrix::translate([0.7, 1e9, -0.3]).times(&Matrix::scale([1.1, 1.3, -1.7]));
         shapes.add_instance(number, world_from_instance).unwrap();
         let product = world_from_instance.times(&Matrix::scale([0.1, 0.3, 0.7]));
         let mut pose = shapes.pose(0);
-        let expected = corners().into_iter().map(|corner| product.apply(corner)).collect::<Vec<_>>();
+        let expected = corners()
+            .into_iter()
+            .map(|corner| product.apply(corner))
+            .collect::<Vec<_>>();
         // Forth and back between meshes.
         for index in [0, 2, 1, 0] {
-            let Surface::Triangle(triangle) = pose.surface(Primitive::triangle(index)) else { panic!("a triangle") };
+            let Surface::Triangle(triangle) = pose.surface(Primitive::triangle(index)) else {
+                panic!("a triangle")
+            };
             assert_eq!(triangle.0.contains(&expected[0]), index != 2);
         }
-        let Surface::Quadric(sphere) = pose.surface(Primitive::sphere(0)) else { panic!("a sphere") };
-        assert_eq!(sphere.world_from_object, world_from_instance.times(&Matrix::translate([0.1, 0.2, 0.3])));
+        let Surface::Quadric(sphere) = pose.surface(Primitive::sphere(0)) else {
+            panic!("a sphere")
+        };
+        assert_eq!(
+            sphere.world_from_object,
+            world_from_instance.times(&Matrix::translate([0.1, 0.2, 0.3]))
+        );
     }
 
     #[test]
     fn instances_are_numbered_where_they_stand() {
         let mut shapes = Shapes::default();
         let number = shapes.add_object(object());
-        shapes.add_mesh(corners(), vec![[0, 1, 2]], &Matrix::IDENTITY, 1).unwrap();
+        shapes
+            .add_mesh(corners(), vec![[0, 1, 2]], &Matrix::IDENTITY, 1)
+            .unwrap();
         shapes.add_instance(number, Matrix::IDENTITY).unwrap();
-        shapes.add_mesh(corners(), vec![[0, 1, 2]], &Matrix::IDENTITY, 6).unwrap();
+        shapes
+            .add_mesh(corners(), vec![[0, 1, 2]], &Matrix::IDENTITY, 6)
+            .unwrap();
         shapes.add_instance(number, Matrix::IDENTITY).unwrap();
-        let mut numbers: Vec<(u64, u32)> =
-            shapes.all().map(|placed| (shapes.number(placed), shapes.shape_number(placed))).collect();
+        let mut numbers: Vec<(u64, u32)> = shapes
+            .all()
+            .map(|placed| (shapes.number(placed), shapes.shape_number(placed)))
+            .collect();
         numbers.sort_unstable();
         let ids = [1, 3, 3, 4, 5, 6, 3, 3, 4, 5];
         assert_eq!(numbers, (0..).zip(ids).collect::<Vec<_>>());
@@ -152,7 +190,10 @@ mod tests {
         let last_of_first = Placed::in_instance(0, Primitive::triangle(2));
         assert!(shapes.precedes(last_of_first, Placed::alone(Primitive::triangle(1))));
         assert!(!shapes.precedes(last_of_first, Placed::alone(Primitive::triangle(0))));
-        assert!(shapes.precedes(last_of_first, Placed::in_instance(1, Primitive::triangle(0))));
+        assert!(shapes.precedes(
+            last_of_first,
+            Placed::in_instance(1, Primitive::triangle(0))
+        ));
     }
 
     #[test]
@@ -160,7 +201,9 @@ mod tests {
         let mut shapes = Shapes::default();
         let mut large = Shapes::default();
         let transform = large.add_transform(Matrix::IDENTITY);
-        large.add_object_mesh(corners(), vec![[0, 1, 2]; 1 << 16], transform, 1).unwrap();
+        large
+            .add_object_mesh(corners(), vec![[0, 1, 2]; 1 << 16], transform, 1)
+            .unwrap();
         let number = shapes.add_object(large);
         let add = |shapes: &mut Shapes, count: usize| {
             (0..count).for_each(|_| shapes.add_instance(number, Matrix::IDENTITY).unwrap());
@@ -168,10 +211,19 @@ mod tests {
         let last = Primitive::triangle((1 << 16) - 1);
         add(&mut shapes, (1 << 16) - 1);
         let in_last = Placed::in_instance((1 << 16) - 2, last);
-        assert_eq!((shapes.counts_within_instances(), shapes.image_number(in_last)), (false, u32::MAX - 0xffff));
+        assert_eq!(
+            (
+                shapes.counts_within_instances(),
+                shapes.image_number(in_last)
+            ),
+            (false, u32::MAX - 0xffff)
+        );
         add(&mut shapes, 1);
         assert!(shapes.counts_within_instances());
         assert_eq!(shapes.image_number(in_last), 1 << 16);
-        assert_eq!(shapes.number(Placed::in_instance((1 << 16) - 1, last)), u64::from(u32::MAX));
+        assert_eq!(
+            shapes.number(Placed::in_instance((1 << 16) - 1, last)),
+            u64::from(u32::MAX)
+        );
     }
 }

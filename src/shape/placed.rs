@@ -19,14 +19,20 @@ impl Placed {
     /// A primitive that belongs to no object.
     #[inline(always)]
     pub const fn alone(primitive: Primitive) -> Placed {
-        Placed { instance: NO_INSTANCE, primitive }
+        Placed {
+            instance: NO_INSTANCE,
+            primitive,
+        }
     }
 
     /// A primitive of the object that instance number `instance`, from 0, places.
     #[inline(always)]
     pub fn in_instance(instance: usize, primitive: Primitive) -> Placed {
         debug_assert!(instance < Placed::MAX_INSTANCES);
-        Placed { instance: instance as u32, primitive }
+        Placed {
+            instance: instance as u32,
+            primitive,
+        }
     }
 
     /// The number of the instance, from 0, if it is in one.
@@ -60,8 +66,17 @@ mod tests {
     #[test]
     fn what_was_put_in_comes_out() {
         let triangle = Primitive::triangle(7);
-        assert_eq!((Placed::alone(triangle).instance(), Placed::alone(triangle).primitive()), (None, triangle));
+        assert_eq!(
+            (
+                Placed::alone(triangle).instance(),
+                Placed::alone(triangle).primitive()
+            ),
+            (None, triangle)
+        );
         let last = Placed::in_instance(Placed::MAX_INSTANCES - 1, triangle);
-        assert_eq!((last.instance(), last.primitive()), (Some(Placed::MAX_INSTANCES - 1), triangle));
+        assert_eq!(
+            (last.instance(), last.primitive()),
+            (Some(Placed::MAX_INSTANCES - 1), triangle)
+        );
     }
 }

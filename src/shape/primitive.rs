@@ -59,6 +59,12 @@ mod tests {
         assert_eq!(size_of::<Primitive>(), 4);
         let last = Primitive::MAX_COUNT - 1;
         assert!(Primitive::sphere(last).is_sphere() && !Primitive::triangle(last).is_sphere());
-        assert_eq!((Primitive::sphere(last).index(), Primitive::triangle(last).index()), (last, last));
+        assert_eq!(
+            (
+                Primitive::sphere(last).index(),
+                Primitive::triangle(last).index()
+            ),
+            (last, last)
+        );
     }
 }

@@ -57,7 +57,11 @@ const DEFAULT_UV: [[f32; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]];
 impl<'a> SurfacePoints<'a> {
     /// Those of `shapes`.
     pub fn new(shapes: &'a Shapes, wants: SurfaceWants) -> SurfacePoints<'a> {
-        SurfacePoints { shapes, wants, space: None }
+        SurfacePoints {
+            shapes,
+            wants,
+            space: None,
+        }
     }
 
     /// What `placed` is like where `ray` meets it first. Where it does not quite, as `f32` may have it, that is the point where the
@@ -77,11 +81,17 @@ impl<'a> SurfacePoints<'a> {
         let mut found = SurfacePoint::default();
         if self.wants.normal {
             // What an instance mirrors has mirrored corners, but not a mirrored normal.
-            let is_mirrored = placed
-                .instance()
-                .is_some_and(|number| self.shapes.instances()[number].world_from_instance().swaps_handedness());
+            let is_mirrored = placed.instance().is_some_and(|number| {
+                self.shapes.instances()[number]
+                    .world_from_instance()
+                    .swaps_handedness()
+            });
             let normal = triangle.normal();
-            found.normal = if self.shapes.turns_normal_of(placed) != is_mirrored { -normal } else { normal };
+            found.normal = if self.shapes.turns_normal_of(placed) != is_mirrored {
+                -normal
+            } else {
+                normal
+            };
         }
         if self.wants.point {
             found.point = ray.origin + ray.direction * t_on_triangle(triangle, ray);
@@ -98,7 +108,8 @@ impl<'a> SurfacePoints<'a> {
     fn of_quadric(&mut self, placed: Placed, quadric: &Quadric, ray: &Ray) -> SurfacePoint {
         let wants = self.wants;
         let is_turned = wants.normal && self.shapes.turns_normal_of(placed);
-        let t = t_on_quadric(quadric, ray).unwrap_or_else(|| self.space(placed, quadric).nearest(ray));
+        let t =
+            t_on_quadric(quadric, ray).unwrap_or_else(|| self.space(placed, quadric).nearest(ray));
         let mut found = SurfacePoint::default();
         if wants.point {
             found.point = ray.origin + ray.direction * t;
@@ -137,14 +148,25 @@ impl Quadric {
 
 fn t_on_triangle(triangle: &Triangle, ray: &Ray) -> f64 {
     let exact = || triangle.exact_crossing(ray).map(|t| t.bracket());
-    let t = triangle.t_of_hit(&FilterRay::new(ray)).filter(is_narrow).or_else(exact).filter(|t| t.high > 0.0);
+    let t = triangle
+        .t_of_hit(&FilterRay::new(ray))
+        .filter(is_narrow)
+        .or_else(exact)
+        .filter(|t| t.high > 0.0);
     let d = ray.direction;
     t.map_or_else(|| (triangle.0[0] - ray.origin).dot(d) / d.dot(d), middle)
 }
 
 fn t_on_quadric(quadric: &Quadric, ray: &Ray) -> Option<f64> {
-    let narrow = Surface::Quadric(*quadric).t_of_hit(&FilterRay::new(ray)).filter(is_narrow);
-    let exact = || quadric.exact(ray).or_else(|| quadric.uncut().exact(ray)).map(|t| t.bracket());
+    let narrow = Surface::Quadric(*quadric)
+        .t_of_hit(&FilterRay::new(ray))
+        .filter(is_narrow);
+    let exact = || {
+        quadric
+            .exact(ray)
+            .or_else(|| quadric.uncut().exact(ray))
+            .map(|t| t.bracket())
+    };
     narrow.or_else(exact).map(middle)
 }
 

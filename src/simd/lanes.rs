@@ -64,7 +64,9 @@ pub(crate) trait F64s:
 }
 
 /// Sixteen truth values.
-pub(crate) trait Mask: Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {
+pub(crate) trait Mask:
+    Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self>
+{
     type F;
 
     /// Lane k as bit k.

@@ -43,7 +43,11 @@ impl Level {
 
     /// The best level that this machine has.
     pub fn detect() -> Level {
-        Level::ALL.iter().copied().rfind(|level| level.is_available()).unwrap_or(Level::Portable)
+        Level::ALL
+            .iter()
+            .copied()
+            .rfind(|level| level.is_available())
+            .unwrap_or(Level::Portable)
     }
 
     /// Whether this machine has the instructions.
@@ -104,8 +108,13 @@ impl FromStr for Level {
     type Err = UnavailableLevel;
 
     fn from_str(name: &str) -> Result<Level, UnavailableLevel> {
-        let mut available = Level::ALL.iter().copied().filter(|level| level.is_available());
-        available.find(|level| level.as_str() == name).ok_or(UnavailableLevel)
+        let mut available = Level::ALL
+            .iter()
+            .copied()
+            .filter(|level| level.is_available());
+        available
+            .find(|level| level.as_str() == name)
+            .ok_or(UnavailableLevel)
     }
 }
 
@@ -115,7 +124,10 @@ pub struct UnavailableLevel;
 
 impl fmt::Display for UnavailableLevel {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let available = Level::ALL.iter().copied().filter(|level| level.is_available());
+        let available = Level::ALL
+            .iter()
+            .copied()
+            .filter(|level| level.is_available());
         let names: Vec<_> = available.map(Level::as_str).collect();
         write!(f, "this machine has {}", names.join(", "))
     }

@@ -55,12 +55,25 @@ impl Kernel for Everything<'_> {
             c.narrow(),
         ];
         let wide = a.widen();
-        let doubles = [wide, wide + c, wide - c, wide * c, wide / c, c.fused_or_not(half, wide), (c * c).sqrt()];
+        let doubles = [
+            wide,
+            wide + c,
+            wide - c,
+            wide * c,
+            wide / c,
+            c.fused_or_not(half, wide),
+            (c * c).sqrt(),
+        ];
         Results {
             floats: floats.map(float_bits).to_vec(),
             doubles: doubles.map(double_bits).to_vec(),
             whole,
-            masks: vec![mask.bits(), (!mask).bits(), (mask & a.above(two)).bits(), (mask | two.above(b)).bits()],
+            masks: vec![
+                mask.bits(),
+                (!mask).bits(),
+                (mask & a.above(two)).bits(),
+                (mask | two.above(b)).bits(),
+            ],
             least: a.least().to_bits(),
         }
     }

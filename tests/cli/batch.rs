@@ -6,28 +6,41 @@ const BROKEN: &str = "WorldBegin\nShape\n";
 
 /// Three scenes, the second of them broken.
 fn three() -> Folder {
-    Folder::new().with("broken.pbrt", BROKEN).with("second.pbrt", BALL)
+    Folder::new()
+        .with("broken.pbrt", BROKEN)
+        .with("second.pbrt", BALL)
 }
 
 #[test]
 fn each_scene_gets_its_image() {
     let folder = three();
-    folder.render("ball.pbrt second.pbrt -o {stem}.exr").succeeded();
+    folder
+        .render("ball.pbrt second.pbrt -o {stem}.exr")
+        .succeeded();
     assert_eq!(folder.images(), ["ball.exr", "second.exr"]);
 }
 
 #[test]
 fn a_scene_that_fails_does_not_stop_the_others() {
     let folder = three();
-    let run = folder.render("ball.pbrt broken.pbrt second.pbrt -o {stem}.exr").failed(65, "broken.pbrt:2:1:");
-    assert!(run.stderr.ends_with("1 of 3 scenes failed:\n  broken.pbrt (exit code 65)\n"), "{}", run.stderr);
+    let run = folder
+        .render("ball.pbrt broken.pbrt second.pbrt -o {stem}.exr")
+        .failed(65, "broken.pbrt:2:1:");
+    assert!(
+        run.stderr
+            .ends_with("1 of 3 scenes failed:\n  broken.pbrt (exit code 65)\n"),
+        "{}",
+        run.stderr
+    );
     assert_eq!(folder.images(), ["ball.exr", "second.exr"]);
 }
 
 #[test]
 fn fail_fast_stops_at_the_first_failure() {
     let folder = three();
-    let run = folder.render("ball.pbrt broken.pbrt second.pbrt -o {stem}.exr --fail-fast").exited(65);
+    let run = folder
+        .render("ball.pbrt broken.pbrt second.pbrt -o {stem}.exr --fail-fast")
+        .exited(65);
     let expected = "1 of 3 scenes failed, and 1 was not tried:\n  broken.pbrt (exit code 65)\n";
     assert!(run.stderr.ends_with(expected), "{}", run.stderr);
     assert_eq!(folder.images(), ["ball.exr"]);
@@ -36,30 +49,44 @@ fn fail_fast_stops_at_the_first_failure() {
 #[test]
 fn the_highest_exit_code_is_that_of_the_batch() {
     let folder = three().with("warned.pbrt", WARNED);
-    folder.render("gone.pbrt broken.pbrt ball.pbrt -o {stem}.exr").exited(66);
-    folder.render("broken.pbrt warned.pbrt --strict --resolution 2x2 -o {stem}-2.exr").exited(65);
-    folder.render("warned.pbrt second.pbrt --strict --resolution 2x2 -o {stem}-3.exr").exited(1);
+    folder
+        .render("gone.pbrt broken.pbrt ball.pbrt -o {stem}.exr")
+        .exited(66);
+    folder
+        .render("broken.pbrt warned.pbrt --strict --resolution 2x2 -o {stem}-2.exr")
+        .exited(65);
+    folder
+        .render("warned.pbrt second.pbrt --strict --resolution 2x2 -o {stem}-3.exr")
+        .exited(1);
 }
 
 #[test]
 fn an_existing_image_is_an_error_and_is_kept() {
     let folder = three().with("second.exr", "old");
-    folder.render("ball.pbrt second.pbrt -o {stem}.exr").failed(73, "second.exr: exists already");
+    folder
+        .render("ball.pbrt second.pbrt -o {stem}.exr")
+        .failed(73, "second.exr: exists already");
     assert_eq!(folder.text("second.exr"), "old");
     assert_eq!(folder.images(), ["ball.exr", "second.exr"]);
 }
 
 #[test]
 fn an_existing_image_of_the_films_name_is_an_error_too() {
-    let folder = Folder::new().with("warned.pbrt", WARNED).with("film.exr", "old");
-    folder.render("warned.pbrt ball.pbrt --resolution 2x2").failed(73, "film.exr: exists already");
+    let folder = Folder::new()
+        .with("warned.pbrt", WARNED)
+        .with("film.exr", "old");
+    folder
+        .render("warned.pbrt ball.pbrt --resolution 2x2")
+        .failed(73, "film.exr: exists already");
     assert_eq!(folder.text("film.exr"), "old");
 }
 
 #[test]
 fn force_overwrites() {
     let folder = three().with("second.exr", "old");
-    folder.render("ball.pbrt second.pbrt -o {stem}.exr --force").succeeded();
+    folder
+        .render("ball.pbrt second.pbrt -o {stem}.exr --force")
+        .succeeded();
     assert!(folder.bytes("second.exr") == folder.bytes("ball.exr"));
 }
 
@@ -68,16 +95,29 @@ fn skip_existing_renders_the_others() {
     let folder = three();
     for extension in ["exr", "png"] {
         let command = format!("ball.pbrt second.pbrt -o {{stem}}.{extension} --skip-existing -v");
-        folder.render(&format!("ball.pbrt -o ball.{extension}")).succeeded();
+        folder
+            .render(&format!("ball.pbrt -o ball.{extension}"))
+            .succeeded();
         let run = folder.render(&command).succeeded();
         assert!(
-            run.stderr.contains(&format!("ball.pbrt: skipped, ball.{extension} is there already")),
+            run.stderr.contains(&format!(
+                "ball.pbrt: skipped, ball.{extension} is there already"
+            )),
             "{}",
             run.stderr
         );
-        assert!(run.stderr.contains(&format!("second.{extension}: 13 x 7 pixels")), "{}", run.stderr);
+        assert!(
+            run.stderr
+                .contains(&format!("second.{extension}: 13 x 7 pixels")),
+            "{}",
+            run.stderr
+        );
         let run = folder.render(&command).succeeded();
-        assert!(run.stderr.contains("second.pbrt: skipped"), "{}", run.stderr);
+        assert!(
+            run.stderr.contains("second.pbrt: skipped"),
+            "{}",
+            run.stderr
+        );
     }
 }
 
@@ -85,15 +125,27 @@ fn skip_existing_renders_the_others() {
 fn skip_existing_looks_at_scene_and_options_and_not_at_names() {
     let folder = Folder::new();
     let made = |arguments: &str| {
-        let run = folder.render(&format!("{arguments} --skip-existing -v")).succeeded();
+        let run = folder
+            .render(&format!("{arguments} --skip-existing -v"))
+            .succeeded();
         !run.stderr.contains(": skipped, ")
     };
     for file in ["a.exr", "a.png"] {
         assert!(made(&format!("ball.pbrt -o {file}")));
         // What does not change a pixel is no reason to render again.
-        assert!(!made(&format!("ball.pbrt -o {file} --accel middle --threads 1")));
-        for other in ["--resolution 14x7", "--precision fast", "--pixelbounds 0,9,0,7 --range 1,2"] {
-            let other = if file == "a.exr" { other.replace("--range 1,2", "") } else { other.to_owned() };
+        assert!(!made(&format!(
+            "ball.pbrt -o {file} --accel middle --threads 1"
+        )));
+        for other in [
+            "--resolution 14x7",
+            "--precision fast",
+            "--pixelbounds 0,9,0,7 --range 1,2",
+        ] {
+            let other = if file == "a.exr" {
+                other.replace("--range 1,2", "")
+            } else {
+                other.to_owned()
+            };
             assert!(made(&format!("ball.pbrt -o {file} {other}")), "{other}");
             assert!(!made(&format!("ball.pbrt -o {file} {other}")), "{other}");
         }
@@ -101,8 +153,11 @@ fn skip_existing_looks_at_scene_and_options_and_not_at_names() {
     assert!(made("ball.pbrt -o a.exr --miss 0") && made("ball.pbrt -o a.exr --aov Z,t"));
     assert!(made("ball.pbrt -o a.png --view id") && made("ball.pbrt -o a.png --colormap gray"));
     let folder = folder.with("ball.pbrt", BALL.replace("radius\" 1", "radius\" 1.5"));
-    let run = folder.render("ball.pbrt -o a.png --colormap gray --skip-existing -v").succeeded();
-    run.said("a.png: of other options, made anew").did_not_say("skipped");
+    let run = folder
+        .render("ball.pbrt -o a.png --colormap gray --skip-existing -v")
+        .succeeded();
+    run.said("a.png: of other options, made anew")
+        .did_not_say("skipped");
 }
 
 #[test]
@@ -117,7 +172,10 @@ fn skip_existing_makes_anew_what_was_cut_off() {
         let (last, half) = (whole.len() - 1, whole.len() * 2 / 3);
         for damaged in [whole[..last].to_vec(), whole[..half].to_vec(), padded(half)] {
             std::fs::write(folder.path(name), damaged).unwrap();
-            folder.render(&command).succeeded().said(&format!("{name}: was cut off, made anew"));
+            folder
+                .render(&command)
+                .succeeded()
+                .said(&format!("{name}: was cut off, made anew"));
             assert!(folder.bytes(name) == whole);
         }
         // Without its header there is nothing to tell whose it is.
@@ -130,7 +188,9 @@ fn skip_existing_makes_anew_what_was_cut_off() {
 fn skip_existing_leaves_alone_what_is_not_its_own() {
     let folder = Folder::new().with("film.exr", "old").with("a.png", "old");
     for file in ["film.exr", "a.png"] {
-        let run = folder.render(&format!("ball.pbrt -o {file} --skip-existing")).exited(73);
+        let run = folder
+            .render(&format!("ball.pbrt -o {file} --skip-existing"))
+            .exited(73);
         let expected = format!("error: {file}: exists already, and is no image of feimos\n");
         assert!(run.stderr.starts_with(&expected), "{}", run.stderr);
         assert_eq!(folder.text(file), "old");
@@ -149,7 +209,9 @@ fn skip_existing_needs_a_format_with_a_header() {
 
 #[test]
 fn to_force_and_to_skip_is_a_contradiction() {
-    Folder::new().render("ball.pbrt --force --skip-existing").failed(2, "cannot be used with");
+    Folder::new()
+        .render("ball.pbrt --force --skip-existing")
+        .failed(2, "cannot be used with");
 }
 
 #[test]
@@ -160,29 +222,39 @@ fn two_scenes_for_one_image_are_refused_before_any_work() {
    = use -o with {stem} in the name, such as -o 'out/{stem}.png'
 ";
     assert_eq!(run.stderr, expected);
-    folder.render("ball.pbrt second.pbrt").failed(2, "would both be written to film.exr");
-    folder.render("ball.pbrt second.pbrt -o - --view hit").failed(2, "would both be written to -");
+    folder
+        .render("ball.pbrt second.pbrt")
+        .failed(2, "would both be written to film.exr");
+    folder
+        .render("ball.pbrt second.pbrt -o - --view hit")
+        .failed(2, "would both be written to -");
     assert!(folder.images().is_empty());
 }
 
 #[test]
 fn one_image_by_two_spellings_is_one_image() {
     let folder = Folder::new().with("second.pbrt", BALL.replace("film.exr", "./film.exr"));
-    folder.render("ball.pbrt second.pbrt --force").failed(2, "would both be written to ./film.exr");
+    folder
+        .render("ball.pbrt second.pbrt --force")
+        .failed(2, "would both be written to ./film.exr");
     assert!(folder.images().is_empty());
 }
 
 #[test]
 fn standard_input_may_be_one_of_the_scenes() {
     let folder = Folder::new();
-    folder.render_input("- ball.pbrt -o {stem}.exr", BALL).succeeded();
+    folder
+        .render_input("- ball.pbrt -o {stem}.exr", BALL)
+        .succeeded();
     assert!(folder.bytes("stdin.exr") == folder.bytes("ball.exr"));
 }
 
 #[test]
 fn scenes_of_one_name_are_not_told_to_use_what_they_use() {
     let folder = Folder::new();
-    let run = folder.render("ball.pbrt ./ball.pbrt -o {stem}.exr").exited(2);
+    let run = folder
+        .render("ball.pbrt ./ball.pbrt -o {stem}.exr")
+        .exited(2);
     let expected = "error: ball.pbrt and ./ball.pbrt would both be written to ball.exr
    = scenes of the same name need a command each
 ";
@@ -192,18 +264,38 @@ fn scenes_of_one_name_are_not_told_to_use_what_they_use() {
 #[test]
 fn the_manifest_has_a_line_for_each_scene() {
     let folder = three().with("warned.pbrt", WARNED);
-    folder.render("second.pbrt -o second.exr --resolution 3x3").succeeded();
+    folder
+        .render("second.pbrt -o second.exr --resolution 3x3")
+        .succeeded();
     let arguments = "ball.pbrt broken.pbrt second.pbrt warned.pbrt -o {stem}.exr --skip-existing --strict \
                      --resolution 3x3 --manifest all.jsonl";
     folder.render(arguments).exited(65);
     let lines = json_lines(&folder.text("all.jsonl"));
-    let column = |key: &str| lines.iter().map(|line| line[key].clone()).collect::<Vec<_>>();
-    assert_eq!(column("scene"), ["ball.pbrt", "broken.pbrt", "second.pbrt", "warned.pbrt"]);
+    let column = |key: &str| {
+        lines
+            .iter()
+            .map(|line| line[key].clone())
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(
+        column("scene"),
+        ["ball.pbrt", "broken.pbrt", "second.pbrt", "warned.pbrt"]
+    );
     assert_eq!(column("status"), ["done", "failed", "skipped", "done"]);
     assert_eq!(column("exit_code"), [0, 65, 0, 1]);
-    assert!(lines[1]["error"].as_str().unwrap().starts_with("broken.pbrt:2:1: "));
-    assert!(lines[0]["error"].is_null() && lines[1]["image"].is_null() && lines[2]["image"].is_null());
-    assert_eq!((&lines[0]["image"]["output"], &lines[0]["image"]["width"]), (&"ball.exr".into(), &3.into()));
+    assert!(
+        lines[1]["error"]
+            .as_str()
+            .unwrap()
+            .starts_with("broken.pbrt:2:1: ")
+    );
+    assert!(
+        lines[0]["error"].is_null() && lines[1]["image"].is_null() && lines[2]["image"].is_null()
+    );
+    assert_eq!(
+        (&lines[0]["image"]["output"], &lines[0]["image"]["width"]),
+        (&"ball.exr".into(), &3.into())
+    );
 }
 
 #[test]

@@ -6,7 +6,10 @@ use std::fs;
 
 /// The first words of the blocks' titles.
 fn titles(run: &Run) -> Vec<&str> {
-    run.text().lines().filter(|line| !line.is_empty() && !line.starts_with(' ')).collect()
+    run.text()
+        .lines()
+        .filter(|line| !line.is_empty() && !line.starts_with(' '))
+        .collect()
 }
 
 /// A folder with scenes, parts of scenes and other files below it.
@@ -46,7 +49,10 @@ fn what_is_left_out_and_what_is_skipped_is_told() {
         TransformTimes 0 1 Sampler \"x\" RenderPass \"beauty\" WorldBegin Material \"m\" Material \"n\" Attribute \"light\"
         ObjectBegin \"o\" Shape \"sphere\" Shape \"sphere\" ObjectEnd
         ObjectInstance \"o\" Translate 10 0 0 ObjectInstance \"o\" Shape \"nurbs\"";
-    let run = Folder::new().with("a.pbrt", scene).check("a.pbrt").succeeded();
+    let run = Folder::new()
+        .with("a.pbrt", scene)
+        .check("a.pbrt")
+        .succeeded();
     let found = run.text();
     let lines = [
         "  camera      orthographic, at (0, 0, 0), towards (0, 0, 1)\n",
@@ -56,20 +62,32 @@ fn what_is_left_out_and_what_is_skipped_is_told() {
         "  bounds      (-1, -1, -1) to (11, 1, 1)\n",
         "  skipped     1 Attribute, 2 Material, 1 Sampler, 1 TransformTimes\n  unknown     1 RenderPass\n",
     ];
-    lines.iter().for_each(|line| assert!(found.contains(line), "no `{line}` in:\n{found}"));
-    run.said("warning: a.pbrt:2:40: `RenderPass` is no directive").said("the shape `nurbs` is not supported");
+    lines
+        .iter()
+        .for_each(|line| assert!(found.contains(line), "no `{line}` in:\n{found}"));
+    run.said("warning: a.pbrt:2:40: `RenderPass` is no directive")
+        .said("the shape `nurbs` is not supported");
 }
 
 #[test]
 fn long_lists_go_on_in_the_next_line() {
-    let names: String = ('A'..='Z').map(|letter| format!("Private{letter}{letter}{letter} ")).collect();
-    let run = Folder::new().with("a.pbrt", format!("WorldBegin {names}")).check("a.pbrt -q").succeeded();
+    let names: String = ('A'..='Z')
+        .map(|letter| format!("Private{letter}{letter}{letter} "))
+        .collect();
+    let run = Folder::new()
+        .with("a.pbrt", format!("WorldBegin {names}"))
+        .check("a.pbrt -q")
+        .succeeded();
     assert_eq!((run.text(), run.stderr.as_str()), ("", ""), "quiet");
-    let run = Folder::new().with("a.pbrt", format!("WorldBegin {names}")).check("a.pbrt").succeeded();
+    let run = Folder::new()
+        .with("a.pbrt", format!("WorldBegin {names}"))
+        .check("a.pbrt")
+        .succeeded();
     let found = run.text();
     assert!(found.lines().all(|line| line.len() <= 100), "{found}");
     assert!(
-        found.contains("\n  unknown     1 PrivateAAA, ") && found.contains(",\n              1 Private"),
+        found.contains("\n  unknown     1 PrivateAAA, ")
+            && found.contains(",\n              1 Private"),
         "{found}"
     );
 }
@@ -77,27 +95,46 @@ fn long_lists_go_on_in_the_next_line() {
 #[test]
 fn names_from_files_do_not_command_the_terminal() {
     let scene = "WorldBegin Shape \"b\u{1b}[31m\"";
-    let run = Folder::new().with("a.pbrt", scene).check("a.pbrt").succeeded();
-    assert!(!run.text().contains('\u{1b}') && !run.stderr.contains('\u{1b}'), "{run:?}");
+    let run = Folder::new()
+        .with("a.pbrt", scene)
+        .check("a.pbrt")
+        .succeeded();
+    assert!(
+        !run.text().contains('\u{1b}') && !run.stderr.contains('\u{1b}'),
+        "{run:?}"
+    );
 }
 
 #[test]
 fn a_bare_mesh_is_checked_where_it_is_named() {
     let folder = Folder::new().with("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     let run = folder.check("m.obj").succeeded();
-    assert!(run.text().contains("              objmesh           1           1\n"), "{}", run.text());
+    assert!(
+        run.text()
+            .contains("              objmesh           1           1\n"),
+        "{}",
+        run.text()
+    );
     assert_eq!(titles(&folder.check(".").succeeded()), ["./ball.pbrt"]);
 }
 
 #[test]
 fn directories_are_searched_for_top_level_scenes() {
     let run = tree().check(".").succeeded();
-    assert_eq!(titles(&run), ["./b/c.pbrt/deep.PBRT", "./b/whole.pbrt", "./ball.pbrt"]);
+    assert_eq!(
+        titles(&run),
+        ["./b/c.pbrt/deep.PBRT", "./b/whole.pbrt", "./ball.pbrt"]
+    );
     let run = tree().check("b ball.pbrt").succeeded();
-    assert_eq!(titles(&run), ["b/c.pbrt/deep.PBRT", "b/whole.pbrt", "ball.pbrt"]);
+    assert_eq!(
+        titles(&run),
+        ["b/c.pbrt/deep.PBRT", "b/whole.pbrt", "ball.pbrt"]
+    );
     let folder = Folder::new();
     fs::create_dir(folder.path("empty")).unwrap();
-    folder.check("empty").failed(66, "error: empty: no scene in this directory");
+    folder
+        .check("empty")
+        .failed(66, "error: empty: no scene in this directory");
 }
 
 #[cfg(unix)]
@@ -107,34 +144,60 @@ fn links_between_directories_are_not_followed() {
     std::os::unix::fs::symlink("..", folder.path("b/up")).unwrap();
     std::os::unix::fs::symlink("b/whole.pbrt", folder.path("linked.pbrt")).unwrap();
     let run = folder.check(".").exited(66);
-    assert_eq!(titles(&run), ["./b/c.pbrt/deep.PBRT", "./b/whole.pbrt", "./ball.pbrt"]);
+    assert_eq!(
+        titles(&run),
+        ["./b/c.pbrt/deep.PBRT", "./b/whole.pbrt", "./ball.pbrt"]
+    );
     run.said("linked.pbrt").said("part.pbrt: cannot read");
 }
 
 #[test]
 fn all_scenes_are_checked_and_the_highest_code_is_returned() {
-    let folder = Folder::new().with("bad.pbrt", "Shap").with("warned.pbrt", WARNED);
-    let run = folder.check("bad.pbrt warned.pbrt gone.pbrt ball.pbrt").exited(66);
+    let folder = Folder::new()
+        .with("bad.pbrt", "Shap")
+        .with("warned.pbrt", WARNED);
+    let run = folder
+        .check("bad.pbrt warned.pbrt gone.pbrt ball.pbrt")
+        .exited(66);
     assert_eq!(titles(&run), ["warned.pbrt", "ball.pbrt"]);
     run.said("error: bad.pbrt:1:1: unknown directive")
         .said("error: gone.pbrt: cannot read")
         .said("2 of 4 scenes failed:\n  bad.pbrt (exit code 65)\n  gone.pbrt (exit code 66)\n");
     folder.check("bad.pbrt ball.pbrt").exited(65);
-    let run = folder.check("bad.pbrt gone.pbrt ball.pbrt --fail-fast").exited(65).did_not_say("gone.pbrt");
+    let run = folder
+        .check("bad.pbrt gone.pbrt ball.pbrt --fail-fast")
+        .exited(65)
+        .did_not_say("gone.pbrt");
     assert!(run.stdout.is_empty());
     run.said("1 of 3 scenes failed, and 2 were not tried:");
 }
 
 #[test]
 fn check_says_what_render_says() {
-    let folder = Folder::new().with("warned.pbrt", WARNED).with("kd.pbrt", format!("Accelerator \"kdtree\"\n{BALL}"));
+    let folder = Folder::new()
+        .with("warned.pbrt", WARNED)
+        .with("kd.pbrt", format!("Accelerator \"kdtree\"\n{BALL}"));
     let checked = folder.check("warned.pbrt").succeeded();
     let rendered = folder.render("warned.pbrt --resolution 2x2").succeeded();
-    assert!(checked.stderr.starts_with("warning: warned.pbrt:2:7: ") && rendered.stderr.starts_with(&checked.stderr));
-    folder.check("kd.pbrt").succeeded().said("note: the scene asks for the accelerator `kdtree`");
-    folder.check("ball.pbrt -v").succeeded().said("ball.pbrt: read in ");
-    folder.check("gone.pbrt --color always").exited(66).said("\x1b[31merror\x1b[0m: gone.pbrt");
-    folder.check("").failed(2, "required arguments were not provided");
+    assert!(
+        checked.stderr.starts_with("warning: warned.pbrt:2:7: ")
+            && rendered.stderr.starts_with(&checked.stderr)
+    );
+    folder
+        .check("kd.pbrt")
+        .succeeded()
+        .said("note: the scene asks for the accelerator `kdtree`");
+    folder
+        .check("ball.pbrt -v")
+        .succeeded()
+        .said("ball.pbrt: read in ");
+    folder
+        .check("gone.pbrt --color always")
+        .exited(66)
+        .said("\x1b[31merror\x1b[0m: gone.pbrt");
+    folder
+        .check("")
+        .failed(2, "required arguments were not provided");
 }
 
 /// A scene for every kind of warning that scene files can earn.
@@ -168,49 +231,96 @@ fn every_kind_of_warning_counts_under_strict() {
     ];
     for scene in scenes {
         let folder = Folder::new().with("a.pbrt", scene);
-        folder.check("a.pbrt --strict").exited(1).said("warning: a.pbrt:1:");
+        folder
+            .check("a.pbrt --strict")
+            .exited(1)
+            .said("warning: a.pbrt:1:");
         folder.check("a.pbrt").succeeded();
     }
     Folder::new().check("ball.pbrt --strict").succeeded();
-    let folder = Folder::new().with("a.pbrt", scenes[0]).with("bad.pbrt", "Shap");
+    let folder = Folder::new()
+        .with("a.pbrt", scenes[0])
+        .with("bad.pbrt", "Shap");
     folder.check("a.pbrt bad.pbrt --strict").exited(65);
 }
 
 #[test]
 fn json_has_a_line_for_each_scene() {
-    let folder = Folder::new().with("warned.pbrt", WARNED).with("bad.pbrt", "Shap");
-    let run = folder.check("warned.pbrt bad.pbrt ball.pbrt --json --strict").exited(65);
-    let [warned, bad, ball] = &run.json()[..] else { panic!("{run:?}") };
+    let folder = Folder::new()
+        .with("warned.pbrt", WARNED)
+        .with("bad.pbrt", "Shap");
+    let run = folder
+        .check("warned.pbrt bad.pbrt ball.pbrt --json --strict")
+        .exited(65);
+    let [warned, bad, ball] = &run.json()[..] else {
+        panic!("{run:?}")
+    };
     assert_eq!(
         (&warned["scene"], &warned["exit_code"], &warned["error"]),
         (&json!("warned.pbrt"), &json!(1), &Value::Null)
     );
-    let [warning] = &warned["warnings"].as_array().unwrap()[..] else { panic!("{warned}") };
-    assert_eq!((&warning["place"], &warning["count"]), (&json!("warned.pbrt:2:7"), &json!(2)));
-    assert!(warning["message"].as_str().unwrap().contains("is not supported"), "{warning}");
-    assert!(warning["kind"].is_string() && warning["notes"].is_array(), "{warning}");
+    let [warning] = &warned["warnings"].as_array().unwrap()[..] else {
+        panic!("{warned}")
+    };
+    assert_eq!(
+        (&warning["place"], &warning["count"]),
+        (&json!("warned.pbrt:2:7"), &json!(2))
+    );
+    assert!(
+        warning["message"]
+            .as_str()
+            .unwrap()
+            .contains("is not supported"),
+        "{warning}"
+    );
+    assert!(
+        warning["kind"].is_string() && warning["notes"].is_array(),
+        "{warning}"
+    );
     let error = json!({
         "message": "unknown directive `Shap`", "place": "bad.pbrt:1:1", "notes": ["did you mean `Shape`?"]
     });
-    assert_eq!(*bad, json!({"scene": "bad.pbrt", "exit_code": 65, "error": error, "warnings": []}));
-    assert_eq!((&ball["exit_code"], &ball["primitives"], &ball["bytes"]), (&json!(0), &json!(2), &json!(348)));
-    run.said("error: bad.pbrt:1:1").said("warning: warned.pbrt:2:7");
+    assert_eq!(
+        *bad,
+        json!({"scene": "bad.pbrt", "exit_code": 65, "error": error, "warnings": []})
+    );
+    assert_eq!(
+        (&ball["exit_code"], &ball["primitives"], &ball["bytes"]),
+        (&json!(0), &json!(2), &json!(348))
+    );
+    run.said("error: bad.pbrt:1:1")
+        .said("warning: warned.pbrt:2:7");
 }
 
 #[test]
 fn json_says_all_that_the_block_says() {
     let run = Folder::new().check("ball.pbrt --json -q").succeeded();
-    let [line] = &run.json()[..] else { panic!("{run:?}") };
+    let [line] = &run.json()[..] else {
+        panic!("{run:?}")
+    };
     assert_eq!(line["camera"]["projection"], "perspective");
     assert!((line["camera"]["fov"].as_f64().unwrap() - 40.0).abs() < 1e-9);
     assert_eq!(line["camera"]["eye"], json!([0.0, 0.0, -5.0]));
-    assert_eq!(line["film"], json!({"width": 13, "height": 7, "crop": [0, 13, 0, 7], "filename": "film.exr"}));
+    assert_eq!(
+        line["film"],
+        json!({"width": 13, "height": 7, "crop": [0, 13, 0, 7], "filename": "film.exr"})
+    );
     let one = json!({"statements": 1, "primitives": 1, "left_out": false});
     assert_eq!(line["shapes"], json!({"sphere": one, "trianglemesh": one}));
     assert_eq!(line["bounds"]["high"], json!([2.5, 2.0, 2.5]));
-    assert_eq!((&line["statements"], &line["triangles"], &line["transforms"]), (&json!(2), &json!(1), &json!(2)));
-    let directives = json!({"Camera": 1, "Film": 1, "LookAt": 1, "Shape": 2, "Translate": 1, "WorldBegin": 1});
-    assert_eq!((&line["directives"], &line["skipped"], &line["unknown"]), (&directives, &json!({}), &json!({})));
-    let empty = Folder::new().with("a.pbrt", "WorldBegin").check("a.pbrt --json").succeeded();
+    assert_eq!(
+        (&line["statements"], &line["triangles"], &line["transforms"]),
+        (&json!(2), &json!(1), &json!(2))
+    );
+    let directives =
+        json!({"Camera": 1, "Film": 1, "LookAt": 1, "Shape": 2, "Translate": 1, "WorldBegin": 1});
+    assert_eq!(
+        (&line["directives"], &line["skipped"], &line["unknown"]),
+        (&directives, &json!({}), &json!({}))
+    );
+    let empty = Folder::new()
+        .with("a.pbrt", "WorldBegin")
+        .check("a.pbrt --json")
+        .succeeded();
     assert_eq!(empty.json()[0]["bounds"], Value::Null);
 }

@@ -9,15 +9,23 @@ fn folder() -> Folder {
     let gone = BALL.replace("\"float radius\" 1", "\"float radius\" 0");
     let folder = Folder::new().with("b.pbrt", larger).with("gone.pbrt", gone);
     for (scene, image) in [("ball", "a"), ("b", "b"), ("gone", "gone")] {
-        folder.render(&format!("{scene}.pbrt -o {image}.exr")).succeeded();
-        folder.render(&format!("{scene}.pbrt -o {image}.png")).succeeded();
-        folder.render(&format!("{scene}.pbrt -o {image}-hit.png --view hit")).succeeded();
+        folder
+            .render(&format!("{scene}.pbrt -o {image}.exr"))
+            .succeeded();
+        folder
+            .render(&format!("{scene}.pbrt -o {image}.png"))
+            .succeeded();
+        folder
+            .render(&format!("{scene}.pbrt -o {image}-hit.png --view hit"))
+            .succeeded();
     }
     folder
 }
 
 fn object(run: &Run) -> Value {
-    let [object] = &run.json()[..] else { panic!("{run:?}") };
+    let [object] = &run.json()[..] else {
+        panic!("{run:?}")
+    };
     object.clone()
 }
 
@@ -50,20 +58,37 @@ fn misses_are_equal_whatever_they_hold() {
 #[test]
 fn what_is_different_is_told() {
     let run = folder().compare("a.exr gone.exr").exited(1);
-    let (found, text) = (object(&folder().compare("a.exr gone.exr --json").exited(1)), run.text());
-    let (missed, wrong) = (found["missed_hits"].as_u64().unwrap(), found["wrong_primitives"].as_u64().unwrap());
+    let (found, text) = (
+        object(&folder().compare("a.exr gone.exr --json").exited(1)),
+        run.text(),
+    );
+    let (missed, wrong) = (
+        found["missed_hits"].as_u64().unwrap(),
+        found["wrong_primitives"].as_u64().unwrap(),
+    );
     assert!(missed > 0 && wrong > 0);
-    assert_eq!((&found["false_hits"], &found["wrong"]["id"]), (&json!(0), &json!(wrong)));
-    assert_eq!((&found["pixels"], &found["different"]), (&json!(91), &json!(missed + wrong)));
+    assert_eq!(
+        (&found["false_hits"], &found["wrong"]["id"]),
+        (&json!(0), &json!(wrong))
+    );
+    assert_eq!(
+        (&found["pixels"], &found["different"]),
+        (&json!(91), &json!(missed + wrong))
+    );
     let lines = [
         format!("\n  missed hits {missed}, only in A\n  wrong       {wrong} id, {wrong} prim\n"),
         "  missed hit       A: Z ".to_owned(),
         "; B: miss\n".to_owned(),
         format!("\n  verdict     {} pixels differ, 0 may\n", missed + wrong),
     ];
-    lines.iter().for_each(|line| assert!(text.contains(line), "no `{line}` in:\n{text}"));
+    lines
+        .iter()
+        .for_each(|line| assert!(text.contains(line), "no `{line}` in:\n{text}"));
     let back = object(&folder().compare("gone.exr a.exr --json").exited(1));
-    assert_eq!((&back["false_hits"], &back["missed_hits"]), (&json!(missed), &json!(0)));
+    assert_eq!(
+        (&back["false_hits"], &back["missed_hits"]),
+        (&json!(missed), &json!(0))
+    );
 }
 
 #[test]
@@ -71,16 +96,45 @@ fn differences_within_the_tolerances_are_none() {
     let folder = folder();
     let found = object(&folder.compare("a.exr b.exr --json").exited(1));
     let different = found["different"].as_u64().unwrap();
-    let largest = found["ulps"]["Z"]["largest"].as_u64().unwrap().max(found["ulps"]["t"]["largest"].as_u64().unwrap());
+    let largest = found["ulps"]["Z"]["largest"]
+        .as_u64()
+        .unwrap()
+        .max(found["ulps"]["t"]["largest"].as_u64().unwrap());
     assert!(largest > 0 && found["ulps"]["Z"]["above"].as_u64().unwrap() > 0);
-    folder.compare(&format!("a.exr b.exr --max-pixels {}", different - 1)).exited(1);
-    let run = folder.compare(&format!("a.exr b.exr --max-pixels {different}")).succeeded();
-    assert!(run.text().ends_with(&format!("{different} pixels differ, {different} may\n")), "{}", run.text());
+    folder
+        .compare(&format!("a.exr b.exr --max-pixels {}", different - 1))
+        .exited(1);
+    let run = folder
+        .compare(&format!("a.exr b.exr --max-pixels {different}"))
+        .succeeded();
+    assert!(
+        run.text()
+            .ends_with(&format!("{different} pixels differ, {different} may\n")),
+        "{}",
+        run.text()
+    );
     let flips = found["false_hits"].as_u64().unwrap() + found["wrong_primitives"].as_u64().unwrap();
-    let run = folder.compare(&format!("a.exr b.exr --max-ulp {largest} --max-pixels {flips} --json")).succeeded();
-    assert_eq!((&object(&run)["different"], &object(&run)["ulps"]["t"]["above"]), (&json!(flips), &json!(0)));
-    folder.compare(&format!("a.exr b.exr --max-ulp {} --max-pixels {flips}", largest - 1)).exited(1);
-    folder.compare("a.exr gone.exr --max-ulp 4294967295").exited(1);
+    let run = folder
+        .compare(&format!(
+            "a.exr b.exr --max-ulp {largest} --max-pixels {flips} --json"
+        ))
+        .succeeded();
+    assert_eq!(
+        (
+            &object(&run)["different"],
+            &object(&run)["ulps"]["t"]["above"]
+        ),
+        (&json!(flips), &json!(0))
+    );
+    folder
+        .compare(&format!(
+            "a.exr b.exr --max-ulp {} --max-pixels {flips}",
+            largest - 1
+        ))
+        .exited(1);
+    folder
+        .compare("a.exr gone.exr --max-ulp 4294967295")
+        .exited(1);
     folder.compare("a.exr b.exr --max-ulp -1").exited(2);
     folder.compare("a.exr b.exr --max-ulp 4294967296").exited(2);
 }
@@ -90,9 +144,18 @@ fn quiet_says_nothing_and_verbose_lists_more() {
     let folder = folder();
     let run = folder.compare("a.exr gone.exr -q --diff d.png").exited(1);
     assert_eq!((run.text(), run.stderr.as_str()), ("", ""));
-    let places = |arguments: &str| folder.compare(arguments).exited(1).text().matches("; B: ").count();
+    let places = |arguments: &str| {
+        folder
+            .compare(arguments)
+            .exited(1)
+            .text()
+            .matches("; B: ")
+            .count()
+    };
     assert_eq!(places("a.exr gone.exr"), 5);
-    let all = object(&folder.compare("a.exr gone.exr --json").exited(1))["different"].as_u64().unwrap() as usize;
+    let all = object(&folder.compare("a.exr gone.exr --json").exited(1))["different"]
+        .as_u64()
+        .unwrap() as usize;
     assert!(all > 5 && places("a.exr gone.exr -v") == all);
 }
 
@@ -101,21 +164,43 @@ fn what_one_image_has_alone_is_named() {
     let folder = folder();
     folder.render("ball.pbrt --aov A,id -o few.exr").succeeded();
     let run = folder.compare("few.exr a.exr").succeeded();
-    assert!(run.text().contains("\n  left out    Z (only in B), t (only in B), prim (only in B)\n"), "{}", run.text());
+    assert!(
+        run.text()
+            .contains("\n  left out    Z (only in B), t (only in B), prim (only in B)\n"),
+        "{}",
+        run.text()
+    );
     assert!(!run.text().contains("ulps"));
     let not_compared = json!({"Z": "A", "t": "A", "prim": "A"});
-    assert_eq!(object(&folder.compare("a.exr few.exr --json").succeeded())["not_compared"], not_compared);
-    folder.render("ball.pbrt --aov instance -o instance.exr").succeeded();
-    folder.compare("a.exr instance.exr").failed(65, "no channel tells hits from misses");
+    assert_eq!(
+        object(&folder.compare("a.exr few.exr --json").succeeded())["not_compared"],
+        not_compared
+    );
+    folder
+        .render("ball.pbrt --aov instance -o instance.exr")
+        .succeeded();
+    folder
+        .compare("a.exr instance.exr")
+        .failed(65, "no channel tells hits from misses");
 }
 
 #[test]
 fn images_of_other_pixels_differ() {
     let folder = folder();
-    folder.render("ball.pbrt --pixelbounds 1,5,0,7 -o crop.exr").succeeded();
-    folder.render("ball.pbrt --pixelbounds 1,5,0,7 --range 0,9 -o crop.png").succeeded();
-    let run = folder.compare("a.exr crop.exr --diff d.png").exited(1).said("d.png is not written");
-    assert!(run.text().contains("they show different pixels: x 0 to 13, y 0 to 7 and x 1 to 5, y 0 to 7"));
+    folder
+        .render("ball.pbrt --pixelbounds 1,5,0,7 -o crop.exr")
+        .succeeded();
+    folder
+        .render("ball.pbrt --pixelbounds 1,5,0,7 --range 0,9 -o crop.png")
+        .succeeded();
+    let run = folder
+        .compare("a.exr crop.exr --diff d.png")
+        .exited(1)
+        .said("d.png is not written");
+    assert!(
+        run.text()
+            .contains("they show different pixels: x 0 to 13, y 0 to 7 and x 1 to 5, y 0 to 7")
+    );
     assert!(!folder.path("d.png").exists());
     let problem = object(&folder.compare("a.png crop.png --json").exited(1))["problem"].clone();
     assert_eq!(problem, "they have 13 x 7 and 4 x 7 pixels");
@@ -128,31 +213,66 @@ fn colours_are_compared_and_tell_of_hits() {
     folder.compare("a.png a.png").succeeded();
     let data = object(&folder.compare("a.exr gone.exr --json").exited(1));
     for view in ["", "-hit"] {
-        let found = object(&folder.compare(&format!("a{view}.png gone{view}.png --json")).exited(1));
-        assert_eq!((&found["false_hits"], &found["missed_hits"]), (&data["false_hits"], &data["missed_hits"]));
-        let text = folder.compare(&format!("a{view}.png gone{view}.png")).exited(1).text().to_owned();
-        assert!(text.contains(&format!("\n  missed hits {}, only in A\n", data["missed_hits"])), "{text}");
+        let found = object(
+            &folder
+                .compare(&format!("a{view}.png gone{view}.png --json"))
+                .exited(1),
+        );
+        assert_eq!(
+            (&found["false_hits"], &found["missed_hits"]),
+            (&data["false_hits"], &data["missed_hits"])
+        );
+        let text = folder
+            .compare(&format!("a{view}.png gone{view}.png"))
+            .exited(1)
+            .text()
+            .to_owned();
+        assert!(
+            text.contains(&format!(
+                "\n  missed hits {}, only in A\n",
+                data["missed_hits"]
+            )),
+            "{text}"
+        );
     }
     let all = object(&folder.compare("a.png gone.png --json").exited(1))["different"].clone();
-    folder.compare(&format!("a.png gone.png --max-pixels {all}")).succeeded();
-    folder.compare("a.png b.png --max-ulp 3").failed(2, "--max-ulp is about depths");
+    folder
+        .compare(&format!("a.png gone.png --max-pixels {all}"))
+        .succeeded();
+    folder
+        .compare("a.png b.png --max-ulp 3")
+        .failed(2, "--max-ulp is about depths");
 }
 
 #[test]
 fn a_difference_picture_shows_each_pixel() {
     use feimos::compare::picture::{EQUAL, EQUAL_HIT, MISSED_HIT, WRONG_PRIMITIVE};
     let folder = folder();
-    let run = folder.compare("a.exr gone.exr --diff d.png --json").exited(1).said("d.png: differences");
+    let run = folder
+        .compare("a.exr gone.exr --diff d.png --json")
+        .exited(1)
+        .said("d.png: differences");
     let picture = folder.png("d.png");
     let count = |color: [u8; 3]| picture.pixels().filter(|pixel| pixel.0 == color).count() as u64;
     assert_eq!(picture.dimensions(), (13, 7));
     let number = |name: &str| object(&run)[name].as_u64().unwrap();
-    assert_eq!([count(MISSED_HIT), count(WRONG_PRIMITIVE)], [number("missed_hits"), number("wrong_primitives")]);
+    assert_eq!(
+        [count(MISSED_HIT), count(WRONG_PRIMITIVE)],
+        [number("missed_hits"), number("wrong_primitives")]
+    );
     assert_eq!(count(EQUAL), 91 - number("hits_expected"));
     assert_eq!(count(EQUAL_HIT), 91 - count(EQUAL) - number("different"));
-    folder.compare("a-hit.png gone-hit.png --diff d.png -q").exited(1);
+    folder
+        .compare("a-hit.png gone-hit.png --diff d.png -q")
+        .exited(1);
     let picture = folder.png("d.png");
-    assert_eq!(picture.pixels().filter(|pixel| pixel.0 == MISSED_HIT).count() as u64, number("missed_hits"));
+    assert_eq!(
+        picture
+            .pixels()
+            .filter(|pixel| pixel.0 == MISSED_HIT)
+            .count() as u64,
+        number("missed_hits")
+    );
 }
 
 #[test]
@@ -160,26 +280,46 @@ fn a_difference_picture_needs_a_place_of_its_own() {
     let folder = folder();
     let before = folder.bytes("a.png");
     for (arguments, part) in [
-        ("a.exr b.exr --diff d.exr", "the difference picture is a PNG"),
+        (
+            "a.exr b.exr --diff d.exr",
+            "the difference picture is a PNG",
+        ),
         ("a.exr b.exr --diff d", "no extension"),
-        ("b.png a.png --diff ./a.png", "--diff would overwrite an image that is compared"),
+        (
+            "b.png a.png --diff ./a.png",
+            "--diff would overwrite an image that is compared",
+        ),
     ] {
         folder.compare(arguments).failed(2, part);
     }
-    folder.compare("a.exr b.exr --diff out/d.png").failed(73, "create the directory `out` first");
+    folder
+        .compare("a.exr b.exr --diff out/d.png")
+        .failed(73, "create the directory `out` first");
     assert_eq!(folder.bytes("a.png"), before);
 }
 
 #[test]
 fn what_is_no_image_is_refused() {
-    let folder = folder().with("cut.exr", []).with("bad.png", b"\x89PNG\r\n\x1a\n");
+    let folder = folder()
+        .with("cut.exr", [])
+        .with("bad.png", b"\x89PNG\r\n\x1a\n");
     std::fs::write(folder.path("cut.exr"), &folder.bytes("a.exr")[..700]).unwrap();
-    folder.compare("a.exr none.exr").failed(66, "none.exr: cannot read");
+    folder
+        .compare("a.exr none.exr")
+        .failed(66, "none.exr: cannot read");
     folder.compare("a.exr .").failed(66, ".: ");
-    folder.compare("ball.pbrt a.exr").failed(65, "ball.pbrt: this is neither an EXR nor a PNG file");
-    folder.compare("a.exr cut.exr").failed(65, "error: cut.exr: ");
-    folder.compare("bad.png a.png").failed(65, "bad.png: this PNG file cannot be read");
-    folder.compare("a.png a.exr").failed(2, "an EXR cannot be compared with a PNG");
+    folder
+        .compare("ball.pbrt a.exr")
+        .failed(65, "ball.pbrt: this is neither an EXR nor a PNG file");
+    folder
+        .compare("a.exr cut.exr")
+        .failed(65, "error: cut.exr: ");
+    folder
+        .compare("bad.png a.png")
+        .failed(65, "bad.png: this PNG file cannot be read");
+    folder
+        .compare("a.png a.exr")
+        .failed(2, "an EXR cannot be compared with a PNG");
     folder.compare("a.exr").failed(2, "<B>");
     // What a file holds counts, not its name.
     std::fs::copy(folder.path("a.exr"), folder.path("exr.png")).unwrap();

@@ -13,9 +13,15 @@ fn script(folder: &Folder, shell: &str) -> String {
 
 /// Whether a script names a flag, not only one that begins alike; fish writes `-l output`.
 fn names(script: &str, shell: &str, flag: &str) -> bool {
-    let flag = if shell == "fish" { flag.replacen("--", "-l ", 1) } else { flag.to_owned() };
+    let flag = if shell == "fish" {
+        flag.replacen("--", "-l ", 1)
+    } else {
+        flag.to_owned()
+    };
     let ends = |rest: &str| !rest.starts_with(|c: char| c.is_ascii_alphanumeric() || c == '-');
-    script.match_indices(&flag).any(|(at, _)| ends(&script[at + flag.len()..]))
+    script
+        .match_indices(&flag)
+        .any(|(at, _)| ends(&script[at + flag.len()..]))
 }
 
 #[test]
@@ -47,7 +53,9 @@ fn hidden_flags_stay_hidden() {
 #[test]
 fn another_shell_is_answered_with_the_known_ones() {
     let run = Folder::new().run("completions", "tcsh").exited(2);
-    SHELLS.iter().for_each(|shell| assert!(run.stderr.contains(shell), "{}", run.stderr));
+    SHELLS
+        .iter()
+        .for_each(|shell| assert!(run.stderr.contains(shell), "{}", run.stderr));
 }
 
 #[cfg(target_os = "linux")]
@@ -63,10 +71,20 @@ mod linux {
         );
         // Bash warns of locales that are not installed.
         let mut bash = std::process::Command::new("bash");
-        let output = bash.current_dir(folder.path("")).env("LC_ALL", "C").args(["-c", &complete]).output();
+        let output = bash
+            .current_dir(folder.path(""))
+            .env("LC_ALL", "C")
+            .args(["-c", &complete])
+            .output();
         let output = output.unwrap();
-        assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
-        String::from_utf8(output.stdout).unwrap().trim_end().to_owned()
+        assert!(
+            output.status.success() && output.stderr.is_empty(),
+            "{output:?}"
+        );
+        String::from_utf8(output.stdout)
+            .unwrap()
+            .trim_end()
+            .to_owned()
     }
 
     #[test]
@@ -91,8 +109,17 @@ mod linux {
         let (reader, writer) = std::io::pipe().unwrap();
         drop(reader);
         let folder = Folder::new();
-        let output = folder.subcommand("completions", "bash").stdout(writer).output().unwrap();
+        let output = folder
+            .subcommand("completions", "bash")
+            .stdout(writer)
+            .output()
+            .unwrap();
         assert_eq!(output.status.code(), Some(74), "{output:?}");
-        assert!(output.stderr.starts_with(b"error: standard output: cannot write: "), "{output:?}");
+        assert!(
+            output
+                .stderr
+                .starts_with(b"error: standard output: cannot write: "),
+            "{output:?}"
+        );
     }
 }

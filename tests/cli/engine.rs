@@ -6,16 +6,36 @@ const ACCELERATORS: [&str; 5] = ["none", "middle", "equal", "sah", "hlbvh"];
 
 /// A floor of 200 triangles that share edges, some of them twice, with balls that sink into it.
 fn crowd() -> String {
-    let corners: Vec<String> = (0..121).map(|i| format!("{} 0 {}", i % 11 - 5, i / 11 - 5)).collect();
+    let corners: Vec<String> = (0..121)
+        .map(|i| format!("{} 0 {}", i % 11 - 5, i / 11 - 5))
+        .collect();
     let squares = (0..100).map(|i| i / 10 * 11 + i % 10);
-    let faces: Vec<String> = squares.map(|a| format!("{a} {} {} {a} {} {}", a + 1, a + 12, a + 12, a + 11)).collect();
+    let faces: Vec<String> = squares
+        .map(|a| format!("{a} {} {} {a} {} {}", a + 1, a + 12, a + 12, a + 11))
+        .collect();
     let mesh = |faces: &[String]| {
         let (corners, faces) = (corners.join(" "), faces.join(" "));
         format!("Shape \"trianglemesh\" \"point3 P\" [{corners}] \"integer indices\" [{faces}]\n")
     };
-    let balls = (0..30).map(|i| format!("Translate 0.31 0 {}\nShape \"sphere\" \"float radius\" 0.4\n", (i % 7) - 3));
-    let head = BALL.split("Shape").next().unwrap().replace("LookAt 0 0 -5", "LookAt 0 4 -8");
-    [head.as_str(), &mesh(&faces), &mesh(&faces[30..60]), "Translate -4 0 0\n"].concat() + &balls.collect::<String>()
+    let balls = (0..30).map(|i| {
+        format!(
+            "Translate 0.31 0 {}\nShape \"sphere\" \"float radius\" 0.4\n",
+            (i % 7) - 3
+        )
+    });
+    let head = BALL
+        .split("Shape")
+        .next()
+        .unwrap()
+        .replace("LookAt 0 0 -5", "LookAt 0 4 -8");
+    [
+        head.as_str(),
+        &mesh(&faces),
+        &mesh(&faces[30..60]),
+        "Translate -4 0 0\n",
+    ]
+    .concat()
+        + &balls.collect::<String>()
 }
 
 fn crowded() -> Folder {
@@ -26,8 +46,15 @@ fn crowded() -> Folder {
 fn every_accelerator_makes_the_same_bytes() {
     let folder = crowded();
     for accel in ACCELERATORS {
-        folder.render(&format!("crowd.pbrt -o {accel}.exr --resolution 61x43 --accel {accel}")).succeeded();
-        assert!(folder.bytes(&format!("{accel}.exr")) == folder.bytes("none.exr"), "{accel}");
+        folder
+            .render(&format!(
+                "crowd.pbrt -o {accel}.exr --resolution 61x43 --accel {accel}"
+            ))
+            .succeeded();
+        assert!(
+            folder.bytes(&format!("{accel}.exr")) == folder.bytes("none.exr"),
+            "{accel}"
+        );
     }
     assert!(folder.exr("none.exr").bits["id"].iter().max().unwrap() > &20);
 }
@@ -35,20 +62,44 @@ fn every_accelerator_makes_the_same_bytes() {
 #[test]
 fn any_number_of_threads_makes_the_same_bytes() {
     let folder = crowded();
-    for (threads, name) in [("--threads 1", "a"), ("--nthreads 1", "b"), ("--threads 3", "c"), ("", "d")] {
-        folder.render(&format!("crowd.pbrt {threads} -o {name}.exr --resolution 61x43")).succeeded();
-        folder.render(&format!("crowd.pbrt {threads} -o {name}.png --resolution 61x43")).succeeded();
-        assert!(folder.bytes(&format!("{name}.exr")) == folder.bytes("a.exr"), "{threads}");
-        assert!(folder.bytes(&format!("{name}.png")) == folder.bytes("a.png"), "{threads}");
+    for (threads, name) in [
+        ("--threads 1", "a"),
+        ("--nthreads 1", "b"),
+        ("--threads 3", "c"),
+        ("", "d"),
+    ] {
+        folder
+            .render(&format!(
+                "crowd.pbrt {threads} -o {name}.exr --resolution 61x43"
+            ))
+            .succeeded();
+        folder
+            .render(&format!(
+                "crowd.pbrt {threads} -o {name}.png --resolution 61x43"
+            ))
+            .succeeded();
+        assert!(
+            folder.bytes(&format!("{name}.exr")) == folder.bytes("a.exr"),
+            "{threads}"
+        );
+        assert!(
+            folder.bytes(&format!("{name}.png")) == folder.bytes("a.png"),
+            "{threads}"
+        );
     }
 }
 
 #[test]
 fn every_instruction_set_makes_the_same_bytes() {
     let folder = crowded();
-    for (precision, channels) in [("exact", "Z,t,A,id,N,P"), ("fast", "Z,t,A,id"), ("exact", "A")] {
+    for (precision, channels) in [
+        ("exact", "Z,t,A,id,N,P"),
+        ("fast", "Z,t,A,id"),
+        ("exact", "A"),
+    ] {
         let made_with = |set: &str| {
-            let flags = format!("--simd {set} --precision {precision} --aov {channels} --resolution 61x43");
+            let flags =
+                format!("--simd {set} --precision {precision} --aov {channels} --resolution 61x43");
             let run = folder.render(&format!("crowd.pbrt -o out.exr --json {flags}"));
             (run.code == 0).then(|| (run.json()[0]["simd"].clone(), folder.bytes("out.exr")))
         };
@@ -62,7 +113,11 @@ fn every_instruction_set_makes_the_same_bytes() {
     }
     let unknown = folder.render("crowd.pbrt --simd neon9");
     assert_eq!(unknown.code, 2);
-    assert!(unknown.stderr.contains("this machine has portable"), "{}", unknown.stderr);
+    assert!(
+        unknown.stderr.contains("this machine has portable"),
+        "{}",
+        unknown.stderr
+    );
 }
 
 /// Two squares in one plane, cut in two along different diagonals: every ray hits both at the same place.
@@ -78,10 +133,20 @@ Shape "trianglemesh" "point3 P" [-91 0 -90  92 0 -93  93 0 90  -90 0 94] "intege
 #[test]
 fn exact_is_the_default_and_counts_where_integers_were_needed() {
     // The second square a hair above the first: no `f64` tells which of them a ray meets first.
-    let apart =
-        IN_ONE_PLANE.replace("[-91 0 -90  92 0 -93  93 0 90  -90 0 94]", "[-91 H -90  92 H -93  93 H 90  -90 H 94]");
-    let folder = Folder::new().with("plane.pbrt", IN_ONE_PLANE).with("apart.pbrt", apart.replace('H', "1e-17"));
-    let line = |flags: &str| folder.render(&format!("{flags} --json -o plane.exr")).succeeded().json()[0].clone();
+    let apart = IN_ONE_PLANE.replace(
+        "[-91 0 -90  92 0 -93  93 0 90  -90 0 94]",
+        "[-91 H -90  92 H -93  93 H 90  -90 H 94]",
+    );
+    let folder = Folder::new()
+        .with("plane.pbrt", IN_ONE_PLANE)
+        .with("apart.pbrt", apart.replace('H', "1e-17"));
+    let line = |flags: &str| {
+        folder
+            .render(&format!("{flags} --json -o plane.exr"))
+            .succeeded()
+            .json()[0]
+            .clone()
+    };
     for (scene, nearest, share) in [("plane.pbrt", 1, 0), ("apart.pbrt", 2, 1)] {
         for flags in ["", "--precision exact --accel none --threads 1"] {
             let line = line(&format!("{scene} {flags}"));
@@ -99,7 +164,10 @@ fn exact_is_the_default_and_counts_where_integers_were_needed() {
         }
     }
     let fast = line("plane.pbrt --precision fast");
-    assert_eq!((&fast["precision"], &fast["exact"]), (&"fast".into(), &serde_json::Value::Null));
+    assert_eq!(
+        (&fast["precision"], &fast["exact"]),
+        (&"fast".into(), &serde_json::Value::Null)
+    );
 }
 
 #[test]
@@ -108,10 +176,18 @@ fn fast_makes_the_same_bytes_with_every_accelerator_too() {
     for accel in ACCELERATORS {
         let flags = format!("-o {accel}.exr --resolution 61x43 --accel {accel} --precision fast");
         folder.render(&format!("crowd.pbrt {flags}")).succeeded();
-        assert!(folder.bytes(&format!("{accel}.exr")) == folder.bytes("none.exr"), "{accel}");
+        assert!(
+            folder.bytes(&format!("{accel}.exr")) == folder.bytes("none.exr"),
+            "{accel}"
+        );
     }
-    folder.render("crowd.pbrt -o exact.exr --resolution 61x43").succeeded();
-    let (exact, fast) = (folder.exr("exact.exr").measures("Z"), folder.exr("none.exr").measures("Z"));
+    folder
+        .render("crowd.pbrt -o exact.exr --resolution 61x43")
+        .succeeded();
+    let (exact, fast) = (
+        folder.exr("exact.exr").measures("Z"),
+        folder.exr("none.exr").measures("Z"),
+    );
     assert!(exact != fast, "the flag has an effect");
     let close = |(a, b): (&f32, &f32)| a == b || (a - b).abs() < 1e-5 * a;
     assert!(exact.iter().zip(&fast).filter(|pair| close(*pair)).count() > exact.len() - 9);
@@ -120,7 +196,9 @@ fn fast_makes_the_same_bytes_with_every_accelerator_too() {
 #[test]
 fn an_unknown_precision_is_answered_with_the_known_ones() {
     let message = "invalid value 'f64' for '--precision <HOW>': expected one of exact, fast";
-    Folder::new().render("ball.pbrt --precision f64").failed(2, message);
+    Folder::new()
+        .render("ball.pbrt --precision f64")
+        .failed(2, message);
 }
 
 /// A half, a cap and a slice: what is cut away shows what lies behind.
@@ -128,11 +206,16 @@ fn an_unknown_precision_is_answered_with_the_known_ones() {
 fn partial_spheres_are_cut_as_pbrt_cuts_them() {
     let sphere = |parameters: &str| {
         let head = BALL.split("Shape").next().unwrap();
-        format!("{head}Shape \"sphere\" {parameters}\nTranslate 0 0 9\nShape \"sphere\" \"float radius\" 4\n")
+        format!(
+            "{head}Shape \"sphere\" {parameters}\nTranslate 0 0 9\nShape \"sphere\" \"float radius\" 4\n"
+        )
     };
     let ids = |parameters: &str| {
         let folder = Folder::new().with("cut.pbrt", sphere(parameters));
-        folder.render("cut.pbrt -o cut.exr --resolution 3x3").succeeded().did_not_say("warning");
+        folder
+            .render("cut.pbrt -o cut.exr --resolution 3x3")
+            .succeeded()
+            .did_not_say("warning");
         folder.exr("cut.exr").bits["id"].clone()
     };
     let whole = ids("");
@@ -142,7 +225,11 @@ fn partial_spheres_are_cut_as_pbrt_cuts_them() {
     assert_eq!(ids("\"float zmin\" 0"), whole);
     // A hole around the near pole and the far one: the middle ray passes.
     assert_eq!(ids("\"float zmin\" -0.9 \"float zmax\" 0.9")[4], 2);
-    assert_eq!(ids("\"float zmin\" -0.9")[4], 1, "the far pole is still there");
+    assert_eq!(
+        ids("\"float zmin\" -0.9")[4],
+        1,
+        "the far pole is still there"
+    );
     // Half a turn leaves y >= 0, which is up, and the poles.
     let half = ids("\"float phimax\" 180");
     assert_eq!((half[4], half[1]), (1, whole[1]));
@@ -152,7 +239,13 @@ fn partial_spheres_are_cut_as_pbrt_cuts_them() {
 fn the_number_of_threads_is_used_as_given() {
     let folder = Folder::new();
     for flags in ["--threads 3", "--nthreads 3"] {
-        assert_eq!(folder.render(&format!("ball.pbrt --json {flags}")).succeeded().json()[0]["threads"], 3);
+        assert_eq!(
+            folder
+                .render(&format!("ball.pbrt --json {flags}"))
+                .succeeded()
+                .json()[0]["threads"],
+            3
+        );
     }
 }
 
@@ -160,16 +253,24 @@ fn the_number_of_threads_is_used_as_given() {
 fn numbers_of_threads_that_make_no_sense_are_refused() {
     let folder = Folder::new();
     for threads in ["0", "-1", "all", "4097"] {
-        let message = format!("invalid value '{threads}' for '--threads <N>': expected a number from 1 to 4096");
-        folder.render(&format!("ball.pbrt --threads={threads}")).failed(2, &message);
+        let message = format!(
+            "invalid value '{threads}' for '--threads <N>': expected a number from 1 to 4096"
+        );
+        folder
+            .render(&format!("ball.pbrt --threads={threads}"))
+            .failed(2, &message);
     }
 }
 
 #[test]
 fn the_scene_chooses_its_accelerator_and_the_command_line_overrules_it() {
-    let folder =
-        Folder::new().with("equal.pbrt", format!("Accelerator \"bvh\" \"string splitmethod\" \"equal\"\n{BALL}"));
-    let accel = |flags: &str| folder.render(&format!("{flags} --json")).succeeded().json()[0]["accel"].clone();
+    let folder = Folder::new().with(
+        "equal.pbrt",
+        format!("Accelerator \"bvh\" \"string splitmethod\" \"equal\"\n{BALL}"),
+    );
+    let accel = |flags: &str| {
+        folder.render(&format!("{flags} --json")).succeeded().json()[0]["accel"].clone()
+    };
     assert_eq!(accel("ball.pbrt"), "sah");
     assert_eq!(accel("equal.pbrt"), "equal");
     assert_eq!(accel("equal.pbrt --accel hlbvh"), "hlbvh");
@@ -178,16 +279,27 @@ fn the_scene_chooses_its_accelerator_and_the_command_line_overrules_it() {
 #[test]
 fn a_scene_with_an_unknown_accelerator_is_rendered_by_sah() {
     let folder = Folder::new().with("kd.pbrt", format!("Accelerator \"kdtree\"\n{BALL}"));
-    let run = folder.render("kd.pbrt --json").succeeded().said("`kdtree`, which is unknown here: sah is used");
+    let run = folder
+        .render("kd.pbrt --json")
+        .succeeded()
+        .said("`kdtree`, which is unknown here: sah is used");
     assert_eq!(run.json()[0]["accel"], "sah");
-    for (wrong, meant) in [("\"bhv\"", "bvh"), ("\"bvh\" \"string splitmethod\" \"midle\"", "middle")] {
+    for (wrong, meant) in [
+        ("\"bhv\"", "bvh"),
+        ("\"bvh\" \"string splitmethod\" \"midle\"", "middle"),
+    ] {
         let folder = Folder::new().with("a.pbrt", format!("Accelerator {wrong}\n{BALL}"));
-        folder.render("a.pbrt").succeeded().said(&format!("sah is used; did you mean `{meant}`?\n"));
+        folder
+            .render("a.pbrt")
+            .succeeded()
+            .said(&format!("sah is used; did you mean `{meant}`?\n"));
     }
 }
 
 #[test]
 fn an_unknown_accelerator_on_the_command_line_is_answered_with_the_known_ones() {
     let message = "invalid value 'kdtree' for '--accel <METHOD>': expected one of none, middle, equal, sah, hlbvh";
-    Folder::new().render("ball.pbrt --accel kdtree").failed(2, message);
+    Folder::new()
+        .render("ball.pbrt --accel kdtree")
+        .failed(2, message);
 }

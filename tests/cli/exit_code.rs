@@ -5,13 +5,20 @@ use std::fs;
 
 #[test]
 fn warnings_alone_are_no_failure() {
-    Folder::new().with("warned.pbrt", WARNED).render("warned.pbrt --resolution 2x2").succeeded().said("warning: ");
+    Folder::new()
+        .with("warned.pbrt", WARNED)
+        .render("warned.pbrt --resolution 2x2")
+        .succeeded()
+        .said("warning: ");
 }
 
 #[test]
 fn strict_makes_warnings_a_failure_after_the_image_is_written() {
     let folder = Folder::new().with("warned.pbrt", WARNED);
-    folder.render("warned.pbrt --strict --resolution 2x2").exited(1).said("warning: ");
+    folder
+        .render("warned.pbrt --strict --resolution 2x2")
+        .exited(1)
+        .said("warning: ");
     assert_eq!(folder.images(), ["pbrt.exr"]);
     folder.render("ball.pbrt --strict").succeeded();
 }
@@ -19,9 +26,13 @@ fn strict_makes_warnings_a_failure_after_the_image_is_written() {
 #[test]
 fn usage() {
     let folder = Folder::new();
-    for arguments in
-        ["", "ball.pbrt --no-such-flag", "ball.pbrt -o a.jpg", "ball.pbrt -o a", "--resolution 2 ball.pbrt"]
-    {
+    for arguments in [
+        "",
+        "ball.pbrt --no-such-flag",
+        "ball.pbrt -o a.jpg",
+        "ball.pbrt -o a",
+        "--resolution 2 ball.pbrt",
+    ] {
         folder.render(arguments).exited(2);
     }
     assert!(folder.images().is_empty());
@@ -30,7 +41,10 @@ fn usage() {
 #[test]
 fn bad_input() {
     let ply = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n";
-    let folder = Folder::new().with("bad.ply", ply).with("none.pbrt", "").with("binary.pbrt", [0, 1, 2, 0]);
+    let folder = Folder::new()
+        .with("bad.ply", ply)
+        .with("none.pbrt", "")
+        .with("binary.pbrt", [0, 1, 2, 0]);
     for scene in ["bad.ply", "none.pbrt", "binary.pbrt"] {
         folder.render(scene).failed(65, scene);
     }
@@ -40,7 +54,10 @@ fn bad_input() {
 #[test]
 fn missing_input() {
     let folder = Folder::new()
-        .with("mesh.pbrt", "WorldBegin\nShape \"plymesh\" \"string filename\" \"gone.ply\"\n")
+        .with(
+            "mesh.pbrt",
+            "WorldBegin\nShape \"plymesh\" \"string filename\" \"gone.ply\"\n",
+        )
         .with("include.pbrt", "Include \"gone.pbrt\"\n");
     for scene in ["gone.pbrt", "gone.ply", "mesh.pbrt", "include.pbrt", "."] {
         folder.render(scene).failed(66, "cannot read");
@@ -55,24 +72,34 @@ fn an_output_in_a_missing_directory() {
    = create the directory `out/deep` first
 ";
     assert_eq!(run.stderr, expected);
-    folder.render("ball.pbrt --manifest out/a.jsonl").failed(73, "out/a.jsonl: cannot create");
+    folder
+        .render("ball.pbrt --manifest out/a.jsonl")
+        .failed(73, "out/a.jsonl: cannot create");
 }
 
 #[test]
 fn a_directory_or_a_file_in_the_way() {
     let folder = Folder::new();
     fs::create_dir(folder.path("a.exr")).unwrap();
-    folder.render("ball.pbrt -o a.exr").failed(73, "a.exr: cannot create");
-    folder.render("ball.pbrt -o ball.pbrt/a.exr").failed(73, "ball.pbrt/a.exr: cannot create");
+    folder
+        .render("ball.pbrt -o a.exr")
+        .failed(73, "a.exr: cannot create");
+    folder
+        .render("ball.pbrt -o ball.pbrt/a.exr")
+        .failed(73, "ball.pbrt/a.exr: cannot create");
 }
 
 #[test]
 fn what_is_wrong_with_the_output_is_known_before_the_scene_is_built() {
     let folder = Folder::new();
     for output in ["out/a.exr", "a.jpg", "a"] {
-        folder.render(&format!("ball.pbrt -v -o {output}")).did_not_say("built ");
+        folder
+            .render(&format!("ball.pbrt -v -o {output}"))
+            .did_not_say("built ");
     }
-    folder.render("gone.pbrt -o a.jpg").failed(2, "unknown image format `.jpg`");
+    folder
+        .render("gone.pbrt -o a.jpg")
+        .failed(2, "unknown image format `.jpg`");
 }
 
 #[cfg(unix)]
@@ -84,23 +111,39 @@ mod unix {
         let (reader, writer) = std::io::pipe().unwrap();
         drop(reader);
         let command = &mut folder.command(arguments);
-        command.stdout(writer).stderr(std::process::Stdio::piped()).spawn().unwrap().wait_with_output().unwrap()
+        command
+            .stdout(writer)
+            .stderr(std::process::Stdio::piped())
+            .spawn()
+            .unwrap()
+            .wait_with_output()
+            .unwrap()
     }
 
     #[test]
     fn standard_output_that_nobody_reads() {
         let folder = Folder::new();
-        for arguments in ["ball.pbrt -o -", "ball.pbrt -o - --view hit", "ball.pbrt --json"] {
+        for arguments in [
+            "ball.pbrt -o -",
+            "ball.pbrt -o - --view hit",
+            "ball.pbrt --json",
+        ] {
             let output = render_to_nobody(&folder, arguments);
             assert_eq!(output.status.code(), Some(74), "{arguments}");
             let stderr = String::from_utf8(output.stderr).unwrap();
-            assert!(stderr.contains("error: standard output: cannot write: "), "{stderr}");
+            assert!(
+                stderr.contains("error: standard output: cannot write: "),
+                "{stderr}"
+            );
         }
     }
 
     #[test]
     fn standard_output_that_nobody_needs() {
-        assert_eq!(render_to_nobody(&Folder::new(), "ball.pbrt").status.code(), Some(0));
+        assert_eq!(
+            render_to_nobody(&Folder::new(), "ball.pbrt").status.code(),
+            Some(0)
+        );
     }
 
     #[test]
@@ -108,7 +151,9 @@ mod unix {
     fn a_full_disk_may_be_tried_again() {
         let folder = Folder::new();
         symlink("/dev/full", folder.path("a.exr")).unwrap();
-        folder.render("ball.pbrt -o a.exr").failed(75, "a.exr: cannot write: ");
+        folder
+            .render("ball.pbrt -o a.exr")
+            .failed(75, "a.exr: cannot write: ");
     }
 
     #[test]
@@ -119,9 +164,22 @@ mod unix {
             let script = format!("umask {umask}; exec \"$@\" -o {umask}.exr");
             let render = folder.command("ball.pbrt");
             let mut shell = std::process::Command::new("sh");
-            shell.current_dir(folder.path("")).args(["-c", &script, "sh"]).arg(render.get_program());
-            assert!(shell.args(render.get_args()).output().unwrap().status.success());
-            let mode = fs::metadata(folder.path(&format!("{umask}.exr"))).unwrap().permissions().mode();
+            shell
+                .current_dir(folder.path(""))
+                .args(["-c", &script, "sh"])
+                .arg(render.get_program());
+            assert!(
+                shell
+                    .args(render.get_args())
+                    .output()
+                    .unwrap()
+                    .status
+                    .success()
+            );
+            let mode = fs::metadata(folder.path(&format!("{umask}.exr")))
+                .unwrap()
+                .permissions()
+                .mode();
             assert_eq!(mode & 0o777, expected, "umask {umask}");
         }
     }
@@ -138,12 +196,20 @@ mod unix {
 
 #[test]
 fn a_scene_on_standard_input_may_be_bad_too() {
-    Folder::new().render_input("-", &BALL.replace("Shape", "Shap")).failed(65, "-:6:1: unknown directive `Shap`");
+    Folder::new()
+        .render_input("-", &BALL.replace("Shape", "Shap"))
+        .failed(65, "-:6:1: unknown directive `Shap`");
 }
 
 #[test]
 fn standard_input_is_read_for_the_named_scene_only() {
-    for part in ["Include \"-\"", "WorldBegin Shape \"plymesh\" \"string filename\" \"-\""] {
-        Folder::new().with("a.pbrt", part).render("a.pbrt").failed(66, "-: cannot read");
+    for part in [
+        "Include \"-\"",
+        "WorldBegin Shape \"plymesh\" \"string filename\" \"-\"",
+    ] {
+        Folder::new()
+            .with("a.pbrt", part)
+            .render("a.pbrt")
+            .failed(66, "-: cannot read");
     }
 }

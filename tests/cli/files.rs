@@ -6,7 +6,13 @@ use std::os::unix::fs::{MetadataExt, PermissionsExt};
 use std::process::{Child, Command, Stdio};
 
 fn started(folder: &Folder, arguments: &str) -> Child {
-    folder.command(arguments).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap()
+    folder
+        .command(arguments)
+        .stdin(Stdio::null())
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap()
 }
 
 #[test]
@@ -14,7 +20,12 @@ fn two_processes_that_write_one_file_leave_one_whole_file() {
     let folder = Folder::new();
     for _ in 0..3 {
         let children: Vec<Child> = (0..4)
-            .map(|number| started(&folder, &format!("ball.pbrt -o same.exr --resolution {0}x{0}", 300 + number)))
+            .map(|number| {
+                started(
+                    &folder,
+                    &format!("ball.pbrt -o same.exr --resolution {0}x{0}", 300 + number),
+                )
+            })
             .collect();
         for child in children {
             assert!(child.wait_with_output().unwrap().status.success());
@@ -22,7 +33,11 @@ fn two_processes_that_write_one_file_leave_one_whole_file() {
         let image = folder.exr("same.exr");
         let side = image.film.0;
         assert!((300..304).contains(&side) && image.film == (side, side));
-        folder.render(&format!("ball.pbrt -o alone.exr --resolution {side}x{side}")).succeeded();
+        folder
+            .render(&format!(
+                "ball.pbrt -o alone.exr --resolution {side}x{side}"
+            ))
+            .succeeded();
         assert!(folder.bytes("same.exr") == folder.bytes("alone.exr"));
         assert_eq!(folder.images(), ["alone.exr", "same.exr"]);
     }
@@ -31,10 +46,19 @@ fn two_processes_that_write_one_file_leave_one_whole_file() {
 /// Runs `feimos render` with `arguments` below a limit of the shell (`ulimit`).
 fn limited(folder: &Folder, limit: &str, arguments: &str) -> (Option<i32>, String) {
     let mut shell = Command::new("sh");
-    shell.current_dir(folder.path(".")).args(["-c", &format!("ulimit {limit}; exec \"$@\""), "sh"]);
+    shell
+        .current_dir(folder.path("."))
+        .args(["-c", &format!("ulimit {limit}; exec \"$@\""), "sh"]);
     let command = folder.command(arguments);
-    let output = shell.arg(command.get_program()).args(command.get_args()).output().unwrap();
-    (output.status.code(), String::from_utf8(output.stderr).unwrap())
+    let output = shell
+        .arg(command.get_program())
+        .args(command.get_args())
+        .output()
+        .unwrap();
+    (
+        output.status.code(),
+        String::from_utf8(output.stderr).unwrap(),
+    )
 }
 
 #[test]
@@ -43,10 +67,20 @@ fn a_file_beyond_the_limit_of_files_is_an_error() {
         let folder = Folder::new().with("old.exr", "old");
         for name in ["new.exr", "old.exr", "new.npy", "new.pfm"] {
             let limit = format!("-c 0; {before}ulimit -f 8");
-            let (code, stderr) = limited(&folder, &limit, &format!("ball.pbrt --resolution 300x300 -o {name}"));
+            let (code, stderr) = limited(
+                &folder,
+                &limit,
+                &format!("ball.pbrt --resolution 300x300 -o {name}"),
+            );
             assert_eq!(code, Some(74), "{stderr}");
-            assert!(stderr.contains(&format!("{name}: cannot write: File too large")), "{stderr}");
-            assert!(stderr.contains("raise the limit on the size of files (`ulimit -f`)"), "{stderr}");
+            assert!(
+                stderr.contains(&format!("{name}: cannot write: File too large")),
+                "{stderr}"
+            );
+            assert!(
+                stderr.contains("raise the limit on the size of files (`ulimit -f`)"),
+                "{stderr}"
+            );
         }
         assert_eq!(folder.images(), ["old.exr"]);
         assert_eq!(folder.text("old.exr"), "old");
@@ -63,28 +97,56 @@ fn where_threads_are_refused_fewer_do_the_work() {
     let program = folder.path("feimos");
     std::fs::copy(folder.command("").get_program(), &program).unwrap();
     std::fs::set_permissions(folder.path("."), PermissionsExt::from_mode(0o777)).unwrap();
-    folder.render("ball.pbrt -o expected.exr --threads 8").succeeded();
+    folder
+        .render("ball.pbrt -o expected.exr --threads 8")
+        .succeeded();
     for (number, threads) in ["1", "2", "3", "5"].into_iter().enumerate() {
         for (command, rc) in [
-            ("render ball.pbrt -o found.exr --threads 8 --progress always", 0),
+            (
+                "render ball.pbrt -o found.exr --threads 8 --progress always",
+                0,
+            ),
             ("render ball.pbrt -o found.exr --threads 8 -q", 0),
             ("check ball.pbrt --threads 8 --progress always", 0),
             ("pixel ball.pbrt 6,3 --threads 8", 0),
-            ("bench ball.pbrt --threads 8 --runs 1 --warmup 0 --accel sah --report page", 0),
+            (
+                "bench ball.pbrt --threads 8 --runs 1 --warmup 0 --accel sah --report page",
+                0,
+            ),
             ("compare expected.exr found.exr", 0),
             ("merge expected.exr -o found.exr --threads 8", 0),
         ] {
             let id = (50_000 + number).to_string();
             let mut user = Command::new("setpriv");
-            user.current_dir(folder.path(".")).args(["--reuid", &id, "--clear-groups", "bash", "-c"]);
-            user.arg(format!("ulimit -u {threads}; exec {} {command}", program.display()));
+            user.current_dir(folder.path(".")).args([
+                "--reuid",
+                &id,
+                "--clear-groups",
+                "bash",
+                "-c",
+            ]);
+            user.arg(format!(
+                "ulimit -u {threads}; exec {} {command}",
+                program.display()
+            ));
             let output = user.output().unwrap();
             let stderr = String::from_utf8(output.stderr).unwrap();
-            assert_eq!(output.status.code(), Some(rc), "{threads} threads, {command}: {stderr}");
+            assert_eq!(
+                output.status.code(),
+                Some(rc),
+                "{threads} threads, {command}: {stderr}"
+            );
             let says_so = !command.contains("-q") && command.contains("--threads");
-            assert_eq!(stderr.contains("note: the system refuses 8 threads"), says_so, "{command}: {stderr}");
+            assert_eq!(
+                stderr.contains("note: the system refuses 8 threads"),
+                says_so,
+                "{command}: {stderr}"
+            );
             if command.contains("found.exr") {
-                assert!(folder.bytes("found.exr") == folder.bytes("expected.exr"), "{command}");
+                assert!(
+                    folder.bytes("found.exr") == folder.bytes("expected.exr"),
+                    "{command}"
+                );
             }
         }
         std::fs::remove_file(folder.path("found.exr")).unwrap();
@@ -95,10 +157,19 @@ fn where_threads_are_refused_fewer_do_the_work() {
 #[test]
 fn a_replaced_file_never_runs_with_the_rights_of_its_owner() {
     let folder = Folder::new().with("a.exr", "old");
-    for (mode, expected) in [(0o640, 0o640), (0o4755, 0o755), (0o2775, 0o775), (0o6711, 0o711)] {
+    for (mode, expected) in [
+        (0o640, 0o640),
+        (0o4755, 0o755),
+        (0o2775, 0o775),
+        (0o6711, 0o711),
+    ] {
         std::fs::set_permissions(folder.path("a.exr"), PermissionsExt::from_mode(mode)).unwrap();
         folder.render("ball.pbrt -o a.exr").succeeded();
-        assert_eq!(std::fs::metadata(folder.path("a.exr")).unwrap().mode() & 0o7777, expected, "{mode:o}");
+        assert_eq!(
+            std::fs::metadata(folder.path("a.exr")).unwrap().mode() & 0o7777,
+            expected,
+            "{mode:o}"
+        );
     }
 }
 
@@ -112,7 +183,10 @@ fn a_replaced_file_keeps_owner_and_mode() {
     }
     folder.render("ball.pbrt -o a.exr").succeeded();
     let found = std::fs::metadata(&path).unwrap();
-    assert_eq!((found.uid(), found.gid(), found.mode() & 0o7777), (12345, 54321, 0o660));
+    assert_eq!(
+        (found.uid(), found.gid(), found.mode() & 0o7777),
+        (12345, 54321, 0o660)
+    );
 }
 
 #[test]
@@ -126,23 +200,48 @@ fn a_replaced_file_keeps_neither_owner_nor_mode_where_the_owner_is_out_of_reach(
     }
     std::os::unix::fs::chown(&path, Some(12345), Some(54321)).unwrap();
     let mut user = Command::new("setpriv");
-    user.current_dir(folder.path(".")).args(["--reuid", "50010", "--regid", "50011", "--clear-groups", "sh", "-c"]);
-    let status = user.args(["umask 027; exec ./feimos render ball.pbrt -o a.exr -q"]).status().unwrap();
+    user.current_dir(folder.path(".")).args([
+        "--reuid",
+        "50010",
+        "--regid",
+        "50011",
+        "--clear-groups",
+        "sh",
+        "-c",
+    ]);
+    let status = user
+        .args(["umask 027; exec ./feimos render ball.pbrt -o a.exr -q"])
+        .status()
+        .unwrap();
     assert!(status.success());
     let found = std::fs::metadata(&path).unwrap();
-    assert_eq!((found.uid(), found.gid(), found.mode() & 0o7777), (50010, 50011, 0o640));
+    assert_eq!(
+        (found.uid(), found.gid(), found.mode() & 0o7777),
+        (50010, 50011, 0o640)
+    );
 }
 
 #[test]
 fn a_closed_standard_output_is_an_error() {
     let folder = Folder::new();
-    for arguments in ["ball.pbrt -o - --resolution 500x500", "ball.pbrt -o a.png --json"] {
-        let mut child = folder.command(arguments).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    for arguments in [
+        "ball.pbrt -o - --resolution 500x500",
+        "ball.pbrt -o a.png --json",
+    ] {
+        let mut child = folder
+            .command(arguments)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
         drop(child.stdout.take());
         let output = child.wait_with_output().unwrap();
         let stderr = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(74), "{stderr}");
-        assert!(stderr.contains("standard output: cannot write: Broken pipe"), "{stderr}");
+        assert!(
+            stderr.contains("standard output: cannot write: Broken pipe"),
+            "{stderr}"
+        );
     }
     assert!(folder.images().iter().all(|name| name == "a.png"));
 }
@@ -152,7 +251,9 @@ fn a_full_device_may_be_tried_again() {
     let folder = Folder::new();
     for name in ["a.exr", "a.png", "a.npy", "a.pfm"] {
         std::os::unix::fs::symlink("/dev/full", folder.path(name)).unwrap();
-        folder.render(&format!("ball.pbrt -o {name}")).failed(75, "No space left on device");
+        folder
+            .render(&format!("ball.pbrt -o {name}"))
+            .failed(75, "No space left on device");
     }
 }
 
@@ -163,7 +264,11 @@ impl Mounted<'_> {
     fn new<'a>(folder: &'a Folder, options: &str) -> Mounted<'a> {
         let path = folder.path("disk");
         std::fs::create_dir(&path).unwrap();
-        let status = Command::new("mount").args(["-t", "tmpfs", "-o", options, "tmpfs"]).arg(&path).status().unwrap();
+        let status = Command::new("mount")
+            .args(["-t", "tmpfs", "-o", options, "tmpfs"])
+            .arg(&path)
+            .status()
+            .unwrap();
         assert!(status.success(), "run this as root");
         Mounted(folder)
     }
@@ -185,14 +290,26 @@ fn a_full_disk_leaves_no_short_file_and_may_be_tried_again() {
     let folder = Folder::new();
     let disk = Mounted::new(&folder, "size=64k");
     for name in ["a.exr", "a.png --view normal", "a.npy", "a.pfm"] {
-        let run = folder.render(&format!("ball.pbrt --resolution 1200x1200 -o disk/{name}")).exited(75);
-        assert!(run.stderr.contains("cannot write: No space left on device"), "{}", run.stderr);
+        let run = folder
+            .render(&format!("ball.pbrt --resolution 1200x1200 -o disk/{name}"))
+            .exited(75);
+        assert!(
+            run.stderr.contains("cannot write: No space left on device"),
+            "{}",
+            run.stderr
+        );
         assert_eq!(disk.files(), 0, "{name}");
     }
     folder.render("ball.pbrt -o disk/small.exr").succeeded();
-    folder.render("ball.pbrt -o large.exr --resolution 1200x1200").succeeded();
+    folder
+        .render("ball.pbrt -o large.exr --resolution 1200x1200")
+        .succeeded();
     folder.merge("large.exr -o disk/small.exr").exited(75);
-    assert_eq!(folder.exr("disk/small.exr").size, (13, 7), "the old one is still there");
+    assert_eq!(
+        folder.exr("disk/small.exr").size,
+        (13, 7),
+        "the old one is still there"
+    );
 }
 
 #[test]
@@ -201,8 +318,12 @@ fn a_read_only_folder_is_no_place_for_an_image() {
     let folder = Folder::new();
     let disk = Mounted::new(&folder, "ro");
     for name in ["a.exr", "a.png", "a.npy", "a.pfm"] {
-        folder.render(&format!("ball.pbrt -o disk/{name}")).failed(73, "cannot create: Read-only file system");
+        folder
+            .render(&format!("ball.pbrt -o disk/{name}"))
+            .failed(73, "cannot create: Read-only file system");
     }
-    folder.render("ball.pbrt --manifest disk/a.jsonl").failed(73, "disk/a.jsonl: cannot create");
+    folder
+        .render("ball.pbrt --manifest disk/a.jsonl")
+        .failed(73, "disk/a.jsonl: cannot create");
     assert_eq!(disk.files(), 0);
 }

@@ -59,14 +59,19 @@ impl Folder {
 
     pub(crate) fn subcommand(&self, name: &str, arguments: &str) -> std::process::Command {
         let mut command = std::process::Command::new(cargo_bin!("feimos"));
-        command.current_dir(self.0.path()).env_remove("NO_COLOR").env_remove("CLICOLOR_FORCE");
+        command
+            .current_dir(self.0.path())
+            .env_remove("NO_COLOR")
+            .env_remove("CLICOLOR_FORCE");
         command.arg(name).args(arguments.split_whitespace());
         command
     }
 
     /// Runs `feimos` with the command `name`, or a flag, and `arguments`, and an empty standard input.
     pub(crate) fn run(&self, name: &str, arguments: &str) -> Run {
-        Run::of(assert_cmd::Command::from_std(self.subcommand(name, arguments)))
+        Run::of(assert_cmd::Command::from_std(
+            self.subcommand(name, arguments),
+        ))
     }
 
     /// Runs `feimos bench` with `arguments` and an empty standard input.
@@ -86,7 +91,9 @@ impl Folder {
 
     /// Runs `feimos merge` with `arguments` and an empty standard input.
     pub(crate) fn merge(&self, arguments: &str) -> Run {
-        Run::of(assert_cmd::Command::from_std(self.subcommand("merge", arguments)))
+        Run::of(assert_cmd::Command::from_std(
+            self.subcommand("merge", arguments),
+        ))
     }
 
     /// Runs `feimos pixel` with `arguments` and an empty standard input.
@@ -104,7 +111,9 @@ impl Folder {
         let mut command = assert_cmd::Command::from_std(self.command(arguments));
         command.write_stdin(input);
         let run = Run::of(command);
-        let results = ["--json", "-o -"].iter().any(|flag| arguments.contains(flag));
+        let results = ["--json", "-o -"]
+            .iter()
+            .any(|flag| arguments.contains(flag));
         assert!(results || run.stdout.is_empty(), "{arguments}: {run:?}");
         run
     }
@@ -113,7 +122,9 @@ impl Folder {
     pub(crate) fn images(&self) -> Vec<String> {
         let entries = fs::read_dir(self.0.path()).unwrap();
         let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
-        let mut images: Vec<String> = names.filter(|name| !name.contains(".pbrt") && !name.contains(".ply")).collect();
+        let mut images: Vec<String> = names
+            .filter(|name| !name.contains(".pbrt") && !name.contains(".ply"))
+            .collect();
         images.retain(|name| !name.ends_with(".obj") && !name.ends_with(".json"));
         images.sort();
         images
@@ -137,7 +148,8 @@ impl Folder {
 
     /// Renders with `arguments` to an EXR and reads it.
     pub(crate) fn rendered(&self, arguments: &str) -> Exr {
-        self.render(&format!("{arguments} -o rendered.exr")).succeeded();
+        self.render(&format!("{arguments} -o rendered.exr"))
+            .succeeded();
         self.exr("rendered.exr")
     }
 }
@@ -173,7 +185,11 @@ impl Run {
 
     #[track_caller]
     pub(crate) fn said(self, part: &str) -> Run {
-        assert!(self.stderr.contains(part), "no `{part}` in:\n{}", self.stderr);
+        assert!(
+            self.stderr.contains(part),
+            "no `{part}` in:\n{}",
+            self.stderr
+        );
         self
     }
 
@@ -195,11 +211,15 @@ impl Run {
 }
 
 pub(crate) fn json_lines(text: &str) -> Vec<serde_json::Value> {
-    text.lines().map(|line| serde_json::from_str(line).unwrap()).collect()
+    text.lines()
+        .map(|line| serde_json::from_str(line).unwrap())
+        .collect()
 }
 
 pub(crate) fn png(bytes: &[u8]) -> RgbImage {
-    image::load_from_memory_with_format(bytes, image::ImageFormat::Png).unwrap().into_rgb8()
+    image::load_from_memory_with_format(bytes, image::ImageFormat::Png)
+        .unwrap()
+        .into_rgb8()
 }
 
 /// An EXR as the exr crate reads it.
@@ -221,10 +241,15 @@ pub(crate) struct Exr {
 
 impl Exr {
     pub(crate) fn read(bytes: &[u8]) -> Exr {
-        let read = exr::prelude::read().no_deep_data().largest_resolution_level().all_channels();
+        let read = exr::prelude::read()
+            .no_deep_data()
+            .largest_resolution_level()
+            .all_channels();
         let read = read.all_layers().all_attributes().pedantic();
         let file = read.from_buffered(std::io::Cursor::new(bytes)).unwrap();
-        let [layer] = &file.layer_data[..] else { panic!("one layer") };
+        let [layer] = &file.layer_data[..] else {
+            panic!("one layer")
+        };
         let AttributeValue::Text(header) = &layer.attributes.other[&Text::from("feimos")] else {
             panic!("the attribute is a text")
         };
@@ -258,12 +283,18 @@ impl Exr {
     }
 
     pub(crate) fn measures(&self, name: &str) -> Vec<f32> {
-        self.bits[name].iter().map(|bits| f32::from_bits(*bits)).collect()
+        self.bits[name]
+            .iter()
+            .map(|bits| f32::from_bits(*bits))
+            .collect()
     }
 
     /// The values of channel `name` where nothing was hit; needs `A`.
     pub(crate) fn at_misses(&self, name: &str) -> Vec<f32> {
         let pairs = self.measures(name).into_iter().zip(self.measures("A"));
-        pairs.filter(|(_, a)| *a == 0.0).map(|(value, _)| value).collect()
+        pairs
+            .filter(|(_, a)| *a == 0.0)
+            .map(|(value, _)| value)
+            .collect()
     }
 }

@@ -11,7 +11,13 @@ const PIXELS: usize = (SIZE.0 * SIZE.1) as usize;
 fn npy(bytes: &[u8]) -> (String, &[u8]) {
     assert_eq!(bytes[..8], *b"\x93NUMPY\x01\x00");
     let end = 10 + usize::from(u16::from_le_bytes([bytes[8], bytes[9]]));
-    (String::from_utf8(bytes[10..end].to_vec()).unwrap().trim_end().to_owned(), &bytes[end..])
+    (
+        String::from_utf8(bytes[10..end].to_vec())
+            .unwrap()
+            .trim_end()
+            .to_owned(),
+        &bytes[end..],
+    )
 }
 
 fn bytes_of(bits: &[u32]) -> Vec<u8> {
@@ -25,9 +31,14 @@ fn an_npy_holds_depth_as_a_matrix() {
     folder.render("ball.pbrt -o a.npy").succeeded();
     let file = folder.bytes("a.npy");
     let (header, samples) = npy(&file);
-    assert_eq!(header, "{'descr': '<f4', 'fortran_order': False, 'shape': (7, 13), }");
+    assert_eq!(
+        header,
+        "{'descr': '<f4', 'fortran_order': False, 'shape': (7, 13), }"
+    );
     assert_eq!(samples, bytes_of(&exr.bits["Z"]));
-    folder.render("ball.pbrt -o prim.npy --aov prim").succeeded();
+    folder
+        .render("ball.pbrt -o prim.npy --aov prim")
+        .succeeded();
     let file = folder.bytes("prim.npy");
     assert_eq!(npy(&file).1, bytes_of(&exr.bits["prim"]));
 }
@@ -36,13 +47,21 @@ fn an_npy_holds_depth_as_a_matrix() {
 fn an_npy_of_several_channels_has_named_fields() {
     let folder = Folder::new();
     let exr = folder.rendered("ball.pbrt --miss -1");
-    folder.render("ball.pbrt -o a.npy --aov t,id,N --miss -1").succeeded();
+    folder
+        .render("ball.pbrt -o a.npy --aov t,id,N --miss -1")
+        .succeeded();
     let file = folder.bytes("a.npy");
     let (header, samples) = npy(&file);
     let descr = "[('t', '<f4'), ('id', '<u4'), ('N', '<f4', (3,))]";
-    assert_eq!(header, format!("{{'descr': {descr}, 'fortran_order': False, 'shape': (7, 13), }}"));
+    assert_eq!(
+        header,
+        format!("{{'descr': {descr}, 'fortran_order': False, 'shape': (7, 13), }}")
+    );
     assert_eq!(samples.len(), PIXELS * 20);
-    for (pixel, (t, id)) in samples.chunks_exact(20).zip(exr.bits["t"].iter().zip(&exr.bits["id"])) {
+    for (pixel, (t, id)) in samples
+        .chunks_exact(20)
+        .zip(exr.bits["t"].iter().zip(&exr.bits["id"]))
+    {
         assert_eq!(pixel[..8], bytes_of(&[*t, *id]));
     }
 }
@@ -65,7 +84,9 @@ fn a_pfm_holds_rows_from_the_bottom() {
 fn what_a_pfm_cannot_hold_is_refused() {
     let folder = Folder::new();
     for aov in ["id", "prim", "uv", "Z,t", "cost"] {
-        folder.render(&format!("ball.pbrt -o a.pfm --aov {aov}")).failed(2, "a PFM holds one of Z, t, A, N and P");
+        folder
+            .render(&format!("ball.pbrt -o a.pfm --aov {aov}"))
+            .failed(2, "a PFM holds one of Z, t, A, N and P");
     }
     assert!(folder.images().is_empty());
 }
@@ -89,25 +110,49 @@ fn depth_may_be_called_otherwise() {
 #[test]
 fn names_that_are_taken_or_odd_are_no_depth_channel() {
     let folder = Folder::new();
-    folder.render("ball.pbrt --depth-channel A").failed(2, "it is the name of another channel");
-    folder.render("ball.pbrt --depth-channel N.X").failed(2, "it is the name of another channel");
-    folder.render("ball.pbrt --depth-channel Tiefe\u{e4}").failed(2, "expected 1 to 31 letters");
-    folder.render("ball.pbrt --aov t --depth-channel Y").failed(2, "--depth-channel has no meaning without Z");
-    folder.render("ball.pbrt -o a.npy --depth-channel Y").failed(2, "--depth-channel has no meaning for a.npy");
+    folder
+        .render("ball.pbrt --depth-channel A")
+        .failed(2, "it is the name of another channel");
+    folder
+        .render("ball.pbrt --depth-channel N.X")
+        .failed(2, "it is the name of another channel");
+    folder
+        .render("ball.pbrt --depth-channel Tiefe\u{e4}")
+        .failed(2, "expected 1 to 31 letters");
+    folder
+        .render("ball.pbrt --aov t --depth-channel Y")
+        .failed(2, "--depth-channel has no meaning without Z");
+    folder
+        .render("ball.pbrt -o a.npy --depth-channel Y")
+        .failed(2, "--depth-channel has no meaning for a.npy");
 }
 
 #[test]
 fn depth16_is_depth_in_steps() {
     let folder = Folder::new();
     let exr = folder.rendered("ball.pbrt");
-    folder.render("ball.pbrt -o a.png --view depth16").succeeded().said("1000 steps a unit of depth, misses 0");
-    folder.render("ball.pbrt -o b.png --view depth16 --scale 256 --miss 65535").succeeded();
+    folder
+        .render("ball.pbrt -o a.png --view depth16")
+        .succeeded()
+        .said("1000 steps a unit of depth, misses 0");
+    folder
+        .render("ball.pbrt -o b.png --view depth16 --scale 256 --miss 65535")
+        .succeeded();
     for (name, scale, miss) in [("a.png", 1000.0, 0), ("b.png", 256.0, 65535)] {
-        let image::DynamicImage::ImageLuma16(gray) = image::load_from_memory(&folder.bytes(name)).unwrap() else {
+        let image::DynamicImage::ImageLuma16(gray) =
+            image::load_from_memory(&folder.bytes(name)).unwrap()
+        else {
             panic!("16 bits of gray")
         };
-        for (pixel, (z, a)) in gray.pixels().zip(exr.measures("Z").into_iter().zip(exr.measures("A"))) {
-            let expected = if a == 0.0 { miss } else { (f64::from(z) * scale).round() as u16 };
+        for (pixel, (z, a)) in gray
+            .pixels()
+            .zip(exr.measures("Z").into_iter().zip(exr.measures("A")))
+        {
+            let expected = if a == 0.0 {
+                miss
+            } else {
+                (f64::from(z) * scale).round() as u16
+            };
             assert_eq!(pixel.0[0], expected);
         }
     }
@@ -116,32 +161,66 @@ fn depth16_is_depth_in_steps() {
 #[test]
 fn a_depth_beyond_16_bits_is_an_error_with_a_scale_that_fits() {
     let folder = Folder::new();
-    let run = folder.render("ball.pbrt -o a.png --view depth16 --scale 1e5").exited(2);
-    assert!(run.stderr.contains("does not fit into 16 bits by --scale 100000\n"), "{}", run.stderr);
-    assert!(run.stderr.contains("of pixel (") && run.stderr.contains("--scale 5000 would fit"), "{}", run.stderr);
+    let run = folder
+        .render("ball.pbrt -o a.png --view depth16 --scale 1e5")
+        .exited(2);
+    assert!(
+        run.stderr
+            .contains("does not fit into 16 bits by --scale 100000\n"),
+        "{}",
+        run.stderr
+    );
+    assert!(
+        run.stderr.contains("of pixel (") && run.stderr.contains("--scale 5000 would fit"),
+        "{}",
+        run.stderr
+    );
     assert!(folder.images().is_empty());
-    folder.render("ball.pbrt -o a.png --view depth16 --scale 5000").succeeded();
+    folder
+        .render("ball.pbrt -o a.png --view depth16 --scale 5000")
+        .succeeded();
 }
 
 #[test]
 fn flags_of_depth16_are_for_it_alone() {
     let folder = Folder::new();
-    folder.render("ball.pbrt -o a.png --scale 3").failed(2, "--scale has no meaning for a.png");
-    folder.render("ball.pbrt -o a.exr --scale 3").failed(2, "--scale has no meaning for a.exr");
-    folder.render("ball.pbrt -o a.png --view depth16 --scale 0").failed(2, "expected a number above 0");
-    folder.render("ball.pbrt -o a.png --view depth16 --miss inf").failed(2, "expected an integer from 0 to 65535");
-    folder.render("ball.pbrt -o a.png --view depth16 --range 1,2").failed(2, "--range has no meaning for a.png");
+    folder
+        .render("ball.pbrt -o a.png --scale 3")
+        .failed(2, "--scale has no meaning for a.png");
+    folder
+        .render("ball.pbrt -o a.exr --scale 3")
+        .failed(2, "--scale has no meaning for a.exr");
+    folder
+        .render("ball.pbrt -o a.png --view depth16 --scale 0")
+        .failed(2, "expected a number above 0");
+    folder
+        .render("ball.pbrt -o a.png --view depth16 --miss inf")
+        .failed(2, "expected an integer from 0 to 65535");
+    folder
+        .render("ball.pbrt -o a.png --view depth16 --range 1,2")
+        .failed(2, "--range has no meaning for a.png");
 }
 
 #[test]
 fn the_id_view_has_a_colour_for_each_shape() {
     let folder = Folder::new();
     let exr = folder.rendered("ball.pbrt");
-    folder.render("ball.pbrt -o id.png --view id").succeeded().said("a colour for each shape, misses black");
+    folder
+        .render("ball.pbrt -o id.png --view id")
+        .succeeded()
+        .said("a colour for each shape, misses black");
     let picture = folder.png("id.png");
-    let colors: std::collections::BTreeMap<u32, [u8; 3]> =
-        exr.bits["id"].iter().copied().zip(picture.pixels().map(|pixel| pixel.0)).collect();
-    assert!(picture.pixels().zip(&exr.bits["id"]).all(|(pixel, id)| pixel.0 == colors[id]));
+    let colors: std::collections::BTreeMap<u32, [u8; 3]> = exr.bits["id"]
+        .iter()
+        .copied()
+        .zip(picture.pixels().map(|pixel| pixel.0))
+        .collect();
+    assert!(
+        picture
+            .pixels()
+            .zip(&exr.bits["id"])
+            .all(|(pixel, id)| pixel.0 == colors[id])
+    );
     assert_eq!(colors.len(), 3);
     assert!(colors[&0] == [0; 3] && colors[&1] != colors[&2]);
 }
@@ -150,33 +229,63 @@ fn the_id_view_has_a_colour_for_each_shape() {
 fn the_normal_view_shows_normals() {
     let folder = Folder::new();
     let exr = folder.rendered("ball.pbrt --aov A,N");
-    folder.render("ball.pbrt -o normal.png --view normal").succeeded().said("as red, green and blue, misses black");
+    folder
+        .render("ball.pbrt -o normal.png --view normal")
+        .succeeded()
+        .said("as red, green and blue, misses black");
     let [x, y, z] = ["N.X", "N.Y", "N.Z"].map(|name| exr.measures(name));
     for (place, pixel) in folder.png("normal.png").pixels().enumerate() {
         let component = |n: f32| ((f64::from(n) + 1.0) * 127.5).round() as u8;
         let hit = [x[place], y[place], z[place]].map(component);
-        assert_eq!(pixel.0, if exr.measures("A")[place] == 0.0 { [0; 3] } else { hit });
+        assert_eq!(
+            pixel.0,
+            if exr.measures("A")[place] == 0.0 {
+                [0; 3]
+            } else {
+                hit
+            }
+        );
     }
 }
 
 #[test]
 fn words_in_a_png_tell_what_it_shows() {
     let folder = Folder::new();
-    let text = |name: &str, keyword: &str| png_reader::read_text(&folder.path(name), keyword).unwrap();
+    let text =
+        |name: &str, keyword: &str| png_reader::read_text(&folder.path(name), keyword).unwrap();
     folder
         .render("ball.pbrt -o a.png --range 3,8.5 --colormap gray")
         .succeeded()
         .said("depth 3 (white) to 8.5 (black)");
-    assert_eq!(text("a.png", "Description").unwrap(), "depth 3 (white) to 8.5 (black), misses pale blue");
-    assert_eq!([text("a.png", "near"), text("a.png", "far")], [Some("3".to_owned()), Some("8.5".to_owned())]);
+    assert_eq!(
+        text("a.png", "Description").unwrap(),
+        "depth 3 (white) to 8.5 (black), misses pale blue"
+    );
+    assert_eq!(
+        [text("a.png", "near"), text("a.png", "far")],
+        [Some("3".to_owned()), Some("8.5".to_owned())]
+    );
     assert!(text("a.png", "Software").unwrap().starts_with("feimos "));
-    folder.render("ball.pbrt -o b.png").succeeded().said("depth 4 (red) to ");
+    folder
+        .render("ball.pbrt -o b.png")
+        .succeeded()
+        .said("depth 4 (red) to ");
     assert_eq!(text("b.png", "near").unwrap(), "4");
     folder.render("ball.pbrt -o c.png --view cost").succeeded();
     assert_eq!(text("c.png", "low").unwrap(), "0");
-    let header: serde_json::Value = serde_json::from_str(&text("a.png", "feimos").unwrap()).unwrap();
-    assert_eq!((&header["view"], &header["range"]), (&"depth".into(), &serde_json::json!([3.0, 8.5])));
-    assert_eq!((&header["film"], &header["window"]), (&serde_json::json!([13, 7]), &serde_json::json!([0, 13, 0, 7])));
+    let header: serde_json::Value =
+        serde_json::from_str(&text("a.png", "feimos").unwrap()).unwrap();
+    assert_eq!(
+        (&header["view"], &header["range"]),
+        (&"depth".into(), &serde_json::json!([3.0, 8.5]))
+    );
+    assert_eq!(
+        (&header["film"], &header["window"]),
+        (
+            &serde_json::json!([13, 7]),
+            &serde_json::json!([0, 13, 0, 7])
+        )
+    );
 }
 
 #[test]
@@ -184,37 +293,79 @@ fn the_header_of_an_exr_holds_what_decides_pixels_and_nothing_else() {
     let folder = Folder::new().with("moved.pbrt", BALL.replace("0 0 -5", "0 0 -6"));
     let header = |arguments: &str| folder.rendered(arguments).header;
     let plain = header("ball.pbrt");
-    assert_eq!(plain["Z"], "planar depth along the view axis, in camera units");
-    assert_eq!((&plain["miss"], &plain["precision"]), (&"inf".into(), &"exact".into()));
+    assert_eq!(
+        plain["Z"],
+        "planar depth along the view axis, in camera units"
+    );
+    assert_eq!(
+        (&plain["miss"], &plain["precision"]),
+        (&"inf".into(), &"exact".into())
+    );
     assert_eq!(plain["scene"].as_str().unwrap().len(), 32);
-    for same in ["--accel hlbvh", "--threads 1", "--pixelbounds 2,5,1,3", "--stats"] {
+    for same in [
+        "--accel hlbvh",
+        "--threads 1",
+        "--pixelbounds 2,5,1,3",
+        "--stats",
+    ] {
         assert_eq!(header(&format!("ball.pbrt {same}")), plain, "{same}");
     }
-    for other in ["--miss 0", "--precision fast", "--resolution 14x7", "--aov Z,t,A,id", "--depth-channel Y"] {
+    for other in [
+        "--miss 0",
+        "--precision fast",
+        "--resolution 14x7",
+        "--aov Z,t,A,id",
+        "--depth-channel Y",
+    ] {
         assert_ne!(header(&format!("ball.pbrt {other}")), plain, "{other}");
     }
     assert_ne!(header("moved.pbrt")["scene"], plain["scene"]);
     // Costs are those of one accelerator.
-    assert_eq!(header("ball.pbrt --aov Z,cost --accel middle")["accelerator"], "middle");
+    assert_eq!(
+        header("ball.pbrt --aov Z,cost --accel middle")["accelerator"],
+        "middle"
+    );
 }
 
 #[test]
 fn an_exr_says_where_it_was_seen_from() {
     let folder = Folder::new();
-    folder.render("ball.pbrt -o a.exr --aov A,P --pixelbounds 2,11,1,6").succeeded();
-    let read = exr::prelude::read().no_deep_data().largest_resolution_level().all_channels();
-    let file = read.all_layers().all_attributes().from_file(folder.path("a.exr")).unwrap();
+    folder
+        .render("ball.pbrt -o a.exr --aov A,P --pixelbounds 2,11,1,6")
+        .succeeded();
+    let read = exr::prelude::read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .all_channels();
+    let file = read
+        .all_layers()
+        .all_attributes()
+        .from_file(folder.path("a.exr"))
+        .unwrap();
     let attributes = &file.layer_data[0].attributes;
-    assert!((attributes.screen_window_width - 2.0 * 20f32.to_radians().tan() * 13.0 / 7.0).abs() < 1e-6);
+    assert!(
+        (attributes.screen_window_width - 2.0 * 20f32.to_radians().tan() * 13.0 / 7.0).abs() < 1e-6
+    );
     let to_ndc = attributes.world_to_normalized_device.unwrap();
-    assert_eq!(attributes.world_to_camera.unwrap()[12..], [0.0, 0.0, 5.0, 1.0]);
+    assert_eq!(
+        attributes.world_to_camera.unwrap()[12..],
+        [0.0, 0.0, 5.0, 1.0]
+    );
     let exr = folder.exr("a.exr");
     let points = ["P.X", "P.Y", "P.Z"].map(|name| exr.measures(name));
-    for (place, _) in exr.measures("A").iter().enumerate().filter(|(_, a)| **a == 1.0) {
+    for (place, _) in exr
+        .measures("A")
+        .iter()
+        .enumerate()
+        .filter(|(_, a)| **a == 1.0)
+    {
         let point = [points[0][place], points[1][place], points[2][place], 1.0];
         let column = |j: usize| (0..4).map(|i| point[i] * to_ndc[4 * i + j]).sum::<f32>();
         let pixel = [column(0) / column(3) * 13.0, column(1) / column(3) * 7.0];
         let expected = [(2 + place % 9) as f32 + 0.5, (1 + place / 9) as f32 + 0.5];
-        assert!((pixel[0] - expected[0]).abs() < 1e-3 && (pixel[1] - expected[1]).abs() < 1e-3, "{pixel:?}");
+        assert!(
+            (pixel[0] - expected[0]).abs() < 1e-3 && (pixel[1] - expected[1]).abs() < 1e-3,
+            "{pixel:?}"
+        );
     }
 }

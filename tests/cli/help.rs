@@ -9,8 +9,7 @@ const RENDER: &str = "--output --aov --view --colormap --range --scale --miss --
     --stats --json --strict";
 
 /// What `bench` promises.
-const BENCH: &str =
-    "--accel --precision --threads --runs --warmup --reference --json --json-file --csv --plot --report";
+const BENCH: &str = "--accel --precision --threads --runs --warmup --reference --json --json-file --csv --plot --report";
 
 /// The help on each flag of `command`, which begins with its name.
 fn blocks(folder: &Folder, command: &str) -> Vec<String> {
@@ -18,7 +17,8 @@ fn blocks(folder: &Folder, command: &str) -> Vec<String> {
     let mut blocks: Vec<String> = Vec::new();
     for line in help.text().lines() {
         // Values are listed behind a dash and a blank.
-        let names_a_flag = line.starts_with("  ") && line.trim_start().starts_with('-') && !line.contains(" - ");
+        let names_a_flag =
+            line.starts_with("  ") && line.trim_start().starts_with('-') && !line.contains(" - ");
         if names_a_flag {
             blocks.push(line.to_owned());
         } else if let Some(block) = blocks.last_mut() {
@@ -35,7 +35,9 @@ fn every_flag_tells_its_default() {
     for command in commands(&folder) {
         for block in blocks(&folder, &command) {
             let is_told = block.contains("[default: ");
-            let has_none = ["--help", "--version"].iter().any(|flag| block.contains(flag));
+            let has_none = ["--help", "--version"]
+                .iter()
+                .any(|flag| block.contains(flag));
             let is_required = command == "merge" && block.contains("--output");
             assert!(is_told || has_none || is_required, "{command}: {block}");
         }
@@ -55,7 +57,10 @@ fn every_flag_that_was_promised_is_there() {
     for (command, promised) in promised {
         let flags = flags(&folder, command);
         for flag in promised.split_whitespace() {
-            assert!(flags.iter().any(|name| name == flag), "{command} {flag}: {flags:?}");
+            assert!(
+                flags.iter().any(|name| name == flag),
+                "{command} {flag}: {flags:?}"
+            );
         }
     }
 }
@@ -63,6 +68,8 @@ fn every_flag_that_was_promised_is_there() {
 #[test]
 fn other_names_of_flags_are_taken() {
     let folder = Folder::new();
-    folder.render("ball.pbrt --outfile a.exr --nthreads 1 -q").succeeded();
+    folder
+        .render("ball.pbrt --outfile a.exr --nthreads 1 -q")
+        .succeeded();
     assert_eq!(folder.images(), ["a.exr"]);
 }

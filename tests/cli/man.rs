@@ -6,14 +6,20 @@ use std::fs;
 
 fn names_in(folder: &Folder, directory: &str) -> Vec<String> {
     let entries = fs::read_dir(folder.path(directory)).unwrap();
-    let mut names: Vec<String> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    let mut names: Vec<String> = entries
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
     names.sort();
     names
 }
 
 /// A page as it reads: hyphens are escaped in the source.
 fn page(folder: &Folder, name: &str) -> String {
-    folder.text(name).replace("\\-", "-").replace("\\fB", "").replace("\\fR", "")
+    folder
+        .text(name)
+        .replace("\\-", "-")
+        .replace("\\fB", "")
+        .replace("\\fR", "")
 }
 
 #[test]
@@ -22,17 +28,26 @@ fn there_is_a_page_for_the_program_and_for_each_command() {
     let run = folder.run("man", "share/man1").succeeded();
     assert!(run.stdout.is_empty() && run.stderr.is_empty(), "{run:?}");
     let commands = commands(&folder);
-    let mut expected: Vec<String> = commands.iter().map(|command| format!("feimos-{command}.1")).collect();
+    let mut expected: Vec<String> = commands
+        .iter()
+        .map(|command| format!("feimos-{command}.1"))
+        .collect();
     expected.push("feimos.1".to_owned());
     expected.sort();
     // And no temporary file.
     assert_eq!(names_in(&folder, "share/man1"), expected);
     let program = page(&folder, "share/man1/feimos.1");
     for command in &commands {
-        assert!(program.contains(&format!("feimos-{command}(1)")), "{command}:\n{program}");
+        assert!(
+            program.contains(&format!("feimos-{command}(1)")),
+            "{command}:\n{program}"
+        );
         let page = page(&folder, &format!("share/man1/feimos-{command}.1"));
         assert!(page.contains(&format!(".TH feimos-{command} 1")), "{page}");
-        assert!(page.contains(concat!("\"feimos ", env!("CARGO_PKG_VERSION"), "\"")), "{page}");
+        assert!(
+            page.contains(concat!("\"feimos ", env!("CARGO_PKG_VERSION"), "\"")),
+            "{page}"
+        );
     }
 }
 
@@ -56,7 +71,9 @@ fn a_page_tells_every_flag_and_hides_what_is_hidden() {
 
 #[test]
 fn old_pages_are_replaced() {
-    let folder = Folder::new().with("feimos.1", "old").with("feimos-other.1", "someone else's");
+    let folder = Folder::new()
+        .with("feimos.1", "old")
+        .with("feimos-other.1", "someone else's");
     folder.run("man", ".").succeeded();
     assert!(folder.text("feimos.1").contains(".TH feimos 1"));
     assert_eq!(folder.text("feimos-other.1"), "someone else's");
@@ -65,9 +82,15 @@ fn old_pages_are_replaced() {
 #[test]
 fn pages_that_cannot_be_created() {
     let folder = Folder::new();
-    folder.run("man", "ball.pbrt/man1").failed(73, "ball.pbrt/man1: cannot create");
-    folder.run("man", "ball.pbrt").failed(73, "ball.pbrt: cannot create");
+    folder
+        .run("man", "ball.pbrt/man1")
+        .failed(73, "ball.pbrt/man1: cannot create");
+    folder
+        .run("man", "ball.pbrt")
+        .failed(73, "ball.pbrt: cannot create");
     fs::create_dir_all(folder.path("man1/feimos.1")).unwrap();
-    folder.run("man", "man1").failed(73, "man1/feimos.1: cannot create");
+    folder
+        .run("man", "man1")
+        .failed(73, "man1/feimos.1: cannot create");
     folder.run("man", "").exited(2);
 }

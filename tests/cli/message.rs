@@ -4,7 +4,9 @@ use crate::folder::Folder;
 
 /// What is said of a world of `shapes`, all of it, and the exit code.
 fn said_of(shapes: &str) -> (String, i32) {
-    let run = Folder::new().with("a.pbrt", format!("WorldBegin\n{shapes}\n")).render("a.pbrt");
+    let run = Folder::new()
+        .with("a.pbrt", format!("WorldBegin\n{shapes}\n"))
+        .render("a.pbrt");
     (run.stderr, run.code)
 }
 
@@ -27,7 +29,10 @@ fn missing_number() {
    | ^^^^^^^^^
    = expected a number before `Shape` at line 3, column 1
 ";
-    assert_eq!(said_of("Translate 1 2\nShape \"sphere\""), (expected.into(), 65));
+    assert_eq!(
+        said_of("Translate 1 2\nShape \"sphere\""),
+        (expected.into(), 65)
+    );
 }
 
 #[test]
@@ -38,7 +43,10 @@ fn unclosed_bracket() {
    |                                 ^
    = expected `]` before `Shape` at line 3, column 1
 ";
-    assert_eq!(said_of("Shape \"trianglemesh\" \"point3 P\" [ 0 0 0\nShape \"sphere\""), (expected.into(), 65));
+    assert_eq!(
+        said_of("Shape \"trianglemesh\" \"point3 P\" [ 0 0 0\nShape \"sphere\""),
+        (expected.into(), 65)
+    );
 }
 
 #[test]
@@ -46,7 +54,10 @@ fn missing_mesh() {
     let expected = "error: gone.ply: cannot read: No such file or directory (os error 2)
    = named in a.pbrt:2:35
 ";
-    assert_eq!(said_of("Shape \"plymesh\" \"string filename\" \"gone.ply\""), (expected.into(), 66));
+    assert_eq!(
+        said_of("Shape \"plymesh\" \"string filename\" \"gone.ply\""),
+        (expected.into(), 66)
+    );
 }
 
 #[test]
@@ -58,7 +69,8 @@ fn index_out_of_range() {
    = expected an integer from 0 to 2
    = the shape is left out, as in pbrt; its number stays
 ";
-    let mesh = "Shape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0]\n  \"integer indices\" [ 0 1 3 ]";
+    let mesh =
+        "Shape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0]\n  \"integer indices\" [ 0 1 3 ]";
     let (said, code) = said_of(mesh);
     assert!(said.starts_with(expected) && code == 0, "{said}");
 }
@@ -68,5 +80,11 @@ fn unknown_extension() {
     let expected = "error: {stem}.jpg: unknown image format `.jpg`
    = known formats: .exr, .png, .pfm, .npy
 ";
-    assert_eq!(Folder::new().render("ball.pbrt -o {stem}.jpg").exited(2).stderr, expected);
+    assert_eq!(
+        Folder::new()
+            .render("ball.pbrt -o {stem}.jpg")
+            .exited(2)
+            .stderr,
+        expected
+    );
 }

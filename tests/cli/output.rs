@@ -13,7 +13,10 @@ const PLY: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\npr
 #[test]
 fn without_a_name_the_film_gives_it() {
     let folder = Folder::new();
-    folder.render("ball.pbrt").succeeded().said("film.exr: 13 x 7 pixels");
+    folder
+        .render("ball.pbrt")
+        .succeeded()
+        .said("film.exr: 13 x 7 pixels");
     assert_eq!(folder.images(), ["film.exr"]);
 }
 
@@ -31,10 +34,18 @@ fn bare_meshes_become_pictures_of_their_name() {
         std::io::Write::write_all(&mut encoder, PLY.as_bytes()).unwrap();
         encoder.finish().unwrap()
     };
-    let folder = Folder::new().with("a.ply", PLY).with("b.obj", TRIANGLE).with("c.ply.gz", gz);
-    folder.render("a.ply b.obj c.ply.gz --resolution 9x5").succeeded();
+    let folder = Folder::new()
+        .with("a.ply", PLY)
+        .with("b.obj", TRIANGLE)
+        .with("c.ply.gz", gz);
+    folder
+        .render("a.ply b.obj c.ply.gz --resolution 9x5")
+        .succeeded();
     assert_eq!(folder.images(), ["a.png", "b.png", "c.png"]);
-    assert!(folder.bytes("a.png") == folder.bytes("b.png") && folder.bytes("a.png") == folder.bytes("c.png"));
+    assert!(
+        folder.bytes("a.png") == folder.bytes("b.png")
+            && folder.bytes("a.png") == folder.bytes("c.png")
+    );
     assert_eq!(folder.png("a.png").dimensions(), (9, 5));
 }
 
@@ -50,7 +61,9 @@ fn every_spelling_of_the_output_flag_writes_there() {
 #[test]
 fn placeholders_are_filled_in() {
     let folder = Folder::new();
-    folder.render("ball.pbrt -o {stem}-{accel}.exr --accel middle").succeeded();
+    folder
+        .render("ball.pbrt -o {stem}-{accel}.exr --accel middle")
+        .succeeded();
     folder.render("ball.pbrt -o {accel}.exr").succeeded();
     assert_eq!(folder.images(), ["ball-middle.exr", "sah.exr"]);
 }
@@ -58,7 +71,9 @@ fn placeholders_are_filled_in() {
 #[test]
 fn an_unknown_placeholder_is_refused() {
     let folder = Folder::new();
-    folder.render("ball.pbrt -o {name}.exr").failed(2, "unknown placeholder `{name}`");
+    folder
+        .render("ball.pbrt -o {name}.exr")
+        .failed(2, "unknown placeholder `{name}`");
     assert!(folder.images().is_empty());
 }
 
@@ -76,12 +91,24 @@ fn an_exr_holds_five_channels_of_the_whole_film() {
     assert_eq!(exr.channels(), ["A", "Z", "id", "prim", "t"]);
     assert_eq!(exr.integers, ["id", "prim"]);
     let centre = (CENTRE.1 * SIZE.0 + CENTRE.0) as usize;
-    assert_eq!((exr.measures("Z")[centre], exr.measures("t")[centre]), (4.0, 4.0));
+    assert_eq!(
+        (exr.measures("Z")[centre], exr.measures("t")[centre]),
+        (4.0, 4.0)
+    );
     assert_eq!((exr.bits["id"][centre], exr.bits["prim"][centre]), (1, 1));
     assert!(exr.measures("A").iter().all(|a| [0.0, 1.0].contains(a)));
-    let hits = exr.measures("A").iter().zip(&exr.bits["id"]).all(|(a, id)| (*a == 1.0) == (*id != 0));
+    let hits = exr
+        .measures("A")
+        .iter()
+        .zip(&exr.bits["id"])
+        .all(|(a, id)| (*a == 1.0) == (*id != 0));
     assert!(hits, "ids are 0 where nothing is hit, and only there");
-    assert!(exr.measures("t").iter().zip(exr.measures("Z")).all(|(t, z)| *t >= z));
+    assert!(
+        exr.measures("t")
+            .iter()
+            .zip(exr.measures("Z"))
+            .all(|(t, z)| *t >= z)
+    );
 }
 
 #[test]
@@ -96,21 +123,32 @@ fn the_channels_asked_for_are_written_and_no_others() {
 #[test]
 fn what_surfaces_are_like_is_eight_channels() {
     let exr = Folder::new().rendered("ball.pbrt --aov N,P,uv");
-    assert_eq!(exr.channels(), ["N.X", "N.Y", "N.Z", "P.X", "P.Y", "P.Z", "u", "v"]);
+    assert_eq!(
+        exr.channels(),
+        ["N.X", "N.Y", "N.Z", "P.X", "P.Y", "P.Z", "u", "v"]
+    );
     assert!(exr.integers.is_empty());
     let centre = (CENTRE.1 * SIZE.0 + CENTRE.0) as usize;
     let normal = ["N.X", "N.Y", "N.Z"].map(|name| exr.measures(name)[centre]);
     let point = ["P.X", "P.Y", "P.Z"].map(|name| exr.measures(name)[centre]);
     assert_eq!((normal, point), ([0.0, 0.0, -1.0], [0.0, 0.0, -1.0]));
-    assert!(["u", "v"].iter().all(|name| exr.measures(name).iter().all(|value| (0.0..=1.0).contains(value))));
+    assert!(["u", "v"].iter().all(|name| {
+        exr.measures(name)
+            .iter()
+            .all(|value| (0.0..=1.0).contains(value))
+    }));
     assert_eq!(exr.measures("N.Z")[0], 0.0, "a miss");
 }
 
 #[test]
 fn channels_that_do_not_exist_or_are_named_twice_are_refused() {
     let folder = Folder::new();
-    folder.render("ball.pbrt --aov Z,depth").failed(2, "invalid value 'depth' for '--aov <NAMES>'");
-    folder.render("ball.pbrt --aov Z,t,Z").failed(2, "--aov names `Z` twice");
+    folder
+        .render("ball.pbrt --aov Z,depth")
+        .failed(2, "invalid value 'depth' for '--aov <NAMES>'");
+    folder
+        .render("ball.pbrt --aov Z,t,Z")
+        .failed(2, "--aov names `Z` twice");
     assert!(folder.images().is_empty());
 }
 
@@ -126,7 +164,10 @@ fn misses_hold_what_was_asked_for() {
     ] {
         let exr = folder.rendered(&format!("ball.pbrt {flag}"));
         let misses = [exr.at_misses("Z"), exr.at_misses("t")].concat();
-        assert!(!misses.is_empty() && misses.iter().all(|value| *value == expected), "{flag}: {misses:?}");
+        assert!(
+            !misses.is_empty() && misses.iter().all(|value| *value == expected),
+            "{flag}: {misses:?}"
+        );
     }
     let exr = folder.rendered("ball.pbrt --miss nan");
     assert!(exr.at_misses("Z").iter().all(|z| z.is_nan()));
@@ -136,8 +177,15 @@ fn misses_hold_what_was_asked_for() {
 #[test]
 fn hits_do_not_depend_on_what_misses_hold() {
     let folder = Folder::new();
-    let (inf, zero) = (folder.rendered("ball.pbrt"), folder.rendered("ball.pbrt --miss 0"));
-    let differing = inf.bits["Z"].iter().zip(&zero.bits["Z"]).filter(|(a, b)| a != b).count();
+    let (inf, zero) = (
+        folder.rendered("ball.pbrt"),
+        folder.rendered("ball.pbrt --miss 0"),
+    );
+    let differing = inf.bits["Z"]
+        .iter()
+        .zip(&zero.bits["Z"])
+        .filter(|(a, b)| a != b)
+        .count();
     assert_eq!(differing, inf.at_misses("Z").len());
     assert_eq!(inf.bits["A"], zero.bits["A"]);
 }
@@ -145,7 +193,9 @@ fn hits_do_not_depend_on_what_misses_hold() {
 #[test]
 fn a_miss_that_is_no_number_is_refused() {
     let run = Folder::new().render("ball.pbrt --miss far").exited(2);
-    assert!(run.stderr.starts_with("error: invalid value 'far' for '--miss <VALUE>': expected inf, nan or a number\n"));
+    assert!(run.stderr.starts_with(
+        "error: invalid value 'far' for '--miss <VALUE>': expected inf, nan or a number\n"
+    ));
 }
 
 #[test]
@@ -155,7 +205,11 @@ fn the_hit_view_is_red_and_yellow() {
     folder.render("ball.pbrt -o hit.png --view hit").succeeded();
     let picture = folder.png("hit.png");
     assert_eq!(picture.dimensions(), SIZE);
-    let expected: Vec<Rgb<u8>> = exr.measures("A").iter().map(|a| if *a == 1.0 { RED } else { YELLOW }).collect();
+    let expected: Vec<Rgb<u8>> = exr
+        .measures("A")
+        .iter()
+        .map(|a| if *a == 1.0 { RED } else { YELLOW })
+        .collect();
     assert!(picture.pixels().eq(&expected));
 }
 
@@ -164,7 +218,9 @@ fn the_depth_view_is_the_default_and_tells_its_range() {
     let folder = Folder::new();
     let run = folder.render("ball.pbrt -o a.png").succeeded();
     assert!(run.stderr.contains("depth 4 (red) to "), "{}", run.stderr);
-    folder.render("ball.pbrt -o b.png --view depth --colormap turbo").succeeded();
+    folder
+        .render("ball.pbrt -o b.png --view depth --colormap turbo")
+        .succeeded();
     assert!(folder.bytes("a.png") == folder.bytes("b.png"));
 }
 
@@ -172,13 +228,25 @@ fn the_depth_view_is_the_default_and_tells_its_range() {
 fn gray_depth_goes_from_white_to_black() {
     let folder = Folder::new();
     let z = folder.rendered("ball.pbrt").measures("Z");
-    folder.render("ball.pbrt -o gray.png --colormap gray").succeeded();
+    folder
+        .render("ball.pbrt -o gray.png --colormap gray")
+        .succeeded();
     let picture = folder.png("gray.png");
-    let far = z.iter().copied().filter(|z| z.is_finite()).fold(f32::MIN, f32::max);
+    let far = z
+        .iter()
+        .copied()
+        .filter(|z| z.is_finite())
+        .fold(f32::MIN, f32::max);
     for (pixel, z) in picture.pixels().zip(&z) {
         let expected = 255.0 * (far - z) / (far - 4.0);
-        let gray = pixel.0.iter().all(|value| (f32::from(*value) - expected).abs() <= 1.0);
-        assert!(gray || z.is_infinite() && pixel.0[0] != pixel.0[2], "{pixel:?} for {z}");
+        let gray = pixel
+            .0
+            .iter()
+            .all(|value| (f32::from(*value) - expected).abs() <= 1.0);
+        assert!(
+            gray || z.is_infinite() && pixel.0[0] != pixel.0[2],
+            "{pixel:?} for {z}"
+        );
     }
     assert_eq!(picture[CENTRE].0, [255; 3]);
 }
@@ -187,39 +255,72 @@ fn gray_depth_goes_from_white_to_black() {
 fn each_colour_map_makes_a_picture_of_its_own() {
     let folder = Folder::new();
     for map in ["turbo", "viridis", "gray"] {
-        folder.render(&format!("ball.pbrt -o {map}.png --colormap {map}")).succeeded();
+        folder
+            .render(&format!("ball.pbrt -o {map}.png --colormap {map}"))
+            .succeeded();
     }
     let centre = |map: &str| folder.png(&format!("{map}.png"))[CENTRE];
     assert!(centre("turbo") != centre("viridis") && centre("viridis") != centre("gray"));
     let corner = |map: &str| folder.png(&format!("{map}.png"))[(0, 0)];
-    assert!(corner("turbo") == corner("viridis") && corner("viridis") == corner("gray"), "misses look the same");
+    assert!(
+        corner("turbo") == corner("viridis") && corner("viridis") == corner("gray"),
+        "misses look the same"
+    );
 }
 
 #[test]
 fn a_range_is_stretched_over_the_colours_and_clamps() {
     let folder = Folder::new();
-    folder.render("ball.pbrt -o a.png --colormap gray --range 3,5").succeeded();
+    folder
+        .render("ball.pbrt -o a.png --colormap gray --range 3,5")
+        .succeeded();
     assert!([127, 128].contains(&folder.png("a.png")[CENTRE].0[0]));
-    folder.render("ball.pbrt -o b.png --colormap gray --range -2,-1").succeeded();
+    folder
+        .render("ball.pbrt -o b.png --colormap gray --range -2,-1")
+        .succeeded();
     assert_eq!(folder.png("b.png")[CENTRE].0, [0; 3]);
-    folder.render("ball.pbrt -o c.png --range 5,5").failed(2, "--range 5,5 is empty");
-    folder.render("ball.pbrt -o c.png --range 1,1.00000000001").failed(2, "is empty");
-    folder.render("ball.pbrt -o c.png --range 1,1e39").failed(2, "beyond the depths that an image can hold");
+    folder
+        .render("ball.pbrt -o c.png --range 5,5")
+        .failed(2, "--range 5,5 is empty");
+    folder
+        .render("ball.pbrt -o c.png --range 1,1.00000000001")
+        .failed(2, "is empty");
+    folder
+        .render("ball.pbrt -o c.png --range 1,1e39")
+        .failed(2, "beyond the depths that an image can hold");
 }
 
 #[test]
 fn an_image_without_a_hit_is_an_image() {
     let folder = Folder::new().with("empty.pbrt", "WorldBegin");
-    folder.render("empty.pbrt -o a.png --resolution 3x2").succeeded().said("0 hit, misses pale blue (");
-    assert!(folder.png("a.png").pixels().all(|pixel| *pixel == folder.png("a.png")[(0, 0)]));
+    folder
+        .render("empty.pbrt -o a.png --resolution 3x2")
+        .succeeded()
+        .said("0 hit, misses pale blue (");
+    assert!(
+        folder
+            .png("a.png")
+            .pixels()
+            .all(|pixel| *pixel == folder.png("a.png")[(0, 0)])
+    );
 }
 
 #[test]
 fn flags_without_a_meaning_for_the_format_are_refused() {
     let folder = Folder::new();
-    let cases = ["-o a.exr --view hit", "-o a.exr --range 1,2", "-o a.exr --colormap gray", "-o a.png --aov Z"];
-    for flags in cases.into_iter().chain(["-o a.png --view hit --range 1,2", "-o a.png --miss 0"]) {
-        folder.render(&format!("ball.pbrt {flags}")).failed(2, "has no meaning for a.");
+    let cases = [
+        "-o a.exr --view hit",
+        "-o a.exr --range 1,2",
+        "-o a.exr --colormap gray",
+        "-o a.png --aov Z",
+    ];
+    for flags in cases
+        .into_iter()
+        .chain(["-o a.png --view hit --range 1,2", "-o a.png --miss 0"])
+    {
+        folder
+            .render(&format!("ball.pbrt {flags}"))
+            .failed(2, "has no meaning for a.");
     }
     assert!(folder.images().is_empty());
 }
@@ -229,17 +330,31 @@ fn where_an_unfit_name_comes_from_is_said() {
     let scene = crate::folder::BALL.replace("film.exr", "film.tga");
     let folder = Folder::new().with("old.pbrt", scene);
     let note = "\n   = this name comes from the scene; -o gives another one\n";
-    folder.render("ball.pbrt --view hit").failed(2, "--view has no meaning for film.exr").said(note);
-    folder.render("old.pbrt").failed(2, "film.tga: unknown image format `.tga`").said(note);
-    folder.render("ball.pbrt --view hit -o a.exr").failed(2, "--view has no meaning for a.exr").did_not_say(note);
+    folder
+        .render("ball.pbrt --view hit")
+        .failed(2, "--view has no meaning for film.exr")
+        .said(note);
+    folder
+        .render("old.pbrt")
+        .failed(2, "film.tga: unknown image format `.tga`")
+        .said(note);
+    folder
+        .render("ball.pbrt --view hit -o a.exr")
+        .failed(2, "--view has no meaning for a.exr")
+        .did_not_say(note);
 }
 
 #[test]
 fn a_scene_may_come_from_standard_input() {
     let folder = Folder::new();
-    folder.render_input("- -o {stem}.exr", crate::folder::BALL).succeeded();
+    folder
+        .render_input("- -o {stem}.exr", crate::folder::BALL)
+        .succeeded();
     assert_eq!(folder.images(), ["stdin.exr"]);
-    assert_eq!(folder.exr("stdin.exr").bits, folder.rendered("ball.pbrt").bits);
+    assert_eq!(
+        folder.exr("stdin.exr").bits,
+        folder.rendered("ball.pbrt").bits
+    );
 }
 
 #[test]
@@ -256,8 +371,15 @@ fn an_image_may_go_to_standard_output() {
 fn the_same_scene_makes_the_same_file() {
     let folder = Folder::new();
     for name in ["a", "b"] {
-        folder.render(&format!("ball.pbrt -o {name}.exr")).succeeded();
-        folder.render(&format!("ball.pbrt -o {name}.png")).succeeded();
+        folder
+            .render(&format!("ball.pbrt -o {name}.exr"))
+            .succeeded();
+        folder
+            .render(&format!("ball.pbrt -o {name}.png"))
+            .succeeded();
     }
-    assert!(folder.bytes("a.exr") == folder.bytes("b.exr") && folder.bytes("a.png") == folder.bytes("b.png"));
+    assert!(
+        folder.bytes("a.exr") == folder.bytes("b.exr")
+            && folder.bytes("a.png") == folder.bytes("b.png")
+    );
 }

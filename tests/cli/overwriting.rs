@@ -10,19 +10,33 @@ const MESH: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\np
                     element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 1\n1 0 1\n0 1 1\n3 0 1 2\n";
 
 /// A scene that reads two other files.
-const PARTS: &str = "WorldBegin\nInclude \"part.inc\"\nShape \"plymesh\" \"string filename\" \"mesh.ply\"\n";
+const PARTS: &str =
+    "WorldBegin\nInclude \"part.inc\"\nShape \"plymesh\" \"string filename\" \"mesh.ply\"\n";
 
 fn folder() -> Folder {
-    let folder = Folder::new().with("parts.pbrt", PARTS).with("part.inc", "Shape \"sphere\"\n");
-    folder.with("mesh.ply", MESH).with("poses.json", r#"[{"name": "a", "lookat": [0, 0, -5, 0, 0, 0, 0, 1, 0]}]"#)
+    let folder = Folder::new()
+        .with("parts.pbrt", PARTS)
+        .with("part.inc", "Shape \"sphere\"\n");
+    folder.with("mesh.ply", MESH).with(
+        "poses.json",
+        r#"[{"name": "a", "lookat": [0, 0, -5, 0, 0, 0, 0, 1, 0]}]"#,
+    )
 }
 
 /// Everything in the folder, by name.
 fn content(folder: &Folder) -> Vec<(String, Vec<u8>)> {
-    let entries = fs::read_dir(folder.path(".")).unwrap().map(|entry| entry.unwrap());
+    let entries = fs::read_dir(folder.path("."))
+        .unwrap()
+        .map(|entry| entry.unwrap());
     let files = entries.filter(|entry| entry.file_type().unwrap().is_file());
-    let mut content: Vec<_> =
-        files.map(|file| (file.file_name().into_string().unwrap(), fs::read(file.path()).unwrap())).collect();
+    let mut content: Vec<_> = files
+        .map(|file| {
+            (
+                file.file_name().into_string().unwrap(),
+                fs::read(file.path()).unwrap(),
+            )
+        })
+        .collect();
     content.sort();
     content
 }
@@ -42,18 +56,36 @@ fn refused(folder: &Folder, command: &str, message: &str) -> Run {
 fn results_do_not_take_the_place_of_a_scene() {
     let folder = folder();
     for flag in ["--json-file", "--csv", "--markdown", "--plot"] {
-        let message = format!("./ball.pbrt: {flag} would overwrite a scene\n   = it is the same file as ball.pbrt");
-        refused(&folder, &format!("bench mesh.ply ball.pbrt {ONCE} {flag} ./ball.pbrt"), &message);
+        let message = format!(
+            "./ball.pbrt: {flag} would overwrite a scene\n   = it is the same file as ball.pbrt"
+        );
+        refused(
+            &folder,
+            &format!("bench mesh.ply ball.pbrt {ONCE} {flag} ./ball.pbrt"),
+            &message,
+        );
         refused(
             &folder,
             &format!("bench mesh.ply {flag} mesh.ply"),
             &format!("mesh.ply: {flag} would overwrite a scene"),
         );
     }
-    refused(&folder, "render ball.pbrt --manifest ball.pbrt", "ball.pbrt: --manifest would overwrite a scene");
+    refused(
+        &folder,
+        "render ball.pbrt --manifest ball.pbrt",
+        "ball.pbrt: --manifest would overwrite a scene",
+    );
     let message = "poses.json: --manifest would overwrite the list of cameras";
-    refused(&folder, "render ball.pbrt -o {camera}.exr --cameras poses.json --manifest poses.json", message);
-    refused(&folder, "render gone.pbrt ball.pbrt -o ball.pbrt", "unknown image format `.pbrt`");
+    refused(
+        &folder,
+        "render ball.pbrt -o {camera}.exr --cameras poses.json --manifest poses.json",
+        message,
+    );
+    refused(
+        &folder,
+        "render gone.pbrt ball.pbrt -o ball.pbrt",
+        "unknown image format `.pbrt`",
+    );
 }
 
 #[test]
@@ -64,10 +96,22 @@ fn results_keep_to_their_extensions() {
             "bench ball.pbrt --json-file a.txt",
             "a.txt: --json-file writes no file of this kind\n   = expected a name that ends in .json or .jsonl",
         ),
-        ("bench ball.pbrt --csv a", "a: --csv writes no file of this kind\n   = expected a name that ends in .csv"),
-        ("bench ball.pbrt --csv part.inc", "expected a name that ends in .csv"),
-        ("bench ball.pbrt --markdown a.html", "expected a name that ends in .md"),
-        ("bench ball.pbrt --plot a.png", "expected a name that ends in .svg"),
+        (
+            "bench ball.pbrt --csv a",
+            "a: --csv writes no file of this kind\n   = expected a name that ends in .csv",
+        ),
+        (
+            "bench ball.pbrt --csv part.inc",
+            "expected a name that ends in .csv",
+        ),
+        (
+            "bench ball.pbrt --markdown a.html",
+            "expected a name that ends in .md",
+        ),
+        (
+            "bench ball.pbrt --plot a.png",
+            "expected a name that ends in .svg",
+        ),
         (
             "render ball.pbrt --manifest part.inc",
             "part.inc: --manifest writes no file of this kind\n   = expected a name that ends in .jsonl or .json",
@@ -76,7 +120,9 @@ fn results_keep_to_their_extensions() {
     for (command, message) in cases {
         refused(&folder, command, message);
     }
-    folder.bench(&format!("ball.pbrt {ONCE} --csv A.CSV")).succeeded();
+    folder
+        .bench(&format!("ball.pbrt {ONCE} --csv A.CSV"))
+        .succeeded();
 }
 
 #[test]
@@ -85,33 +131,69 @@ fn json_is_a_switch_and_says_so_to_those_who_give_it_a_file() {
     let message = "results.json: this is the name of a file of results, not of a scene\n   = --json takes no file: it \
                    prints on standard output\n   = did you mean --json-file results.json?";
     refused(&folder, "bench --json results.json ball.pbrt", message);
-    refused(&folder, "bench --json - ball.pbrt", "did you mean --json-file -?");
-    refused(&folder, "render --json a.jsonl ball.pbrt -o a.exr", "did you mean --json > a.jsonl?");
-    refused(&folder, "check --json a.json ball.pbrt", "a.json: this is the name of a file of results");
+    refused(
+        &folder,
+        "bench --json - ball.pbrt",
+        "did you mean --json-file -?",
+    );
+    refused(
+        &folder,
+        "render --json a.jsonl ball.pbrt -o a.exr",
+        "did you mean --json > a.jsonl?",
+    );
+    refused(
+        &folder,
+        "check --json a.json ball.pbrt",
+        "a.json: this is the name of a file of results",
+    );
     // Two scenes are two scenes.
-    let run = folder.bench(&format!("--json ball.pbrt parts.pbrt {ONCE}")).succeeded();
+    let run = folder
+        .bench(&format!("--json ball.pbrt parts.pbrt {ONCE}"))
+        .succeeded();
     let document: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
     assert_eq!(document["rows"].as_array().unwrap().len(), 2);
 }
 
 #[test]
 fn where_nothing_was_measured_older_results_stay() {
-    let folder = folder().with("bad.pbrt", "Shap").with("r.csv", "old").with("r.json", "old").with("r.md", "old");
+    let folder = folder()
+        .with("bad.pbrt", "Shap")
+        .with("r.csv", "old")
+        .with("r.json", "old")
+        .with("r.md", "old");
     fs::create_dir(folder.path("out")).unwrap();
     let old = "<title>feimos: speed against error</title>";
     let folder = folder.with("r.svg", "old").with("out/index.html", old);
     let outputs = "--csv r.csv --json-file r.json --markdown r.md --plot r.svg --report out";
-    for (scenes, code) in [("gone.pbrt", 66), ("bad.pbrt", 65), ("bad.pbrt gone.ply", 66)] {
-        folder.bench(&format!("{scenes} {ONCE} {outputs}")).exited(code);
-        assert!(["r.csv", "r.json", "r.md", "r.svg"].iter().all(|name| folder.text(name) == "old"));
+    for (scenes, code) in [
+        ("gone.pbrt", 66),
+        ("bad.pbrt", 65),
+        ("bad.pbrt gone.ply", 66),
+    ] {
+        folder
+            .bench(&format!("{scenes} {ONCE} {outputs}"))
+            .exited(code);
+        assert!(
+            ["r.csv", "r.json", "r.md", "r.svg"]
+                .iter()
+                .all(|name| folder.text(name) == "old")
+        );
         assert_eq!(folder.text("out/index.html"), old);
     }
-    folder.bench(&format!("gone.pbrt {ONCE} --report new/page --csv new/page/r.csv")).exited(66);
+    folder
+        .bench(&format!(
+            "gone.pbrt {ONCE} --report new/page --csv new/page/r.csv"
+        ))
+        .exited(66);
     assert!(!folder.path("new").exists());
-    let run = folder.bench(&format!("gone.pbrt {ONCE} --csv -")).exited(66);
+    let run = folder
+        .bench(&format!("gone.pbrt {ONCE} --csv -"))
+        .exited(66);
     assert!(run.stdout.is_empty());
     // Of several scenes, rows of the others are written.
-    folder.bench(&format!("gone.pbrt ball.pbrt bad.pbrt {ONCE} {outputs}")).exited(66);
+    folder
+        .bench(&format!("gone.pbrt ball.pbrt bad.pbrt {ONCE} {outputs}"))
+        .exited(66);
     assert_eq!(folder.text("r.csv").lines().count(), 2);
     assert!(folder.text("out/index.html").contains("ball.pbrt"));
 }
@@ -119,7 +201,9 @@ fn where_nothing_was_measured_older_results_stay() {
 #[test]
 fn a_page_of_somebody_else_is_no_place_for_a_report() {
     let folder = Folder::new().with("index.html", "<html>my site</html>");
-    folder.bench(&format!("ball.pbrt {ONCE} --report .")).failed(73, "./index.html: exists already, and is no report");
+    folder
+        .bench(&format!("ball.pbrt {ONCE} --report ."))
+        .failed(73, "./index.html: exists already, and is no report");
     assert_eq!(folder.text("index.html"), "<html>my site</html>");
 }
 
@@ -128,8 +212,15 @@ fn a_page_of_somebody_else_is_no_place_for_a_report() {
 fn links_to_what_is_read_are_no_outputs() {
     use std::os::unix::fs::symlink;
     let folder = folder();
-    let links = [("ball.pbrt", "o.png"), ("part.inc", "part.exr"), ("part.inc", "part.jsonl"), ("mesh.ply", "m.csv")];
-    links.iter().for_each(|(target, link)| symlink(target, folder.path(link)).unwrap());
+    let links = [
+        ("ball.pbrt", "o.png"),
+        ("part.inc", "part.exr"),
+        ("part.inc", "part.jsonl"),
+        ("mesh.ply", "m.csv"),
+    ];
+    links
+        .iter()
+        .for_each(|(target, link)| symlink(target, folder.path(link)).unwrap());
     symlink("poses.json", folder.path("poses.npy")).unwrap();
     fs::hard_link(folder.path("mesh.ply"), folder.path("mesh.png")).unwrap();
     let of_scene = "would overwrite a file that the scene reads\n   = it is the same file as";
@@ -138,19 +229,35 @@ fn links_to_what_is_read_are_no_outputs() {
             "render ball.pbrt -o o.png",
             "o.png: -o would overwrite a scene\n   = it is the same file as ball.pbrt".to_owned(),
         ),
-        ("render parts.pbrt -o part.exr", format!("part.exr: -o {of_scene} part.inc")),
-        ("render parts.pbrt -o mesh.png", format!("mesh.png: -o {of_scene} mesh.ply")),
+        (
+            "render parts.pbrt -o part.exr",
+            format!("part.exr: -o {of_scene} part.inc"),
+        ),
+        (
+            "render parts.pbrt -o mesh.png",
+            format!("mesh.png: -o {of_scene} mesh.ply"),
+        ),
         (
             "render mesh.ply --resolution 2x2",
-            "mesh.png: the name that the scene gives to its image would overwrite a scene".to_owned(),
+            "mesh.png: the name that the scene gives to its image would overwrite a scene"
+                .to_owned(),
         ),
-        ("render mesh.ply --resolution 2x2 --force", "would overwrite a scene".to_owned()),
+        (
+            "render mesh.ply --resolution 2x2 --force",
+            "would overwrite a scene".to_owned(),
+        ),
         (
             "render ball.pbrt --cameras poses.json -o poses.npy",
             "poses.npy: -o would overwrite the list of cameras".to_owned(),
         ),
-        ("bench mesh.ply --csv m.csv", "m.csv: --csv would overwrite a scene".to_owned()),
-        (&format!("bench parts.pbrt {ONCE} --csv m.csv"), format!("m.csv: --csv {of_scene} mesh.ply")),
+        (
+            "bench mesh.ply --csv m.csv",
+            "m.csv: --csv would overwrite a scene".to_owned(),
+        ),
+        (
+            &format!("bench parts.pbrt {ONCE} --csv m.csv"),
+            format!("m.csv: --csv {of_scene} mesh.ply"),
+        ),
     ];
     for (command, message) in cases {
         refused(&folder, command, &message);
@@ -172,8 +279,13 @@ fn links_to_what_is_read_are_no_outputs() {
 fn what_was_measured_before_a_conflict_is_written() {
     let folder = folder();
     std::os::unix::fs::symlink("mesh.ply", folder.path("m.csv")).unwrap();
-    let run = folder.bench(&format!("ball.pbrt parts.pbrt {ONCE} --csv m.csv --json-file r.json"));
-    run.failed(2, "m.csv: --csv would overwrite a file that the scene reads");
+    let run = folder.bench(&format!(
+        "ball.pbrt parts.pbrt {ONCE} --csv m.csv --json-file r.json"
+    ));
+    run.failed(
+        2,
+        "m.csv: --csv would overwrite a file that the scene reads",
+    );
     assert_eq!(folder.text("mesh.ply"), MESH);
     let document: serde_json::Value = serde_json::from_slice(&folder.bytes("r.json")).unwrap();
     assert_eq!(document["rows"].as_array().unwrap().len(), 1);
@@ -184,14 +296,30 @@ fn an_image_that_is_compared_or_put_together_stays() {
     let folder = folder();
     folder.render("ball.pbrt -o a.exr").succeeded();
     folder.render("ball.pbrt -o a.png").succeeded();
-    refused(&folder, "compare a.png a.png --diff ./a.png", "./a.png: --diff would overwrite an image that is compared");
-    refused(&folder, "merge a.exr -o ./a.exr", "./a.exr: -o would overwrite a crop");
+    refused(
+        &folder,
+        "compare a.png a.png --diff ./a.png",
+        "./a.png: --diff would overwrite an image that is compared",
+    );
+    refused(
+        &folder,
+        "merge a.exr -o ./a.exr",
+        "./a.exr: -o would overwrite a crop",
+    );
     #[cfg(unix)]
     {
         fs::hard_link(folder.path("a.exr"), folder.path("b.png")).unwrap();
-        refused(&folder, "compare a.exr a.exr --diff b.png", "b.png: --diff would overwrite an image that is compared");
+        refused(
+            &folder,
+            "compare a.exr a.exr --diff b.png",
+            "b.png: --diff would overwrite an image that is compared",
+        );
         std::os::unix::fs::symlink("a.exr", folder.path("c.exr")).unwrap();
-        refused(&folder, "merge a.exr -o c.exr", "c.exr: -o would overwrite a crop");
+        refused(
+            &folder,
+            "merge a.exr -o c.exr",
+            "c.exr: -o would overwrite a crop",
+        );
     }
 }
 
@@ -199,15 +327,26 @@ fn an_image_that_is_compared_or_put_together_stays() {
 fn a_scene_does_not_overwrite_itself() {
     let scene = BALL.replace("film.exr", "self.png");
     let folder = Folder::new().with("self.png", &scene);
-    refused(&folder, "render self.png", "self.png: the name that the scene gives to its image would overwrite a scene");
-    refused(&folder, "render self.png --force", "would overwrite a scene");
+    refused(
+        &folder,
+        "render self.png",
+        "self.png: the name that the scene gives to its image would overwrite a scene",
+    );
+    refused(
+        &folder,
+        "render self.png --force",
+        "would overwrite a scene",
+    );
 }
 
 #[test]
 fn a_name_from_the_scene_replaces_images_of_feimos_alone() {
     let folder = Folder::new().with("film.exr", "my holidays");
     let advice = "give another one by -o, move it away, or use --force to overwrite it";
-    folder.render("ball.pbrt").failed(73, "film.exr: exists already, and is no image of feimos").said(advice);
+    folder
+        .render("ball.pbrt")
+        .failed(73, "film.exr: exists already, and is no image of feimos")
+        .said(advice);
     assert_eq!(folder.text("film.exr"), "my holidays");
     folder.render("ball.pbrt --force").succeeded();
     folder.render("ball.pbrt --accel none").succeeded();
@@ -218,18 +357,27 @@ fn a_name_from_the_scene_replaces_images_of_feimos_alone() {
         let folder = Folder::new();
         fs::create_dir(folder.path("sub")).unwrap();
         let folder = folder.with(&format!("sub/{scene}"), BALL.replace("film.exr", name));
-        folder.render(&format!("sub/{scene} -o {}", name.trim_start_matches("../"))).succeeded();
+        folder
+            .render(&format!(
+                "sub/{scene} -o {}",
+                name.trim_start_matches("../")
+            ))
+            .succeeded();
     }
     // These formats do not tell who wrote them.
     let folder = Folder::new().with("f.pbrt", BALL.replace("film.exr", "f.pfm"));
     folder.render("f.pbrt").succeeded();
-    folder.render("f.pbrt").failed(73, "f.pfm: exists already, and is no image of feimos");
+    folder
+        .render("f.pbrt")
+        .failed(73, "f.pfm: exists already, and is no image of feimos");
     folder.render("f.pbrt -o f.pfm").succeeded();
 }
 
 #[test]
 fn a_bare_mesh_does_not_replace_its_photograph() {
     let folder = folder().with("mesh.png", "a photograph");
-    folder.render("mesh.ply --resolution 2x2").failed(73, "mesh.png: exists already, and is no image of feimos");
+    folder
+        .render("mesh.ply --resolution 2x2")
+        .failed(73, "mesh.png: exists already, and is no image of feimos");
     assert_eq!(folder.text("mesh.png"), "a photograph");
 }

@@ -11,8 +11,12 @@ fn two() -> Folder {
 fn images_that_meet_by_other_names_are_refused_before_the_work() {
     let folder = two();
     fs::create_dir(folder.path("sub")).unwrap();
-    folder.render("ball.pbrt second.pbrt").failed(2, "would both be written to sub/../film.exr");
-    folder.render("ball.pbrt sub/../ball.pbrt -o {stem}.exr").failed(2, "would both be written to ball.exr");
+    folder
+        .render("ball.pbrt second.pbrt")
+        .failed(2, "would both be written to sub/../film.exr");
+    folder
+        .render("ball.pbrt sub/../ball.pbrt -o {stem}.exr")
+        .failed(2, "would both be written to ball.exr");
     assert!(!folder.path("film.exr").exists());
 }
 
@@ -25,24 +29,37 @@ fn images_that_meet_through_links_are_refused_before_the_work() {
     symlink("real", folder.path("link")).unwrap();
     symlink("real/new.exr", folder.path("new.exr")).unwrap();
     let named = |name: &str| BALL.replace("film.exr", name);
-    let folder = folder.with("a.pbrt", named("real/x.exr")).with("b.pbrt", named("link/x.exr"));
-    let folder = folder.with("c.pbrt", named("real/new.exr")).with("d.pbrt", named("new.exr"));
-    folder.render("a.pbrt b.pbrt").failed(2, "would both be written to link/x.exr");
-    folder.render("c.pbrt d.pbrt").failed(2, "would both be written to new.exr");
+    let folder = folder
+        .with("a.pbrt", named("real/x.exr"))
+        .with("b.pbrt", named("link/x.exr"));
+    let folder = folder
+        .with("c.pbrt", named("real/new.exr"))
+        .with("d.pbrt", named("new.exr"));
+    folder
+        .render("a.pbrt b.pbrt")
+        .failed(2, "would both be written to link/x.exr");
+    folder
+        .render("c.pbrt d.pbrt")
+        .failed(2, "would both be written to new.exr");
     folder.render("a.pbrt").succeeded();
     symlink("all.jsonl", folder.path("m.exr")).unwrap();
     let message = "all.jsonl: the manifest and the image of a.pbrt would be one file";
-    folder.render("a.pbrt -o m.exr --manifest all.jsonl").failed(2, message);
+    folder
+        .render("a.pbrt -o m.exr --manifest all.jsonl")
+        .failed(2, message);
     assert!(!folder.path("all.jsonl").exists());
     fs::hard_link(folder.path("real/x.exr"), folder.path("film.exr")).unwrap();
-    folder.render("ball.pbrt a.pbrt --force").failed(2, "would both be written to real/x.exr");
+    folder
+        .render("ball.pbrt a.pbrt --force")
+        .failed(2, "would both be written to real/x.exr");
 }
 
 #[test]
 fn an_image_whose_name_is_known_late_does_not_replace_one_of_the_batch() {
     let folder = Folder::new();
-    let run =
-        folder.render_input("ball.pbrt - --force", BALL).failed(2, "ball.pbrt and - would both be written to film.exr");
+    let run = folder
+        .render_input("ball.pbrt - --force", BALL)
+        .failed(2, "ball.pbrt and - would both be written to film.exr");
     run.said("1 of 2 scenes failed");
 }
 
@@ -50,22 +67,41 @@ fn an_image_whose_name_is_known_late_does_not_replace_one_of_the_batch() {
 fn a_name_of_a_folder_is_no_name_of_an_image() {
     let folder = Folder::new();
     for output in ["a.exr/", "a.exr/.", "a.exr//"] {
-        folder.render(&format!("ball.pbrt -v -o {output}")).failed(73, "cannot create").did_not_say("loaded ");
+        folder
+            .render(&format!("ball.pbrt -v -o {output}"))
+            .failed(73, "cannot create")
+            .did_not_say("loaded ");
     }
     folder.render("ball.pbrt -o a.exr").succeeded();
-    folder.render("ball.pbrt -v -o a.exr/").failed(73, "a.exr/: cannot create").did_not_say("loaded ");
+    folder
+        .render("ball.pbrt -v -o a.exr/")
+        .failed(73, "a.exr/: cannot create")
+        .did_not_say("loaded ");
 }
 
 #[test]
 fn a_missing_folder_is_found_before_the_scene_is_read() {
     let folder = Folder::new();
-    folder.render("ball.pbrt -v -o out/a.exr").failed(73, "create the directory `out` first").did_not_say("loaded ");
-    folder.render("ball.pbrt -v -o out/{accel}.exr").failed(73, "out/sah.exr: cannot create").did_not_say("built ");
-    folder.bench("ball.pbrt -v --csv out/a.csv").failed(73, "out/a.csv: cannot create").did_not_say("loaded ");
+    folder
+        .render("ball.pbrt -v -o out/a.exr")
+        .failed(73, "create the directory `out` first")
+        .did_not_say("loaded ");
+    folder
+        .render("ball.pbrt -v -o out/{accel}.exr")
+        .failed(73, "out/sah.exr: cannot create")
+        .did_not_say("built ");
+    folder
+        .bench("ball.pbrt -v --csv out/a.csv")
+        .failed(73, "out/a.csv: cannot create")
+        .did_not_say("loaded ");
     folder.render("ball.pbrt -o a.png").succeeded();
-    folder.compare("a.png a.png --diff out/a.png").failed(73, "out/a.png: cannot create");
+    folder
+        .compare("a.png a.png --diff out/a.png")
+        .failed(73, "out/a.png: cannot create");
     folder.render("ball.pbrt -o a.exr").succeeded();
-    folder.merge("a.exr -o out/b.exr").failed(73, "out/b.exr: cannot create");
+    folder
+        .merge("a.exr -o out/b.exr")
+        .failed(73, "out/b.exr: cannot create");
 }
 
 #[cfg(target_os = "linux")]
@@ -86,15 +122,25 @@ mod rights {
         let mut command = match fs::metadata(folder.path(".")).unwrap().uid() {
             0 => {
                 let mut command = Command::new("setpriv");
-                command.args(["--reuid=65534", "--regid=65534", "--clear-groups"]).arg(program.get_program());
+                command
+                    .args(["--reuid=65534", "--regid=65534", "--clear-groups"])
+                    .arg(program.get_program());
                 command
             }
             _ => Command::new(program.get_program()),
         };
-        let output = command.args(arguments.split_whitespace()).current_dir(folder.path(".")).output().ok()?;
+        let output = command
+            .args(arguments.split_whitespace())
+            .current_dir(folder.path("."))
+            .output()
+            .ok()?;
         let stderr = String::from_utf8(output.stderr).unwrap();
         let is_started = !stderr.contains("setpriv");
-        is_started.then(|| Run { code: output.status.code().unwrap(), stdout: output.stdout, stderr })
+        is_started.then(|| Run {
+            code: output.status.code().unwrap(),
+            stdout: output.stdout,
+            stderr,
+        })
     }
 
     #[test]
@@ -106,15 +152,26 @@ mod rights {
         let scene = BALL.replace("film.exr", "closed/film.exr");
         let folder = folder.with("film.pbrt", scene).with("r.csv", "");
         set_mode(&folder, "r.csv", 0o444);
-        for arguments in
-            ["render ball.pbrt -v -o closed/a.exr", "render film.pbrt -v", "bench ball.pbrt -v --csv closed/a.csv"]
-        {
-            let Some(run) = without_rights(&folder, arguments) else { return };
-            run.failed(73, "cannot create: Permission denied").did_not_say("built ");
+        for arguments in [
+            "render ball.pbrt -v -o closed/a.exr",
+            "render film.pbrt -v",
+            "bench ball.pbrt -v --csv closed/a.csv",
+        ] {
+            let Some(run) = without_rights(&folder, arguments) else {
+                return;
+            };
+            run.failed(73, "cannot create: Permission denied")
+                .did_not_say("built ");
         }
-        for arguments in ["bench ball.pbrt -v --csv r.csv", "bench ball.pbrt -v --report closed/new"] {
-            let Some(run) = without_rights(&folder, arguments) else { return };
-            run.failed(73, "cannot create: Permission denied").did_not_say("loaded ");
+        for arguments in [
+            "bench ball.pbrt -v --csv r.csv",
+            "bench ball.pbrt -v --report closed/new",
+        ] {
+            let Some(run) = without_rights(&folder, arguments) else {
+                return;
+            };
+            run.failed(73, "cannot create: Permission denied")
+                .did_not_say("loaded ");
         }
         set_mode(&folder, "closed", 0o755);
     }
@@ -130,8 +187,14 @@ mod rights {
         if fs::metadata(folder.path(".")).unwrap().uid() != 0 {
             return;
         }
-        let Some(run) = without_rights(&folder, "render ball.pbrt -v -o all/a.exr") else { return };
-        run.failed(73, "all/a.exr: cannot create: the file belongs to another user").did_not_say("loaded ");
+        let Some(run) = without_rights(&folder, "render ball.pbrt -v -o all/a.exr") else {
+            return;
+        };
+        run.failed(
+            73,
+            "all/a.exr: cannot create: the file belongs to another user",
+        )
+        .did_not_say("loaded ");
         assert_eq!(folder.text("all/a.exr"), "old");
     }
 }

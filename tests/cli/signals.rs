@@ -2,7 +2,9 @@
 #![cfg(unix)]
 
 use crate::folder::Folder;
-use signal_hook::consts::{SIGALRM, SIGHUP, SIGINT, SIGKILL, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2, SIGXCPU};
+use signal_hook::consts::{
+    SIGALRM, SIGHUP, SIGINT, SIGKILL, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2, SIGXCPU,
+};
 use signal_hook::low_level::signal_name;
 use std::io::{PipeReader, PipeWriter, Write};
 use std::os::unix::process::ExitStatusExt;
@@ -12,7 +14,9 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 /// Signals that the program catches.
-const CAUGHT: [i32; 8] = [SIGTERM, SIGINT, SIGHUP, SIGQUIT, SIGXCPU, SIGUSR1, SIGUSR2, SIGALRM];
+const CAUGHT: [i32; 8] = [
+    SIGTERM, SIGINT, SIGHUP, SIGQUIT, SIGXCPU, SIGUSR1, SIGUSR2, SIGALRM,
+];
 
 /// Large enough to be caught while it is written, mostly.
 const LARGE: &str = "ball.pbrt -o large.exr --resolution 800x800";
@@ -25,7 +29,11 @@ const LIMIT: Duration = Duration::from_secs(120);
 
 fn started(folder: &Folder, arguments: &str) -> Child {
     let mut command = without_core(&folder.command(arguments), "");
-    command.current_dir(folder.path(".")).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::piped());
+    command
+        .current_dir(folder.path("."))
+        .stdin(Stdio::null())
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped());
     command.spawn().unwrap()
 }
 
@@ -42,9 +50,15 @@ fn without_core(command: &Command, script: &str) -> Command {
 /// below `nohup`. Programs inherit that a signal is ignored, and not that it is handled.
 fn take_signals() {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:")).map_or("0", str::trim);
+    let mask = status
+        .lines()
+        .find_map(|line| line.strip_prefix("SigIgn:"))
+        .map_or("0", str::trim);
     let ignored = u64::from_str_radix(mask, 16).unwrap();
-    for signal in CAUGHT.into_iter().filter(|signal| ignored >> (signal - 1) & 1 == 1) {
+    for signal in CAUGHT
+        .into_iter()
+        .filter(|signal| ignored >> (signal - 1) & 1 == 1)
+    {
         signal_hook::flag::register(signal, Arc::new(AtomicBool::new(false))).unwrap();
     }
 }
@@ -53,12 +67,18 @@ fn take_signals() {
 /// none.
 fn unfinished(folder: &Folder, child: &Child) -> Vec<String> {
     let folder_path = folder.path("").canonicalize().unwrap();
-    let open = std::fs::read_dir(format!("/proc/{}/fd", child.id())).into_iter().flatten();
+    let open = std::fs::read_dir(format!("/proc/{}/fd", child.id()))
+        .into_iter()
+        .flatten();
     let targets = open.filter_map(|entry| std::fs::read_link(entry.ok()?.path()).ok());
-    let unnamed =
-        targets.filter(|path| path.starts_with(&folder_path) && path.to_string_lossy().ends_with(" (deleted)"));
+    let unnamed = targets.filter(|path| {
+        path.starts_with(&folder_path) && path.to_string_lossy().ends_with(" (deleted)")
+    });
     let unnamed = unnamed.map(|path| path.display().to_string());
-    let named = folder.images().into_iter().filter(|name| name.starts_with(".feimos-"));
+    let named = folder
+        .images()
+        .into_iter()
+        .filter(|name| name.starts_with(".feimos-"));
     named.chain(unnamed).collect()
 }
 
@@ -75,7 +95,9 @@ fn ended_while_writing(folder: &Folder, signal: i32) -> (ExitStatus, String) {
     for _ in 0..ATTEMPTS {
         let old = std::fs::read(folder.path("large.exr")).ok();
         let mut child = started(folder, LARGE);
-        wait_until(|| !unfinished(folder, &child).is_empty() || child.try_wait().unwrap().is_some());
+        wait_until(|| {
+            !unfinished(folder, &child).is_empty() || child.try_wait().unwrap().is_some()
+        });
         if child.try_wait().unwrap().is_none() {
             send(signal, &child);
         }
@@ -95,7 +117,13 @@ fn ended_while_writing(folder: &Folder, signal: i32) -> (ExitStatus, String) {
 /// Sends `signal`; a program that has just ended takes it, too, until it is waited for.
 fn send(signal: i32, child: &Child) {
     let kill = format!("kill -{signal} {}", child.id());
-    assert!(Command::new("sh").args(["-c", &kill]).status().unwrap().success());
+    assert!(
+        Command::new("sh")
+            .args(["-c", &kill])
+            .status()
+            .unwrap()
+            .success()
+    );
 }
 
 #[test]
@@ -104,7 +132,10 @@ fn a_signal_ends_it_without_a_trace() {
         let folder = Folder::new().with("old.exr", "old");
         let (status, stderr) = ended_while_writing(&folder, signal);
         assert_eq!(status.signal(), Some(signal), "{stderr}");
-        assert!(stderr.contains(&format!("ended by {}", signal_name(signal).unwrap())), "{stderr}");
+        assert!(
+            stderr.contains(&format!("ended by {}", signal_name(signal).unwrap())),
+            "{stderr}"
+        );
         assert_eq!(folder.images(), ["old.exr"]);
     }
 }
@@ -136,7 +167,11 @@ fn a_signal_ends_it_while_nobody_reads_what_it_says() {
         let folder = Folder::new();
         let (_unread, full) = full_pipe();
         let mut command = without_core(&folder.command("ball.pbrt -o a.exr"), "");
-        command.current_dir(folder.path(".")).stdin(Stdio::null()).stdout(Stdio::null()).stderr(full);
+        command
+            .current_dir(folder.path("."))
+            .stdin(Stdio::null())
+            .stdout(Stdio::null())
+            .stderr(full);
         let mut child = command.spawn().unwrap();
         drop(command);
         wait_until(|| folder.path("a.exr").exists());
@@ -172,20 +207,35 @@ fn a_kill_leaves_no_short_file() {
 
 #[test]
 fn a_batch_that_is_ended_keeps_what_was_finished() {
-    let pose = |number: u32| format!(r#"{{"name": "{number}", "lookat": [0, 0, -5, 0, 0, 0, 0, 1, {number}]}}"#);
+    let pose = |number: u32| {
+        format!(r#"{{"name": "{number}", "lookat": [0, 0, -5, 0, 0, 0, 0, 1, {number}]}}"#)
+    };
     let poses = format!("[{}]", (0..5000).map(pose).collect::<Vec<_>>().join(","));
     let folder = Folder::new().with("poses.json", poses);
-    let child = started(&folder, "ball.pbrt --cameras poses.json -o {camera}.exr --manifest all.jsonl");
+    let child = started(
+        &folder,
+        "ball.pbrt --cameras poses.json -o {camera}.exr --manifest all.jsonl",
+    );
     wait_until(|| folder.path("5.exr").exists());
     send(SIGTERM, &child);
-    assert_eq!(child.wait_with_output().unwrap().status.signal(), Some(SIGTERM));
-    let (images, others): (Vec<String>, Vec<String>) =
-        folder.images().into_iter().partition(|name| name.ends_with("exr"));
+    assert_eq!(
+        child.wait_with_output().unwrap().status.signal(),
+        Some(SIGTERM)
+    );
+    let (images, others): (Vec<String>, Vec<String>) = folder
+        .images()
+        .into_iter()
+        .partition(|name| name.ends_with("exr"));
     assert!((6..5000).contains(&images.len()), "{}", images.len());
     assert_eq!(others, ["all.jsonl"]);
     assert!(images.iter().all(|name| folder.exr(name).size == (13, 7)));
     let lines = crate::folder::json_lines(&folder.text("all.jsonl"));
-    assert!(lines.len().abs_diff(images.len()) <= 1, "{} lines of {} images", lines.len(), images.len());
+    assert!(
+        lines.len().abs_diff(images.len()) <= 1,
+        "{} lines of {} images",
+        lines.len(),
+        images.len()
+    );
 }
 
 #[test]
@@ -195,16 +245,29 @@ fn a_signal_that_the_caller_ignores_is_ignored() {
         // The shell starts it with the signal ignored, as `nohup` does, and a shell with what runs
         // in the background.
         let mut shell = without_core(&folder.command("- -o a.exr"), &format!("trap '' {signal};"));
-        shell.current_dir(folder.path(".")).stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::piped());
+        shell
+            .current_dir(folder.path("."))
+            .stdin(Stdio::piped())
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped());
         let mut child = shell.spawn().unwrap();
         let name = format!("/proc/{}/comm", child.id());
         if cfg!(target_os = "linux") {
-            wait_until(|| std::fs::read_to_string(&name).unwrap().starts_with("feimos"));
+            wait_until(|| {
+                std::fs::read_to_string(&name)
+                    .unwrap()
+                    .starts_with("feimos")
+            });
         }
         send(signal, &child);
         drop(child.stdin.take());
         let output = child.wait_with_output().unwrap();
         // An empty scene is wrong: it has lived to see that.
-        assert_eq!(output.status.code(), Some(65), "{}", String::from_utf8_lossy(&output.stderr));
+        assert_eq!(
+            output.status.code(),
+            Some(65),
+            "{}",
+            String::from_utf8_lossy(&output.stderr)
+        );
     }
 }

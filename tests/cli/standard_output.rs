@@ -8,7 +8,13 @@ use std::process::{Command, Output, Stdio};
 fn redirected(folder: &Folder, arguments: &str, to: &str) -> Output {
     let program = folder.command("").get_program().to_owned();
     let script = format!(r#"exec "$0" {arguments} {to}"#);
-    Command::new("sh").arg("-c").arg(script).arg(program).current_dir(folder.path(".")).output().unwrap()
+    Command::new("sh")
+        .arg("-c")
+        .arg(script)
+        .arg(program)
+        .current_dir(folder.path("."))
+        .output()
+        .unwrap()
 }
 
 const PRINTING: [&str; 10] = [
@@ -33,11 +39,18 @@ fn folder() -> Folder {
 #[test]
 fn a_closed_standard_output_is_an_error_before_the_work() {
     let folder = folder();
-    for arguments in PRINTING.into_iter().chain(["merge a.exr -o -", "render --help", "bench ball.pbrt --json"]) {
+    for arguments in PRINTING.into_iter().chain([
+        "merge a.exr -o -",
+        "render --help",
+        "bench ball.pbrt --json",
+    ]) {
         let output = redirected(&folder, arguments, ">&-");
         let stderr = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(74), "{arguments}: {stderr}");
-        assert!(stderr.contains("error: standard output: cannot write: Bad file descriptor"), "{arguments}: {stderr}");
+        assert!(
+            stderr.contains("error: standard output: cannot write: Bad file descriptor"),
+            "{arguments}: {stderr}"
+        );
     }
     assert_eq!(folder.images(), ["a.exr"], "nothing else was begun");
     // Other descriptors do not matter, nor does a standard output that is not needed.
@@ -47,7 +60,11 @@ fn a_closed_standard_output_is_an_error_before_the_work() {
         ("check ball.pbrt -q", ">&-"),
         ("compare a.exr a.exr -q", ">&- <&-"),
     ] {
-        assert_eq!(redirected(&folder, arguments, to).status.code(), Some(0), "{arguments} {to}");
+        assert_eq!(
+            redirected(&folder, arguments, to).status.code(),
+            Some(0),
+            "{arguments} {to}"
+        );
     }
 }
 
@@ -57,7 +74,11 @@ fn a_standard_output_that_swallows_all_is_none() {
     for arguments in PRINTING {
         // Shells open it to write, Python's `subprocess.DEVNULL` and others to read and write.
         for to in [">/dev/null", "1<>/dev/null"] {
-            assert_eq!(redirected(&folder, arguments, to).status.code(), Some(0), "{arguments} {to}");
+            assert_eq!(
+                redirected(&folder, arguments, to).status.code(),
+                Some(0),
+                "{arguments} {to}"
+            );
         }
     }
     let mut command = folder.subcommand("check", "ball.pbrt");
@@ -72,9 +93,16 @@ fn a_full_standard_output_is_an_error() {
         let output = redirected(&folder, arguments, ">/dev/full");
         let stderr = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(75), "{arguments}: {stderr}");
-        assert!(stderr.contains("standard output: cannot write: No space left"), "{arguments}: {stderr}");
+        assert!(
+            stderr.contains("standard output: cannot write: No space left"),
+            "{arguments}: {stderr}"
+        );
     }
-    assert_eq!(folder.text("r.csv").lines().count(), 2, "files still get what was measured");
+    assert_eq!(
+        folder.text("r.csv").lines().count(),
+        2,
+        "files still get what was measured"
+    );
 }
 
 #[test]
@@ -84,10 +112,17 @@ fn help_that_nobody_reads_to_its_end_is_no_error() {
         let mut child = folder.subcommand("", "");
         let program = child.get_program().to_owned();
         child = Command::new(program);
-        child.args(arguments.split_whitespace()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        child
+            .args(arguments.split_whitespace())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped());
         let mut child = child.spawn().unwrap();
         drop(child.stdout.take());
         let output = child.wait_with_output().unwrap();
-        assert_eq!((output.status.code(), output.stderr.as_slice()), (Some(0), &b""[..]), "{arguments}");
+        assert_eq!(
+            (output.status.code(), output.stderr.as_slice()),
+            (Some(0), &b""[..]),
+            "{arguments}"
+        );
     }
 }

@@ -8,13 +8,22 @@ const ESCAPE: &str = "\x1b[";
 fn one_line_tells_of_an_image() {
     let run = Folder::new().render("ball.pbrt -o a.exr").succeeded();
     assert_eq!(run.stderr.lines().count(), 1);
-    run.said("a.exr: 13 x 7 pixels, ").said(" hit (load ").said(" ms)\n").did_not_say(ESCAPE);
+    run.said("a.exr: 13 x 7 pixels, ")
+        .said(" hit (load ")
+        .said(" ms)\n")
+        .did_not_say(ESCAPE);
 }
 
 #[test]
 fn what_is_skipped_is_one_line() {
-    let scene = BALL.replace("WorldBegin", "Sampler \"x\"\nWorldBegin\nMaterial \"m\"\nMaterial \"n\"\n");
-    let run = Folder::new().with("ball.pbrt", scene).render("ball.pbrt").succeeded();
+    let scene = BALL.replace(
+        "WorldBegin",
+        "Sampler \"x\"\nWorldBegin\nMaterial \"m\"\nMaterial \"n\"\n",
+    );
+    let run = Folder::new()
+        .with("ball.pbrt", scene)
+        .render("ball.pbrt")
+        .succeeded();
     assert_eq!(run.stderr.lines().count(), 2);
     run.said("note: skipped, without influence on hit and depth: 2 Material, 1 Sampler\n");
 }
@@ -22,10 +31,16 @@ fn what_is_skipped_is_one_line() {
 #[test]
 fn quiet_says_nothing_but_errors() {
     let folder = Folder::new().with("warned.pbrt", WARNED);
-    for flags in ["ball.pbrt -q", "ball.pbrt --quiet --spp 4", "warned.pbrt -q --resolution 2x2"] {
+    for flags in [
+        "ball.pbrt -q",
+        "ball.pbrt --quiet --spp 4",
+        "warned.pbrt -q --resolution 2x2",
+    ] {
         assert_eq!(folder.render(flags).succeeded().stderr, "");
     }
-    folder.render("gone.pbrt -q").failed(66, "gone.pbrt: cannot read");
+    folder
+        .render("gone.pbrt -q")
+        .failed(66, "gone.pbrt: cannot read");
 }
 
 #[test]
@@ -33,53 +48,89 @@ fn verbose_tells_of_each_phase() {
     let folder = Folder::new();
     for flag in ["-v", "--verbose"] {
         let run = folder.render(&format!("ball.pbrt {flag}")).succeeded();
-        run.said("loaded 2 shapes: 1 triangle, 1 sphere").said("built 1 nodes by sah over 2 of 2 primitives");
+        run.said("loaded 2 shapes: 1 triangle, 1 sphere")
+            .said("built 1 nodes by sah over 2 of 2 primitives");
     }
-    folder.render("ball.pbrt -v -q").failed(2, "cannot be used with");
+    folder
+        .render("ball.pbrt -v -q")
+        .failed(2, "cannot be used with");
 }
 
 #[test]
 fn progress_is_drawn_where_it_is_asked_for() {
     let folder = Folder::new();
-    folder.render("ball.pbrt --progress always").succeeded().said("rendering [").said("building  [").said(ESCAPE);
+    folder
+        .render("ball.pbrt --progress always")
+        .succeeded()
+        .said("rendering [")
+        .said("building  [")
+        .said(ESCAPE);
     for flag in ["", "--progress auto", "--progress never"] {
-        folder.render(&format!("ball.pbrt {flag}")).succeeded().did_not_say("rendering [");
+        folder
+            .render(&format!("ball.pbrt {flag}"))
+            .succeeded()
+            .did_not_say("rendering [");
     }
-    folder.render("ball.pbrt --progress often").failed(2, "invalid value 'often' for '--progress <WHEN>'");
+    folder
+        .render("ball.pbrt --progress often")
+        .failed(2, "invalid value 'often' for '--progress <WHEN>'");
 }
 
 #[test]
 fn colours_are_used_where_they_are_asked_for() {
     let folder = Folder::new();
-    folder.render("gone.pbrt --color always").exited(66).said("\x1b[31merror\x1b[0m: gone.pbrt");
+    folder
+        .render("gone.pbrt --color always")
+        .exited(66)
+        .said("\x1b[31merror\x1b[0m: gone.pbrt");
     for flag in ["", "--color auto", "--color never"] {
-        folder.render(&format!("gone.pbrt {flag}")).failed(66, "error: gone.pbrt").did_not_say(ESCAPE);
+        folder
+            .render(&format!("gone.pbrt {flag}"))
+            .failed(66, "error: gone.pbrt")
+            .did_not_say(ESCAPE);
     }
 }
 
 #[test]
 fn statistics_are_printed_on_demand_even_if_quiet() {
     let folder = Folder::new();
-    let labels = "shapes primitives geometry precision accelerator nodes SAH tree per trace integers";
+    let labels =
+        "shapes primitives geometry precision accelerator nodes SAH tree per trace integers";
     let run = folder.render("ball.pbrt --stats -q").succeeded();
-    let found: Vec<&str> = run.stderr.lines().map(|line| line.split_whitespace().next().unwrap()).collect();
+    let found: Vec<&str> = run
+        .stderr
+        .lines()
+        .map(|line| line.split_whitespace().next().unwrap())
+        .collect();
     assert_eq!(found, labels.split_whitespace().collect::<Vec<_>>());
-    run.said("1 triangle, 1 sphere").said("accelerator sah").said("precision   exact");
-    let run = folder.render("ball.pbrt --stats -q --precision fast").succeeded();
+    run.said("1 triangle, 1 sphere")
+        .said("accelerator sah")
+        .said("precision   exact");
+    let run = folder
+        .render("ball.pbrt --stats -q --precision fast")
+        .succeeded();
     run.said("precision   fast").did_not_say("integers");
-    folder.render("ball.pbrt").succeeded().did_not_say("SAH cost");
+    folder
+        .render("ball.pbrt")
+        .succeeded()
+        .did_not_say("SAH cost");
 }
 
 #[test]
 fn statistics_do_not_change_the_image() {
     let folder = Folder::new();
-    assert_eq!(folder.rendered("ball.pbrt --stats"), folder.rendered("ball.pbrt"));
+    assert_eq!(
+        folder.rendered("ball.pbrt --stats"),
+        folder.rendered("ball.pbrt")
+    );
 }
 
 /// Every key of a line of JSON, in the order in which they stand there.
 fn keys(line: &str) -> Vec<&str> {
     let before_colons = line.split("\":");
-    let mut keys: Vec<&str> = before_colons.filter_map(|part| part.rsplit('"').next()).collect();
+    let mut keys: Vec<&str> = before_colons
+        .filter_map(|part| part.rsplit('"').next())
+        .collect();
     keys.pop();
     keys
 }
@@ -91,36 +142,74 @@ fn json_has_the_documented_keys_in_their_order() {
                       ms load build trace write total bvh nodes leaves depth sah_cost bytes exact unsure_tests comparisons roundings \
                       fallback_rays peak_bytes";
     let line = String::from_utf8(run.stdout.clone()).unwrap();
-    assert_eq!(keys(&line), documented.split_whitespace().collect::<Vec<_>>());
+    assert_eq!(
+        keys(&line),
+        documented.split_whitespace().collect::<Vec<_>>()
+    );
     assert!(line.ends_with("}\n"));
 }
 
 #[test]
 fn json_says_what_was_rendered() {
     let folder = Folder::new();
-    let run = folder.render("ball.pbrt --json --pixelbounds 0,13,0,4 -o a.exr").succeeded();
-    let [line] = &run.json()[..] else { panic!("{run:?}") };
-    let hits = folder.exr("a.exr").measures("A").iter().filter(|a| **a == 1.0).count();
-    for (key, expected) in [("width", 13), ("height", 4), ("rays", 52), ("hits", hits), ("shapes", 2)] {
+    let run = folder
+        .render("ball.pbrt --json --pixelbounds 0,13,0,4 -o a.exr")
+        .succeeded();
+    let [line] = &run.json()[..] else {
+        panic!("{run:?}")
+    };
+    let hits = folder
+        .exr("a.exr")
+        .measures("A")
+        .iter()
+        .filter(|a| **a == 1.0)
+        .count();
+    for (key, expected) in [
+        ("width", 13),
+        ("height", 4),
+        ("rays", 52),
+        ("hits", hits),
+        ("shapes", 2),
+    ] {
         assert_eq!(line[key], expected, "{key}");
     }
-    assert_eq!((&line["triangles"], &line["spheres"]), (&1.into(), &1.into()));
-    assert_eq!((&line["scene"], &line["output"]), (&"ball.pbrt".into(), &"a.exr".into()));
-    assert!(line["ms"].as_object().unwrap().values().all(|ms| ms.as_f64().unwrap() >= 0.0));
+    assert_eq!(
+        (&line["triangles"], &line["spheres"]),
+        (&1.into(), &1.into())
+    );
+    assert_eq!(
+        (&line["scene"], &line["output"]),
+        (&"ball.pbrt".into(), &"a.exr".into())
+    );
+    assert!(
+        line["ms"]
+            .as_object()
+            .unwrap()
+            .values()
+            .all(|ms| ms.as_f64().unwrap() >= 0.0)
+    );
     assert!(line["ms"]["total"].as_f64() >= line["ms"]["load"].as_f64());
 }
 
 #[test]
 fn json_has_a_line_for_each_image_that_was_made() {
     let folder = Folder::new().with("second.pbrt", BALL);
-    let run = folder.render("ball.pbrt gone.pbrt second.pbrt --json -o {stem}.exr").exited(66);
-    let outputs: Vec<_> = run.json().iter().map(|line| line["output"].clone()).collect();
+    let run = folder
+        .render("ball.pbrt gone.pbrt second.pbrt --json -o {stem}.exr")
+        .exited(66);
+    let outputs: Vec<_> = run
+        .json()
+        .iter()
+        .map(|line| line["output"].clone())
+        .collect();
     assert_eq!(outputs, ["ball.exr", "second.exr"]);
 }
 
 #[test]
 fn json_and_an_image_do_not_share_standard_output() {
-    let run = Folder::new().render("ball.pbrt --json -o -").failed(2, "--json and -o - would both write");
+    let run = Folder::new()
+        .render("ball.pbrt --json -o -")
+        .failed(2, "--json and -o - would both write");
     assert!(run.stdout.is_empty());
 }
 
@@ -131,14 +220,22 @@ fn flags_of_pbrt_without_a_meaning_are_taken_with_a_note() {
                  --disable-pixel-jitter --disable-wavelength-jitter --disable-texture-filtering \
                  --write-partial-images --display-server here:1 --rendering-space world --log-level error";
     let mut run = folder.render(&format!("ball.pbrt {flags}")).succeeded();
-    for flag in flags.split_whitespace().filter(|flag| flag.starts_with("--")) {
-        run = run.said(&format!("note: {flag} has no meaning here and is ignored\n"));
+    for flag in flags
+        .split_whitespace()
+        .filter(|flag| flag.starts_with("--"))
+    {
+        run = run.said(&format!(
+            "note: {flag} has no meaning here and is ignored\n"
+        ));
     }
 }
 
 #[test]
 fn warnings_are_said_once_a_kind_with_their_count() {
-    let run = Folder::new().with("warned.pbrt", WARNED).render("warned.pbrt --resolution 2x2").succeeded();
+    let run = Folder::new()
+        .with("warned.pbrt", WARNED)
+        .render("warned.pbrt --resolution 2x2")
+        .succeeded();
     let expected = "warning: warned.pbrt:2:7: the shape `cone` is not supported: left out
    |
  2 | Shape \"cone\"

@@ -5,7 +5,10 @@ use crate::folder::Folder;
 #[test]
 fn the_short_version_is_a_line() {
     let run = Folder::new().run("-V", "").succeeded();
-    assert_eq!(run.text(), concat!("feimos ", env!("CARGO_PKG_VERSION"), "\n"));
+    assert_eq!(
+        run.text(),
+        concat!("feimos ", env!("CARGO_PKG_VERSION"), "\n")
+    );
 }
 
 #[test]
@@ -14,11 +17,36 @@ fn the_long_version_tells_the_build_and_the_instructions_that_pictures_are_made_
     let run = folder.run("--version", "").succeeded();
     let lines: Vec<&str> = run.text().lines().collect();
     assert_eq!(lines[0], concat!("feimos ", env!("CARGO_PKG_VERSION")));
-    let build: Vec<&str> = lines[1].strip_prefix("build   ").expect(lines[1]).split(", ").collect();
-    assert_eq!(build[0], if cfg!(debug_assertions) { "debug" } else { "release" });
-    assert!(build[1].starts_with(std::env::consts::ARCH) && build[1].contains(std::env::consts::OS), "{build:?}");
-    assert_eq!(build[2], if cfg!(target_feature = "crt-static") { "static C runtime" } else { "dynamic C runtime" });
+    let build: Vec<&str> = lines[1]
+        .strip_prefix("build   ")
+        .expect(lines[1])
+        .split(", ")
+        .collect();
+    assert_eq!(
+        build[0],
+        if cfg!(debug_assertions) {
+            "debug"
+        } else {
+            "release"
+        }
+    );
+    assert!(
+        build[1].starts_with(std::env::consts::ARCH) && build[1].contains(std::env::consts::OS),
+        "{build:?}"
+    );
+    assert_eq!(
+        build[2],
+        if cfg!(target_feature = "crt-static") {
+            "static C runtime"
+        } else {
+            "dynamic C runtime"
+        }
+    );
     let rendered = folder.render("ball.pbrt --json").succeeded().json();
-    let simd = lines.last().unwrap().strip_prefix("SIMD    ").expect("the last line");
+    let simd = lines
+        .last()
+        .unwrap()
+        .strip_prefix("SIMD    ")
+        .expect("the last line");
     assert_eq!(simd, rendered[0]["simd"].as_str().unwrap());
 }

@@ -17,8 +17,13 @@ use std::path::Path;
 
 /// So many random cases of each kind, or as many as the environment variable `FEIMOS_CASES` says.
 pub(crate) fn cases(in_ci: u32) -> ProptestConfig {
-    let cases = std::env::var("FEIMOS_CASES").ok().map(|cases| cases.parse().expect("a number of cases"));
-    ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(cases.unwrap_or(in_ci)) }
+    let cases = std::env::var("FEIMOS_CASES")
+        .ok()
+        .map(|cases| cases.parse().expect("a number of cases"));
+    ProptestConfig {
+        failure_persistence: None,
+        ..ProptestConfig::with_cases(cases.unwrap_or(in_ci))
+    }
 }
 
 /// Loads a scene that must load.
@@ -55,7 +60,18 @@ pub(crate) fn picture(
     threads: usize,
     window: PixelBounds,
 ) -> Rendering {
-    picture_by(camera, shapes, Way { build, threads, level: Level::detect(), tree: Tree::OfAll }, precision, window)
+    picture_by(
+        camera,
+        shapes,
+        Way {
+            build,
+            threads,
+            level: Level::detect(),
+            tree: Tree::OfAll,
+        },
+        precision,
+        window,
+    )
 }
 
 /// As [`picture`], some given way.
@@ -66,27 +82,51 @@ pub(crate) fn picture_by(
     precision: Precision,
     window: PixelBounds,
 ) -> Rendering {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(way.threads).build().unwrap();
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(way.threads)
+        .build()
+        .unwrap();
     pool.install(|| {
         let of_all = |anchor: Point| {
             let aggregate = Aggregate::build(shapes, anchor, way.build, Progress::SILENT);
-            aggregate.validate(shapes).unwrap_or_else(|wrong| panic!("{way:?}: {wrong}"));
+            aggregate
+                .validate(shapes)
+                .unwrap_or_else(|wrong| panic!("{way:?}: {wrong}"));
             aggregate
         };
         let aggregate = match way.tree {
-            Tree::OfView => Aggregate::build_for_view(shapes, camera, &window, way.build, Progress::SILENT),
+            Tree::OfView => {
+                Aggregate::build_for_view(shapes, camera, &window, way.build, Progress::SILENT)
+            }
             Tree::OfAll => of_all(camera.anchor()),
             Tree::Shared => of_all(middle(shapes)),
         };
-        let channels = ChannelName::ALL.into_iter().filter(|name| *name != ChannelName::Cost).collect();
+        let channels = ChannelName::ALL
+            .into_iter()
+            .filter(|name| *name != ChannelName::Cost)
+            .collect();
         let (miss, counted, level) = (f32::INFINITY, false, way.level);
-        let options = RenderOptions { data_window: window, channels, miss, counted, precision, level };
+        let options = RenderOptions {
+            data_window: window,
+            channels,
+            miss,
+            counted,
+            precision,
+            level,
+        };
         let rendering = render(camera, shapes, &aggregate, &options, Progress::SILENT).unwrap();
         // Where only hit or miss is asked for, other code answers.
-        let options = RenderOptions { channels: vec![ChannelName::A], ..options };
+        let options = RenderOptions {
+            channels: vec![ChannelName::A],
+            ..options
+        };
         let hits = render(camera, shapes, &aggregate, &options, Progress::SILENT).unwrap();
         let hit = |image: &Image| bits_of(image, ChannelName::A);
-        assert_eq!(hit(&rendering.image), hit(&hits.image), "{way:?}: hit or miss alone");
+        assert_eq!(
+            hit(&rendering.image),
+            hit(&hits.image),
+            "{way:?}: hit or miss alone"
+        );
         rendering
     })
 }
@@ -94,7 +134,11 @@ pub(crate) fn picture_by(
 /// The middle of the box around everything, or the origin where there is none.
 fn middle(shapes: &Shapes) -> Point {
     let middle = shapes.extent().centre();
-    if middle.is_finite() { middle } else { Point::default() }
+    if middle.is_finite() {
+        middle
+    } else {
+        Point::default()
+    }
 }
 
 /// All pixels of the film.
@@ -107,9 +151,17 @@ pub(crate) fn whole(camera: &Camera) -> PixelBounds {
 /// trees of all, for one view or many, and of what is seen, and asserts that no bit differs from the plain list on one thread, which is returned.
 pub(crate) fn agreed_picture(camera: &Camera, shapes: &Shapes, precision: Precision) -> Rendering {
     let window = whole(camera);
-    let levels: Vec<Level> = Level::ALL.iter().copied().filter(|level| level.is_available()).collect();
-    let way =
-        Way { build: BuildOptions::new(SplitMethod::None), threads: 1, level: Level::Portable, tree: Tree::OfAll };
+    let levels: Vec<Level> = Level::ALL
+        .iter()
+        .copied()
+        .filter(|level| level.is_available())
+        .collect();
+    let way = Way {
+        build: BuildOptions::new(SplitMethod::None),
+        threads: 1,
+        level: Level::Portable,
+        tree: Tree::OfAll,
+    };
     let reference = picture_by(camera, shapes, way, precision, window);
     let trees: &[Tree] = match precision {
         Precision::Exact => &[Tree::OfView, Tree::Shared, Tree::OfAll],
@@ -119,9 +171,17 @@ pub(crate) fn agreed_picture(camera: &Camera, shapes: &Shapes, precision: Precis
     for method in SplitMethod::ALL {
         for (max_leaf, threads) in [(4, 2), (1, 1), (16, 3)] {
             // Every level meets every accelerator, leaf size and kind of tree in some order.
-            let (level, tree) = (levels[turn % levels.len()], trees[turn / levels.len() % trees.len()]);
+            let (level, tree) = (
+                levels[turn % levels.len()],
+                trees[turn / levels.len() % trees.len()],
+            );
             turn += 1;
-            let way = Way { build: BuildOptions { method, max_leaf }, threads, level, tree };
+            let way = Way {
+                build: BuildOptions { method, max_leaf },
+                threads,
+                level,
+                tree,
+            };
             let other = picture_by(camera, shapes, way, precision, window);
             assert_same(&reference.image, &other.image, &format!("{way:?}"));
             assert_eq!(reference.traced.hits, other.traced.hits);
@@ -137,7 +197,12 @@ pub(crate) fn assert_same(expected: &Image, found: &Image, what: &str) {
         assert_eq!(a.name, b.name, "{what}");
         let (a_bits, b_bits) = (bits(a), bits(b));
         let different = a_bits.iter().zip(&b_bits).filter(|(a, b)| a != b).count();
-        assert_eq!(different, 0, "{what}: {different} samples of {} differ", a.name.as_str());
+        assert_eq!(
+            different,
+            0,
+            "{what}: {different} samples of {} differ",
+            a.name.as_str()
+        );
     }
 }
 
@@ -145,30 +210,70 @@ pub(crate) fn assert_same(expected: &Image, found: &Image, what: &str) {
 /// the same, sorted out by area.
 pub(crate) fn judged(camera: &Camera, shapes: &Shapes) -> Vec<[u32; 3]> {
     let [width, height] = camera.resolution;
-    let pixels: Vec<[u32; 2]> = (0..height).flat_map(|y| (0..width).map(move |x| [x, y])).collect();
-    let ray_by_ray: Vec<_> = pixels.iter().map(|[x, y]| reference::closest_hit(shapes, &camera.ray(*x, *y))).collect();
-    assert_eq!(reference::answers(camera, shapes, &pixels, Progress::SILENT), ray_by_ray, "by area");
-    let bits = |hit: ReferenceHit| [shapes.image_number(hit.primitive), hit.z.to_bits(), hit.t.to_bits()];
-    ray_by_ray.into_iter().map(|hit| hit.map_or([0; 3], bits)).collect()
+    let pixels: Vec<[u32; 2]> = (0..height)
+        .flat_map(|y| (0..width).map(move |x| [x, y]))
+        .collect();
+    let ray_by_ray: Vec<_> = pixels
+        .iter()
+        .map(|[x, y]| reference::closest_hit(shapes, &camera.ray(*x, *y)))
+        .collect();
+    assert_eq!(
+        reference::answers(camera, shapes, &pixels, Progress::SILENT),
+        ray_by_ray,
+        "by area"
+    );
+    let bits = |hit: ReferenceHit| {
+        [
+            shapes.image_number(hit.primitive),
+            hit.z.to_bits(),
+            hit.t.to_bits(),
+        ]
+    };
+    ray_by_ray
+        .into_iter()
+        .map(|hit| hit.map_or([0; 3], bits))
+        .collect()
 }
 
 /// What an image says of every pixel, in the same form.
 pub(crate) fn rendered(image: &Image) -> Vec<[u32; 3]> {
-    let [prim, z, t] = [ChannelName::Prim, ChannelName::Z, ChannelName::T].map(|name| bits_of(image, name));
-    let pixel = |k: usize| if prim[k] == 0 { [0; 3] } else { [prim[k], z[k], t[k]] };
+    let [prim, z, t] =
+        [ChannelName::Prim, ChannelName::Z, ChannelName::T].map(|name| bits_of(image, name));
+    let pixel = |k: usize| {
+        if prim[k] == 0 {
+            [0; 3]
+        } else {
+            [prim[k], z[k], t[k]]
+        }
+    };
     (0..prim.len()).map(pixel).collect()
 }
 
 /// Adds a mesh of triangles that share no corner.
-pub(crate) fn add_triangles(shapes: &mut Shapes, triangles: &[[Point; 3]], world_from_object: &Matrix, shape: u32) {
+pub(crate) fn add_triangles(
+    shapes: &mut Shapes,
+    triangles: &[[Point; 3]],
+    world_from_object: &Matrix,
+    shape: u32,
+) {
     let vertices = triangles.iter().flatten().copied().collect();
-    let indices = (0..triangles.len() as u32).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
-    shapes.add_mesh(vertices, indices, world_from_object, shape).unwrap();
+    let indices = (0..triangles.len() as u32)
+        .map(|k| [3 * k, 3 * k + 1, 3 * k + 2])
+        .collect();
+    shapes
+        .add_mesh(vertices, indices, world_from_object, shape)
+        .unwrap();
 }
 
 /// The samples of the channel of that name as bits.
 pub(crate) fn bits_of(image: &Image, name: ChannelName) -> Vec<u32> {
-    bits(image.channels.iter().find(|channel| channel.name == name).expect("the image has the channel"))
+    bits(
+        image
+            .channels
+            .iter()
+            .find(|channel| channel.name == name)
+            .expect("the image has the channel"),
+    )
 }
 
 /// The samples of a channel as bits.

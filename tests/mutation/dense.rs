@@ -7,27 +7,83 @@ const COUNT: usize = 100_000;
 
 /// Names and contents; all are good files, though some show nothing.
 pub(crate) fn files() -> Vec<(&'static str, Format, Vec<u8>)> {
-    let scene = |start: &str, part: &str, count: usize, end: &str| format!("{start}{}{end}", part.repeat(count)).into();
-    let mesh = "WorldBegin\nShape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0] \"integer indices\" [";
+    let scene = |start: &str, part: &str, count: usize, end: &str| {
+        format!("{start}{}{end}", part.repeat(count)).into()
+    };
+    let mesh =
+        "WorldBegin\nShape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0] \"integer indices\" [";
     let many = "ply\nformat ascii 1.0\n";
     vec![
         ("corners.ply", Format::Ply, one_list("face", 5)),
         ("polygons.ply", Format::Ply, polygons()),
         ("strip.ply", Format::Ply, one_list("tristrips", 5)),
-        ("elements.ply", Format::Ply, format!("{many}{}", "element a 0\n".repeat(COUNT)).into()),
-        ("properties.ply", Format::Ply, format!("{many}element a 1\n{}", "property char a\n".repeat(COUNT)).into()),
-        ("corners.obj", Format::Obj, format!("v 0 0 0\nf{}", " 1".repeat(COUNT)).into()),
-        ("backwards.obj", Format::Obj, format!("v 0 0 0\nf{}", " -1".repeat(COUNT)).into()),
-        ("triangles.obj", Format::Obj, format!("v 0 0 0\n{}", "f 1 1 1\n".repeat(COUNT)).into()),
-        ("vertices.obj", Format::Obj, format!("{}f 1 2 3", "v 0 0 0\n".repeat(COUNT)).into()),
+        (
+            "elements.ply",
+            Format::Ply,
+            format!("{many}{}", "element a 0\n".repeat(COUNT)).into(),
+        ),
+        (
+            "properties.ply",
+            Format::Ply,
+            format!("{many}element a 1\n{}", "property char a\n".repeat(COUNT)).into(),
+        ),
+        (
+            "corners.obj",
+            Format::Obj,
+            format!("v 0 0 0\nf{}", " 1".repeat(COUNT)).into(),
+        ),
+        (
+            "backwards.obj",
+            Format::Obj,
+            format!("v 0 0 0\nf{}", " -1".repeat(COUNT)).into(),
+        ),
+        (
+            "triangles.obj",
+            Format::Obj,
+            format!("v 0 0 0\n{}", "f 1 1 1\n".repeat(COUNT)).into(),
+        ),
+        (
+            "vertices.obj",
+            Format::Obj,
+            format!("{}f 1 2 3", "v 0 0 0\n".repeat(COUNT)).into(),
+        ),
         ("distinct.obj", Format::Obj, distinct().into()),
-        ("mesh.pbrt", Format::Scene, scene(mesh, "0 1 2 ", COUNT, "]")),
-        ("spheres.pbrt", Format::Scene, scene("WorldBegin\n", "Shape\"sphere\"", COUNT / 10, "")),
-        ("moved.pbrt", Format::Scene, scene("WorldBegin\n", "Scale 2 1 1Shape\"sphere\"", 1000, "")),
-        ("blocks.pbrt", Format::Scene, scene("WorldBegin\n", "AttributeBegin ", COUNT / 10, "")),
+        (
+            "mesh.pbrt",
+            Format::Scene,
+            scene(mesh, "0 1 2 ", COUNT, "]"),
+        ),
+        (
+            "spheres.pbrt",
+            Format::Scene,
+            scene("WorldBegin\n", "Shape\"sphere\"", COUNT / 10, ""),
+        ),
+        (
+            "moved.pbrt",
+            Format::Scene,
+            scene("WorldBegin\n", "Scale 2 1 1Shape\"sphere\"", 1000, ""),
+        ),
+        (
+            "blocks.pbrt",
+            Format::Scene,
+            scene("WorldBegin\n", "AttributeBegin ", COUNT / 10, ""),
+        ),
         ("names.pbrt", Format::Scene, names().into()),
-        ("skipped.pbrt", Format::Scene, scene("WorldBegin\n", "Texture\"a\"\"b\"\"c\"", COUNT / 10, "")),
-        ("parameters.pbrt", Format::Scene, scene("WorldBegin\nShape\"sphere\"", "\"float a\"1", COUNT / 10, "")),
+        (
+            "skipped.pbrt",
+            Format::Scene,
+            scene("WorldBegin\n", "Texture\"a\"\"b\"\"c\"", COUNT / 10, ""),
+        ),
+        (
+            "parameters.pbrt",
+            Format::Scene,
+            scene(
+                "WorldBegin\nShape\"sphere\"",
+                "\"float a\"1",
+                COUNT / 10,
+                "",
+            ),
+        ),
     ]
 }
 
@@ -61,9 +117,14 @@ fn header(element: &str, count: usize, length: &str) -> Vec<u8> {
 fn distinct() -> String {
     let vertex = |at: usize| format!("v {at} {} 0\n", at * at);
     let corners: String = (1..=COUNT / 10).map(|at| format!(" {at}")).collect();
-    format!("{}f -1 1 2\nf{corners}\n", (1..=COUNT / 10).map(vertex).collect::<String>())
+    format!(
+        "{}f -1 1 2\nf{corners}\n",
+        (1..=COUNT / 10).map(vertex).collect::<String>()
+    )
 }
 
 fn names() -> String {
-    (0..COUNT / 100).map(|at| format!("CoordinateSystem\"{at}\"")).collect()
+    (0..COUNT / 100)
+        .map(|at| format!("CoordinateSystem\"{at}\""))
+        .collect()
 }

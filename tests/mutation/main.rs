@@ -71,11 +71,20 @@ impl Original {
         let mut random = Random::of(&self.name, number);
         let mut bytes = self.bytes.clone();
         // What is changed is the content of compressed meshes, the compressed bytes, or a file as it is.
-        let way = if self.format == Format::Scene { 9 } else { random.below(10) };
+        let way = if self.format == Format::Scene {
+            9
+        } else {
+            random.below(10)
+        };
         if way != 0 {
             mutate(&mut bytes, &mut random);
         }
-        let allowed = BYTES_EACH * bytes.len() + if way <= 1 { BYTES_MORE_GZIP } else { BYTES_MORE };
+        let allowed = BYTES_EACH * bytes.len()
+            + if way <= 1 {
+                BYTES_MORE_GZIP
+            } else {
+                BYTES_MORE
+            };
         if way <= 1 {
             bytes = gzipped(&bytes);
         }
@@ -95,7 +104,11 @@ impl Original {
         match self.format {
             Format::Scene => {
                 Directives::new(&path, bytes).for_each(drop);
-                let options = LoadOptions { orientation: true, uv: true, ..LoadOptions::default() };
+                let options = LoadOptions {
+                    orientation: true,
+                    uv: true,
+                    ..LoadOptions::default()
+                };
                 drop(parse(&path, bytes.to_vec(), &options));
             }
             Format::Ply => {
@@ -116,7 +129,11 @@ impl Original {
         self.read(&case.bytes);
         let taken = MEMORY.peak_usage() - before;
         let (size, allowed) = (case.bytes.len(), case.allowed);
-        assert!(taken <= allowed, "{}: {taken} bytes of memory for {size}, expected {allowed} at most", self.name);
+        assert!(
+            taken <= allowed,
+            "{}: {taken} bytes of memory for {size}, expected {allowed} at most",
+            self.name
+        );
     }
 }
 
@@ -143,8 +160,17 @@ fn originals(folder: &Path) -> Vec<Original> {
                 Some("obj") => Format::Obj,
                 _ => continue,
             };
-            let name = path.strip_prefix(folder).unwrap().to_str().unwrap().to_owned();
-            found.push(Original { name, format, bytes: fs::read(path).unwrap() });
+            let name = path
+                .strip_prefix(folder)
+                .unwrap()
+                .to_str()
+                .unwrap()
+                .to_owned();
+            found.push(Original {
+                name,
+                format,
+                bytes: fs::read(path).unwrap(),
+            });
         }
     }
     found.sort_by(|a, b| a.name.cmp(&b.name));
@@ -183,17 +209,29 @@ fn check_all(originals: Vec<Original>) {
     };
     if is_slow || worker.join().is_err() {
         let (original, number) = (&originals[last.0], last.1);
-        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("mutation.{:?}", original.format));
+        let path =
+            Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("mutation.{:?}", original.format));
         fs::write(&path, original.case(number).bytes).unwrap();
-        let reason = if is_slow { "takes too long" } else { "is not read well" };
-        panic!("change {number} of {} {reason}: see {}", original.name, path.display());
+        let reason = if is_slow {
+            "takes too long"
+        } else {
+            "is not read well"
+        };
+        panic!(
+            "change {number} of {} {reason}: see {}",
+            original.name,
+            path.display()
+        );
     }
 }
 
 #[test]
 fn files_of_the_repository() {
     let repository = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
-    let originals: Vec<_> = ["tests", "scenes"].iter().flat_map(|folder| originals(&repository.join(folder))).collect();
+    let originals: Vec<_> = ["tests", "scenes"]
+        .iter()
+        .flat_map(|folder| originals(&repository.join(folder)))
+        .collect();
     assert!(originals.len() > 40);
     check_all(originals);
 }
@@ -202,10 +240,17 @@ fn files_of_the_repository() {
 fn dense_files() {
     let _alone = alone();
     for (name, format, bytes) in dense::files() {
-        let original = Original { name: name.to_owned(), format, bytes };
+        let original = Original {
+            name: name.to_owned(),
+            format,
+            bytes,
+        };
         original.read(&original.bytes);
         let allowed = BYTES_EACH * original.bytes.len() + BYTES_MORE;
-        original.check(&Case { bytes: original.bytes.clone(), allowed });
+        original.check(&Case {
+            bytes: original.bytes.clone(),
+            allowed,
+        });
     }
 }
 
@@ -214,6 +259,10 @@ fn dense_files() {
 fn files_of_other_repositories() {
     let folder = PathBuf::from(std::env::var_os("FEIMOS_CORPUS").expect("FEIMOS_CORPUS, a folder"));
     let originals = originals(&folder);
-    assert!(!originals.is_empty(), "{}: no scenes and meshes", folder.display());
+    assert!(
+        !originals.is_empty(),
+        "{}: no scenes and meshes",
+        folder.display()
+    );
     check_all(originals);
 }

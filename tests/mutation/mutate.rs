@@ -60,7 +60,10 @@ impl Random {
     pub(crate) fn of(name: &str, case: u64) -> Random {
         // FNV-1a.
         let hash = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-        Random(name.bytes().fold(0xcbf2_9ce4_8422_2325, hash) ^ case.wrapping_mul(0x9e37_79b9_7f4a_7c15))
+        Random(
+            name.bytes().fold(0xcbf2_9ce4_8422_2325, hash)
+                ^ case.wrapping_mul(0x9e37_79b9_7f4a_7c15),
+        )
     }
 
     fn next(&mut self) -> u64 {
@@ -123,7 +126,11 @@ fn change(bytes: &mut Vec<u8>, random: &mut Random) {
         }
         6 => {
             let word = random.one_of(&WORDS);
-            let spaced = if random.below(4) == 0 { word.to_owned() } else { format!(" {word}\n") };
+            let spaced = if random.below(4) == 0 {
+                word.to_owned()
+            } else {
+                format!(" {word}\n")
+            };
             bytes.splice(part.start..part.start, spaced.bytes());
         }
         7 => {
@@ -140,7 +147,15 @@ fn word(bytes: &[u8], random: &mut Random) -> Range<usize> {
     const LONGEST: usize = 64;
     let at = random.below(bytes.len() + 1);
     let is_blank = |byte: &u8| byte.is_ascii_whitespace();
-    let start = bytes[..at].iter().rposition(is_blank).map_or(0, |blank| blank + 1).max(at.saturating_sub(LONGEST));
-    let end = bytes[at..].iter().position(is_blank).map_or(bytes.len(), |blank| at + blank).min(at + LONGEST);
+    let start = bytes[..at]
+        .iter()
+        .rposition(is_blank)
+        .map_or(0, |blank| blank + 1)
+        .max(at.saturating_sub(LONGEST));
+    let end = bytes[at..]
+        .iter()
+        .position(is_blank)
+        .map_or(bytes.len(), |blank| at + blank)
+        .min(at + LONGEST);
     start..end
 }

@@ -5,12 +5,18 @@ use feimos::scene::Scene;
 
 /// The x coordinates of the spheres, as far as they are translated.
 fn places(scene: &Scene) -> Vec<f64> {
-    (0..scene.shapes.sphere_count()).map(|index| scene.shapes.sphere(index).world_from_object.column(3)[0]).collect()
+    (0..scene.shapes.sphere_count())
+        .map(|index| scene.shapes.sphere(index).world_from_object.column(3)[0])
+        .collect()
 }
 
 /// Each warning with its place.
 fn warnings(scene: &Scene) -> Vec<String> {
-    scene.warnings.iter().map(|warning| warning.first.to_string()).collect()
+    scene
+        .warnings
+        .iter()
+        .map(|warning| warning.first.to_string())
+        .collect()
 }
 
 fn assert_warned(scene: &Scene, expected: &[&str]) {
@@ -26,21 +32,35 @@ const SPHERE: &str = "Shape \"sphere\"";
 
 #[test]
 fn an_end_closes_whatever_is_innermost() {
-    for (begin, end) in [("TransformBegin", "AttributeEnd"), ("AttributeBegin", "TransformEnd")] {
-        let scene = scene(&format!("WorldBegin\n{begin} {MOVED} {SPHERE}\n {end} {SPHERE}"));
+    for (begin, end) in [
+        ("TransformBegin", "AttributeEnd"),
+        ("AttributeBegin", "TransformEnd"),
+    ] {
+        let scene = scene(&format!(
+            "WorldBegin\n{begin} {MOVED} {SPHERE}\n {end} {SPHERE}"
+        ));
         assert_eq!(places(&scene), [1.0, 0.0], "{begin} {end}");
         let expected = format!("a.pbrt:3:2: {end} closes the block that {begin} began");
         assert_warned(&scene, &[&expected]);
         let said = &warnings(&scene)[0];
-        assert!(said.contains("it began at ") && said.contains("pbrt-v4 reads it so; pbrt-v3"), "{said}");
+        assert!(
+            said.contains("it began at ") && said.contains("pbrt-v4 reads it so; pbrt-v3"),
+            "{said}"
+        );
     }
 }
 
 #[test]
 fn ends_without_a_begin_are_passed_over() {
-    let scene = scene(&format!("WorldBegin {MOVED}\nAttributeEnd {SPHERE} TransformEnd {SPHERE} ObjectEnd {SPHERE}"));
+    let scene = scene(&format!(
+        "WorldBegin {MOVED}\nAttributeEnd {SPHERE} TransformEnd {SPHERE} ObjectEnd {SPHERE}"
+    ));
     assert_eq!(places(&scene), [1.0; 3]);
-    let missing = ["AttributeEnd without AttributeBegin", "TransformEnd without TransformBegin", "ObjectEnd without"];
+    let missing = [
+        "AttributeEnd without AttributeBegin",
+        "TransformEnd without TransformBegin",
+        "ObjectEnd without",
+    ];
     assert_warned(&scene, &missing);
     assert!(warnings(&scene)[0].contains("a.pbrt:2:1: "));
 }
@@ -53,7 +73,10 @@ fn blocks_that_never_end_end_with_the_world() {
         assert_eq!(places(&scene), [1.0]);
         assert_warned(
             &scene,
-            &["a.pbrt:3:2: TransformBegin without TransformEnd", "a.pbrt:2:1: AttributeBegin without AttributeEnd"],
+            &[
+                "a.pbrt:3:2: TransformBegin without TransformEnd",
+                "a.pbrt:2:1: AttributeBegin without AttributeEnd",
+            ],
         );
         assert!(warnings(&scene)[0].contains("pbrt-v4 refuses it"));
     }
@@ -69,16 +92,27 @@ fn the_blocks_of_an_object_may_cross_it() {
     for text in crossing {
         let text = text.replace("BODY", &format!("{MOVED} {SPHERE}"));
         let scene = scene(&format!("WorldBegin {text} {SPHERE} ObjectInstance \"o\""));
-        assert_eq!((places(&scene), scene.shapes.instances().len()), (vec![0.0], 1), "{text}");
+        assert_eq!(
+            (places(&scene), scene.shapes.instances().len()),
+            (vec![0.0], 1),
+            "{text}"
+        );
         assert_eq!(places_in_object(&scene), [1.0], "{text}");
-        assert!(warnings(&scene).iter().all(|warning| warning.contains("pbrt-v4 refuses it")), "{text}");
+        assert!(
+            warnings(&scene)
+                .iter()
+                .all(|warning| warning.contains("pbrt-v4 refuses it")),
+            "{text}"
+        );
         assert_eq!(scene.warnings.iter().count(), 2, "{text}");
     }
 }
 
 fn places_in_object(scene: &Scene) -> Vec<f64> {
     let shapes = scene.shapes.objects()[0].shapes();
-    (0..shapes.sphere_count()).map(|index| shapes.sphere(index).world_from_object.column(3)[0]).collect()
+    (0..shapes.sphere_count())
+        .map(|index| shapes.sphere(index).world_from_object.column(3)[0])
+        .collect()
 }
 
 #[test]
@@ -88,15 +122,29 @@ fn an_object_ends_where_the_next_begins_and_with_the_file() {
         ObjectInstance \"o\" ObjectInstance \"p\" ObjectInstance \"q\" ObjectBegin \"q\" {SPHERE}"
     );
     let scene = scene(&text);
-    let counts = scene.shapes.objects().iter().map(|object| object.shapes().sphere_count());
-    assert_eq!((counts.collect::<Vec<_>>(), scene.shapes.sphere_count()), (vec![1, 2, 1], 0));
-    assert_warned(&scene, &["ObjectBegin within an object", "ObjectBegin without ObjectEnd"]);
+    let counts = scene
+        .shapes
+        .objects()
+        .iter()
+        .map(|object| object.shapes().sphere_count());
+    assert_eq!(
+        (counts.collect::<Vec<_>>(), scene.shapes.sphere_count()),
+        (vec![1, 2, 1], 0)
+    );
+    assert_warned(
+        &scene,
+        &[
+            "ObjectBegin within an object",
+            "ObjectBegin without ObjectEnd",
+        ],
+    );
 }
 
 #[test]
 fn blocks_stay_within_an_imported_file_and_not_within_an_included_one() {
     let files = |directive: &str, part: &str| {
-        let text = format!("WorldBegin {MOVED} AttributeBegin {MOVED} {directive} \"b.pbrt\" {SPHERE}");
+        let text =
+            format!("WorldBegin {MOVED} AttributeBegin {MOVED} {directive} \"b.pbrt\" {SPHERE}");
         load_files(&[("a.pbrt", &text), ("b.pbrt", part)]).unwrap()
     };
     let (open, ended) = ("AttributeBegin Translate 4 0 0", "AttributeEnd");
@@ -105,5 +153,11 @@ fn blocks_stay_within_an_imported_file_and_not_within_an_included_one() {
     assert_eq!(places(&files("Import", ended)), [2.0]);
     assert_eq!(places(&files("Include", ended)), [1.0]);
     let imported = files("Import", ended);
-    assert_warned(&imported, &["b.pbrt:1:1: AttributeEnd without", "a.pbrt:1:28: AttributeBegin without"]);
+    assert_warned(
+        &imported,
+        &[
+            "b.pbrt:1:1: AttributeEnd without",
+            "a.pbrt:1:28: AttributeBegin without",
+        ],
+    );
 }

@@ -36,7 +36,8 @@ fn load_files(files: &[(&str, &str)]) -> Result<Scene, String> {
 fn load_folder(folder: &TempDir, name: &str) -> Result<Scene, String> {
     let path = folder.path().join(name);
     let root = format!("{}/", folder.path().display());
-    load(&path, &LoadOptions::default(), Progress::SILENT).map_err(|error| error.to_string().replace(&root, ""))
+    load(&path, &LoadOptions::default(), Progress::SILENT)
+        .map_err(|error| error.to_string().replace(&root, ""))
 }
 
 fn scene(text: &str) -> Scene {
@@ -51,15 +52,30 @@ fn error(text: &str) -> String {
 fn complaint(text: &str) -> String {
     let folder = folder(&[("a.pbrt", text)]);
     let root = format!("{}/", folder.path().display());
-    match load(&folder.path().join("a.pbrt"), &LoadOptions::default(), Progress::SILENT) {
-        Ok(scene) => scene.warnings.iter().next().expect("a warning").first.to_string().replace(&root, ""),
+    match load(
+        &folder.path().join("a.pbrt"),
+        &LoadOptions::default(),
+        Progress::SILENT,
+    ) {
+        Ok(scene) => scene
+            .warnings
+            .iter()
+            .next()
+            .expect("a warning")
+            .first
+            .to_string()
+            .replace(&root, ""),
         Err(error) => error.to_string().replace(&root, ""),
     }
 }
 
 /// Messages of the warnings without their places, and how often each applied.
 fn warnings(scene: &Scene) -> Vec<(String, u64)> {
-    scene.warnings.iter().map(|warning| (warning.first.message.clone(), warning.count)).collect()
+    scene
+        .warnings
+        .iter()
+        .map(|warning| (warning.first.message.clone(), warning.count))
+        .collect()
 }
 
 fn vertex(scene: &Scene, index: usize) -> [f64; 3] {
@@ -71,19 +87,35 @@ const TRIANGLE: &str = "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 
 /// Rays that pbrt-v3 printed, in single precision and with directions of length 1.
 #[test]
 fn cameras_are_those_of_pbrt() {
-    let rows = include_str!("../pbrt3-camera-rays.tsv").lines().filter(|line| !line.starts_with('#')).skip(1);
+    let rows = include_str!("../pbrt3-camera-rays.tsv")
+        .lines()
+        .filter(|line| !line.starts_with('#'))
+        .skip(1);
     let mut count = 0;
     for row in rows {
         let columns: Vec<&str> = row.split('\t').collect();
         let number = |column: usize| columns[column].parse::<f64>().unwrap();
-        let film =
-            format!("Film \"image\" \"integer xresolution\" {} \"integer yresolution\" {}", columns[2], columns[3]);
-        let camera = scene(&format!("{}\n{}\n{film}\nWorldBegin", columns[0], columns[1])).camera;
+        let film = format!(
+            "Film \"image\" \"integer xresolution\" {} \"integer yresolution\" {}",
+            columns[2], columns[3]
+        );
+        let camera = scene(&format!(
+            "{}\n{}\n{film}\nWorldBegin",
+            columns[0], columns[1]
+        ))
+        .camera;
         let ray = camera.ray(number(4) as u32, number(5) as u32);
         let direction = ray.direction.normalized();
         for axis in 0..3 {
-            assert!((ray.origin[axis] - number(6 + axis)).abs() < 2e-5, "{row}: {:?}", ray.origin);
-            assert!((direction[axis] - number(9 + axis)).abs() < 2e-6, "{row}: {direction:?}");
+            assert!(
+                (ray.origin[axis] - number(6 + axis)).abs() < 2e-5,
+                "{row}: {:?}",
+                ray.origin
+            );
+            assert!(
+                (direction[axis] - number(9 + axis)).abs() < 2e-6,
+                "{row}: {direction:?}"
+            );
         }
         count += 1;
     }
@@ -93,11 +125,21 @@ fn cameras_are_those_of_pbrt() {
 #[test]
 fn a_scale_before_look_at_mirrors_the_view() {
     let plain = scene("LookAt 0 0 -5  0 0 0  0 1 0  Camera \"perspective\" WorldBegin").camera;
-    let mirrored = scene("Scale -1 1 1  LookAt 0 0 -5  0 0 0  0 1 0  Camera \"perspective\" WorldBegin").camera;
+    let mirrored =
+        scene("Scale -1 1 1  LookAt 0 0 -5  0 0 0  0 1 0  Camera \"perspective\" WorldBegin")
+            .camera;
     let [width, _] = plain.resolution;
-    assert_eq!(plain.ray(3, 5).direction, mirrored.ray(width - 1 - 3, 5).direction);
-    let after = scene("LookAt 0 0 -5  0 0 0  0 1 0  Scale 2 2 2  Camera \"perspective\" WorldBegin").camera;
-    assert_eq!(after.anchor(), Point::new(0.0, 0.0, -2.5), "the world is twice as large, so the eye is half as far");
+    assert_eq!(
+        plain.ray(3, 5).direction,
+        mirrored.ray(width - 1 - 3, 5).direction
+    );
+    let after =
+        scene("LookAt 0 0 -5  0 0 0  0 1 0  Scale 2 2 2  Camera \"perspective\" WorldBegin").camera;
+    assert_eq!(
+        after.anchor(),
+        Point::new(0.0, 0.0, -2.5),
+        "the world is twice as large, so the eye is half as far"
+    );
 }
 
 #[test]
@@ -112,16 +154,41 @@ fn without_camera_and_film_pbrts_defaults_hold() {
 fn camera_parameters() {
     let camera = |parameters: &str| {
         let film = "Film \"image\" \"integer xresolution\" 4 \"integer yresolution\" 2";
-        scene(&format!("Camera \"perspective\" {parameters}\n{film}\nWorldBegin")).camera
+        scene(&format!(
+            "Camera \"perspective\" {parameters}\n{film}\nWorldBegin"
+        ))
+        .camera
     };
-    assert_eq!(camera("\"float halffov\" 45").ray(3, 0).direction.to_array(), [1.5, 0.5, 1.0]);
-    assert_eq!(camera("\"float halffov\" 45 \"float fov\" 10").ray(3, 0).direction.to_array(), [1.5, 0.5, 1.0]);
+    assert_eq!(
+        camera("\"float halffov\" 45")
+            .ray(3, 0)
+            .direction
+            .to_array(),
+        [1.5, 0.5, 1.0]
+    );
+    assert_eq!(
+        camera("\"float halffov\" 45 \"float fov\" 10")
+            .ray(3, 0)
+            .direction
+            .to_array(),
+        [1.5, 0.5, 1.0]
+    );
     for half in ["0", "-1", "-45"] {
         // pbrt's value for "not there" is -1, and it takes what is above 0.
         let found = camera(&format!("\"float halffov\" {half} \"float fov\" 90"));
-        assert_eq!(found.ray(3, 0).direction.to_array(), [1.5, 0.5, 1.0], "{half}");
+        assert_eq!(
+            found.ray(3, 0).direction.to_array(),
+            [1.5, 0.5, 1.0],
+            "{half}"
+        );
     }
-    assert_eq!(camera("\"float frameaspectratio\" 1").ray(3, 0).direction.to_array(), [0.75, 0.5, 1.0]);
+    assert_eq!(
+        camera("\"float frameaspectratio\" 1")
+            .ray(3, 0)
+            .direction
+            .to_array(),
+        [0.75, 0.5, 1.0]
+    );
     let window = camera("\"float screenwindow\" [ 0 8 0 4 ] \"float fov\" 90");
     assert_eq!(window.ray(3, 0).direction.to_array(), [7.0, 3.0, 1.0]);
 }
@@ -130,11 +197,29 @@ fn camera_parameters() {
 fn film_parameters() {
     let film = |parameters: &str| scene(&format!("Film \"rgb\" {parameters} WorldBegin")).film;
     let small = "\"integer xresolution\" 7 \"integer yresolution\" [ 5 ]";
-    let cropped = film(&format!("{small} \"float cropwindow\" [ 0.3 1 0 0.5 ] \"string filename\" \"out/a.exr\""));
-    assert_eq!(cropped.crop, PixelBounds { x0: 3, x1: 7, y0: 0, y1: 3 });
+    let cropped = film(&format!(
+        "{small} \"float cropwindow\" [ 0.3 1 0 0.5 ] \"string filename\" \"out/a.exr\""
+    ));
+    assert_eq!(
+        cropped.crop,
+        PixelBounds {
+            x0: 3,
+            x1: 7,
+            y0: 0,
+            y1: 3
+        }
+    );
     assert_eq!(cropped.filename.as_deref(), Some("out/a.exr"));
     let bounds = film(&format!("{small} \"integer pixelbounds\" [ 1 3 0 99 ]"));
-    assert_eq!(bounds.crop, PixelBounds { x0: 1, x1: 3, y0: 0, y1: 5 });
+    assert_eq!(
+        bounds.crop,
+        PixelBounds {
+            x0: 1,
+            x1: 3,
+            y0: 0,
+            y1: 5
+        }
+    );
 }
 
 #[test]
@@ -149,9 +234,21 @@ fn transforms_nest_and_are_restored() {
         Transform 1 0 0 0  0 1 0 0  0 0 1 0  0 0 7 1 {TRIANGLE}"
     ));
     let second_corners: Vec<[f64; 3]> = (0..7).map(|k| vertex(&scene, 3 * k + 1)).collect();
-    let expected = [[1., 2., 0.], [3., 0., 0.], [2., 0., 0.], [1., 0., 0.], [2., 0., 0.], [2., 0., 7.], [1., 0., 7.]];
+    let expected = [
+        [1., 2., 0.],
+        [3., 0., 0.],
+        [2., 0., 0.],
+        [1., 0., 0.],
+        [2., 0., 0.],
+        [2., 0., 7.],
+        [1., 0., 7.],
+    ];
     assert_eq!(second_corners, expected);
-    assert_eq!((scene.shape_count, scene.transform_count), (7, 6), "two shapes share `Translate 1 0 0`");
+    assert_eq!(
+        (scene.shape_count, scene.transform_count),
+        (7, 6),
+        "two shapes share `Translate 1 0 0`"
+    );
 }
 
 #[test]
@@ -164,8 +261,13 @@ fn the_cameras_coordinate_system_moves_with_it() {
 
 #[test]
 fn mirrored_meshes_keep_their_places() {
-    let scene = scene(&format!("WorldBegin Scale -1 1 1 ReverseOrientation {TRIANGLE}"));
-    assert_eq!((vertex(&scene, 1), vertex(&scene, 2)), ([-1.0, 0.0, 0.0], [0.0, 1.0, 0.0]));
+    let scene = scene(&format!(
+        "WorldBegin Scale -1 1 1 ReverseOrientation {TRIANGLE}"
+    ));
+    assert_eq!(
+        (vertex(&scene, 1), vertex(&scene, 2)),
+        ([-1.0, 0.0, 0.0], [0.0, 1.0, 0.0])
+    );
     assert_eq!(warnings(&scene), []);
 }
 
@@ -195,11 +297,20 @@ fn shapes_count_whether_they_are_supported_or_not() {
     ));
     assert_eq!(scene.shape_count, 6);
     let shapes = &scene.shapes;
-    assert_eq!(shapes.shape_number(Placed::alone(Primitive::triangle(1))), 6);
+    assert_eq!(
+        shapes.shape_number(Placed::alone(Primitive::triangle(1))),
+        6
+    );
     let sphere = Placed::alone(Primitive::sphere(0));
     assert_eq!((shapes.shape_number(sphere), shapes.number(sphere)), (4, 1));
-    let expected = ["the shape `cone` is not supported: left out", "the shape `spehre` is not supported: left out"];
-    assert_eq!(warnings(&scene), [(expected[0].to_owned(), 2), (expected[1].to_owned(), 1)]);
+    let expected = [
+        "the shape `cone` is not supported: left out",
+        "the shape `spehre` is not supported: left out",
+    ];
+    assert_eq!(
+        warnings(&scene),
+        [(expected[0].to_owned(), 2), (expected[1].to_owned(), 1)]
+    );
     let second = scene.warnings.iter().nth(1).unwrap();
     assert_eq!(second.first.notes, ["did you mean `sphere`?"]);
 }
@@ -217,25 +328,60 @@ fn objects_are_stored_once_and_placed_by_the_transform_at_the_instance() {
         {TRIANGLE}"
     ));
     let shapes = &scene.shapes;
-    assert_eq!((shapes.objects().len(), shapes.instances().len(), shapes.own_count()), (1, 2, 2));
-    assert_eq!((scene.shape_count, shapes.primitive_count(), warnings(&scene).len()), (5, 6, 0));
+    assert_eq!(
+        (
+            shapes.objects().len(),
+            shapes.instances().len(),
+            shapes.own_count()
+        ),
+        (1, 2, 2)
+    );
+    assert_eq!(
+        (
+            scene.shape_count,
+            shapes.primitive_count(),
+            warnings(&scene).len()
+        ),
+        (5, 6, 0)
+    );
     let world_from_object = Matrix::translate([1.0, 2.0, 3.0]);
     let world_from_instance = world_from_object.times(&Matrix::scale([1.0, -1.0, 1.0]));
-    let world_from_mesh = world_from_instance.times(&world_from_object.times(&Matrix::scale([2.0, 2.0, 2.0])));
+    let world_from_mesh =
+        world_from_instance.times(&world_from_object.times(&Matrix::scale([2.0, 2.0, 2.0])));
     let triangle = shapes.placed_triangle(Placed::in_instance(0, Primitive::triangle(0)));
     let moved_again = shapes.placed_triangle(Placed::in_instance(1, Primitive::triangle(0)));
-    assert_eq!((triangle.0[0], moved_again.0[0].y), (world_from_mesh.apply(Point::new(0.0, 0.0, 0.0)), 4.0));
-    let ids = shapes.all().map(|placed| (shapes.number(placed), shapes.shape_number(placed)));
-    assert_eq!(ids.collect::<Vec<_>>(), [(0, 4), (5, 5), (1, 1), (2, 2), (3, 1), (4, 2)]);
+    assert_eq!(
+        (triangle.0[0], moved_again.0[0].y),
+        (world_from_mesh.apply(Point::new(0.0, 0.0, 0.0)), 4.0)
+    );
+    let ids = shapes
+        .all()
+        .map(|placed| (shapes.number(placed), shapes.shape_number(placed)));
+    assert_eq!(
+        ids.collect::<Vec<_>>(),
+        [(0, 4), (5, 5), (1, 1), (2, 2), (3, 1), (4, 2)]
+    );
 }
 
 #[test]
 fn objects_in_the_wrong_place_are_errors() {
     let cases = [
-        ("ObjectBegin \"o\" ObjectEnd WorldBegin", "ObjectBegin outside the world"),
-        ("ObjectInstance \"o\" WorldBegin", "ObjectInstance outside the world"),
-        ("WorldBegin ObjectBegin \"o\" ObjectInstance \"o\"", "an instance within an object"),
-        ("WorldBegin ObjectBegin \"o\" ObjectEnd ObjectInstance \"p\"", "there is no object called `p`"),
+        (
+            "ObjectBegin \"o\" ObjectEnd WorldBegin",
+            "ObjectBegin outside the world",
+        ),
+        (
+            "ObjectInstance \"o\" WorldBegin",
+            "ObjectInstance outside the world",
+        ),
+        (
+            "WorldBegin ObjectBegin \"o\" ObjectInstance \"o\"",
+            "an instance within an object",
+        ),
+        (
+            "WorldBegin ObjectBegin \"o\" ObjectEnd ObjectInstance \"p\"",
+            "there is no object called `p`",
+        ),
     ];
     for (text, message) in cases {
         assert!(error(text).contains(message), "{text}: {}", error(text));
@@ -252,7 +398,15 @@ fn the_object_defined_last_is_shown() {
     ));
     let message = "a second object called `o`: instances that follow show this one";
     assert_eq!(warnings(&scene), [(message.to_owned(), 1)]);
-    assert_eq!(scene.shapes.instances().iter().map(Instance::object).collect::<Vec<_>>(), [0, 1]);
+    assert_eq!(
+        scene
+            .shapes
+            .instances()
+            .iter()
+            .map(Instance::object)
+            .collect::<Vec<_>>(),
+        [0, 1]
+    );
 }
 
 #[test]
@@ -279,10 +433,18 @@ fn what_is_rendered_otherwise_is_warned_of() {
         "the numbers of this transform are beyond the range of f64, or no numbers",
     ];
     let counts = [1, 1, 1, 2, 1, 1, 1];
-    let found: Vec<(String, u64)> = expected.iter().map(|m| (*m).to_owned()).zip(counts).collect();
+    let found: Vec<(String, u64)> = expected
+        .iter()
+        .map(|m| (*m).to_owned())
+        .zip(counts)
+        .collect();
     assert_eq!(warnings(&scene), found);
     let shapes = &scene.shapes;
-    assert_eq!(shapes.sphere_count(), 4, "those that are never hit keep their numbers");
+    assert_eq!(
+        shapes.sphere_count(),
+        4,
+        "those that are never hit keep their numbers"
+    );
     let is_cut = |index: usize| shapes.sphere(index).form != Form::Sphere(None);
     assert_eq!([0, 1, 2, 3].map(is_cut), [false, true, false, false]);
 }
@@ -304,42 +466,72 @@ fn nothing_that_matters_is_left_out_in_silence() {
         "alpha is ignored: the whole surface is solid",
         "what follows WorldEnd is ignored: one world is one picture",
     ];
-    assert_eq!(warnings(&scene), expected.map(|message| (message.to_owned(), 1)));
+    assert_eq!(
+        warnings(&scene),
+        expected.map(|message| (message.to_owned(), 1))
+    );
     assert_eq!(scene.accelerator.max_leaf, Some(255));
 }
 
 #[test]
 fn misspelt_names_of_what_is_missing_are_told() {
     let message = complaint("WorldBegin Shape \"trianglemesh\" \"point3 p\" [ 0 0 0 1 0 0 0 1 0 ]");
-    assert!(message.contains("\n   = did you mean `P` by `p`?"), "{message}");
+    assert!(
+        message.contains("\n   = did you mean `P` by `p`?"),
+        "{message}"
+    );
     let message = complaint("Camera \"perspectiv\"");
-    assert!(message.contains("\n   = did you mean `perspective`?"), "{message}");
+    assert!(
+        message.contains("\n   = did you mean `perspective`?"),
+        "{message}"
+    );
 }
 
 #[test]
 fn included_files_are_found_beside_the_top_level_scene() {
     let files = [
-        ("a.pbrt", "WorldBegin Include \"parts/b.pbrt\" Include \"parts/b.pbrt\""),
+        (
+            "a.pbrt",
+            "WorldBegin Include \"parts/b.pbrt\" Include \"parts/b.pbrt\"",
+        ),
         ("parts/b.pbrt", "Translate 1 0 0 Include \"c.pbrt\""),
         ("c.pbrt", TRIANGLE),
     ];
     let scene = load_files(&files).unwrap();
-    assert_eq!((vertex(&scene, 0), vertex(&scene, 3)), ([1.0, 0.0, 0.0], [2.0, 0.0, 0.0]));
+    assert_eq!(
+        (vertex(&scene, 0), vertex(&scene, 3)),
+        ([1.0, 0.0, 0.0], [2.0, 0.0, 0.0])
+    );
     let missing = load_files(&[("a.pbrt", "WorldBegin\nInclude \"b.pbrt\"")]).unwrap_err();
     let expected = "b.pbrt: cannot read: No such file or directory (os error 2)\n   = included from a.pbrt:2:9";
     assert_eq!(missing, expected);
-    let circle = [("a.pbrt", "Include \"b.pbrt\""), ("b.pbrt", "Include \"a.pbrt\"")];
-    assert!(load_files(&circle).unwrap_err().starts_with("b.pbrt:1:9: a.pbrt includes itself"));
+    let circle = [
+        ("a.pbrt", "Include \"b.pbrt\""),
+        ("b.pbrt", "Include \"a.pbrt\""),
+    ];
+    assert!(
+        load_files(&circle)
+            .unwrap_err()
+            .starts_with("b.pbrt:1:9: a.pbrt includes itself")
+    );
 }
 
 #[test]
 fn includes_have_a_depth_at_most() {
     let names: Vec<String> = (0..80).map(|k| format!("{k}.pbrt")).collect();
-    let texts: Vec<String> = (0..80).map(|k| format!("Include \"{}.pbrt\"", k + 1)).collect();
-    let files: Vec<(&str, &str)> =
-        names.iter().zip(&texts).map(|(name, text)| (name.as_str(), text.as_str())).collect();
+    let texts: Vec<String> = (0..80)
+        .map(|k| format!("Include \"{}.pbrt\"", k + 1))
+        .collect();
+    let files: Vec<(&str, &str)> = names
+        .iter()
+        .zip(&texts)
+        .map(|(name, text)| (name.as_str(), text.as_str()))
+        .collect();
     let message = load_files(&files).unwrap_err();
-    assert!(message.starts_with("63.pbrt:1:9: more than 64 files include each other"), "{message}");
+    assert!(
+        message.starts_with("63.pbrt:1:9: more than 64 files include each other"),
+        "{message}"
+    );
 }
 
 #[test]
@@ -353,43 +545,77 @@ fn meshes_are_found_beside_the_scene() {
     assert_eq!(missing, expected);
 }
 
-const TETRAHEDRON: &str =
-    "\"point3 P\" [ 1 1 1  1 -1 -1  -1 1 -1  -1 -1 1 ] \"integer indices\" [ 0 1 2  0 3 1  0 2 3  1 3 2 ]";
+const TETRAHEDRON: &str = "\"point3 P\" [ 1 1 1  1 -1 -1  -1 1 -1  -1 -1 1 ] \"integer indices\" [ 0 1 2  0 3 1  0 2 3  1 3 2 ]";
 
 #[test]
 fn subdivision_surfaces_take_the_levels_of_v3_and_of_v4() {
-    for (levels, faces) in [("", 256), ("\"integer nlevels\" 0", 4), ("\"integer levels\" 1 \"integer nlevels\" 2", 16)]
-    {
-        let text =
-            format!("WorldBegin Shape \"loopsubdiv\" {TETRAHEDRON} {levels} \"string scheme\" \"loop\" {TRIANGLE}");
+    for (levels, faces) in [
+        ("", 256),
+        ("\"integer nlevels\" 0", 4),
+        ("\"integer levels\" 1 \"integer nlevels\" 2", 16),
+    ] {
+        let text = format!(
+            "WorldBegin Shape \"loopsubdiv\" {TETRAHEDRON} {levels} \"string scheme\" \"loop\" {TRIANGLE}"
+        );
         let scene = scene(&text);
-        assert_eq!((scene.shapes.triangle_count(), warnings(&scene)), (faces + 1, vec![]), "{levels}");
-        assert_eq!(scene.shapes.shape_number(Placed::alone(Primitive::triangle(faces - 1))), 1);
+        assert_eq!(
+            (scene.shapes.triangle_count(), warnings(&scene)),
+            (faces + 1, vec![]),
+            "{levels}"
+        );
+        assert_eq!(
+            scene
+                .shapes
+                .shape_number(Placed::alone(Primitive::triangle(faces - 1))),
+            1
+        );
     }
     // The first vertex halfway: (1 - 3 w) v - w v with w = 1/5.
-    let scene = scene(&format!("WorldBegin Translate 10 0 0 Shape \"loopsubdiv\" {TETRAHEDRON} \"integer levels\" 0"));
+    let scene = scene(&format!(
+        "WorldBegin Translate 10 0 0 Shape \"loopsubdiv\" {TETRAHEDRON} \"integer levels\" 0"
+    ));
     assert!((scene.shapes.vertices()[0] - Point::new(10.2, 0.2, 0.2)).largest() < 1e-14);
 }
 
 #[test]
 fn what_cannot_be_subdivided_is_shown() {
     let cases = [
-        ("\"integer indices\" [ 0 1 2 ]", "1:18: a subdivision surface without vertices"),
-        ("\"point3 P\" [ 0 0 0 ]", "1:18: a subdivision surface without faces"),
-        ("\"point3 P\" [ 0 0 0 ] \"integer indices\" [ 0 0 ]", "1:70: `indices` has 2 numbers, expected three a face"),
+        (
+            "\"integer indices\" [ 0 1 2 ]",
+            "1:18: a subdivision surface without vertices",
+        ),
+        (
+            "\"point3 P\" [ 0 0 0 ]",
+            "1:18: a subdivision surface without faces",
+        ),
+        (
+            "\"point3 P\" [ 0 0 0 ] \"integer indices\" [ 0 0 ]",
+            "1:70: `indices` has 2 numbers, expected three a face",
+        ),
         (
             "\"point3 P\" [ 0 0 0 ] \"integer indices\" [ 0 0 1 ]",
             "1:76: index 1, number 3 of `indices`, names no vertex",
         ),
-        ("\"point3 P\" [ 0 0 0 ] \"integer indices\" [ 0 0 0 ]", "1:72: a face with vertex 0 twice"),
-        ("\"integer levels\" -1", "1:48: `levels` is -1, expected an integer from 0 to 30"),
-        ("\"integer nlevels\" 31", "1:49: `nlevels` is 31, expected an integer from 0 to 30"),
+        (
+            "\"point3 P\" [ 0 0 0 ] \"integer indices\" [ 0 0 0 ]",
+            "1:72: a face with vertex 0 twice",
+        ),
+        (
+            "\"integer levels\" -1",
+            "1:48: `levels` is -1, expected an integer from 0 to 30",
+        ),
+        (
+            "\"integer nlevels\" 31",
+            "1:49: `nlevels` is 31, expected an integer from 0 to 30",
+        ),
     ];
     for (parameters, expected) in cases {
         let found = complaint(&format!("WorldBegin Shape \"loopsubdiv\" {parameters}"));
         assert!(found.starts_with(&format!("a.pbrt:{expected}")), "{found}");
     }
-    let found = complaint(&format!("WorldBegin\nShape \"loopsubdiv\" {TETRAHEDRON}\n  \"integer nlevels\" 13"));
+    let found = complaint(&format!(
+        "WorldBegin\nShape \"loopsubdiv\" {TETRAHEDRON}\n  \"integer nlevels\" 13"
+    ));
     let expected = "a.pbrt:3:21: subdivision would make 268435456 faces of the scene's 4: at most 4210688 are made of so many\n   \
         |\n 3 |   \"integer nlevels\" 13\n   |                     ^^\n   = if this is meant, raise what input files may \
         expand to: --input-budget 2\n   = else take fewer levels";
@@ -403,21 +629,48 @@ fn bilinear_patches_are_two_triangles_each() {
         "WorldBegin Shape \"bilinearmesh\" {corners} \"integer indices\" [ 0 1 2 3 ] \"point2 uv\" [ 0 0 ]"
     ));
     assert_eq!(warnings(&flat), []);
-    let triangles = [0, 1].map(|index| flat.shapes.triangle(index).0.map(|corner| (corner.x, corner.y)));
-    assert_eq!(triangles, [[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)], [(0.0, 0.0), (1.0, 1.0), (0.0, 1.0)]]);
+    let triangles = [0, 1].map(|index| {
+        flat.shapes
+            .triangle(index)
+            .0
+            .map(|corner| (corner.x, corner.y))
+    });
+    assert_eq!(
+        triangles,
+        [
+            [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)],
+            [(0.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
+        ]
+    );
     let curved = "\"integer indices\" [ 0 1 2 3  1 4 3 5 ]";
     let both = scene(&format!(
         "WorldBegin Shape \"bilinearmesh\" {corners} {curved} Shape \"bilinearmesh\" {corners} {curved}"
     ));
-    assert_eq!((both.shapes.triangle_count(), both.shapes.number(Placed::alone(Primitive::triangle(7)))), (8, 7));
-    let message = "bilinear patches that are not flat and convex are rendered as two triangles each";
+    assert_eq!(
+        (
+            both.shapes.triangle_count(),
+            both.shapes.number(Placed::alone(Primitive::triangle(7)))
+        ),
+        (8, 7)
+    );
+    let message =
+        "bilinear patches that are not flat and convex are rendered as two triangles each";
     assert_eq!(warnings(&both), [(message.to_owned(), 2)]);
-    let alone = scene("WorldBegin Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0  1 1 0 ]");
+    let alone =
+        scene("WorldBegin Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0  1 1 0 ]");
     assert_eq!(alone.shapes.triangle_count(), 2);
     let found = complaint(&format!("WorldBegin Shape \"bilinearmesh\" {corners}"));
-    assert!(found.starts_with("a.pbrt:1:18: a bilinear mesh of 6 vertices without `indices`"), "{found}");
-    let found = complaint(&format!("WorldBegin Shape \"bilinearmesh\" {corners} \"integer indices\" [ 0 1 2 ]"));
-    assert!(found.contains("`indices` has 3 numbers, expected four a patch"), "{found}");
+    assert!(
+        found.starts_with("a.pbrt:1:18: a bilinear mesh of 6 vertices without `indices`"),
+        "{found}"
+    );
+    let found = complaint(&format!(
+        "WorldBegin Shape \"bilinearmesh\" {corners} \"integer indices\" [ 0 1 2 ]"
+    ));
+    assert!(
+        found.contains("`indices` has 3 numbers, expected four a patch"),
+        "{found}"
+    );
 }
 
 #[test]
@@ -428,15 +681,24 @@ fn a_bare_mesh_is_framed() {
     assert_eq!((eye.x, eye.y), (1.0, 0.5));
     assert!(eye.z > 4.0);
     let floor = load_files(&[("m.obj", "v 0 0 0\nv 1 0 0\nv 1 0 1\nf 1 2 3\n")]).unwrap();
-    assert!(floor.camera.anchor().y > 0.5, "a flat mesh is not seen along its edge");
+    assert!(
+        floor.camera.anchor().y > 0.5,
+        "a flat mesh is not seen along its edge"
+    );
     let empty = load_files(&[("m.obj", "# nothing\n")]).unwrap();
-    assert_eq!((empty.shapes.triangle_count(), warnings(&empty).len()), (0, 1));
+    assert_eq!(
+        (empty.shapes.triangle_count(), warnings(&empty).len()),
+        (0, 1)
+    );
 }
 
 #[test]
 fn mistakes_of_order() {
     assert!(error("Shape \"sphere\"").starts_with("a.pbrt:1:1: Shape outside the world"));
-    assert!(error("WorldBegin Camera \"perspective\"").starts_with("a.pbrt:1:12: Camera inside the world"));
+    assert!(
+        error("WorldBegin Camera \"perspective\"")
+            .starts_with("a.pbrt:1:12: Camera inside the world")
+    );
     assert!(error("WorldBegin WorldBegin").starts_with("a.pbrt:1:12: a second WorldBegin"));
     assert!(error("Scale 1 1 1").starts_with("a.pbrt: the scene has no WorldBegin"));
 }
@@ -444,21 +706,51 @@ fn mistakes_of_order() {
 #[test]
 fn mistakes_of_value() {
     let cases = [
-        ("Camera \"perspective\" \"float fov\" 180", "a.pbrt:1:34: a field of view of 180 degrees"),
-        ("Camera \"perspective\" \"float fov\" [ 1 2 ]", "a.pbrt:1:34: `fov` takes one number, found 2"),
-        ("Camera \"spherical\"", "a.pbrt:1:8: the camera `spherical` is not supported"),
-        ("Scale 0 1 1 Camera \"perspective\"", "a.pbrt:1:1: this Scale by 0 cannot be undone"),
-        ("LookAt 1 1 1 1 1 1 0 1 0 Camera \"perspective\"", "a.pbrt:1:1: this LookAt has no direction"),
-        ("Rotate 10 0 0 0 Camera \"perspective\"", "a.pbrt:1:1: the axis of this Rotate has no length"),
+        (
+            "Camera \"perspective\" \"float fov\" 180",
+            "a.pbrt:1:34: a field of view of 180 degrees",
+        ),
+        (
+            "Camera \"perspective\" \"float fov\" [ 1 2 ]",
+            "a.pbrt:1:34: `fov` takes one number, found 2",
+        ),
+        (
+            "Camera \"spherical\"",
+            "a.pbrt:1:8: the camera `spherical` is not supported",
+        ),
+        (
+            "Scale 0 1 1 Camera \"perspective\"",
+            "a.pbrt:1:1: this Scale by 0 cannot be undone",
+        ),
+        (
+            "LookAt 1 1 1 1 1 1 0 1 0 Camera \"perspective\"",
+            "a.pbrt:1:1: this LookAt has no direction",
+        ),
+        (
+            "Rotate 10 0 0 0 Camera \"perspective\"",
+            "a.pbrt:1:1: the axis of this Rotate has no length",
+        ),
         (
             "Camera \"perspective\" \"float screenwindow\" [ 0 1e999 0 0 ]",
             "a.pbrt:1:43: the screen window is not finite",
         ),
-        ("Film \"image\" \"float cropwindow\" [ 0 nan 0 1 ]", "a.pbrt:1:33: `cropwindow` takes fractions"),
-        ("Film \"image\" \"integer pixelbounds\" [ 0 1.5 0 20 ]", "a.pbrt:1:36: `pixelbounds` takes four integers"),
+        (
+            "Film \"image\" \"float cropwindow\" [ 0 nan 0 1 ]",
+            "a.pbrt:1:33: `cropwindow` takes fractions",
+        ),
+        (
+            "Film \"image\" \"integer pixelbounds\" [ 0 1.5 0 20 ]",
+            "a.pbrt:1:36: `pixelbounds` takes four integers",
+        ),
         ("Include \"\"", "a.pbrt:1:9: the name of the file is empty"),
-        ("Film \"image\" \"integer xresolution\" 0", "a.pbrt:1:36: `xresolution` is 0, expected an integer from 1 to"),
-        ("Film \"image\" \"integer yresolution\" 1.5", "a.pbrt:1:36: `yresolution` is 1.5"),
+        (
+            "Film \"image\" \"integer xresolution\" 0",
+            "a.pbrt:1:36: `xresolution` is 0, expected an integer from 1 to",
+        ),
+        (
+            "Film \"image\" \"integer yresolution\" 1.5",
+            "a.pbrt:1:36: `yresolution` is 1.5",
+        ),
         (
             "Film \"image\" \"string filename\" 7",
             "a.pbrt:1:32: `filename` is declared as `string`, but its value is a number",
@@ -471,9 +763,18 @@ fn mistakes_of_value() {
             "Transform [ 1 0 0 0  0 1 0 0  0 0 1 1  0 0 0 1 ] Camera \"perspective\"",
             "a.pbrt:1:1: the last row of this matrix is 0 0 1 1",
         ),
-        ("WorldBegin Shape \"trianglemesh\"", "a.pbrt:1:18: a triangle mesh without vertices"),
-        ("WorldBegin Shape \"trianglemesh\" \"point3 P\" [ 0 0 ]", "a.pbrt:1:44: `P` has 2 numbers"),
-        ("WorldBegin Shape \"plymesh\"", "a.pbrt:1:18: a mesh without a file name"),
+        (
+            "WorldBegin Shape \"trianglemesh\"",
+            "a.pbrt:1:18: a triangle mesh without vertices",
+        ),
+        (
+            "WorldBegin Shape \"trianglemesh\" \"point3 P\" [ 0 0 ]",
+            "a.pbrt:1:44: `P` has 2 numbers",
+        ),
+        (
+            "WorldBegin Shape \"plymesh\"",
+            "a.pbrt:1:18: a mesh without a file name",
+        ),
     ];
     for (text, expected) in cases {
         let found = complaint(text);
@@ -504,6 +805,11 @@ fn options_are_read_without_the_world() {
 
 #[test]
 fn a_missing_scene_is_a_missing_input() {
-    let missing = load(Path::new("no/such.pbrt"), &LoadOptions::default(), Progress::SILENT).unwrap_err();
+    let missing = load(
+        Path::new("no/such.pbrt"),
+        &LoadOptions::default(),
+        Progress::SILENT,
+    )
+    .unwrap_err();
     assert_eq!(missing.kind(), ErrorKind::MissingInput);
 }

@@ -10,7 +10,9 @@ const BODY: &str =
     Shape \"sphere\"";
 
 fn with_material(material: &str) -> Scene {
-    scene(&format!("WorldBegin {TRIANGLE} AttributeBegin {material} {BODY} AttributeEnd {TRIANGLE}"))
+    scene(&format!(
+        "WorldBegin {TRIANGLE} AttributeBegin {material} {BODY} AttributeEnd {TRIANGLE}"
+    ))
 }
 
 #[test]
@@ -32,13 +34,24 @@ fn what_bounds_a_medium_is_left_out_with_its_numbers() {
     ];
     for material in materials {
         let scene = with_material(material);
-        assert_eq!((scene.shapes.triangle_count(), scene.shapes.sphere_count()), (2, 0), "{material}");
+        assert_eq!(
+            (scene.shapes.triangle_count(), scene.shapes.sphere_count()),
+            (2, 0),
+            "{material}"
+        );
         let last = Placed::alone(Primitive::triangle(1));
-        assert_eq!((scene.shapes.number(last), scene.shapes.shape_number(last)), (4, 4), "{material}");
+        assert_eq!(
+            (scene.shapes.number(last), scene.shapes.shape_number(last)),
+            (4, 4),
+            "{material}"
+        );
         assert_eq!(scene.census.boundaries().count, 2, "{material}");
         assert_eq!(warnings(&scene), [], "{material}");
         let summary = scene.census.summary().unwrap();
-        assert!(summary.ends_with("left out, as in pbrt: 2 shapes that only bound a medium"), "{summary}");
+        assert!(
+            summary.ends_with("left out, as in pbrt: 2 shapes that only bound a medium"),
+            "{summary}"
+        );
     }
 }
 
@@ -61,7 +74,11 @@ fn other_materials_are_surfaces() {
     ];
     for material in materials {
         let scene = with_material(material);
-        assert_eq!((scene.shapes.triangle_count(), scene.shapes.sphere_count()), (4, 1), "{material}");
+        assert_eq!(
+            (scene.shapes.triangle_count(), scene.shapes.sphere_count()),
+            (4, 1),
+            "{material}"
+        );
         assert_eq!(scene.census.boundaries().count, 0, "{material}");
     }
 }
@@ -74,7 +91,14 @@ fn objects_keep_the_numbers_of_what_they_leave_out() {
     ));
     let number = |placed| scene.shapes.number(placed);
     let in_instance = |instance| number(Placed::in_instance(instance, Primitive::triangle(0)));
-    assert_eq!([in_instance(0), in_instance(1), number(Placed::alone(Primitive::triangle(0)))], [3, 7, 8]);
+    assert_eq!(
+        [
+            in_instance(0),
+            in_instance(1),
+            number(Placed::alone(Primitive::triangle(0)))
+        ],
+        [3, 7, 8]
+    );
 }
 
 #[test]
@@ -85,10 +109,22 @@ fn a_material_may_be_made_after_its_shapes() {
             Material \"matte\" {TRIANGLE} MakeNamedMaterial \"late\" \"string type\" \"{type_name}\""
         ))
     };
-    let hit = |scene: &Scene| scene.shapes.all().filter(|placed| scene.shapes.surface(*placed).can_be_hit()).count();
+    let hit = |scene: &Scene| {
+        scene
+            .shapes
+            .all()
+            .filter(|placed| scene.shapes.surface(*placed).can_be_hit())
+            .count()
+    };
     let (solid, hidden) = (late("diffuse"), late("interface"));
     assert_eq!((hit(&solid), hit(&hidden)), (7, 1));
-    let numbers = |scene: &Scene| scene.shapes.all().map(|placed| scene.shapes.number(placed)).collect::<Vec<_>>();
+    let numbers = |scene: &Scene| {
+        scene
+            .shapes
+            .all()
+            .map(|placed| scene.shapes.number(placed))
+            .collect::<Vec<_>>()
+    };
     assert_eq!(numbers(&solid), numbers(&hidden));
 }
 
@@ -103,19 +139,34 @@ element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0
     );
     let scene = load_files(&[("a.pbrt", &text), ("m.ply", ply)]).unwrap();
     let last = Placed::alone(Primitive::triangle(0));
-    assert_eq!((scene.shapes.number(last), scene.shapes.shape_number(last)), (6, 4));
+    assert_eq!(
+        (scene.shapes.number(last), scene.shapes.shape_number(last)),
+        (6, 4)
+    );
 }
 
 #[test]
 fn a_name_that_is_never_made_changes_nothing() {
-    let scene = with_material("Material \"none\" NamedMaterial \"nowhere\" NamedMaterial \"neither\"");
-    let hit = scene.shapes.all().filter(|placed| scene.shapes.surface(*placed).can_be_hit()).count();
+    let scene =
+        with_material("Material \"none\" NamedMaterial \"nowhere\" NamedMaterial \"neither\"");
+    let hit = scene
+        .shapes
+        .all()
+        .filter(|placed| scene.shapes.surface(*placed).can_be_hit())
+        .count();
     assert_eq!((hit, scene.shapes.primitive_count()), (2, 5));
 }
 
 #[test]
 fn a_material_without_a_type_bounds_a_medium_with_a_warning() {
     let scene = with_material("MakeNamedMaterial \"a\" \"float roughness\" 1 NamedMaterial \"a\"");
-    assert_eq!((scene.shapes.own_count(), scene.census.boundaries().count), (2, 2));
-    assert!(warnings(&scene)[0].0.starts_with("a named material without `\"string type\"`"));
+    assert_eq!(
+        (scene.shapes.own_count(), scene.census.boundaries().count),
+        (2, 2)
+    );
+    assert!(
+        warnings(&scene)[0]
+            .0
+            .starts_with("a named material without `\"string type\"`")
+    );
 }

@@ -8,7 +8,10 @@ const SPHERE: &str = "Shape \"sphere\"";
 
 fn numbers(scene: &Scene) -> Vec<(u64, u32)> {
     let shapes = &scene.shapes;
-    let mut numbers: Vec<_> = shapes.all().map(|placed| (shapes.number(placed), shapes.shape_number(placed))).collect();
+    let mut numbers: Vec<_> = shapes
+        .all()
+        .map(|placed| (shapes.number(placed), shapes.shape_number(placed)))
+        .collect();
     numbers.sort_unstable();
     numbers
 }
@@ -19,23 +22,52 @@ fn an_instance_may_stand_before_its_object() {
     let uses = format!(
         "{SPHERE} ObjectInstance \"a\" {SPHERE} {SPHERE} Translate 1 0 0 ObjectInstance \"b\" {TRIANGLE} ObjectInstance \"a\" {SPHERE}"
     );
-    let before = scene(&format!("WorldBegin {uses} {} {}", object("a"), object("b")));
-    let after = scene(&format!("WorldBegin {} {} {uses}", object("a"), object("b")));
+    let before = scene(&format!(
+        "WorldBegin {uses} {} {}",
+        object("a"),
+        object("b")
+    ));
+    let after = scene(&format!(
+        "WorldBegin {} {} {uses}",
+        object("a"),
+        object("b")
+    ));
     assert_eq!(warnings(&before), []);
-    let order = |scene: &Scene| numbers(scene).into_iter().map(|(number, _)| number).collect::<Vec<_>>();
+    let order = |scene: &Scene| {
+        numbers(scene)
+            .into_iter()
+            .map(|(number, _)| number)
+            .collect::<Vec<_>>()
+    };
     assert_eq!(order(&before), (0..11).collect::<Vec<_>>());
     assert_eq!(order(&before), order(&after));
-    let firsts = |scene: &Scene| scene.shapes.instances().iter().map(Instance::first_number).collect::<Vec<_>>();
+    let firsts = |scene: &Scene| {
+        scene
+            .shapes
+            .instances()
+            .iter()
+            .map(Instance::first_number)
+            .collect::<Vec<_>>()
+    };
     assert_eq!(firsts(&before), [1, 5, 8]);
     assert_eq!(firsts(&before), firsts(&after));
-    let some = scene(&format!("WorldBegin {} ObjectInstance \"a\" {uses} {}", object("a"), object("b")));
+    let some = scene(&format!(
+        "WorldBegin {} ObjectInstance \"a\" {uses} {}",
+        object("a"),
+        object("b")
+    ));
     assert_eq!(order(&some), (0..13).collect::<Vec<_>>());
 }
 
 #[test]
 fn an_instance_of_nothing_is_an_error_at_its_place() {
-    let found = error(&format!("WorldBegin\n ObjectInstance \"tere\" ObjectBegin \"tree\" {SPHERE} ObjectEnd"));
-    assert!(found.starts_with("a.pbrt:2:17: there is no object called `tere`"), "{found}");
+    let found = error(&format!(
+        "WorldBegin\n ObjectInstance \"tere\" ObjectBegin \"tree\" {SPHERE} ObjectEnd"
+    ));
+    assert!(
+        found.starts_with("a.pbrt:2:17: there is no object called `tere`"),
+        "{found}"
+    );
     assert!(found.contains("did you mean `tree`?"), "{found}");
 }
 
@@ -46,20 +78,44 @@ fn a_name_may_be_composed_or_not() {
         "WorldBegin CoordinateSystem \"{composed}\" Translate 5 0 0 CoordSysTransform \"{decomposed}\" {TRIANGLE}
         ObjectBegin \"{decomposed}\" {SPHERE} ObjectEnd ObjectInstance \"{composed}\""
     ));
-    assert_eq!((warnings(&scene), scene.shapes.instances().len()), (vec![], 1));
+    assert_eq!(
+        (warnings(&scene), scene.shapes.instances().len()),
+        (vec![], 1)
+    );
     assert_eq!(scene.shapes.vertices()[0].x, 0.0);
 }
 
 #[test]
 fn names_that_are_not_utf8_are_told_apart() {
     let folder = folder(&[]);
-    let object = |name: &[u8]| [b"ObjectBegin \"".as_slice(), name, b"\" Shape \"sphere\" ObjectEnd\n"].concat();
+    let object = |name: &[u8]| {
+        [
+            b"ObjectBegin \"".as_slice(),
+            name,
+            b"\" Shape \"sphere\" ObjectEnd\n",
+        ]
+        .concat()
+    };
     let instance = |name: &[u8]| [b"ObjectInstance \"".as_slice(), name, b"\"\n"].concat();
-    let text = [b"WorldBegin\n".to_vec(), object(b"\xe9"), object(b"\xe8"), instance(b"\xe9"), instance(b"\xe8")];
+    let text = [
+        b"WorldBegin\n".to_vec(),
+        object(b"\xe9"),
+        object(b"\xe8"),
+        instance(b"\xe9"),
+        instance(b"\xe8"),
+    ];
     std::fs::write(folder.path().join("a.pbrt"), text.concat()).unwrap();
     let scene = load_folder(&folder, "a.pbrt").unwrap();
     assert_eq!(warnings(&scene), []);
-    assert_eq!(scene.shapes.instances().iter().map(Instance::object).collect::<Vec<_>>(), [0, 1]);
+    assert_eq!(
+        scene
+            .shapes
+            .instances()
+            .iter()
+            .map(Instance::object)
+            .collect::<Vec<_>>(),
+        [0, 1]
+    );
 }
 
 #[cfg(target_os = "linux")]
@@ -68,10 +124,24 @@ fn files_may_have_names_that_are_not_utf8() {
     use std::ffi::OsStr;
     use std::os::unix::ffi::OsStrExt;
     let folder = folder(&[]);
-    std::fs::write(folder.path().join(OsStr::from_bytes(b"caf\xe9.pbrt")), "Include \"caf\u{e9}.pbrt\"").unwrap();
+    std::fs::write(
+        folder.path().join(OsStr::from_bytes(b"caf\xe9.pbrt")),
+        "Include \"caf\u{e9}.pbrt\"",
+    )
+    .unwrap();
     std::fs::write(folder.path().join("caf\u{e9}.pbrt"), SPHERE).unwrap();
-    std::fs::write(folder.path().join("a.pbrt"), b"WorldBegin Include \"caf\xe9.pbrt\"").unwrap();
-    assert_eq!(load_folder(&folder, "a.pbrt").unwrap().shapes.sphere_count(), 1);
+    std::fs::write(
+        folder.path().join("a.pbrt"),
+        b"WorldBegin Include \"caf\xe9.pbrt\"",
+    )
+    .unwrap();
+    assert_eq!(
+        load_folder(&folder, "a.pbrt")
+            .unwrap()
+            .shapes
+            .sphere_count(),
+        1
+    );
 }
 
 #[test]
@@ -83,14 +153,22 @@ fn coordinate_systems_of_an_import_end_with_it() {
         load_files(&[("a.pbrt", &text), ("b.pbrt", part)]).unwrap()
     };
     let place = |scene: &Scene| scene.shapes.sphere(0).world_from_object.column(3)[0];
-    let leaking =
-        "Translate 9 0 0 CoordinateSystem \"q\" CoordinateSystem \"r\" Translate 1 0 0 CoordinateSystem \"q\"";
+    let leaking = "Translate 9 0 0 CoordinateSystem \"q\" CoordinateSystem \"r\" Translate 1 0 0 CoordinateSystem \"q\"";
     assert_eq!(place(&import(leaking, "")), 0.0);
     let unknown = import(leaking, "CoordSysTransform \"r\"");
-    assert_eq!(warnings(&unknown), [("no coordinate system is called `r`: ignored".to_owned(), 1)]);
+    assert_eq!(
+        warnings(&unknown),
+        [("no coordinate system is called `r`: ignored".to_owned(), 1)]
+    );
     // Objects and materials stay.
-    let merged = import(&format!("ObjectBegin \"o\" {SPHERE} ObjectEnd"), "ObjectInstance \"o\"");
-    assert_eq!((merged.shapes.instances().len(), warnings(&merged)), (1, vec![]));
+    let merged = import(
+        &format!("ObjectBegin \"o\" {SPHERE} ObjectEnd"),
+        "ObjectInstance \"o\"",
+    );
+    assert_eq!(
+        (merged.shapes.instances().len(), warnings(&merged)),
+        (1, vec![])
+    );
     let known = import("CoordSysTransform \"q\"", "");
     assert_eq!(warnings(&known), []);
 }
@@ -102,5 +180,9 @@ fn objects_that_no_instance_shows_are_listed() {
     ));
     let unused = scene.census.unused_objects();
     assert_eq!((unused.count, unused.first[0].name.as_str()), (1, "idle"));
-    assert!(unused.first[0].place.ends_with("a.pbrt:2:14"), "{}", unused.first[0].place);
+    assert!(
+        unused.first[0].place.ends_with("a.pbrt:2:14"),
+        "{}",
+        unused.first[0].place
+    );
 }

@@ -17,8 +17,16 @@ fn values_have_the_declared_type() {
             "2:31: `radius` is declared as `float`, but its value is a string",
             "numbers",
         ),
-        ("\"sphere\" \"bool x\" 3", "2:25: `x` is declared as `bool`, but its value is a number", "`true` or `false`"),
-        ("\"sphere\" \"float x\" [ true ]", "2:26: `x` is declared as `float`, but its value is a boolean", "numbers"),
+        (
+            "\"sphere\" \"bool x\" 3",
+            "2:25: `x` is declared as `bool`, but its value is a number",
+            "`true` or `false`",
+        ),
+        (
+            "\"sphere\" \"float x\" [ true ]",
+            "2:26: `x` is declared as `float`, but its value is a boolean",
+            "numbers",
+        ),
         (
             "\"plymesh\" \"string filename\" [ 1 ]",
             "2:35: `filename` is declared as `string`, but its value is a number",
@@ -32,20 +40,50 @@ fn values_have_the_declared_type() {
     ];
     for (parameters, expected, note) in cases {
         let found = error_of(parameters);
-        assert!(found.starts_with(&format!("a.pbrt:{expected}\n")), "{found}");
-        assert!(found.ends_with(&format!("\n   = expected {note}")), "{found}");
+        assert!(
+            found.starts_with(&format!("a.pbrt:{expected}\n")),
+            "{found}"
+        );
+        assert!(
+            found.ends_with(&format!("\n   = expected {note}")),
+            "{found}"
+        );
     }
 }
 
 #[test]
 fn parameters_that_matter_have_the_right_type() {
     let cases = [
-        ("\"trianglemesh\" \"string P\" \"x\"", "2:22: `P` is declared as `string`", "expected `point3` or `point`"),
-        ("\"trianglemesh\" \"float P\" [ 0 0 0 ]", "2:22: `P` is declared as `float`", "expected `point3` or `point`"),
-        ("\"trianglemesh\" \"pont3 P\" [ 0 0 0 ]", "2:22: `P` is declared as `pont3`", "did you mean `point3`?"),
-        ("\"plymesh\" \"float filename\" 1", "2:17: `filename` is declared as `float`", "expected `string`"),
-        ("\"sphere\" \"integer radius\" 1", "2:16: `radius` is declared as `integer`", "expected `float`"),
-        ("\"sphere\" \"flaot radius\" 1", "2:16: `radius` is declared as `flaot`", "did you mean `float`?"),
+        (
+            "\"trianglemesh\" \"string P\" \"x\"",
+            "2:22: `P` is declared as `string`",
+            "expected `point3` or `point`",
+        ),
+        (
+            "\"trianglemesh\" \"float P\" [ 0 0 0 ]",
+            "2:22: `P` is declared as `float`",
+            "expected `point3` or `point`",
+        ),
+        (
+            "\"trianglemesh\" \"pont3 P\" [ 0 0 0 ]",
+            "2:22: `P` is declared as `pont3`",
+            "did you mean `point3`?",
+        ),
+        (
+            "\"plymesh\" \"float filename\" 1",
+            "2:17: `filename` is declared as `float`",
+            "expected `string`",
+        ),
+        (
+            "\"sphere\" \"integer radius\" 1",
+            "2:16: `radius` is declared as `integer`",
+            "expected `float`",
+        ),
+        (
+            "\"sphere\" \"flaot radius\" 1",
+            "2:16: `radius` is declared as `flaot`",
+            "did you mean `float`?",
+        ),
         (
             "\"trianglemesh\" \"point P\" [ 0 0 0 1 0 0 0 1 0 ] \"float indices\" [ 0 1 2 ]",
             "2:54: `indices` is declared as `float`",
@@ -54,22 +92,43 @@ fn parameters_that_matter_have_the_right_type() {
     ];
     for (parameters, expected, note) in cases {
         let found = error_of(parameters);
-        assert!(found.starts_with(&format!("a.pbrt:{expected}\n")), "{found}");
+        assert!(
+            found.starts_with(&format!("a.pbrt:{expected}\n")),
+            "{found}"
+        );
         assert!(found.ends_with(&format!("\n   = {note}")), "{found}");
     }
     let found = error("Film \"rgb\" \"float xresolution\" 64");
-    assert!(found.starts_with("a.pbrt:1:12: `xresolution` is declared as `float`"), "{found}");
+    assert!(
+        found.starts_with("a.pbrt:1:12: `xresolution` is declared as `float`"),
+        "{found}"
+    );
     let found = error("Camera \"perspective\" \"integer fov\" 40");
-    assert!(found.starts_with("a.pbrt:1:22: `fov` is declared as `integer`"), "{found}");
+    assert!(
+        found.starts_with("a.pbrt:1:22: `fov` is declared as `integer`"),
+        "{found}"
+    );
 }
 
 #[test]
 fn counts_are_right() {
     let cases = [
-        ("\"sphere\" \"float radius\" [ 1 2 ]", "2:31: `radius` takes one number, found 2"),
-        ("\"sphere\" \"float radius\" [ ]", "2:31: `radius` takes one number, found 0"),
-        ("\"plymesh\" \"string filename\" [ \"a\" \"b\" ]", "2:35: `filename` takes one string"),
-        ("\"trianglemesh\" \"point P\" [ 0 0 ]", "2:32: `P` has 2 numbers"),
+        (
+            "\"sphere\" \"float radius\" [ 1 2 ]",
+            "2:31: `radius` takes one number, found 2",
+        ),
+        (
+            "\"sphere\" \"float radius\" [ ]",
+            "2:31: `radius` takes one number, found 0",
+        ),
+        (
+            "\"plymesh\" \"string filename\" [ \"a\" \"b\" ]",
+            "2:35: `filename` takes one string",
+        ),
+        (
+            "\"trianglemesh\" \"point P\" [ 0 0 ]",
+            "2:32: `P` has 2 numbers",
+        ),
         (
             "\"trianglemesh\" \"point P\" [ 0 0 0 1 0 0 0 1 0 ] \"integer indices\" [ 0.5 1 2 ]",
             "2:74: index 0.5, number 1 of `indices`, names no vertex",
@@ -101,16 +160,27 @@ fn the_last_of_several_counts_with_a_warning() {
         Shape \"sphere\" \"float radius\" 4 \"float radius\" 5
         Shape \"trianglemesh\" \"point P\" [ 0 0 0 1 0 0 0 1 0 ] \"float uv\" [ 1 ] \"float uv\" [ 2 ]",
     );
-    assert_eq!([0, 1].map(|index| scene.shapes.sphere(index).radius), [3.0, 5.0]);
+    assert_eq!(
+        [0, 1].map(|index| scene.shapes.sphere(index).radius),
+        [3.0, 5.0]
+    );
     assert_eq!(scene.film.resolution[0], 2);
     let repeated = |name: &str| format!("`{name}` is set more than once: the last one counts");
-    assert_eq!(warnings(&scene), [(repeated("xresolution"), 1), (repeated("radius"), 3)]);
+    assert_eq!(
+        warnings(&scene),
+        [(repeated("xresolution"), 1), (repeated("radius"), 3)]
+    );
 }
 
 #[test]
 fn misspelt_parameters_are_told_with_what_is_meant() {
-    let scene = scene("WorldBegin Shape \"sphere\" \"float raduis\" 1 \"float raduis\" 2 \"float foo\" 3");
-    let notes: Vec<&[String]> = scene.warnings.iter().map(|warning| &warning.first.notes[..]).collect();
+    let scene =
+        scene("WorldBegin Shape \"sphere\" \"float raduis\" 1 \"float raduis\" 2 \"float foo\" 3");
+    let notes: Vec<&[String]> = scene
+        .warnings
+        .iter()
+        .map(|warning| &warning.first.notes[..])
+        .collect();
     assert_eq!(notes, [&["did you mean `radius`?".to_owned()][..], &[]]);
     let counts: Vec<u64> = scene.warnings.iter().map(|warning| warning.count).collect();
     assert_eq!(counts, [2, 1]);
@@ -140,8 +210,14 @@ fn numbers_may_be_spelled_as_other_programs_print_them() {
 #[test]
 fn a_wrong_mesh_is_left_out_with_its_number() {
     let cases = [
-        ("Shape \"trianglemesh\"", "a.pbrt:1:18: a triangle mesh without vertices"),
-        ("Shape \"trianglemesh\" \"point3 P\" [ 0 0 ]", "a.pbrt:1:44: `P` has 2 numbers, expected three a vertex"),
+        (
+            "Shape \"trianglemesh\"",
+            "a.pbrt:1:18: a triangle mesh without vertices",
+        ),
+        (
+            "Shape \"trianglemesh\" \"point3 P\" [ 0 0 ]",
+            "a.pbrt:1:44: `P` has 2 numbers, expected three a vertex",
+        ),
         (
             "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 0 0 1 1 0 0 1 0 ]",
             "a.pbrt:1:18: a triangle mesh of 4 vertices without `indices`",
@@ -150,8 +226,14 @@ fn a_wrong_mesh_is_left_out_with_its_number() {
             "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 0 0 1 1 0 ] \"integer indices\" [ 0 1 3 ]",
             "a.pbrt:1:90: index 3, number 3 of `indices`, names no vertex",
         ),
-        ("Shape \"loopsubdiv\" \"point3 P\" [ 0 0 0 1 0 0 1 1 0 ]", "a.pbrt:1:18: a subdivision surface without faces"),
-        ("Shape \"loopsubdiv\" \"point3 P\" [ 0 0 0 1 0 0 1 1 0 ] \"integer indices\" [ 0 0 1 ]", "a.pbrt:1:8"),
+        (
+            "Shape \"loopsubdiv\" \"point3 P\" [ 0 0 0 1 0 0 1 1 0 ]",
+            "a.pbrt:1:18: a subdivision surface without faces",
+        ),
+        (
+            "Shape \"loopsubdiv\" \"point3 P\" [ 0 0 0 1 0 0 1 1 0 ] \"integer indices\" [ 0 0 1 ]",
+            "a.pbrt:1:8",
+        ),
         (
             "Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0 ]",
             "a.pbrt:1:18: a bilinear mesh of 1 vertices without `indices`",
@@ -159,11 +241,25 @@ fn a_wrong_mesh_is_left_out_with_its_number() {
     ];
     for (text, message) in cases {
         let scene = scene(&format!("WorldBegin {text} Shape \"sphere\""));
-        assert_eq!((scene.shape_count, scene.shapes.own_count()), (2, 1), "{text}");
-        let said: Vec<String> = scene.warnings.iter().map(|warning| warning.first.to_string()).collect();
+        assert_eq!(
+            (scene.shape_count, scene.shapes.own_count()),
+            (2, 1),
+            "{text}"
+        );
+        let said: Vec<String> = scene
+            .warnings
+            .iter()
+            .map(|warning| warning.first.to_string())
+            .collect();
         assert_eq!(said.len(), 1, "{said:?}");
-        assert!(said[0].contains(message) && said[0].contains("the shape is left out, as in pbrt"), "{}", said[0]);
-        let found = scene.shapes.shape_number(Placed::alone(Primitive::sphere(0)));
+        assert!(
+            said[0].contains(message) && said[0].contains("the shape is left out, as in pbrt"),
+            "{}",
+            said[0]
+        );
+        let found = scene
+            .shapes
+            .shape_number(Placed::alone(Primitive::sphere(0)));
         assert_eq!(found, 2, "{text}");
     }
 }
@@ -171,9 +267,18 @@ fn a_wrong_mesh_is_left_out_with_its_number() {
 #[test]
 fn excess_numbers_are_dropped_with_a_warning() {
     let cases = [
-        ("Shape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 0 0 1 1 0 ] \"integer indices\" [ 0 1 2 0 ]", 1),
-        ("Shape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 0 0 1 1 0 ] \"integer indices\" [ 0 1 2 7 9 ]", 1),
-        ("Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0 1 0 0 0 1 0 1 1 0 ] \"integer indices\" [ 0 1 2 3 0 0 ]", 2),
+        (
+            "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 0 0 1 1 0 ] \"integer indices\" [ 0 1 2 0 ]",
+            1,
+        ),
+        (
+            "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 0 0 1 1 0 ] \"integer indices\" [ 0 1 2 7 9 ]",
+            1,
+        ),
+        (
+            "Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0 1 0 0 0 1 0 1 1 0 ] \"integer indices\" [ 0 1 2 3 0 0 ]",
+            2,
+        ),
         (
             "Shape \"loopsubdiv\" \"integer nlevels\" 0 \"point3 P\" [ 0 0 0 1 0 0 1 1 0 ] \"integer indices\" [ 0 1 2 1 ]",
             1,
@@ -183,7 +288,10 @@ fn excess_numbers_are_dropped_with_a_warning() {
         let scene = scene(&format!("WorldBegin {text}"));
         assert_eq!(scene.shapes.triangle_count(), triangles, "{text}");
         let said = warnings(&scene);
-        assert!(said.len() == 1 && said[0].0.contains("are dropped"), "{said:?}");
+        assert!(
+            said.len() == 1 && said[0].0.contains("are dropped"),
+            "{said:?}"
+        );
     }
 }
 
@@ -194,24 +302,41 @@ fn crops_are_clamped_put_in_order_and_chosen_as_in_pbrt() {
             "Film \"rgb\" \"integer xresolution\" 40 \"integer yresolution\" 20 {parameters} WorldBegin"
         ));
         let PixelBounds { x0, x1, y0, y1 } = scene.film.crop;
-        let said: Vec<String> = warnings(&scene).into_iter().map(|(message, _)| message).collect();
+        let said: Vec<String> = warnings(&scene)
+            .into_iter()
+            .map(|(message, _)| message)
+            .collect();
         ([x0, x1, y0, y1], said.join("; "))
     };
     let window = |numbers: &str| crop(&format!("\"float cropwindow\" [ {numbers} ]"));
     let bounds = |numbers: &str| crop(&format!("\"integer pixelbounds\" [ {numbers} ]"));
     assert_eq!(window("0.5 0 1 0"), ([0, 20, 0, 20], String::new()));
-    for (numbers, expected) in [("-0.5 1.5 0 2", "0 1 0 1"), ("0 1 0 1.0001", "0 1 0 1"), ("2 0.5 0 1", "1 0.5 0 1")] {
+    for (numbers, expected) in [
+        ("-0.5 1.5 0 2", "0 1 0 1"),
+        ("0 1 0 1.0001", "0 1 0 1"),
+        ("2 0.5 0 1", "1 0.5 0 1"),
+    ] {
         let (_, said) = window(numbers);
-        assert_eq!(said, format!("`cropwindow` reaches out of the film: read as {expected}"));
+        assert_eq!(
+            said,
+            format!("`cropwindow` reaches out of the film: read as {expected}")
+        );
     }
     assert_eq!(window("2 0.5 0 1").0, [20, 40, 0, 20]);
     assert_eq!(bounds("30 10 5 0"), ([10, 30, 0, 5], String::new()));
     let (pixels, said) = bounds("-7 50 -1 10");
     assert_eq!(pixels, [0, 40, 0, 10]);
-    assert!(said.starts_with("`pixelbounds` reaches out of the film of 40 x 20 pixels"), "{said}");
-    let (pixels, said) = crop("\"float cropwindow\" [ 0 0.5 0 1 ] \"integer pixelbounds\" [ 0 10 0 10 ]");
+    assert!(
+        said.starts_with("`pixelbounds` reaches out of the film of 40 x 20 pixels"),
+        "{said}"
+    );
+    let (pixels, said) =
+        crop("\"float cropwindow\" [ 0 0.5 0 1 ] \"integer pixelbounds\" [ 0 10 0 10 ]");
     assert_eq!(pixels, [0, 20, 0, 20]);
-    assert_eq!(said, "both `cropwindow` and `pixelbounds` are set: the crop window counts, as in pbrt-v4");
+    assert_eq!(
+        said,
+        "both `cropwindow` and `pixelbounds` are set: the crop window counts, as in pbrt-v4"
+    );
 }
 
 #[test]
@@ -219,7 +344,10 @@ fn files_that_are_not_there_are_looked_for_nearby() {
     let files = |text: &str| {
         crate::load_files(&[
             ("a.pbrt", &format!("WorldBegin {text}")),
-            ("sub/part.pbrt", "Shape \"plymesh\" \"string filename\" \"m.ply\""),
+            (
+                "sub/part.pbrt",
+                "Shape \"plymesh\" \"string filename\" \"m.ply\"",
+            ),
             ("sub/m.ply", ""),
             ("Sub2/x.pbrt", ""),
         ])
@@ -227,17 +355,22 @@ fn files_that_are_not_there_are_looked_for_nearby() {
     };
     let mesh = files("Include \"sub/part.pbrt\"");
     assert!(
-        mesh.starts_with("m.ply: cannot read") && mesh.contains("there is `sub/m.ply` beside sub/part.pbrt"),
+        mesh.starts_with("m.ply: cannot read")
+            && mesh.contains("there is `sub/m.ply` beside sub/part.pbrt"),
         "{mesh}"
     );
     let slash = files("Include \"sub\\\\part.pbrt\"");
     assert!(
-        slash.contains("paths take `/` on every system") && slash.contains("did you mean `sub/part.pbrt`?"),
+        slash.contains("paths take `/` on every system")
+            && slash.contains("did you mean `sub/part.pbrt`?"),
         "{slash}"
     );
     if cfg!(target_os = "linux") {
         let case = files("Shape \"plymesh\" \"string filename\" \"SUB/M.ply\"");
-        assert!(case.contains("there is `sub/m.ply`") && case.contains("named in a.pbrt:1:46"), "{case}");
+        assert!(
+            case.contains("there is `sub/m.ply`") && case.contains("named in a.pbrt:1:46"),
+            "{case}"
+        );
         assert!(files("Import \"sub2/X.pbrt\"").contains("there is `Sub2/x.pbrt`"));
     }
 }

@@ -67,9 +67,21 @@ pub(crate) struct CompareOptions {
 
 /// One of feimos's instruction sets, if this machine has it.
 fn level(name: &str) -> Result<Level, String> {
-    let known = Level::ALL.iter().find(|level| level.as_str() == name && level.is_available());
-    let available = || Level::ALL.iter().filter(|level| level.is_available()).map(|level| level.as_str());
-    known.copied().ok_or_else(|| format!("expected one of {}", available().collect::<Vec<_>>().join(", ")))
+    let known = Level::ALL
+        .iter()
+        .find(|level| level.as_str() == name && level.is_available());
+    let available = || {
+        Level::ALL
+            .iter()
+            .filter(|level| level.is_available())
+            .map(|level| level.as_str())
+    };
+    known.copied().ok_or_else(|| {
+        format!(
+            "expected one of {}",
+            available().collect::<Vec<_>>().join(", ")
+        )
+    })
 }
 
 /// What Embree's `isa` can be on x86-64.

@@ -28,19 +28,36 @@ pub(crate) struct Ray32 {
 impl CameraRays {
     pub(crate) fn new(camera: &Camera) -> CameraRays {
         let perspective = matches!(camera.projection, Projection::Perspective { .. });
-        let at_origin = Camera { world_from_camera: Matrix::IDENTITY, ..camera.clone() };
+        let at_origin = Camera {
+            world_from_camera: Matrix::IDENTITY,
+            ..camera.clone()
+        };
         // Where a ray pierces the screen is what varies before the camera is placed.
         let screen = |x, y| {
             let ray = at_origin.ray(x, y);
-            if perspective { ray.direction.to_array() } else { ray.origin.to_array() }
+            if perspective {
+                ray.direction.to_array()
+            } else {
+                ray.origin.to_array()
+            }
         };
         let [width, height] = camera.resolution;
         let matrix = &camera.world_from_camera;
         let [right, up, forward, eye] = [0, 1, 2, 3].map(|j| matrix.column(j));
         let columns = right.map(|factor| (0..width).map(|x| factor * screen(x, 0)[0]).collect());
         let rows = up.map(|factor| (0..height).map(|y| factor * screen(0, y)[1]).collect());
-        let (common, offset) = if perspective { (eye, forward) } else { (forward, eye) };
-        CameraRays { perspective, common: common.map(|number| number as f32), columns, rows, offset }
+        let (common, offset) = if perspective {
+            (eye, forward)
+        } else {
+            (forward, eye)
+        };
+        CameraRays {
+            perspective,
+            common: common.map(|number| number as f32),
+            columns,
+            rows,
+            offset,
+        }
     }
 
     /// Whether all rays share their origin; otherwise they share their direction.
@@ -59,7 +76,9 @@ impl CameraRays {
         let (columns, row, offset) = (&self.columns[axis], self.rows[axis][y], self.offset[axis]);
         match columns.get(x..x + N) {
             Some(part) => std::array::from_fn(|i| ((part[i] + row) + offset) as f32),
-            None => std::array::from_fn(|i| ((columns[(x + i).min(columns.len() - 1)] + row) + offset) as f32),
+            None => std::array::from_fn(|i| {
+                ((columns[(x + i).min(columns.len() - 1)] + row) + offset) as f32
+            }),
         }
     }
 
@@ -68,9 +87,15 @@ impl CameraRays {
     pub(crate) fn ray(&self, x: usize, y: usize) -> Ray32 {
         let varying = [0, 1, 2].map(|axis| self.varying::<1>(axis, x, y)[0]);
         if self.perspective {
-            Ray32 { origin: self.common, direction: varying }
+            Ray32 {
+                origin: self.common,
+                direction: varying,
+            }
         } else {
-            Ray32 { origin: varying, direction: self.common }
+            Ray32 {
+                origin: varying,
+                direction: self.common,
+            }
         }
     }
 }
@@ -83,8 +108,11 @@ mod tests {
 
     #[test]
     fn has_the_bits_of_the_camera() {
-        let camera_from_world =
-            Transform::look_at(Point::new(0.3, -1.7, 2.9), Point::new(4.1, 0.2, -0.6), Vector::new(0.1, 1.0, 0.2));
+        let camera_from_world = Transform::look_at(
+            Point::new(0.3, -1.7, 2.9),
+            Point::new(4.1, 0.2, -0.6),
+            Vector::new(0.1, 1.0, 0.2),
+        );
         for projection in [Projection::perspective(41.0), Projection::Orthographic] {
             let camera = Camera {
                 world_from_camera: camera_from_world.unwrap().inverse,

@@ -18,9 +18,15 @@ pub(crate) fn run(options: &CompareOptions) -> Result<()> {
         let view = name.make()?;
         for &threads in &options.threads {
             let device = Device::new(threads, options.isa.map(Isa::name))?;
-            println!("### {}, {}\n", name.title(), heading(&view, threads, &device, options));
+            println!(
+                "### {}, {}\n",
+                name.title(),
+                heading(&view, threads, &device, options)
+            );
             // Clocks run on a thread of the pool, so that handing work to it is not part of what is measured.
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
+            let pool = rayon::ThreadPoolBuilder::new()
+                .num_threads(threads)
+                .build()?;
             pool.install(|| compare(&view, &device, options))?;
         }
     }
@@ -28,7 +34,11 @@ pub(crate) fn run(options: &CompareOptions) -> Result<()> {
 }
 
 fn heading(view: &View, threads: usize, device: &Device, options: &CompareOptions) -> String {
-    let threads = if threads == 1 { "one thread".to_owned() } else { format!("{threads} threads") };
+    let threads = if threads == 1 {
+        "one thread".to_owned()
+    } else {
+        format!("{threads} threads")
+    };
     let (width, height) = (view.width(), view.height());
     let primitives = table::grouped(view.geometry.len() as u64);
     let kind = view.geometry.kind();
@@ -51,13 +61,23 @@ fn compare(view: &View, device: &Device, options: &CompareOptions) -> Result<()>
     let mut competitors = competitors::all(view, level(options), device);
     // The first is feimos, whose exact picture is what pictures are compared with.
     let exact = competitors[0].name();
-    competitors.retain(|competitor| competitor.name() == exact || is_wanted(competitor.as_ref(), options));
+    competitors
+        .retain(|competitor| competitor.name() == exact || is_wanted(competitor.as_ref(), options));
     let builds = build(&mut competitors, options);
-    let baseline = competitors.iter().position(|competitor| options.baseline.starts_with(&competitor.name()));
-    let baseline = baseline.ok_or_else(|| format!("no competitor for the baseline `{}`", options.baseline))?;
+    let baseline = competitors
+        .iter()
+        .position(|competitor| options.baseline.starts_with(&competitor.name()));
+    let baseline =
+        baseline.ok_or_else(|| format!("no competitor for the baseline `{}`", options.baseline))?;
     let rows = competitors.iter().zip(&builds);
-    let rows = rows.map(|(competitor, series)| BuildRow { name: competitor.name(), series });
-    print!("{}", table::of_builds(&rows.collect::<Vec<_>>(), &builds[baseline]));
+    let rows = rows.map(|(competitor, series)| BuildRow {
+        name: competitor.name(),
+        series,
+    });
+    print!(
+        "{}",
+        table::of_builds(&rows.collect::<Vec<_>>(), &builds[baseline])
+    );
     println!();
     trace(&competitors, view, options)
 }
@@ -87,11 +107,19 @@ struct Contender<'a> {
 
 impl Contender<'_> {
     fn name(&self) -> String {
-        format!("{}, {}", self.competitor.name(), self.competitor.modes()[self.mode])
+        format!(
+            "{}, {}",
+            self.competitor.name(),
+            self.competitor.modes()[self.mode]
+        )
     }
 }
 
-fn trace(competitors: &[Box<dyn Competitor + '_>], view: &View, options: &CompareOptions) -> Result<()> {
+fn trace(
+    competitors: &[Box<dyn Competitor + '_>],
+    view: &View,
+    options: &CompareOptions,
+) -> Result<()> {
     let contenders: Vec<Contender> = competitors
         .iter()
         .flat_map(|competitor| {
@@ -99,8 +127,11 @@ fn trace(competitors: &[Box<dyn Competitor + '_>], view: &View, options: &Compar
             (0..competitor.modes().len()).map(move |mode| Contender { competitor, mode })
         })
         .collect();
-    let baseline = contenders.iter().position(|contender| contender.name() == options.baseline);
-    let baseline = baseline.ok_or_else(|| format!("no row for the baseline `{}`", options.baseline))?;
+    let baseline = contenders
+        .iter()
+        .position(|contender| contender.name() == options.baseline);
+    let baseline =
+        baseline.ok_or_else(|| format!("no row for the baseline `{}`", options.baseline))?;
 
     let mut picture = Picture::new(view.width(), view.height());
     let mut seen: Vec<Option<(u64, Differences)>> = vec![None; contenders.len()];
@@ -121,10 +152,22 @@ fn trace(competitors: &[Box<dyn Competitor + '_>], view: &View, options: &Compar
         }
         elapsed
     });
-    let rows = contenders.iter().zip(&series).zip(&seen).map(|((contender, series), seen)| {
-        let (hits, differences) = seen.expect("every row has run");
-        TraceRow { name: contender.name(), series, hits, differences }
-    });
-    println!("{}", table::of_traces(&rows.collect::<Vec<_>>(), &series[baseline]));
+    let rows = contenders
+        .iter()
+        .zip(&series)
+        .zip(&seen)
+        .map(|((contender, series), seen)| {
+            let (hits, differences) = seen.expect("every row has run");
+            TraceRow {
+                name: contender.name(),
+                series,
+                hits,
+                differences,
+            }
+        });
+    println!(
+        "{}",
+        table::of_traces(&rows.collect::<Vec<_>>(), &series[baseline])
+    );
     Ok(())
 }

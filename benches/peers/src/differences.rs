@@ -31,8 +31,17 @@ mod tests {
 
     #[test]
     fn counts_each_kind() {
-        let picture = |primitives: [u32; 4]| Picture { primitives: primitives.to_vec(), ..Picture::new(4, 1) };
+        let picture = |primitives: [u32; 4]| Picture {
+            primitives: primitives.to_vec(),
+            ..Picture::new(4, 1)
+        };
         let differences = Differences::between(&picture([0, 1, 2, 3]), &picture([1, 0, 2, 4]));
-        assert_eq!(differences, Differences { hits: 2, primitives: 1 });
+        assert_eq!(
+            differences,
+            Differences {
+                hits: 2,
+                primitives: 1
+            }
+        );
     }
 }

@@ -53,13 +53,20 @@ fn triangles(shapes: &Shapes) -> Geometry {
     let mut vertices = Vec::new();
     let mut places = HashMap::with_capacity(shapes.triangle_count());
     let mut place_of = |corner: feimos::geometry::Point| {
-        *places.entry(corner.to_array().map(f64::to_bits)).or_insert_with(|| {
-            vertices.push(corner.to_array().map(|coordinate| coordinate as f32));
-            (vertices.len() - 1) as u32
-        })
+        *places
+            .entry(corner.to_array().map(f64::to_bits))
+            .or_insert_with(|| {
+                vertices.push(corner.to_array().map(|coordinate| coordinate as f32));
+                (vertices.len() - 1) as u32
+            })
     };
-    let triangles = (0..shapes.triangle_count()).map(|index| shapes.triangle(index).0.map(&mut place_of)).collect();
-    Geometry::Triangles { vertices, triangles }
+    let triangles = (0..shapes.triangle_count())
+        .map(|index| shapes.triangle(index).0.map(&mut place_of))
+        .collect();
+    Geometry::Triangles {
+        vertices,
+        triangles,
+    }
 }
 
 fn spheres(shapes: &Shapes) -> Geometry {
@@ -78,12 +85,29 @@ mod tests {
 
     #[test]
     fn corners_are_shared() {
-        let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| Point::new(x, y, 0.0));
+        let corners =
+            [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| Point::new(x, y, 0.0));
         let mut shapes = Shapes::default();
         let moved = Matrix::translate([0.0, 0.0, 5.0]);
-        shapes.add_mesh(corners.to_vec(), vec![[0, 1, 2], [0, 2, 3]], &moved, 1).unwrap();
-        let Geometry::Triangles { vertices, triangles } = Geometry::of(&shapes).unwrap() else { panic!("spheres") };
-        assert_eq!(vertices, [[0.0, 0.0, 5.0], [1.0, 0.0, 5.0], [1.0, 1.0, 5.0], [0.0, 1.0, 5.0]]);
+        shapes
+            .add_mesh(corners.to_vec(), vec![[0, 1, 2], [0, 2, 3]], &moved, 1)
+            .unwrap();
+        let Geometry::Triangles {
+            vertices,
+            triangles,
+        } = Geometry::of(&shapes).unwrap()
+        else {
+            panic!("spheres")
+        };
+        assert_eq!(
+            vertices,
+            [
+                [0.0, 0.0, 5.0],
+                [1.0, 0.0, 5.0],
+                [1.0, 1.0, 5.0],
+                [0.0, 1.0, 5.0]
+            ]
+        );
         assert_eq!(triangles, [[0, 1, 2], [0, 2, 3]]);
     }
 }

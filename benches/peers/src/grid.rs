@@ -13,7 +13,10 @@ impl Grid {
     /// A grid twice as long as high with about `triangles` triangles, at least 4.
     pub(crate) fn of_triangles(triangles: u64) -> Grid {
         let rows = ((triangles as f64 / 4.0).sqrt().round() as u32).max(1);
-        Grid { columns: 2 * rows, rows }
+        Grid {
+            columns: 2 * rows,
+            rows,
+        }
     }
 
     pub(crate) fn triangle_count(self) -> u64 {
@@ -35,7 +38,8 @@ impl Grid {
     /// The corners of the triangles, by place among the vertices.
     pub(crate) fn triangles(self) -> impl Iterator<Item = [u32; 3]> {
         let Grid { columns, rows } = self;
-        let places = (0..rows).flat_map(move |row| (0..columns).map(move |column| row * (columns + 1) + column));
+        let places = (0..rows)
+            .flat_map(move |row| (0..columns).map(move |column| row * (columns + 1) + column));
         places.flat_map(move |first| {
             let above = first + columns + 1;
             [[first, first + 1, above + 1], [first, above + 1, above]]
@@ -53,7 +57,11 @@ pub(crate) fn bumpy_sphere(u: f64, v: f64) -> Point {
     };
     let radius = 1.0 + bumps.map(height).iter().sum::<f64>();
     let across = radius * latitude.sin();
-    Point::new(across * longitude.cos(), radius * latitude.cos(), across * longitude.sin())
+    Point::new(
+        across * longitude.cos(),
+        radius * latitude.cos(),
+        across * longitude.sin(),
+    )
 }
 
 #[cfg(test)]
@@ -63,9 +71,22 @@ mod tests {
     #[test]
     fn counts_are_what_comes_out() {
         let grid = Grid::of_triangles(100);
-        assert_eq!(grid, Grid { columns: 10, rows: 5 });
-        assert_eq!(grid.vertices(bumpy_sphere).count() as u64, grid.vertex_count());
+        assert_eq!(
+            grid,
+            Grid {
+                columns: 10,
+                rows: 5
+            }
+        );
+        assert_eq!(
+            grid.vertices(bumpy_sphere).count() as u64,
+            grid.vertex_count()
+        );
         assert_eq!(grid.triangles().count() as u64, grid.triangle_count());
-        assert!(grid.triangles().flatten().all(|corner| u64::from(corner) < grid.vertex_count()));
+        assert!(
+            grid.triangles()
+                .flatten()
+                .all(|corner| u64::from(corner) < grid.vertex_count())
+        );
     }
 }

@@ -20,8 +20,12 @@ pub(crate) fn available_bytes() -> Result<u64> {
 
 fn kibibytes(file: &str, label: &str) -> Result<u64> {
     let text = fs::read_to_string(file)?;
-    let number = text.lines().find_map(|line| line.strip_prefix(label)?.trim().strip_suffix(" kB"));
-    let number: u64 = number.ok_or_else(|| format!("no `{label}` in {file}"))?.parse()?;
+    let number = text
+        .lines()
+        .find_map(|line| line.strip_prefix(label)?.trim().strip_suffix(" kB"));
+    let number: u64 = number
+        .ok_or_else(|| format!("no `{label}` in {file}"))?
+        .parse()?;
     Ok(number * 1024)
 }
 

@@ -29,19 +29,36 @@ pub(crate) struct Band<'a> {
 
 impl Picture {
     pub(crate) fn new(width: usize, height: usize) -> Picture {
-        Picture { width, height, depths: vec![0.0; width * height], primitives: vec![0; width * height] }
+        Picture {
+            width,
+            height,
+            depths: vec![0.0; width * height],
+            primitives: vec![0; width * height],
+        }
     }
 
     /// Calls `fill` with every band, on the threads of the current pool.
     pub(crate) fn fill_bands(&mut self, fill: impl Fn(Band) + Sync) {
         let (width, length) = (self.width, self.width * BAND);
-        let bands = self.depths.par_chunks_mut(length).zip(self.primitives.par_chunks_mut(length));
+        let bands = self
+            .depths
+            .par_chunks_mut(length)
+            .zip(self.primitives.par_chunks_mut(length));
         bands.enumerate().for_each(|(i, (depths, primitives))| {
-            fill(Band { y0: i * BAND, width, height: depths.len() / width, depths, primitives });
+            fill(Band {
+                y0: i * BAND,
+                width,
+                height: depths.len() / width,
+                depths,
+                primitives,
+            });
         });
     }
 
     pub(crate) fn hits(&self) -> u64 {
-        self.primitives.iter().filter(|&&primitive| primitive != 0).count() as u64
+        self.primitives
+            .iter()
+            .filter(|&&primitive| primitive != 0)
+            .count() as u64
     }
 }

@@ -13,7 +13,9 @@ const MAX_TRIANGLES: u64 = 1 << 32;
 /// speak of.
 pub(crate) fn generate(triangles: u64, path: &Path) -> Result<()> {
     if !(4..=MAX_TRIANGLES).contains(&triangles) {
-        return Err(format!("{triangles} triangles: from 4 to {MAX_TRIANGLES} are possible").into());
+        return Err(
+            format!("{triangles} triangles: from 4 to {MAX_TRIANGLES} are possible").into(),
+        );
     }
     let mut out = BufWriter::with_capacity(1 << 20, File::create(path)?);
     write(Grid::of_triangles(triangles), &mut out)?;
@@ -21,8 +23,16 @@ pub(crate) fn generate(triangles: u64, path: &Path) -> Result<()> {
 }
 
 fn write(grid: Grid, out: &mut impl Write) -> std::io::Result<()> {
-    write!(out, "ply\nformat binary_little_endian 1.0\nelement vertex {}\n", grid.vertex_count())?;
-    write!(out, "property float x\nproperty float y\nproperty float z\nelement face {}\n", grid.triangle_count())?;
+    write!(
+        out,
+        "ply\nformat binary_little_endian 1.0\nelement vertex {}\n",
+        grid.vertex_count()
+    )?;
+    write!(
+        out,
+        "property float x\nproperty float y\nproperty float z\nelement face {}\n",
+        grid.triangle_count()
+    )?;
     write!(out, "property list uchar int vertex_indices\nend_header\n")?;
     for vertex in grid.vertices(bumpy_sphere) {
         for coordinate in vertex.to_array() {
@@ -48,11 +58,18 @@ mod tests {
         let grid = Grid::of_triangles(1000);
         let mut bytes = Vec::new();
         write(grid, &mut bytes).unwrap();
-        let mesh = feimos::mesh::parse_ply(Path::new("sphere.ply"), &bytes).unwrap().mesh;
+        let mesh = feimos::mesh::parse_ply(Path::new("sphere.ply"), &bytes)
+            .unwrap()
+            .mesh;
         assert_eq!(mesh.triangles, grid.triangles().collect::<Vec<_>>());
         let expected = grid.vertices(bumpy_sphere);
         for (vertex, expected) in mesh.vertices.iter().zip(expected) {
-            assert_eq!(vertex.to_array(), expected.to_array().map(|coordinate| f64::from(coordinate as f32)));
+            assert_eq!(
+                vertex.to_array(),
+                expected
+                    .to_array()
+                    .map(|coordinate| f64::from(coordinate as f32))
+            );
         }
     }
 }

@@ -10,7 +10,11 @@ const SQUARE: usize = 8;
 pub(crate) type Hit = (f32, u32);
 
 /// Asks `closest_hit` for every ray, square by square, on the threads of the current pool.
-pub(crate) fn trace(rays: &CameraRays, picture: &mut Picture, closest_hit: impl Fn(&Ray32) -> Option<Hit> + Sync) {
+pub(crate) fn trace(
+    rays: &CameraRays,
+    picture: &mut Picture,
+    closest_hit: impl Fn(&Ray32) -> Option<Hit> + Sync,
+) {
     picture.fill_bands(|band| fill(rays, band, &closest_hit));
 }
 

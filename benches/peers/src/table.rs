@@ -21,7 +21,8 @@ pub(crate) struct TraceRow<'a> {
 
 /// Build times, and how they compare with `baseline`.
 pub(crate) fn of_builds(rows: &[BuildRow], baseline: &Series) -> String {
-    let mut table = "| build | min ms | median | max | ratio of medians | median of ratios |\n".to_owned();
+    let mut table =
+        "| build | min ms | median | max | ratio of medians | median of ratios |\n".to_owned();
     table.push_str("|---|---|---|---|---|---|\n");
     for row in rows {
         let _ = writeln!(table, "| {} | {} |", row.name, times(row.series, baseline));
@@ -37,10 +38,23 @@ pub(crate) fn of_traces(rows: &[TraceRow], baseline: &Series) -> String {
             .to_owned();
     table.push_str("|---|---|---|---|---|---|---|---|---|\n");
     for row in rows {
-        let TraceRow { name, series, hits, differences } = row;
+        let TraceRow {
+            name,
+            series,
+            hits,
+            differences,
+        } = row;
         let (hits, misses) = (grouped(*hits), grouped(differences.hits));
-        let primitives = if name.ends_with("hit or miss") { "-".to_owned() } else { grouped(differences.primitives) };
-        let _ = writeln!(table, "| {name} | {} | {hits} | {misses} | {primitives} |", times(series, baseline));
+        let primitives = if name.ends_with("hit or miss") {
+            "-".to_owned()
+        } else {
+            grouped(differences.primitives)
+        };
+        let _ = writeln!(
+            table,
+            "| {name} | {} | {hits} | {misses} | {primitives} |",
+            times(series, baseline)
+        );
     }
     table
 }
@@ -48,7 +62,10 @@ pub(crate) fn of_traces(rows: &[TraceRow], baseline: &Series) -> String {
 fn times(series: &Series, baseline: &Series) -> String {
     let [min, median, max] = [series.min(), series.median(), series.max()].map(milliseconds);
     let ratio = series.median() / baseline.median();
-    format!("{min} | {median} | {max} | {ratio:.2} | {:.2}", series.pairwise_ratio(baseline))
+    format!(
+        "{min} | {median} | {max} | {ratio:.2} | {:.2}",
+        series.pairwise_ratio(baseline)
+    )
 }
 
 /// Three digits, or all before the point.
@@ -83,14 +100,26 @@ mod tests {
     #[test]
     fn rows_hold_times_and_ratios() {
         let series = alternate(2, 0, 1, |row| Duration::from_micros([500, 2000][row]));
-        let rows = [BuildRow { name: "quick".to_owned(), series: &series[0] }];
+        let rows = [BuildRow {
+            name: "quick".to_owned(),
+            series: &series[0],
+        }];
         let table = of_builds(&rows, &series[1]);
-        assert_eq!(table.lines().last(), Some("| quick | 0.500 | 0.500 | 0.500 | 0.25 | 0.25 |"));
+        assert_eq!(
+            table.lines().last(),
+            Some("| quick | 0.500 | 0.500 | 0.500 | 0.25 | 0.25 |")
+        );
     }
 
     #[test]
     fn numbers_are_easy_to_read() {
-        assert_eq!([7, 262_144, 1_000_000].map(grouped), ["7", "262,144", "1,000,000"]);
-        assert_eq!([0.1234, 1.234, 12.34, 1234.5].map(milliseconds), ["0.123", "1.23", "12.3", "1234"]);
+        assert_eq!(
+            [7, 262_144, 1_000_000].map(grouped),
+            ["7", "262,144", "1,000,000"]
+        );
+        assert_eq!(
+            [0.1234, 1.234, 12.34, 1234.5].map(milliseconds),
+            ["0.123", "1.23", "12.3", "1234"]
+        );
     }
 }

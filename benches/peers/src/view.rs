@@ -18,7 +18,12 @@ pub(crate) struct View {
 impl View {
     pub(crate) fn new(camera: Camera, shapes: Shapes) -> Result<View> {
         let (rays, geometry) = (CameraRays::new(&camera), Geometry::of(&shapes)?);
-        Ok(View { camera, shapes, rays, geometry })
+        Ok(View {
+            camera,
+            shapes,
+            rays,
+            geometry,
+        })
     }
 
     pub(crate) fn width(&self) -> usize {

@@ -47,15 +47,29 @@ struct Binning {
 impl Binning {
     fn new(centres: LaneBox, count: usize) -> Binning {
         let extent = centres.extent();
-        let per_unit = |extent: f32| if extent > 0.0 { (count - 1) as f32 / extent } else { 0.0 };
+        let per_unit = |extent: f32| {
+            if extent > 0.0 {
+                (count - 1) as f32 / extent
+            } else {
+                0.0
+            }
+        };
         let [x, y, z, _] = extent.0;
-        Binning { low: centres.low, extent, per_unit: Lanes([per_unit(x), per_unit(y), per_unit(z), 0.0]), count }
+        Binning {
+            low: centres.low,
+            extent,
+            per_unit: Lanes([per_unit(x), per_unit(y), per_unit(z), 0.0]),
+            count,
+        }
     }
 
     /// The bin on each axis; some bin for a NaN, which comes from infinite boxes.
     #[inline(always)]
     fn places(&self, primitive: &BuildPrimitive) -> [usize; 3] {
-        let bins = primitive.doubled_centre().minus(self.low).times(self.per_unit);
+        let bins = primitive
+            .doubled_centre()
+            .minus(self.low)
+            .times(self.per_unit);
         let [x, y, z, _] = bins.rounded().map(|bin| bin as usize % BINS);
         [x, y, z]
     }
@@ -63,7 +77,10 @@ impl Binning {
     /// The plane to the right of the first `left_bins`.
     fn plane(&self, axis: usize, left_bins: usize) -> Plane {
         let share = (left_bins as f32 - 0.5) / (self.count - 1) as f32;
-        Plane { axis, at: self.low.0[axis] + share * self.extent.0[axis] }
+        Plane {
+            axis,
+            at: self.low.0[axis] + share * self.extent.0[axis],
+        }
     }
 }
 
@@ -75,11 +92,17 @@ struct Bin {
 }
 
 impl Bin {
-    const EMPTY: Bin = Bin { bounds: LaneBox::EMPTY, count: 0 };
+    const EMPTY: Bin = Bin {
+        bounds: LaneBox::EMPTY,
+        count: 0,
+    };
 
     #[inline(always)]
     fn with(self, other: Bin) -> Bin {
-        Bin { bounds: self.bounds.union(other.bounds), count: self.count + other.count }
+        Bin {
+            bounds: self.bounds.union(other.bounds),
+            count: self.count + other.count,
+        }
     }
 
     /// The expected number of leaves that a ray meets in it, times an area that all bins share.
@@ -99,7 +122,10 @@ struct Bins {
 
 impl Bins {
     fn of(binning: &Binning, primitives: &[BuildPrimitive]) -> Bins {
-        let mut bins = Bins { bounds: [[LaneBox::EMPTY; BINS]; 3], counts: [[0; BINS]; 3] };
+        let mut bins = Bins {
+            bounds: [[LaneBox::EMPTY; BINS]; 3],
+            counts: [[0; BINS]; 3],
+        };
         for primitive in primitives {
             let places = binning.places(primitive);
             for (axis, place) in places.into_iter().enumerate() {
@@ -112,7 +138,10 @@ impl Bins {
     }
 
     fn bin(&self, axis: usize, place: usize) -> Bin {
-        Bin { bounds: self.bounds[axis][place], count: self.counts[axis][place] }
+        Bin {
+            bounds: self.bounds[axis][place],
+            count: self.counts[axis][place],
+        }
     }
 
     /// For each of the first `count` bins of an axis, the cost of it and all to its right.

@@ -30,13 +30,23 @@ fn bits_in(number: f32) -> u32 {
 
 impl BuildPrimitive {
     /// Stands for what can never be hit, until it is removed.
-    pub(super) const DEAD: BuildPrimitive = BuildPrimitive { corners: LaneBox::EMPTY };
+    pub(super) const DEAD: BuildPrimitive = BuildPrimitive {
+        corners: LaneBox::EMPTY,
+    };
 
     /// The box of what its maker calls `bits`.
     pub(in crate::accel) fn new(bounds: &Box32, bits: u32) -> BuildPrimitive {
         let ([x0, y0, z0], [x1, y1, z1]) = (bounds.low, bounds.high);
-        let (low, high) = ([x0, y0, z0, with_bits(bits >> 16)], [x1, y1, z1, with_bits(bits)]);
-        BuildPrimitive { corners: LaneBox { low: Lanes(low), high: Lanes(high) } }
+        let (low, high) = (
+            [x0, y0, z0, with_bits(bits >> 16)],
+            [x1, y1, z1, with_bits(bits)],
+        );
+        BuildPrimitive {
+            corners: LaneBox {
+                low: Lanes(low),
+                high: Lanes(high),
+            },
+        }
     }
 
     /// Its box, with anything in the spare lanes.
@@ -77,7 +87,11 @@ pub(in crate::accel) struct Collected {
 }
 
 /// Collects the primitives that `visibility` sees, where that is given.
-pub(in crate::accel) fn collect(shapes: &Shapes, space: &AnchorSpace, visibility: Option<&Visibility>) -> Collected {
+pub(in crate::accel) fn collect(
+    shapes: &Shapes,
+    space: &AnchorSpace,
+    visibility: Option<&Visibility>,
+) -> Collected {
     let never_hit = AtomicUsize::new(0);
     let mut primitives = match visibility {
         None => place_all_triangles(shapes, space, &never_hit),
@@ -100,13 +114,21 @@ pub(in crate::accel) fn collect(shapes: &Shapes, space: &AnchorSpace, visibility
     if never_hit > 0 || visibility.is_some() {
         remove_dead(&mut primitives);
     }
-    Collected { primitives, never_hit }
+    Collected {
+        primitives,
+        never_hit,
+    }
 }
 
 /// Puts the last primitives in the places of the dead ones: all others stay where they are.
 fn remove_dead(primitives: &mut Vec<BuildPrimitive>) {
-    let place_of_dead = |(place, primitive): (usize, &BuildPrimitive)| primitive.is_dead().then_some(place);
-    let dead: Vec<usize> = primitives.par_iter().enumerate().filter_map(place_of_dead).collect();
+    let place_of_dead =
+        |(place, primitive): (usize, &BuildPrimitive)| primitive.is_dead().then_some(place);
+    let dead: Vec<usize> = primitives
+        .par_iter()
+        .enumerate()
+        .filter_map(place_of_dead)
+        .collect();
     for place in dead.into_iter().rev() {
         // Behind it none is dead any more.
         primitives.swap_remove(place);
@@ -114,7 +136,11 @@ fn remove_dead(primitives: &mut Vec<BuildPrimitive>) {
 }
 
 /// All triangles, dead ones too. Their number is known, so that each is written to its place and not moved.
-fn place_all_triangles(shapes: &Shapes, space: &AnchorSpace, never_hit: &AtomicUsize) -> Vec<BuildPrimitive> {
+fn place_all_triangles(
+    shapes: &Shapes,
+    space: &AnchorSpace,
+    never_hit: &AtomicUsize,
+) -> Vec<BuildPrimitive> {
     let count = shapes.triangle_count();
     let place = |block: usize| {
         let placed = place_triangles(shapes, space, block * BLOCK, |_| true);
@@ -123,7 +149,10 @@ fn place_all_triangles(shapes: &Shapes, space: &AnchorSpace, never_hit: &AtomicU
         }
         placed.primitives
     };
-    let blocks: Vec<_> = (0..count.div_ceil(BLOCK)).into_par_iter().map(place).collect();
+    let blocks: Vec<_> = (0..count.div_ceil(BLOCK))
+        .into_par_iter()
+        .map(place)
+        .collect();
     let mut primitives = blocks.into_flattened();
     primitives.truncate(count);
     primitives
@@ -143,17 +172,28 @@ fn place_visible_triangles(
         for first in (first..end).step_by(BLOCK) {
             let placed = place_triangles(shapes, space, first, is_seen);
             never_hit.fetch_add(placed.never_hit, Ordering::Relaxed);
-            seen.extend(placed.primitives.iter().filter(|primitive| !primitive.is_dead()));
+            seen.extend(
+                placed
+                    .primitives
+                    .iter()
+                    .filter(|primitive| !primitive.is_dead()),
+            );
         }
         seen
     };
-    let firsts = (0..shapes.triangle_count().div_ceil(CHUNK)).into_par_iter().map(|chunk| chunk * CHUNK);
+    let firsts = (0..shapes.triangle_count().div_ceil(CHUNK))
+        .into_par_iter()
+        .map(|chunk| chunk * CHUNK);
     let seen: Vec<Vec<BuildPrimitive>> = firsts.map(place).collect();
     seen.concat()
 }
 
 /// The space of the boxes around the primitives of `shapes`, of which those of instances lie within `instances`.
-pub(in crate::accel) fn space_around(shapes: &Shapes, instances: &Bounds, anchor: Point) -> AnchorSpace {
+pub(in crate::accel) fn space_around(
+    shapes: &Shapes,
+    instances: &Bounds,
+    anchor: Point,
+) -> AnchorSpace {
     AnchorSpace::new(anchor, reach(shapes, instances, anchor))
 }
 
@@ -162,23 +202,51 @@ pub(in crate::accel) fn space_around(shapes: &Shapes, instances: &Bounds, anchor
 fn reach(shapes: &Shapes, instances: &Bounds, anchor: Point) -> f64 {
     let include = |bounds: Bounds, point: &Point| {
         // A NaN is neither, an infinity only one of them, and never at the end.
-        let low =
-            |k: usize| if point[k] < bounds.low[k] && point[k] > f64::NEG_INFINITY { point[k] } else { bounds.low[k] };
-        let high =
-            |k: usize| if point[k] > bounds.high[k] && point[k] < f64::INFINITY { point[k] } else { bounds.high[k] };
-        Bounds { low: Point::new(low(0), low(1), low(2)), high: Point::new(high(0), high(1), high(2)) }
+        let low = |k: usize| {
+            if point[k] < bounds.low[k] && point[k] > f64::NEG_INFINITY {
+                point[k]
+            } else {
+                bounds.low[k]
+            }
+        };
+        let high = |k: usize| {
+            if point[k] > bounds.high[k] && point[k] < f64::INFINITY {
+                point[k]
+            } else {
+                bounds.high[k]
+            }
+        };
+        Bounds {
+            low: Point::new(low(0), low(1), low(2)),
+            high: Point::new(high(0), high(1), high(2)),
+        }
     };
     let around = |points: &[Point]| points.iter().fold(Bounds::EMPTY, include);
-    let vertices = shapes.vertices().par_chunks(CHUNK).map(around).reduce(|| Bounds::EMPTY, Bounds::union);
+    let vertices = shapes
+        .vertices()
+        .par_chunks(CHUNK)
+        .map(around)
+        .reduce(|| Bounds::EMPTY, Bounds::union);
     let sphere = |index| {
         let bounds = shapes.sphere(index).bounds();
         around(&[bounds.low, bounds.high])
     };
-    let spheres = (0..shapes.sphere_count()).into_par_iter().map(sphere).reduce(|| Bounds::EMPTY, Bounds::union);
+    let spheres = (0..shapes.sphere_count())
+        .into_par_iter()
+        .map(sphere)
+        .reduce(|| Bounds::EMPTY, Bounds::union);
     let bounds = vertices.union(spheres).union(*instances);
     // Rounding is monotone, so no other coordinate is farther than one of the ends.
-    let along = |k: usize| f64::max((bounds.low[k] - anchor[k]).abs(), (bounds.high[k] - anchor[k]).abs());
-    (0..3).filter(|k| bounds.low[*k] <= bounds.high[*k]).map(along).fold(0.0, f64::max)
+    let along = |k: usize| {
+        f64::max(
+            (bounds.low[k] - anchor[k]).abs(),
+            (bounds.high[k] - anchor[k]).abs(),
+        )
+    };
+    (0..3)
+        .filter(|k| bounds.low[*k] <= bounds.high[*k])
+        .map(along)
+        .fold(0.0, f64::max)
 }
 
 /// Lists longer than this are worked on by several threads.
@@ -191,7 +259,10 @@ pub(super) const CHUNK: usize = PARALLEL / 4;
 pub(super) fn centre_bounds(primitives: &[BuildPrimitive]) -> LaneBox {
     union_of(primitives, |primitive| {
         let centre = primitive.doubled_centre();
-        LaneBox { low: centre, high: centre }
+        LaneBox {
+            low: centre,
+            high: centre,
+        }
     })
 }
 
@@ -201,13 +272,22 @@ pub(super) fn bounds_of(primitives: &[BuildPrimitive]) -> Box32 {
 }
 
 #[inline]
-fn union_of(primitives: &[BuildPrimitive], part: impl Fn(&BuildPrimitive) -> LaneBox + Sync) -> LaneBox {
-    let of_chunk =
-        |chunk: &[BuildPrimitive]| chunk.iter().fold(LaneBox::EMPTY, |bounds, primitive| part(primitive).union(bounds));
+fn union_of(
+    primitives: &[BuildPrimitive],
+    part: impl Fn(&BuildPrimitive) -> LaneBox + Sync,
+) -> LaneBox {
+    let of_chunk = |chunk: &[BuildPrimitive]| {
+        chunk.iter().fold(LaneBox::EMPTY, |bounds, primitive| {
+            part(primitive).union(bounds)
+        })
+    };
     if primitives.len() < PARALLEL {
         return of_chunk(primitives);
     }
-    primitives.par_chunks(CHUNK).map(of_chunk).reduce(|| LaneBox::EMPTY, LaneBox::union)
+    primitives
+        .par_chunks(CHUNK)
+        .map(of_chunk)
+        .reduce(|| LaneBox::EMPTY, LaneBox::union)
 }
 
 #[cfg(test)]
@@ -216,7 +296,10 @@ mod tests {
 
     #[test]
     fn the_dead_are_removed_and_nobody_else() {
-        let bounds = Box32 { low: [1.0; 3], high: [2.0; 3] };
+        let bounds = Box32 {
+            low: [1.0; 3],
+            high: [2.0; 3],
+        };
         for dead in [0..0, 0..1, 0..9, 4..7, 8..9] {
             let place = |index: usize| match dead.contains(&index) {
                 true => BuildPrimitive::DEAD,
@@ -224,16 +307,35 @@ mod tests {
             };
             let mut primitives: Vec<BuildPrimitive> = (0..9).map(place).collect();
             remove_dead(&mut primitives);
-            let mut left: Vec<usize> = primitives.iter().map(|primitive| primitive.bits() as usize).collect();
+            let mut left: Vec<usize> = primitives
+                .iter()
+                .map(|primitive| primitive.bits() as usize)
+                .collect();
             left.sort_unstable();
-            assert!(left.into_iter().eq((0..9).filter(|index| !dead.contains(index))), "{dead:?}");
+            assert!(
+                left.into_iter()
+                    .eq((0..9).filter(|index| !dead.contains(index))),
+                "{dead:?}"
+            );
         }
     }
 
     #[test]
     fn every_bit_of_a_primitive_comes_back_and_none_disturbs_sums() {
-        let bounds = Box32 { low: [-1.0, 2.0, 3.0], high: [4.0, 5.0, 6.0] };
-        for bits in [0, 1, 0xffff, 0x1_0000, 0x1234_5678, 0x7fff_ffff, 0x8000_0000, 0xffff_ffff] {
+        let bounds = Box32 {
+            low: [-1.0, 2.0, 3.0],
+            high: [4.0, 5.0, 6.0],
+        };
+        for bits in [
+            0,
+            1,
+            0xffff,
+            0x1_0000,
+            0x1234_5678,
+            0x7fff_ffff,
+            0x8000_0000,
+            0xffff_ffff,
+        ] {
             let placed = BuildPrimitive::new(&bounds, bits);
             assert_eq!((placed.bits(), placed.bounds().to_box()), (bits, bounds));
             assert!((2.0..4.0).contains(&placed.doubled_centre().0[3]));

@@ -30,7 +30,11 @@ impl LeafSize {
             return count;
         }
         let (fewer, more) = (count - last, count - last + enough);
-        if fewer == 0 || more < len && more - count < count - fewer { more } else { fewer }
+        if fewer == 0 || more < len && more - count < count - fewer {
+            more
+        } else {
+            fewer
+        }
     }
 }
 
@@ -44,7 +48,14 @@ mod tests {
             for count in 1..3000 {
                 let exact = leaf_size.leaves(count) as f32;
                 let off = (leaf_size.approximate_leaves(count as u32) - exact).abs();
-                assert!(off <= if leaf_size.0.is_power_of_two() { 0.0 } else { 1.0 }, "{count} in {leaf_size:?}");
+                assert!(
+                    off <= if leaf_size.0.is_power_of_two() {
+                        0.0
+                    } else {
+                        1.0
+                    },
+                    "{count} in {leaf_size:?}"
+                );
             }
         }
     }
@@ -57,12 +68,21 @@ mod tests {
     fn the_nearest_count_that_fills_leaves() {
         for leaf_size in [1, 2, 3, 4, 16].map(LeafSize) {
             for len in leaf_size.0 + 1..70 {
-                let all: Vec<usize> = (1..len).filter(|count| fills(leaf_size, len, *count)).collect();
+                let all: Vec<usize> = (1..len)
+                    .filter(|count| fills(leaf_size, len, *count))
+                    .collect();
                 for count in 1..len {
                     let full = leaf_size.full(len, count);
-                    assert!(all.contains(&full), "{count} of {len} in {leaf_size:?}: {full}");
+                    assert!(
+                        all.contains(&full),
+                        "{count} of {len} in {leaf_size:?}: {full}"
+                    );
                     let distance = all.iter().map(|other| other.abs_diff(count)).min();
-                    assert_eq!(Some(full.abs_diff(count)), distance, "{count} of {len} in {leaf_size:?}");
+                    assert_eq!(
+                        Some(full.abs_diff(count)),
+                        distance,
+                        "{count} of {len} in {leaf_size:?}"
+                    );
                 }
             }
         }

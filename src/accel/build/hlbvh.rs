@@ -29,24 +29,44 @@ pub(super) fn build(
     max_depth: u32,
     progress: Progress,
 ) -> (Subtree, Vec<u32>) {
-    let splitter = Splitter { method: SplitMethod::Middle, leaf_size };
-    let top_down = TopDown { splitter, max_depth: max_depth - MAX_UPPER_DEPTH, progress };
+    let splitter = Splitter {
+        method: SplitMethod::Middle,
+        leaf_size,
+    };
+    let top_down = TopDown {
+        splitter,
+        max_depth: max_depth - MAX_UPPER_DEPTH,
+        progress,
+    };
     let curve = along_curve(primitives);
     let runs = runs(&curve, TREELET_LEAVES * leaf_size.0);
     let mut order = vec![0; primitives.len()];
     let treelet = |(run, order): (&Range<usize>, &mut [u32])| {
-        let mut list: Vec<_> = curve[run.clone()].iter().map(|place| primitives[place.index()]).collect();
+        let mut list: Vec<_> = curve[run.clone()]
+            .iter()
+            .map(|place| primitives[place.index()])
+            .collect();
         let treelet = top_down.build(&mut list, run.start);
-        order.iter_mut().zip(&list).for_each(|(place, primitive)| *place = primitive.bits());
+        order
+            .iter_mut()
+            .zip(&list)
+            .for_each(|(place, primitive)| *place = primitive.bits());
         treelet
     };
-    let treelets = runs.par_iter().zip(split_into(&mut order, &runs)).map(treelet).collect();
+    let treelets = runs
+        .par_iter()
+        .zip(split_into(&mut order, &runs))
+        .map(treelet)
+        .collect();
     (join_by_sah(treelets), order)
 }
 
 /// The parts of `list` at `runs`, which cover all of it.
 fn split_into<'a, T>(mut list: &'a mut [T], runs: &[Range<usize>]) -> Vec<&'a mut [T]> {
-    let part = |run: &Range<usize>| list.split_off_mut(..run.len()).expect("runs cover the list");
+    let part = |run: &Range<usize>| {
+        list.split_off_mut(..run.len())
+            .expect("runs cover the list")
+    };
     runs.iter().map(part).collect()
 }
 
@@ -74,14 +94,26 @@ fn runs(curve: &[CurvePlace], longest: usize) -> Vec<Range<usize>> {
 
 /// Builds the tree above the treelets.
 fn join_by_sah(mut treelets: Vec<Subtree>) -> Subtree {
-    let stand_in = |(index, treelet): (usize, &Subtree)| BuildPrimitive::new(&treelet.root.bounds, index as u32);
+    let stand_in = |(index, treelet): (usize, &Subtree)| {
+        BuildPrimitive::new(&treelet.root.bounds, index as u32)
+    };
     let mut stand_ins: Vec<BuildPrimitive> = treelets.iter().enumerate().map(stand_in).collect();
-    let splitter = Splitter { method: SplitMethod::Sah, leaf_size: LeafSize(1) };
-    let top_down = TopDown { splitter, max_depth: MAX_UPPER_DEPTH, progress: Progress::SILENT };
+    let splitter = Splitter {
+        method: SplitMethod::Sah,
+        leaf_size: LeafSize(1),
+    };
+    let top_down = TopDown {
+        splitter,
+        max_depth: MAX_UPPER_DEPTH,
+        progress: Progress::SILENT,
+    };
     let upper = top_down.build(&mut stand_ins, 0);
     graft(upper.root, &upper, &mut |place| {
         let treelet = &mut treelets[stand_ins[place].bits() as usize];
-        Subtree { root: treelet.root, below: std::mem::take(&mut treelet.below) }
+        Subtree {
+            root: treelet.root,
+            below: std::mem::take(&mut treelet.below),
+        }
     })
     .into_subtree()
 }

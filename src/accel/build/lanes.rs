@@ -60,7 +60,13 @@ impl Lanes {
 
     /// The axis of the largest number, the lowest of equal ones.
     pub(super) fn widest_axis(self) -> usize {
-        (1..3).fold(0, |widest, k| if self.0[k] > self.0[widest] { k } else { widest })
+        (1..3).fold(0, |widest, k| {
+            if self.0[k] > self.0[widest] {
+                k
+            } else {
+                widest
+            }
+        })
     }
 }
 
@@ -73,13 +79,18 @@ pub(super) struct LaneBox {
 
 impl LaneBox {
     /// The box of nothing.
-    pub(super) const EMPTY: LaneBox =
-        LaneBox { low: Lanes::all(Box32::EMPTY.low[0]), high: Lanes::all(Box32::EMPTY.high[0]) };
+    pub(super) const EMPTY: LaneBox = LaneBox {
+        low: Lanes::all(Box32::EMPTY.low[0]),
+        high: Lanes::all(Box32::EMPTY.high[0]),
+    };
 
     /// The smallest box around both.
     #[inline(always)]
     pub(super) fn union(self, other: LaneBox) -> LaneBox {
-        LaneBox { low: self.low.min(other.low), high: self.high.max(other.high) }
+        LaneBox {
+            low: self.low.min(other.low),
+            high: self.high.max(other.high),
+        }
     }
 
     /// The lengths of the sides.
@@ -98,6 +109,9 @@ impl LaneBox {
     /// Without the spare lanes.
     pub(super) fn to_box(self) -> Box32 {
         let ([x0, y0, z0, _], [x1, y1, z1, _]) = (self.low.0, self.high.0);
-        Box32 { low: [x0, y0, z0], high: [x1, y1, z1] }
+        Box32 {
+            low: [x0, y0, z0],
+            high: [x1, y1, z1],
+        }
     }
 }

@@ -42,13 +42,26 @@ pub(super) fn build_tree(
     let subtree = match options.method {
         SplitMethod::None => {
             progress.advance(primitives.len());
-            Subtree { root: Node::leaf(bounds_of(&primitives), 0, primitives.len() as u32), below: Vec::new() }
+            Subtree {
+                root: Node::leaf(bounds_of(&primitives), 0, primitives.len() as u32),
+                below: Vec::new(),
+            }
         }
-        SplitMethod::Hlbvh => return hlbvh::build(&primitives, leaf_size, MAX_DEPTH as u32, progress),
+        SplitMethod::Hlbvh => {
+            return hlbvh::build(&primitives, leaf_size, MAX_DEPTH as u32, progress);
+        }
         method => {
             let splitter = Splitter { method, leaf_size };
-            TopDown { splitter, max_depth: MAX_DEPTH as u32, progress }.build(&mut primitives, 0)
+            TopDown {
+                splitter,
+                max_depth: MAX_DEPTH as u32,
+                progress,
+            }
+            .build(&mut primitives, 0)
         }
     };
-    (subtree, primitives.par_iter().map(BuildPrimitive::bits).collect())
+    (
+        subtree,
+        primitives.par_iter().map(BuildPrimitive::bits).collect(),
+    )
 }

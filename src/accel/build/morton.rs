@@ -10,7 +10,9 @@ const MOST_AXIS_BITS: u32 = 10;
 
 /// Bits on each axis with which a cell of the grid holds some ten primitives of `count` that lie on a surface.
 fn axis_bits(count: usize) -> u32 {
-    (count.max(1).ilog2() / 2).saturating_sub(3).clamp(2, MOST_AXIS_BITS)
+    (count.max(1).ilog2() / 2)
+        .saturating_sub(3)
+        .clamp(2, MOST_AXIS_BITS)
 }
 
 /// A primitive on the curve: its Morton code and, in the lower half, its place in the list.
@@ -35,8 +37,9 @@ impl CurvePlace {
 pub(super) fn along_curve(primitives: &[BuildPrimitive]) -> Vec<CurvePlace> {
     let axis_bits = axis_bits(primitives.len());
     let grid = Grid::new(centre_bounds(primitives), axis_bits);
-    let place =
-        |(index, primitive): (usize, &BuildPrimitive)| CurvePlace(u64::from(grid.code(primitive)) << 32 | index as u64);
+    let place = |(index, primitive): (usize, &BuildPrimitive)| {
+        CurvePlace(u64::from(grid.code(primitive)) << 32 | index as u64)
+    };
     let places = primitives.par_iter().enumerate().map(place).collect();
     sort_by_digits(places, 3 * axis_bits, |place| place.code())
 }
@@ -52,13 +55,27 @@ impl Grid {
     fn new(centres: LaneBox, axis_bits: u32) -> Grid {
         let last = (1 << axis_bits) - 1;
         let [x, y, z, _] = centres.extent().0;
-        let cells = |extent: f32| if extent > 0.0 { last as f32 / extent } else { 0.0 };
-        Grid { low: centres.low, cells_per_unit: Lanes([cells(x), cells(y), cells(z), 0.0]), last }
+        let cells = |extent: f32| {
+            if extent > 0.0 {
+                last as f32 / extent
+            } else {
+                0.0
+            }
+        };
+        Grid {
+            low: centres.low,
+            cells_per_unit: Lanes([cells(x), cells(y), cells(z), 0.0]),
+            last,
+        }
     }
 
     #[inline]
     fn code(&self, primitive: &BuildPrimitive) -> u32 {
-        let [x, y, z, _] = primitive.doubled_centre().minus(self.low).times(self.cells_per_unit).rounded();
+        let [x, y, z, _] = primitive
+            .doubled_centre()
+            .minus(self.low)
+            .times(self.cells_per_unit)
+            .rounded();
         // A NaN, from infinite boxes, is in some cell.
         let spread = |cell: u32| spread(cell & self.last);
         spread(z) << 2 | spread(y) << 1 | spread(x)

@@ -17,6 +17,9 @@ impl BuildOptions {
 
     /// `method` with leaves of the usual size.
     pub fn new(method: SplitMethod) -> BuildOptions {
-        BuildOptions { method, max_leaf: Self::MAX_LEAF }
+        BuildOptions {
+            method,
+            max_leaf: Self::MAX_LEAF,
+        }
     }
 }

@@ -7,19 +7,27 @@ use std::ops::Range;
 /// Moves those for which `is_left` holds to the front and returns how many they are. The order that results does not
 /// depend on the number of threads.
 #[inline]
-pub(super) fn partition(primitives: &mut [BuildPrimitive], is_left: impl Fn(&BuildPrimitive) -> bool + Sync) -> usize {
+pub(super) fn partition(
+    primitives: &mut [BuildPrimitive],
+    is_left: impl Fn(&BuildPrimitive) -> bool + Sync,
+) -> usize {
     if primitives.len() < PARALLEL {
         return partition_serially(primitives, &is_left);
     }
-    let left_counts: Vec<usize> =
-        primitives.par_chunks_mut(CHUNK).map(|chunk| partition_serially(chunk, &is_left)).collect();
+    let left_counts: Vec<usize> = primitives
+        .par_chunks_mut(CHUNK)
+        .map(|chunk| partition_serially(chunk, &is_left))
+        .collect();
     exchange(primitives, &left_counts);
     left_counts.iter().sum()
 }
 
 /// Without a branch on `is_left`, which nobody could foresee.
 #[inline]
-fn partition_serially(primitives: &mut [BuildPrimitive], is_left: &impl Fn(&BuildPrimitive) -> bool) -> usize {
+fn partition_serially(
+    primitives: &mut [BuildPrimitive],
+    is_left: &impl Fn(&BuildPrimitive) -> bool,
+) -> usize {
     let mut left = 0;
     for place in 0..primitives.len() {
         let goes_left = is_left(&primitives[place]);
@@ -61,7 +69,10 @@ fn runs<'a, T>(mut list: &'a mut [T], ranges: &[Range<usize>]) -> Vec<&'a mut [T
 }
 
 /// Two lists of runs, which have the same length in all, cut so that each run has a partner as long as itself.
-fn pieces_of_equal_length<'a, T>(a: Vec<&'a mut [T]>, b: Vec<&'a mut [T]>) -> Vec<(&'a mut [T], &'a mut [T])> {
+fn pieces_of_equal_length<'a, T>(
+    a: Vec<&'a mut [T]>,
+    b: Vec<&'a mut [T]>,
+) -> Vec<(&'a mut [T], &'a mut [T])> {
     let (mut a, mut b) = (a.into_iter(), b.into_iter());
     let mut pairs = Vec::new();
     let (mut a_rest, mut b_rest): (&mut [T], &mut [T]) = (&mut [], &mut []);
@@ -90,7 +101,15 @@ mod tests {
     /// Boxes at places that follow no order.
     fn scattered(len: usize) -> Vec<BuildPrimitive> {
         let at = |index: usize| (index as u32).wrapping_mul(0x9e37_79b9) as f32;
-        let place = |index| BuildPrimitive::new(&Box32 { low: [at(index); 3], high: [at(index); 3] }, index as u32);
+        let place = |index| {
+            BuildPrimitive::new(
+                &Box32 {
+                    low: [at(index); 3],
+                    high: [at(index); 3],
+                },
+                index as u32,
+            )
+        };
         (0..len).map(place).collect()
     }
 
@@ -102,12 +121,21 @@ mod tests {
                 let is_left = |primitive: &BuildPrimitive| primitive.centre_along(0) < 2.0 * limit;
                 let parted = [1, 3].map(|threads| {
                     let mut list = scattered(len);
-                    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+                    let pool = rayon::ThreadPoolBuilder::new()
+                        .num_threads(threads)
+                        .build()
+                        .unwrap();
                     (pool.install(|| partition(&mut list, is_left)), list)
                 });
                 let (count, list) = &parted[0];
-                assert!(list[..*count].iter().all(is_left) && !list[*count..].iter().any(is_left), "{len}, {share}");
-                let mut indices: Vec<usize> = list.iter().map(|primitive| primitive.bits() as usize).collect();
+                assert!(
+                    list[..*count].iter().all(is_left) && !list[*count..].iter().any(is_left),
+                    "{len}, {share}"
+                );
+                let mut indices: Vec<usize> = list
+                    .iter()
+                    .map(|primitive| primitive.bits() as usize)
+                    .collect();
                 indices.sort_unstable();
                 assert!(indices.into_iter().eq(0..len), "{len}, {share}");
                 assert!(parted[0] == parted[1], "{len}, {share}");

@@ -23,7 +23,9 @@ pub(super) fn sort_by_digits<T: Copy + Send + Sync>(
     let mut sorted = items.clone();
     let digit_bits = bits.div_ceil(bits.div_ceil(DIGIT_BITS));
     for shift in (0..bits).step_by(digit_bits as usize) {
-        sort_by_digit(&items, &mut sorted, |item| (key(item) >> shift) as usize % (1 << digit_bits));
+        sort_by_digit(&items, &mut sorted, |item| {
+            (key(item) >> shift) as usize % (1 << digit_bits)
+        });
         std::mem::swap(&mut items, &mut sorted);
     }
     items
@@ -31,7 +33,11 @@ pub(super) fn sort_by_digits<T: Copy + Send + Sync>(
 
 /// Writes `items` to `sorted` in the order of a digit. Chunks are counted and moved in parallel: each has places of its own
 /// for every digit, behind those of the chunks before it. So the order does not depend on their number.
-fn sort_by_digit<T: Copy + Send + Sync>(items: &[T], sorted: &mut [T], digit: impl Fn(T) -> usize + Sync) {
+fn sort_by_digit<T: Copy + Send + Sync>(
+    items: &[T],
+    sorted: &mut [T],
+    digit: impl Fn(T) -> usize + Sync,
+) {
     let chunk = items.len().div_ceil(4 * rayon::current_num_threads());
     let count = |items: &[T]| {
         let mut counts = [0u32; DIGITS];
@@ -40,16 +46,22 @@ fn sort_by_digit<T: Copy + Send + Sync>(items: &[T], sorted: &mut [T], digit: im
     };
     let counts: Vec<[u32; DIGITS]> = items.par_chunks(chunk).map(count).collect();
     let places = places(sorted, &counts);
-    items.par_chunks(chunk).zip(places).for_each(|(items, mut places)| {
-        for item in items {
-            *places[digit(*item)].next().expect("as many places as items were counted") = *item;
-        }
-    });
+    items
+        .par_chunks(chunk)
+        .zip(places)
+        .for_each(|(items, mut places)| {
+            for item in items {
+                *places[digit(*item)]
+                    .next()
+                    .expect("as many places as items were counted") = *item;
+            }
+        });
 }
 
 /// For each chunk the places of each digit.
 fn places<'a, T>(mut sorted: &'a mut [T], counts: &[[u32; DIGITS]]) -> Vec<Vec<IterMut<'a, T>>> {
-    let mut places: Vec<Vec<IterMut<T>>> = counts.iter().map(|_| Vec::with_capacity(DIGITS)).collect();
+    let mut places: Vec<Vec<IterMut<T>>> =
+        counts.iter().map(|_| Vec::with_capacity(DIGITS)).collect();
     for digit in 0..DIGITS {
         for (places, counts) in places.iter_mut().zip(counts) {
             let (these, rest) = sorted.split_at_mut(counts[digit] as usize);
@@ -67,11 +79,19 @@ mod tests {
     #[test]
     fn sorts_as_the_standard_library_does() {
         for len in [0, 1, SHORT - 1, SHORT, 50_000] {
-            let item = |place: usize| ((place as u32).wrapping_mul(0x9e37_79b9) >> (12 + place % 9), place);
+            let item = |place: usize| {
+                (
+                    (place as u32).wrapping_mul(0x9e37_79b9) >> (12 + place % 9),
+                    place,
+                )
+            };
             let items: Vec<(u32, usize)> = (0..len).map(item).collect();
             let mut expected = items.clone();
             expected.sort_by_key(|(key, _)| *key);
-            assert!(sort_by_digits(items, 20, |(key, _)| key) == expected, "{len} items");
+            assert!(
+                sort_by_digits(items, 20, |(key, _)| key) == expected,
+                "{len} items"
+            );
         }
     }
 }

@@ -31,7 +31,9 @@ impl Splitter {
         };
         Some(match parted {
             Some((_, count)) if len > FULL_LEAVES * self.leaf_size.0 => count,
-            Some((axis, count)) => move_boundary(primitives, axis, count, self.leaf_size.full(len, count)),
+            Some((axis, count)) => {
+                move_boundary(primitives, axis, count, self.leaf_size.full(len, count))
+            }
             None => split_at(primitives, self.leaf_size.full(len, len / 2)),
         })
     }
@@ -39,7 +41,9 @@ impl Splitter {
     /// The axis and the number of primitives on the left; `None` where all centres are in one place.
     fn split_by_sah(&self, primitives: &mut [BuildPrimitive]) -> Option<(usize, usize)> {
         let plane = best_plane(primitives, self.leaf_size)?;
-        let count = partition(primitives, |primitive| primitive.centre_along(plane.axis) < plane.at);
+        let count = partition(primitives, |primitive| {
+            primitive.centre_along(plane.axis) < plane.at
+        });
         both_sides(plane.axis, count, primitives.len())
     }
 }
@@ -68,12 +72,19 @@ fn split_in_the_middle(primitives: &mut [BuildPrimitive]) -> Option<(usize, usiz
     let bounds = centre_bounds(primitives);
     let axis = bounds.extent().widest_axis();
     let middle = 0.5 * (bounds.low.0[axis] + bounds.high.0[axis]);
-    let count = partition(primitives, |primitive| primitive.centre_along(axis) < middle);
+    let count = partition(primitives, |primitive| {
+        primitive.centre_along(axis) < middle
+    });
     both_sides(axis, count, primitives.len())
 }
 
 /// Of a list whose first `count` primitives lie before the others along `axis`, brings the first `wanted` to the front.
-fn move_boundary(primitives: &mut [BuildPrimitive], axis: usize, count: usize, wanted: usize) -> usize {
+fn move_boundary(
+    primitives: &mut [BuildPrimitive],
+    axis: usize,
+    count: usize,
+    wanted: usize,
+) -> usize {
     if wanted < count {
         select(&mut primitives[..count], axis, wanted);
     } else if wanted > count {
@@ -85,8 +96,9 @@ fn move_boundary(primitives: &mut [BuildPrimitive], axis: usize, count: usize, w
 /// Brings the first `count` along `axis` to the front. Ties are broken by the primitive: which ones come to the front
 /// does not depend on how the list came about.
 fn select(primitives: &mut [BuildPrimitive], axis: usize, count: usize) {
-    let key =
-        |primitive: &BuildPrimitive| u64::from(rank(primitive.centre_along(axis))) << 32 | u64::from(primitive.bits());
+    let key = |primitive: &BuildPrimitive| {
+        u64::from(rank(primitive.centre_along(axis))) << 32 | u64::from(primitive.bits())
+    };
     // Numbers are selected from in less time than boxes.
     let mut keys: Vec<u64> = primitives.iter().map(key).collect();
     let limit = *keys.select_nth_unstable(count).1;
@@ -106,7 +118,17 @@ mod tests {
 
     #[test]
     fn ranks_ascend() {
-        let ascending = [f32::NEG_INFINITY, -2.0, -1.5, -0.0, 0.0, f32::from_bits(1), 1.0, f32::INFINITY, f32::NAN];
+        let ascending = [
+            f32::NEG_INFINITY,
+            -2.0,
+            -1.5,
+            -0.0,
+            0.0,
+            f32::from_bits(1),
+            1.0,
+            f32::INFINITY,
+            f32::NAN,
+        ];
         assert!(ascending.map(rank).is_sorted_by(|a, b| a < b));
     }
 }

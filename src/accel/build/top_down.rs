@@ -32,8 +32,10 @@ impl TopDown<'_> {
             && let Some(middle) = self.split(primitives, depth)
         {
             let (left, right) = primitives.split_at_mut(middle);
-            let (left, right) =
-                rayon::join(|| self.branch(left, first, depth + 1), || self.branch(right, first + middle, depth + 1));
+            let (left, right) = rayon::join(
+                || self.branch(left, first, depth + 1),
+                || self.branch(right, first + middle, depth + 1),
+            );
             return Branch::fork(left, right);
         }
         let mut below = Vec::new();
@@ -44,7 +46,13 @@ impl TopDown<'_> {
     }
 
     /// The node over `primitives`, with the nodes below it appended to `below`, depth first.
-    fn node(&self, primitives: &mut [BuildPrimitive], first: usize, depth: u32, below: &mut Vec<Children>) -> Node {
+    fn node(
+        &self,
+        primitives: &mut [BuildPrimitive],
+        first: usize,
+        depth: u32,
+        below: &mut Vec<Children>,
+    ) -> Node {
         let Some(middle) = self.split(primitives, depth) else {
             return Node::leaf(bounds_of(primitives), first as u32, primitives.len() as u32);
         };

@@ -37,10 +37,17 @@ pub(super) fn place_triangles(
     let count = BLOCK.min(shapes.triangle_count() - first);
     let block = TriangleBlock::fetch(shapes, first, count);
     let can_be_hit = block.can_be_hit();
-    let never_hit = can_be_hit[..count].iter().filter(|can_be_hit| !**can_be_hit).count();
-    let alive: [bool; BLOCK] = std::array::from_fn(|k| k < count && can_be_hit[k] && wanted(first + k));
+    let never_hit = can_be_hit[..count]
+        .iter()
+        .filter(|can_be_hit| !**can_be_hit)
+        .count();
+    let alive: [bool; BLOCK] =
+        std::array::from_fn(|k| k < count && can_be_hit[k] && wanted(first + k));
     if !alive.contains(&true) {
-        return PlacedTriangles { primitives: [BuildPrimitive::DEAD; BLOCK], never_hit };
+        return PlacedTriangles {
+            primitives: [BuildPrimitive::DEAD; BLOCK],
+            never_hit,
+        };
     }
     let faces = [0, 1, 2].map(|axis| block.faces(space, axis));
     let primitives = std::array::from_fn(|k| {
@@ -48,10 +55,16 @@ pub(super) fn place_triangles(
             return BuildPrimitive::DEAD;
         }
         let [x, y, z] = &faces;
-        let bounds = Box32 { low: [x.low[k], y.low[k], z.low[k]], high: [x.high[k], y.high[k], z.high[k]] };
+        let bounds = Box32 {
+            low: [x.low[k], y.low[k], z.low[k]],
+            high: [x.high[k], y.high[k], z.high[k]],
+        };
         BuildPrimitive::new(&bounds, Primitive::triangle(first + k).to_bits())
     });
-    PlacedTriangles { primitives, never_hit }
+    PlacedTriangles {
+        primitives,
+        never_hit,
+    }
 }
 
 /// The sides of boxes across an axis.
@@ -92,7 +105,10 @@ impl TriangleBlock {
 
     /// Around each triangle that can be hit, whose coordinates are numbers, so that plain comparisons do.
     fn faces(&self, space: &AnchorSpace, axis: usize) -> Faces {
-        let mut faces = Faces { low: [0.0; BLOCK], high: [0.0; BLOCK] };
+        let mut faces = Faces {
+            low: [0.0; BLOCK],
+            high: [0.0; BLOCK],
+        };
         let [a, b, c] = self.corners.each_ref().map(|corner| &corner[axis]);
         for k in 0..BLOCK {
             let lower = if a[k] < b[k] { a[k] } else { b[k] };
@@ -113,19 +129,26 @@ mod tests {
     #[test]
     fn blocks_hold_what_triangles_do() {
         let place = |k: usize| (k as u32).wrapping_mul(0x9e37_79b9) as f64 * 1e-3 - 2e6;
-        let mut vertices: Vec<Point> = (0..99).map(|k| Point::new(place(k), place(k + 100), place(k + 200))).collect();
+        let mut vertices: Vec<Point> = (0..99)
+            .map(|k| Point::new(place(k), place(k + 100), place(k + 200)))
+            .collect();
         vertices[40].y = f64::NAN;
         vertices[50].z = f64::INFINITY;
         vertices[60] = Point::new(1e308, 1e308, -1e308);
         vertices[61] = Point::new(1e308, -1e308, 1e308);
         let corner = |k: usize| (k * k % 99) as u32;
-        let triangles: Vec<[u32; 3]> = (0..85).map(|k| [corner(k), corner(k + 1), corner(k + k % 5)]).collect();
+        let triangles: Vec<[u32; 3]> = (0..85)
+            .map(|k| [corner(k), corner(k + 1), corner(k + k % 5)])
+            .collect();
         let mut shapes = Shapes::default();
-        shapes.add_mesh(vertices, triangles, &Matrix::IDENTITY, 1).unwrap();
+        shapes
+            .add_mesh(vertices, triangles, &Matrix::IDENTITY, 1)
+            .unwrap();
         for reach in [1e7, f64::INFINITY] {
             let space = AnchorSpace::new(Point::new(1.0, 2.0, 3.0), reach);
-            let blocks =
-                (0..85).step_by(BLOCK).flat_map(|first| place_triangles(&shapes, &space, first, |_| true).primitives);
+            let blocks = (0..85)
+                .step_by(BLOCK)
+                .flat_map(|first| place_triangles(&shapes, &space, first, |_| true).primitives);
             let expected = (0..85).map(|index| {
                 let primitive = Primitive::triangle(index);
                 let surface = shapes.own_surface(primitive);
@@ -138,7 +161,12 @@ mod tests {
             });
             let blocks: Vec<BuildPrimitive> = blocks.collect();
             assert!(blocks.iter().take(85).copied().eq(expected));
-            assert!(blocks.iter().skip(85).all(|primitive| *primitive == BuildPrimitive::DEAD));
+            assert!(
+                blocks
+                    .iter()
+                    .skip(85)
+                    .all(|primitive| *primitive == BuildPrimitive::DEAD)
+            );
             assert!(blocks.contains(&BuildPrimitive::DEAD));
         }
     }

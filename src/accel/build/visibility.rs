@@ -33,9 +33,19 @@ impl Visibility {
         space: &AnchorSpace,
     ) -> Option<Visibility> {
         let view = View::new(camera, space)?;
-        let vertices = shapes.vertices().par_iter().with_min_len(1 << 12).map(|vertex| view.on_film(*vertex)).collect();
-        let window = [[window.x0, window.x1 - 1], [window.y0, window.y1 - 1]].map(|ends| ends.map(|end| end as f32));
-        Some(Visibility { view, window, vertices })
+        let vertices = shapes
+            .vertices()
+            .par_iter()
+            .with_min_len(1 << 12)
+            .map(|vertex| view.on_film(*vertex))
+            .collect();
+        let window = [[window.x0, window.x1 - 1], [window.y0, window.y1 - 1]]
+            .map(|ends| ends.map(|end| end as f32));
+        Some(Visibility {
+            view,
+            window,
+            vertices,
+        })
     }
 
     /// Whether a ray may meet the triangle with these corners.
@@ -67,7 +77,10 @@ impl Visibility {
         (0..2).all(|axis| {
             let margin = MARGIN + RELATIVE_MARGIN * low[axis].abs().max(high[axis].abs());
             let [first, last] = self.window[axis];
-            let (low, high) = ((low[axis] - margin).max(first), (high[axis] + margin).min(last));
+            let (low, high) = (
+                (low[axis] - margin).max(first),
+                (high[axis] + margin).min(last),
+            );
             low <= high && next_whole(low) <= high
         })
     }

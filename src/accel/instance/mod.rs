@@ -29,25 +29,40 @@ pub(super) struct Outlines(Vec<Outline>);
 
 impl Outlines {
     pub(super) fn of(shapes: &Shapes) -> Outlines {
-        Outlines(shapes.objects().iter().map(|object| Outline::of(object.shapes())).collect())
+        Outlines(
+            shapes
+                .objects()
+                .iter()
+                .map(|object| Outline::of(object.shapes()))
+                .collect(),
+        )
     }
 
     fn placement(&self, shapes: &Shapes, instance: usize) -> Placement {
         let instance = &shapes.instances()[instance];
-        Placement::new(instance.world_from_instance(), &self.0[instance.object()].terms)
+        Placement::new(
+            instance.world_from_instance(),
+            &self.0[instance.object()].terms,
+        )
     }
 
     /// The box around an instance in the world; `None` where nothing of it can be hit.
     fn bounds(&self, shapes: &Shapes, instance: usize) -> Option<Bounds> {
         let outline = &self.0[shapes.instances()[instance].object()];
-        let is_there = !outline.is_empty() && shapes.instances()[instance].world_from_instance().is_finite();
+        let is_there = !outline.is_empty()
+            && shapes.instances()[instance]
+                .world_from_instance()
+                .is_finite();
         is_there.then(|| self.placement(shapes, instance).enclose(&outline.bounds))
     }
 
     /// The box around all instances.
     pub(super) fn bounds_of_all(&self, shapes: &Shapes) -> Bounds {
         let bounds = |instance| self.bounds(shapes, instance).unwrap_or(Bounds::EMPTY);
-        (0..shapes.instances().len()).into_par_iter().map(bounds).reduce(|| Bounds::EMPTY, Bounds::union)
+        (0..shapes.instances().len())
+            .into_par_iter()
+            .map(bounds)
+            .reduce(|| Bounds::EMPTY, Bounds::union)
     }
 }
 
@@ -82,18 +97,29 @@ impl InstanceTrees {
         };
         let seen: Vec<BuildPrimitive> = (0..count).into_par_iter().filter_map(place).collect();
         progress.advance(count - seen.len());
-        let leaf = BuildOptions { max_leaf: options.max_leaf.min(MAX_LEAF), ..options };
+        let leaf = BuildOptions {
+            max_leaf: options.max_leaf.min(MAX_LEAF),
+            ..options
+        };
         let tree = Tree::build(seen, leaf, progress, |instance| instance);
         let mut is_shown = vec![false; shapes.objects().len()];
-        tree.order.iter().for_each(|instance| is_shown[shapes.instances()[*instance as usize].object()] = true);
-        let objects = shapes.objects().iter().zip(outlines.0).zip(is_shown).map(|((object, outline), is_shown)| {
-            if !is_shown {
-                progress.advance(object.shapes().own_count());
-            }
-            is_shown.then(|| ObjectTree::build(object.shapes(), outline, options, progress))
-        });
+        tree.order
+            .iter()
+            .for_each(|instance| is_shown[shapes.instances()[*instance as usize].object()] = true);
+        let objects = shapes.objects().iter().zip(outlines.0).zip(is_shown).map(
+            |((object, outline), is_shown)| {
+                if !is_shown {
+                    progress.advance(object.shapes().own_count());
+                }
+                is_shown.then(|| ObjectTree::build(object.shapes(), outline, options, progress))
+            },
+        );
         let objects = objects.collect();
-        InstanceTrees { wide: WideTree::of(&tree, runs_of), tree, objects }
+        InstanceTrees {
+            wide: WideTree::of(&tree, runs_of),
+            tree,
+            objects,
+        }
     }
 
     /// The tree of the object of an instance that is in the tree.

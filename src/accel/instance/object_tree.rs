@@ -23,24 +23,45 @@ pub(in crate::accel) struct ObjectTree {
 }
 
 /// What has no place that is known has this one.
-const UNIT_BOX: Box32 = Box32 { low: [-1.0; 3], high: [1.0; 3] };
+const UNIT_BOX: Box32 = Box32 {
+    low: [-1.0; 3],
+    high: [1.0; 3],
+};
 
 impl ObjectTree {
     /// `progress` counts primitives.
-    pub(super) fn build(object: &Shapes, outline: Outline, options: BuildOptions, progress: Progress) -> ObjectTree {
+    pub(super) fn build(
+        object: &Shapes,
+        outline: Outline,
+        options: BuildOptions,
+        progress: Progress,
+    ) -> ObjectTree {
         let space = space_of(&outline);
         let place = |pose: &mut Pose, primitive: &Primitive| {
             let bounds = Outline::of_one(object, pose, *primitive)?.bounds;
-            let bounds = if outline.is_anywhere() { UNIT_BOX } else { space.enclose(&bounds) };
+            let bounds = if outline.is_anywhere() {
+                UNIT_BOX
+            } else {
+                space.enclose(&bounds)
+            };
             Some(BuildPrimitive::new(&bounds, primitive.to_bits()))
         };
         let all: Vec<Primitive> = object.primitives().collect();
         let pose = || Pose::new(object, Matrix::IDENTITY);
-        let placed: Vec<Option<BuildPrimitive>> = all.par_iter().with_min_len(1 << 10).map_init(pose, place).collect();
+        let placed: Vec<Option<BuildPrimitive>> = all
+            .par_iter()
+            .with_min_len(1 << 10)
+            .map_init(pose, place)
+            .collect();
         let primitives: Vec<BuildPrimitive> = placed.into_iter().flatten().collect();
         progress.advance(all.len() - primitives.len());
         let tree = Tree::build(primitives, options, progress, Primitive::from_bits);
-        ObjectTree { space, wide: WideTree::of(&tree, runs_of), tree, terms: outline.terms }
+        ObjectTree {
+            space,
+            wide: WideTree::of(&tree, runs_of),
+            tree,
+            terms: outline.terms,
+        }
     }
 
     /// Where an instance of the object puts its boxes.
@@ -60,5 +81,8 @@ fn space_of(outline: &Outline) -> AnchorSpace {
     }
     let Bounds { low, high } = outline.bounds;
     let middle = outline.bounds.centre();
-    AnchorSpace::new(middle, (high - middle).largest().max((middle - low).largest()))
+    AnchorSpace::new(
+        middle,
+        (high - middle).largest().max((middle - low).largest()),
+    )
 }

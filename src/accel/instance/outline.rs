@@ -31,15 +31,23 @@ impl Outline {
         let primitives: Vec<Primitive> = object.primitives().collect();
         let of_chunk = |chunk: &[Primitive]| {
             let mut pose = Pose::new(object, Matrix::IDENTITY);
-            chunk.iter().fold(Outline::NOTHING, |outline, primitive| {
-                match Outline::of_one(object, &mut pose, *primitive) {
+            chunk.iter().fold(
+                Outline::NOTHING,
+                |outline, primitive| match Outline::of_one(object, &mut pose, *primitive) {
                     Some(one) => outline.union(one),
                     None => outline,
-                }
-            })
+                },
+            )
         };
-        let outline = primitives.par_chunks(1 << 14).map(of_chunk).reduce(|| Outline::NOTHING, Outline::union);
-        let fits = outline.terms.in_instance.iter().all(|terms| *terms < LARGEST);
+        let outline = primitives
+            .par_chunks(1 << 14)
+            .map(of_chunk)
+            .reduce(|| Outline::NOTHING, Outline::union);
+        let fits = outline
+            .terms
+            .in_instance
+            .iter()
+            .all(|terms| *terms < LARGEST);
         if fits { outline } else { Outline::ANYWHERE }
     }
 
@@ -58,32 +66,66 @@ impl Outline {
             low: Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY),
             high: Point::new(f64::INFINITY, f64::INFINITY, f64::INFINITY),
         },
-        terms: Terms { in_instance: [f64::INFINITY; 3], in_file: f64::INFINITY },
+        terms: Terms {
+            in_instance: [f64::INFINITY; 3],
+            in_file: f64::INFINITY,
+        },
     };
 
-    const NOTHING: Outline = Outline { bounds: Bounds::EMPTY, terms: Terms { in_instance: [0.0; 3], in_file: 0.0 } };
+    const NOTHING: Outline = Outline {
+        bounds: Bounds::EMPTY,
+        terms: Terms {
+            in_instance: [0.0; 3],
+            in_file: 0.0,
+        },
+    };
 
     fn union(self, other: Outline) -> Outline {
-        let in_instance = [0, 1, 2].map(|k| self.terms.in_instance[k].max(other.terms.in_instance[k]));
+        let in_instance =
+            [0, 1, 2].map(|k| self.terms.in_instance[k].max(other.terms.in_instance[k]));
         let in_file = self.terms.in_file.max(other.terms.in_file);
-        Outline { bounds: self.bounds.union(other.bounds), terms: Terms { in_instance, in_file } }
+        Outline {
+            bounds: self.bounds.union(other.bounds),
+            terms: Terms {
+                in_instance,
+                in_file,
+            },
+        }
     }
 
     /// That of one primitive; `None` where it cannot be hit in any instance.
-    pub(super) fn of_one(object: &Shapes, pose: &mut Pose, primitive: Primitive) -> Option<Outline> {
+    pub(super) fn of_one(
+        object: &Shapes,
+        pose: &mut Pose,
+        primitive: Primitive,
+    ) -> Option<Outline> {
         let (extent, instance_from_file) = match object.own_surface(primitive) {
             Surface::Triangle(triangle) => {
                 let corners = triangle.0;
-                corners.iter().all(|corner| corner.is_finite()).then_some(())?;
-                let extent = [0, 1, 2].map(|axis| corners.iter().fold(0.0f64, |most, p| most.max(p[axis].abs())));
+                corners
+                    .iter()
+                    .all(|corner| corner.is_finite())
+                    .then_some(())?;
+                let extent = [0, 1, 2].map(|axis| {
+                    corners
+                        .iter()
+                        .fold(0.0f64, |most, p| most.max(p[axis].abs()))
+                });
                 (extent, *object.transform_of_mesh(primitive.index() as u32))
             }
             Surface::Quadric(quadric) => (quadric.extent()?, quadric.world_from_object),
         };
         instance_from_file.is_finite().then_some(())?;
-        let sum = |row: &[f64; 4]| (0..3).map(|j| row[j].abs() * extent[j]).sum::<f64>() + row[3].abs();
+        let sum =
+            |row: &[f64; 4]| (0..3).map(|j| row[j].abs() * extent[j]).sum::<f64>() + row[3].abs();
         let in_instance = instance_from_file.rows.each_ref().map(sum);
         let in_file = extent.into_iter().fold(0.0, f64::max);
-        Some(Outline { bounds: pose.surface(primitive).bounds(), terms: Terms { in_instance, in_file } })
+        Some(Outline {
+            bounds: pose.surface(primitive).bounds(),
+            terms: Terms {
+                in_instance,
+                in_file,
+            },
+        })
     }
 }

@@ -32,9 +32,16 @@ impl Placement {
             let linear = |factors: [f64; 3]| (0..3).map(|j| row[j].abs() * factors[j]).sum::<f64>();
             let rounding = 64.0 * U * (linear(terms.in_instance) + row[3].abs());
             let slack = rounding + UNDERFLOW * (1.0 + terms.in_file + linear([1.0; 3]));
-            if slack < f64::INFINITY { slack } else { f64::INFINITY }
+            if slack < f64::INFINITY {
+                slack
+            } else {
+                f64::INFINITY
+            }
         });
-        Placement { world_from_instance: *world_from_instance, slack }
+        Placement {
+            world_from_instance: *world_from_instance,
+            slack,
+        }
     }
 
     /// The box in the world around what is in `bounds` in the space of the instance. A box around another one stays around it.
@@ -46,10 +53,16 @@ impl Placement {
             let low = ((least(x) + least(y)) + least(z)) + row[3] - self.slack[k];
             let high = ((most(x) + most(y)) + most(z)) + row[3] + self.slack[k];
             // Where something is infinite, nothing is known.
-            [if low.is_nan() { f64::NEG_INFINITY } else { low }, if high.is_nan() { f64::INFINITY } else { high }]
+            [
+                if low.is_nan() { f64::NEG_INFINITY } else { low },
+                if high.is_nan() { f64::INFINITY } else { high },
+            ]
         };
         let ends = [ends(0), ends(1), ends(2)];
-        Bounds { low: Point::from(ends.map(|[low, _]| low)), high: Point::from(ends.map(|[_, high]| high)) }
+        Bounds {
+            low: Point::from(ends.map(|[low, _]| low)),
+            high: Point::from(ends.map(|[_, high]| high)),
+        }
     }
 }
 

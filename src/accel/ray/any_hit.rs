@@ -26,7 +26,11 @@ impl<S: Search> Search for AnyHit<S> {
     /// Nothing is entered before this once something is hit.
     #[inline]
     fn limit(&self) -> f32 {
-        if self.search.has_hit() { f32::NEG_INFINITY } else { f32::INFINITY }
+        if self.search.has_hit() {
+            f32::NEG_INFINITY
+        } else {
+            f32::INFINITY
+        }
     }
 
     fn has_hit(&self) -> bool {

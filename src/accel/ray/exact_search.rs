@@ -25,14 +25,21 @@ impl<'a> ExactSearch<'a> {
         ties: &'a mut Ties,
         fallbacks: &'a mut Fallbacks,
     ) -> ExactSearch<'a> {
-        ExactSearch { shapes, nearest: Nearest::new(shapes, ray, ties, fallbacks), slab, limit: f32::INFINITY }
+        ExactSearch {
+            shapes,
+            nearest: Nearest::new(shapes, ray, ties, fallbacks),
+            slab,
+            limit: f32::INFINITY,
+        }
     }
 }
 
 impl Search for ExactSearch<'_> {
     #[inline]
     fn test(&mut self, primitive: Placed) {
-        let Some(surface) = self.shapes.surface_in_tree(primitive) else { return };
+        let Some(surface) = self.shapes.surface_in_tree(primitive) else {
+            return;
+        };
         if self.nearest.test(primitive, &surface)
             && let Some(t) = self.nearest.best_t()
         {

@@ -27,24 +27,38 @@ impl<'a> FastSearch<'a> {
         ray: &Ray,
         slab: &'a SlabRay,
     ) -> FastSearch<'a> {
-        FastSearch { shapes, space, ray: space.single_ray(ray), slab, best: None }
+        FastSearch {
+            shapes,
+            space,
+            ray: space.single_ray(ray),
+            slab,
+            best: None,
+        }
     }
 
     #[inline]
     fn intersect(&self, surface: &Surface) -> Option<f32> {
-        let SingleRay { origin, direction, largest_axis, .. } = self.ray;
+        let SingleRay {
+            origin,
+            direction,
+            largest_axis,
+            ..
+        } = self.ray;
         let from_origin = |point: &Point| -> [f32; 3] {
             let point = self.space.place(point);
             std::array::from_fn(|k| point[k] - origin[k])
         };
         match surface {
             Surface::Quadric(quadric) => {
-                let from_centre = from_origin(&quadric.world_from_object.column(3).into()).map(|x| -x);
+                let from_centre =
+                    from_origin(&quadric.world_from_object.column(3).into()).map(|x| -x);
                 SingleQuadric::new(quadric, self.space.units()).intersect(from_centre, direction)
             }
-            Surface::Triangle(triangle) => {
-                intersect_single(triangle.0.each_ref().map(from_origin), direction, largest_axis)
-            }
+            Surface::Triangle(triangle) => intersect_single(
+                triangle.0.each_ref().map(from_origin),
+                direction,
+                largest_axis,
+            ),
         }
     }
 
@@ -53,10 +67,13 @@ impl<'a> FastSearch<'a> {
             return;
         }
         let corners = self.space.enclose(&surface.bounds()).corners();
-        let Some(entry) = self.slab.enter(&corners) else { return };
+        let Some(entry) = self.slab.enter(&corners) else {
+            return;
+        };
         let t = t.max(entry);
-        let is_better =
-            self.best.is_none_or(|(best, other)| t < best || (t == best && self.shapes.precedes(primitive, other)));
+        let is_better = self.best.is_none_or(|(best, other)| {
+            t < best || (t == best && self.shapes.precedes(primitive, other))
+        });
         if is_better {
             self.best = Some((t, primitive));
         }
@@ -66,7 +83,9 @@ impl<'a> FastSearch<'a> {
 impl Search for FastSearch<'_> {
     #[inline]
     fn test(&mut self, primitive: Placed) {
-        let Some(surface) = self.shapes.surface_in_tree(primitive) else { return };
+        let Some(surface) = self.shapes.surface_in_tree(primitive) else {
+            return;
+        };
         if let Some(t) = self.intersect(&surface) {
             self.offer(t, primitive, &surface);
         }
@@ -84,6 +103,10 @@ impl Search for FastSearch<'_> {
 
     fn into_hit(self) -> Option<Hit> {
         let t_of = |t| Bracket::exactly(self.ray.unscaled(t));
-        self.best.map(|(t, primitive)| Hit { primitive, t: t_of(t), is_hard: false })
+        self.best.map(|(t, primitive)| Hit {
+            primitive,
+            t: t_of(t),
+            is_hard: false,
+        })
     }
 }

@@ -17,14 +17,21 @@ pub(in crate::accel) struct ForeignSearch<'a, F> {
 
 impl<'a, F: FnMut(Placed) -> Option<f32>> ForeignSearch<'a, F> {
     pub(in crate::accel) fn new(slab: &'a SlabRay, intersect: F) -> ForeignSearch<'a, F> {
-        ForeignSearch { intersect, slab, best: None, limit: f32::INFINITY }
+        ForeignSearch {
+            intersect,
+            slab,
+            best: None,
+            limit: f32::INFINITY,
+        }
     }
 }
 
 impl<F: FnMut(Placed) -> Option<f32>> Search for ForeignSearch<'_, F> {
     #[inline]
     fn test(&mut self, primitive: Placed) {
-        let Some(t) = (self.intersect)(primitive) else { return };
+        let Some(t) = (self.intersect)(primitive) else {
+            return;
+        };
         if self.best.is_none_or(|(best, _)| t < best) {
             self.best = Some((t, primitive));
             self.limit = self.slab.scaled_limit(t.into());
@@ -42,6 +49,10 @@ impl<F: FnMut(Placed) -> Option<f32>> Search for ForeignSearch<'_, F> {
     }
 
     fn into_hit(self) -> Option<Hit> {
-        self.best.map(|(t, primitive)| Hit { primitive, t: Bracket::exactly(t.into()), is_hard: false })
+        self.best.map(|(t, primitive)| Hit {
+            primitive,
+            t: Bracket::exactly(t.into()),
+            is_hard: false,
+        })
     }
 }

@@ -34,12 +34,22 @@ impl<'a> Nearest<'a> {
         ties: &'a mut Ties,
         fallbacks: &'a mut Fallbacks,
     ) -> Nearest<'a> {
-        Nearest { shapes, ray: FilterRay::new(ray), best: None, ties, fallbacks }
+        Nearest {
+            shapes,
+            ray: FilterRay::new(ray),
+            best: None,
+            ties,
+            fallbacks,
+        }
     }
 
     /// Begins with a hit that is known, at a `t` within the bracket.
     pub(in crate::accel) fn hold(&mut self, primitive: Placed, t: Bracket) {
-        self.best = Some(Candidate { primitive, t, root: None });
+        self.best = Some(Candidate {
+            primitive,
+            t,
+            root: None,
+        });
     }
 
     /// Where the best hit is, if there is any.
@@ -53,7 +63,11 @@ impl<'a> Nearest<'a> {
     pub(in crate::accel) fn test(&mut self, primitive: Placed, surface: &Surface) -> bool {
         match surface.filter(&self.ray) {
             Verdict::Miss => false,
-            Verdict::Hit(t) => self.offer(Candidate { primitive, t, root: None }),
+            Verdict::Hit(t) => self.offer(Candidate {
+                primitive,
+                t,
+                root: None,
+            }),
             Verdict::Unsure => self.test_exactly(primitive, surface),
         }
     }
@@ -78,23 +92,40 @@ impl<'a> Nearest<'a> {
     fn test_exactly(&mut self, primitive: Placed, surface: &Surface) -> bool {
         self.fallbacks.unsure_tests += 1;
         let root = surface.exact(&self.ray.ray);
-        root.is_some_and(|root| self.offer(Candidate { primitive, t: root.bracket(), root: Some(root) }))
+        root.is_some_and(|root| {
+            self.offer(Candidate {
+                primitive,
+                t: root.bracket(),
+                root: Some(root),
+            })
+        })
     }
 
     /// Whether a hit beats the best one, where the brackets overlap.
     #[cold]
     fn wins_close(&mut self, candidate: &mut Candidate) -> bool {
         let shapes = self.shapes;
-        let best = self.best.as_mut().expect("there is a best hit to compare with");
+        let best = self
+            .best
+            .as_mut()
+            .expect("there is a best hit to compare with");
         let comes_first = shapes.precedes(candidate.primitive, best.primitive);
-        match self.ties.between(shapes, best.primitive, candidate.primitive) {
+        match self
+            .ties
+            .between(shapes, best.primitive, candidate.primitive)
+        {
             Coincidence::SameHit => return comes_first,
             // The filter tells one bracket of each root, and brackets of two roots that are apart.
-            Coincidence::SameRoots if candidate.root.is_none() && candidate.t == best.t => return comes_first,
+            Coincidence::SameRoots if candidate.root.is_none() && candidate.t == best.t => {
+                return comes_first;
+            }
             Coincidence::SameRoots | Coincidence::None => {}
         }
         self.fallbacks.comparisons += 1;
-        match candidate.root(shapes, &self.ray.ray).cmp(best.root(shapes, &self.ray.ray)) {
+        match candidate
+            .root(shapes, &self.ray.ray)
+            .cmp(best.root(shapes, &self.ray.ray))
+        {
             Ordering::Less => true,
             Ordering::Equal => comes_first,
             Ordering::Greater => false,
@@ -103,12 +134,17 @@ impl<'a> Nearest<'a> {
 
     pub(in crate::accel) fn into_hit(self) -> Option<Hit> {
         let is_hard = self.fallbacks.is_any();
-        self.best.map(|best| Hit { primitive: best.primitive, t: best.t, is_hard })
+        self.best.map(|best| Hit {
+            primitive: best.primitive,
+            t: best.t,
+            is_hard,
+        })
     }
 }
 
 impl Candidate {
     fn root(&mut self, shapes: &Shapes, ray: &Ray) -> &Root {
-        self.root.get_or_insert_with(|| shapes.surface(self.primitive).exact_t(ray))
+        self.root
+            .get_or_insert_with(|| shapes.surface(self.primitive).exact_t(ray))
     }
 }

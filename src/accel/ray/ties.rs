@@ -18,7 +18,12 @@ pub(in crate::accel) struct Ties {
 impl Ties {
     /// What two primitives have in common, both of which can be hit.
     #[inline]
-    pub(in crate::accel) fn between(&mut self, shapes: &Shapes, a: Placed, b: Placed) -> Coincidence {
+    pub(in crate::accel) fn between(
+        &mut self,
+        shapes: &Shapes,
+        a: Placed,
+        b: Placed,
+    ) -> Coincidence {
         if let Some((first, second, known)) = self.last
             && first == a
             && second == b
@@ -38,14 +43,23 @@ impl Ties {
         match (shapes.surface(a), shapes.surface(b)) {
             (p, q) if p.is_flat() && q.is_flat() => {
                 let leaders = [leaders[0].unwrap_or(a), leaders[1].unwrap_or(b)];
-                if self.are_coplanar((a, &p), (b, &q), leaders) { Coincidence::SameHit } else { Coincidence::None }
+                if self.are_coplanar((a, &p), (b, &q), leaders) {
+                    Coincidence::SameHit
+                } else {
+                    Coincidence::None
+                }
             }
             (Surface::Quadric(p), Surface::Quadric(q)) => p.coincidence(&q),
             _ => Coincidence::None,
         }
     }
 
-    fn are_coplanar(&mut self, (a, p): (Placed, &Surface), (b, q): (Placed, &Surface), leaders: [Placed; 2]) -> bool {
+    fn are_coplanar(
+        &mut self,
+        (a, p): (Placed, &Surface),
+        (b, q): (Placed, &Surface),
+        leaders: [Placed; 2],
+    ) -> bool {
         if let Some(known) = p.may_be_coplanar_with(q) {
             return known;
         }
@@ -113,8 +127,17 @@ mod tests {
     fn shapes_of(triangles: &[([[i32; 2]; 3], [i32; 3])]) -> Shapes {
         let mut shapes = Shapes::default();
         for (corners, [slope, other, height]) in triangles {
-            let corner = |[x, y]: [i32; 2]| Point::from([x, y, slope * x + other * y + height].map(f64::from));
-            shapes.add_mesh(corners.map(corner).to_vec(), vec![[0, 1, 2]], &Matrix::IDENTITY, 1).unwrap();
+            let corner = |[x, y]: [i32; 2]| {
+                Point::from([x, y, slope * x + other * y + height].map(f64::from))
+            };
+            shapes
+                .add_mesh(
+                    corners.map(corner).to_vec(),
+                    vec![[0, 1, 2]],
+                    &Matrix::IDENTITY,
+                    1,
+                )
+                .unwrap();
         }
         shapes
     }
@@ -155,7 +178,13 @@ mod tests {
             assert_eq!(cache.get(placed(k), placed(k + 1)), Some(k));
         }
         assert_eq!(cache.places.len(), 1 << Cache::<usize>::BITS);
-        let known: Vec<usize> = (0..count).filter(|k| cache.get(placed(*k), placed(k + 1)) == Some(*k)).collect();
-        assert!(known.len() <= cache.places.len() && known.len() > cache.places.len() / 2, "{}", known.len());
+        let known: Vec<usize> = (0..count)
+            .filter(|k| cache.get(placed(*k), placed(k + 1)) == Some(*k))
+            .collect();
+        assert!(
+            known.len() <= cache.places.len() && known.len() > cache.places.len() / 2,
+            "{}",
+            known.len()
+        );
     }
 }

@@ -26,7 +26,14 @@ impl<'a> Tracer<'a> {
     /// For rays through `aggregate`, which was built over `shapes`.
     pub fn new(aggregate: &'a Aggregate, shapes: &'a Shapes, precision: Precision) -> Tracer<'a> {
         let (stacks, ties, fallbacks) = (Stacks::new(), Ties::default(), Fallbacks::default());
-        Tracer { aggregate, shapes, precision, stacks, ties, fallbacks }
+        Tracer {
+            aggregate,
+            shapes,
+            precision,
+            stacks,
+            ties,
+            fallbacks,
+        }
     }
 
     /// The nearest hit of `ray`; of several at one `t`, the primitive that comes first in the file (rule E3).
@@ -57,7 +64,14 @@ impl<'a> Tracer<'a> {
         }
         let slab = self.aggregate.space.ray(ray);
         let search = ForeignSearch::new(&slab, intersect);
-        traverse::<COUNTED, _>(self.aggregate, self.shapes, &slab, search, &mut self.stacks, work)
+        traverse::<COUNTED, _>(
+            self.aggregate,
+            self.shapes,
+            &slab,
+            search,
+            &mut self.stacks,
+            work,
+        )
     }
 
     /// How far away the `hit` of `ray` is.
@@ -65,7 +79,11 @@ impl<'a> Tracer<'a> {
         let (depth, roundings) = Depth::of(hit, ray, self.shapes, self.precision);
         if roundings > 0 {
             let rays = u64::from(!hit.is_hard);
-            self.fallbacks += Fallbacks { roundings, rays, ..Fallbacks::default() };
+            self.fallbacks += Fallbacks {
+                roundings,
+                rays,
+                ..Fallbacks::default()
+            };
         }
         depth
     }
@@ -78,19 +96,35 @@ impl<'a> Tracer<'a> {
 
 impl Tracer<'_> {
     #[inline]
-    fn trace<const COUNTED: bool, const ANY: bool>(&mut self, ray: &Ray, work: &mut Work) -> Option<Hit> {
+    fn trace<const COUNTED: bool, const ANY: bool>(
+        &mut self,
+        ray: &Ray,
+        work: &mut Work,
+    ) -> Option<Hit> {
         if !ray.can_hit() {
             return None;
         }
-        let Tracer { aggregate, shapes, .. } = *self;
+        let Tracer {
+            aggregate, shapes, ..
+        } = *self;
         let slab = aggregate.space.ray(ray);
         match self.precision {
             Precision::Exact => {
                 let mut fallbacks = Fallbacks::default();
                 let search = ExactSearch::new(shapes, ray, &slab, &mut self.ties, &mut fallbacks);
-                let hit = run::<COUNTED, ANY, _>(aggregate, shapes, &slab, search, &mut self.stacks, work);
+                let hit = run::<COUNTED, ANY, _>(
+                    aggregate,
+                    shapes,
+                    &slab,
+                    search,
+                    &mut self.stacks,
+                    work,
+                );
                 if fallbacks.is_any() {
-                    self.fallbacks += Fallbacks { rays: 1, ..fallbacks };
+                    self.fallbacks += Fallbacks {
+                        rays: 1,
+                        ..fallbacks
+                    };
                 }
                 hit
             }

@@ -46,7 +46,10 @@ pub(in crate::accel) struct Stacks {
 
 impl Stacks {
     pub(in crate::accel) fn new() -> Stacks {
-        Stacks { world: Stack::new(), object: Stack::new() }
+        Stacks {
+            world: Stack::new(),
+            object: Stack::new(),
+        }
     }
 }
 
@@ -61,17 +64,29 @@ pub(in crate::accel) fn traverse<const COUNTED: bool, S: Search>(
     work: &mut Work,
 ) -> Option<Hit> {
     let Stacks { world, object } = stacks;
-    let mut walk = Walk::<COUNTED, S> { slab, search: &mut search, work };
+    let mut walk = Walk::<COUNTED, S> {
+        slab,
+        search: &mut search,
+        work,
+    };
     let enter = |corners: &Corners| slab.enter(corners);
     walk.down(&aggregate.tree, enter, world, |walk, primitives| {
         walk.count_primitives(primitives.len());
-        primitives.iter().for_each(|primitive| walk.search.test(Placed::alone(*primitive)));
+        primitives
+            .iter()
+            .for_each(|primitive| walk.search.test(Placed::alone(*primitive)));
     });
     let instances = &aggregate.instances;
     walk.down(&instances.tree, enter, world, |walk, leaf| {
         for instance in leaf {
             let instance = *instance as usize;
-            walk.down_object(instances.object(shapes, instance), &aggregate.space, shapes, instance, object);
+            walk.down_object(
+                instances.object(shapes, instance),
+                &aggregate.space,
+                shapes,
+                instance,
+                object,
+            );
         }
     });
     search.into_hit()
@@ -95,7 +110,9 @@ impl<const COUNTED: bool, S: Search> Walk<'_, COUNTED, S> {
         stack: &mut Stack,
         mut visit: impl FnMut(&mut Self, &[T]),
     ) {
-        let Some(root) = tree.root.as_ref() else { return };
+        let Some(root) = tree.root.as_ref() else {
+            return;
+        };
         self.count_nodes(1);
         if enter(&root.bounds.corners()).is_none_or(|near| near > self.search.limit()) {
             return;
@@ -108,7 +125,12 @@ impl<const COUNTED: bool, S: Search> Walk<'_, COUNTED, S> {
                 None
             } else {
                 self.count_nodes(2);
-                nearer_child(&tree.below[first as usize], &enter, self.search.limit(), stack)
+                nearer_child(
+                    &tree.below[first as usize],
+                    &enter,
+                    self.search.limit(),
+                    stack,
+                )
             };
             next = next.or_else(|| stack.pop(self.search.limit()));
         }
@@ -131,7 +153,9 @@ impl<const COUNTED: bool, S: Search> Walk<'_, COUNTED, S> {
         };
         self.down(&object.tree, enter, stack, |walk, primitives| {
             walk.count_primitives(primitives.len());
-            primitives.iter().for_each(|primitive| walk.search.test(Placed::in_instance(instance, *primitive)));
+            primitives
+                .iter()
+                .for_each(|primitive| walk.search.test(Placed::in_instance(instance, *primitive)));
         });
     }
 
@@ -164,8 +188,16 @@ fn nearer_child(
     match (enter(left), enter(right)) {
         (Some(to_left), Some(to_right)) => {
             let right_first = to_right < to_left;
-            let (nearer, farther, near) = if right_first { (right, left, to_left) } else { (left, right, to_right) };
-            stack.waiting[stack.len] = Waiting { near, first: farther.first(), count: farther.count() };
+            let (nearer, farther, near) = if right_first {
+                (right, left, to_left)
+            } else {
+                (left, right, to_right)
+            };
+            stack.waiting[stack.len] = Waiting {
+                near,
+                first: farther.first(),
+                count: farther.count(),
+            };
             stack.len += 1;
             child(nearer)
         }
@@ -177,8 +209,15 @@ fn nearer_child(
 
 impl Stack {
     fn new() -> Stack {
-        let nobody = Waiting { near: 0.0, first: 0, count: 0 };
-        Stack { waiting: [nobody; MAX_DEPTH + 1], len: 0 }
+        let nobody = Waiting {
+            near: 0.0,
+            first: 0,
+            count: 0,
+        };
+        Stack {
+            waiting: [nobody; MAX_DEPTH + 1],
+            len: 0,
+        }
     }
 
     /// The nearest waiting child that is entered before `limit`.

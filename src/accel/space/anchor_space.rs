@@ -70,7 +70,11 @@ impl AnchorSpace {
             reach => exponent_of(reach),
         };
         // Within the exponents of normal numbers; at the ends the outward rounding does what is left.
-        AnchorSpace { anchor, before, scale: power_of_two((LARGEST_EXPONENT - exponent).clamp(-1000, 1000)) }
+        AnchorSpace {
+            anchor,
+            before,
+            scale: power_of_two((LARGEST_EXPONENT - exponent).clamp(-1000, 1000)),
+        }
     }
 
     /// A coordinate of a point, before it is narrowed to `f32`.
@@ -89,15 +93,22 @@ impl AnchorSpace {
     pub(in crate::accel) fn enclose(&self, bounds: &Bounds) -> Box32 {
         let low = |k| self.low_face(bounds.low[k], k);
         let high = |k| self.high_face(bounds.high[k], k);
-        Box32 { low: [low(0), low(1), low(2)], high: [high(0), high(1), high(2)] }
+        Box32 {
+            low: [low(0), low(1), low(2)],
+            high: [high(0), high(1), high(2)],
+        }
     }
 
     /// The box in world space, up to one rounding of each coordinate.
     pub(in crate::accel) fn reveal(&self, corners: &Corners) -> Bounds {
-        let coordinate =
-            |x: f32, axis: usize| (f64::from(x) / self.scale + self.anchor[axis] * self.before) / self.before;
+        let coordinate = |x: f32, axis: usize| {
+            (f64::from(x) / self.scale + self.anchor[axis] * self.before) / self.before
+        };
         let point = |corner: &[f32; 4]| [0, 1, 2].map(|axis| coordinate(corner[axis], axis)).into();
-        Bounds { low: point(&corners[0]), high: point(&corners[1]) }
+        Bounds {
+            low: point(&corners[0]),
+            high: point(&corners[1]),
+        }
     }
 
     /// The low face on `axis` of a box that begins at `x` in world space.
@@ -117,7 +128,12 @@ impl AnchorSpace {
         let direction_scale = direction_scale(ray);
         let mut slab = SlabRay::new(self.units() / direction_scale);
         for k in 0..3 {
-            slab.prepare_axis(k, self.coordinate(&ray.origin, k), ray.direction[k], direction_scale);
+            slab.prepare_axis(
+                k,
+                self.coordinate(&ray.origin, k),
+                ray.direction[k],
+                direction_scale,
+            );
         }
         slab
     }
@@ -127,7 +143,10 @@ impl AnchorSpace {
         let direction_scale = direction_scale(ray);
         SingleRay {
             origin: self.place(&ray.origin),
-            direction: ray.direction.to_array().map(|component| (component * direction_scale) as f32),
+            direction: ray
+                .direction
+                .to_array()
+                .map(|component| (component * direction_scale) as f32),
             largest_axis: ray.direction.largest_axis(),
             direction_scale,
             space: *self,
@@ -204,8 +223,14 @@ mod tests {
     #[test]
     fn a_ray_in_the_plane_of_a_flat_box_enters_it() {
         let space = AnchorSpace::new(Point::default(), 9.0);
-        let flat = Bounds { low: Point::new(0.0, -1.0, 2.0), high: Point::new(0.0, 1.0, 9.0) };
-        let ray = Ray { origin: Point::default(), direction: Vector::new(0.0, 0.0, 1.0) };
+        let flat = Bounds {
+            low: Point::new(0.0, -1.0, 2.0),
+            high: Point::new(0.0, 1.0, 9.0),
+        };
+        let ray = Ray {
+            origin: Point::default(),
+            direction: Vector::new(0.0, 0.0, 1.0),
+        };
         let slab = space.ray(&ray);
         let near = enter(&slab, &space.enclose(&flat)).expect("it lies in the box");
         let near_t = space.single_ray(&ray).unscaled(near);
@@ -236,19 +261,28 @@ mod tests {
                 Greater => [nearest.next_down(), nearest],
             }
         });
-        let bounds = Bounds { low: ends.map(|[low, _]| low).into(), high: ends.map(|[_, high]| high).into() };
+        let bounds = Bounds {
+            low: ends.map(|[low, _]| low).into(),
+            high: ends.map(|[_, high]| high).into(),
+        };
         (bounds.low.is_finite() && bounds.high.is_finite()).then_some(bounds)
     }
 
     #[test]
     fn differences_that_overflow_are_taken_in_quarters() {
         let far = 1.5e308;
-        let ray = Ray { origin: Point::new(far, 1.0, -far), direction: Vector::new(-1e300, 0.0, 1e300) };
+        let ray = Ray {
+            origin: Point::new(far, 1.0, -far),
+            direction: Vector::new(-1e300, 0.0, 1e300),
+        };
         for t in [1e-8, 1.0, 2.5e8] {
             let bounds = bounds_of_point(&ray, t).unwrap();
             let space = AnchorSpace::new(ray.origin, f64::INFINITY);
             let near = enter(&space.ray(&ray), &space.enclose(&bounds));
-            assert!(near.is_some_and(|near| near <= space.ray(&ray).scaled_limit(t)), "{near:?}");
+            assert!(
+                near.is_some_and(|near| near <= space.ray(&ray).scaled_limit(t)),
+                "{near:?}"
+            );
         }
     }
 
@@ -256,9 +290,15 @@ mod tests {
     #[test]
     fn a_component_that_underflows_keeps_its_sign() {
         let origin = Point::new(-2f64.powi(1000), 0.0, 0.0);
-        let ray = Ray { origin, direction: Vector::new(1024.0, -f64::from_bits(1), 0.0) };
+        let ray = Ray {
+            origin,
+            direction: Vector::new(1024.0, -f64::from_bits(1), 0.0),
+        };
         let bounds = bounds_of_point(&ray, 2f64.powi(990)).unwrap();
-        assert_eq!((bounds.low, bounds.high), (Point::new(0.0, -2f64.powi(-84), 0.0), bounds.low));
+        assert_eq!(
+            (bounds.low, bounds.high),
+            (Point::new(0.0, -2f64.powi(-84), 0.0), bounds.low)
+        );
         let space = AnchorSpace::new(Point::default(), 1e6);
         assert!(enter(&space.ray(&ray), &space.enclose(&bounds)).is_some());
     }

@@ -20,7 +20,10 @@ impl Box32 {
     }
 
     /// The box of nothing.
-    pub(in crate::accel) const EMPTY: Box32 = Box32 { low: [f32::INFINITY; 3], high: [f32::NEG_INFINITY; 3] };
+    pub(in crate::accel) const EMPTY: Box32 = Box32 {
+        low: [f32::INFINITY; 3],
+        high: [f32::NEG_INFINITY; 3],
+    };
 
     /// The smallest box around both.
     #[inline]

@@ -15,7 +15,11 @@ pub(in crate::accel) fn smaller(a: f32, b: f32) -> f32 {
 /// The largest `f32` up to `x`; infinite only where `x` is.
 pub(in crate::accel) fn at_or_below(x: f64) -> f32 {
     let nearest = x as f32;
-    if f64::from(nearest) > x { nearest.next_down() } else { nearest }
+    if f64::from(nearest) > x {
+        nearest.next_down()
+    } else {
+        nearest
+    }
 }
 
 /// The largest `f32` less than `x` that is not 0: a face in the plane of the origin is on its own side of it. Minus
@@ -26,8 +30,16 @@ pub(in crate::accel) fn at_or_below(x: f64) -> f32 {
 pub(in crate::accel) fn below(x: f64) -> f32 {
     let nearest = x as f32;
     let rank = rank(nearest) - i32::from(f64::from(nearest) >= x);
-    let rank = if rank == ZERO || rank == MINUS_ZERO { MINUS_ZERO - 1 } else { rank };
-    of_rank(if nearest == f32::NEG_INFINITY { self::rank(nearest) } else { rank })
+    let rank = if rank == ZERO || rank == MINUS_ZERO {
+        MINUS_ZERO - 1
+    } else {
+        rank
+    };
+    of_rank(if nearest == f32::NEG_INFINITY {
+        self::rank(nearest)
+    } else {
+        rank
+    })
 }
 
 /// The ranks of 0 and -0.
@@ -75,8 +87,16 @@ mod tests {
     /// Step by step, as it is defined.
     fn slowly_below(x: f64) -> f32 {
         let lower = at_or_below(x);
-        let lower = if f64::from(lower) < x { lower } else { lower.next_down() };
-        if lower == 0.0 { -f32::from_bits(1) } else { lower }
+        let lower = if f64::from(lower) < x {
+            lower
+        } else {
+            lower.next_down()
+        };
+        if lower == 0.0 {
+            -f32::from_bits(1)
+        } else {
+            lower
+        }
     }
 
     proptest! {

@@ -35,19 +35,30 @@ impl SlabRay {
             near_inverse: [0.0; 3],
             far_inverse: [0.0; 3],
             // Beyond the range of f64 nothing is culled.
-            scaled_t_per_t: if scaled_t_per_t.is_normal() { scaled_t_per_t } else { f64::INFINITY },
+            scaled_t_per_t: if scaled_t_per_t.is_normal() {
+                scaled_t_per_t
+            } else {
+                f64::INFINITY
+            },
         }
     }
 
     /// Prepares axis `k` for a ray from `origin`, in anchor space, along a component that is to be scaled.
-    pub(in crate::accel) fn prepare_axis(&mut self, k: usize, origin: f64, direction: f64, direction_scale: f64) {
+    pub(in crate::accel) fn prepare_axis(
+        &mut self,
+        k: usize,
+        origin: f64,
+        direction: f64,
+        direction_scale: f64,
+    ) {
         // Told by the component itself: scaled down, it may underflow to 0.
         let negative = direction < 0.0;
         let sign = if negative { -1.0 } else { 1.0 };
         self.near_corner[k] = usize::from(negative);
         let scaled = (direction * direction_scale).abs();
         let (low, high) = (at_or_below(origin), -at_or_below(-origin));
-        (self.near_origin[k], self.far_origin[k]) = if negative { (low, high) } else { (high, low) };
+        (self.near_origin[k], self.far_origin[k]) =
+            if negative { (low, high) } else { (high, low) };
         let inverse = (1.0 / scaled) as f32;
         // Never infinite, or a ray that starts a rounding before a face would reach it too late.
         self.near_inverse[k] = sign * (inverse * SHRINK).min(f32::MAX);
@@ -59,7 +70,10 @@ impl SlabRay {
     #[inline]
     pub(in crate::accel) fn slab(&self, corners: &Corners, k: usize) -> (f32, f32) {
         // The masks spare the checks that the indices are in range.
-        let (near_face, far_face) = (corners[self.near_corner[k] & 1][k], corners[!self.near_corner[k] & 1][k]);
+        let (near_face, far_face) = (
+            corners[self.near_corner[k] & 1][k],
+            corners[!self.near_corner[k] & 1][k],
+        );
         (
             (near_face - self.near_origin[k]) * self.near_inverse[k],
             (far_face - self.far_origin[k]) * self.far_inverse[k],

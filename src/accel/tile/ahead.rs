@@ -40,7 +40,9 @@ impl Ahead {
                 self.push(block);
                 continue;
             }
-            let Some(child) = stack.pop(simd, pixels) else { break };
+            let Some(child) = stack.pop(simd, pixels) else {
+                break;
+            };
             if child.blocks == 0 {
                 let node = &tree.nodes[child.first as usize];
                 stack.push(simd, frame, tree.nodes, node, pixels, farthest);

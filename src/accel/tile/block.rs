@@ -84,10 +84,16 @@ impl Block {
 }
 
 /// The blocks of runs of up to [`BLOCK`] primitives that are in no instance.
-pub(in crate::accel) fn blocks_of(runs: &[Run], order: &[Primitive], shapes: &Shapes) -> Vec<Block> {
+pub(in crate::accel) fn blocks_of(
+    runs: &[Run],
+    order: &[Primitive],
+    shapes: &Shapes,
+) -> Vec<Block> {
     let block = |run: &Run| {
         let mut block = Block::empty();
-        run.of(order).iter().for_each(|primitive| block.push(*primitive, &shapes.own_surface(*primitive)));
+        run.of(order)
+            .iter()
+            .for_each(|primitive| block.push(*primitive, &shapes.own_surface(*primitive)));
         block
     };
     runs.par_iter().with_min_len(64).map(block).collect()

@@ -34,8 +34,18 @@ pub(super) struct Scratch {
 impl Scratch {
     pub(super) fn new() -> Scratch {
         let (stack, object_stack, contested) = (Stack::default(), Stack::default(), Vec::new());
-        let known = Known { ties: Ties::default(), fronts: Fronts::new() };
-        Scratch { pixels: Pixels::new(), stack, object_stack, planes: Planes::new(), contested, known }
+        let known = Known {
+            ties: Ties::default(),
+            fronts: Fronts::new(),
+        };
+        Scratch {
+            pixels: Pixels::new(),
+            stack,
+            object_stack,
+            planes: Planes::new(),
+            contested,
+            known,
+        }
     }
 }
 
@@ -89,8 +99,24 @@ impl Tile<'_> {
         if !self.instances.is_empty() {
             self.walk_instances::<S, EXACT>(simd);
         }
-        let Tile { frame, searcher, wanted, scratch, traced, fallbacks, .. } = self;
-        resolve(simd, &frame, &searcher, wanted, &mut scratch.pixels, traced, fallbacks);
+        let Tile {
+            frame,
+            searcher,
+            wanted,
+            scratch,
+            traced,
+            fallbacks,
+            ..
+        } = self;
+        resolve(
+            simd,
+            &frame,
+            &searcher,
+            wanted,
+            &mut scratch.pixels,
+            traced,
+            fallbacks,
+        );
     }
 
     /// Draws all that the tile may see.
@@ -106,7 +132,9 @@ impl Tile<'_> {
         let mut ahead = Ahead::default();
         while farthest < f32::INFINITY {
             let Scratch { stack, pixels, .. } = &mut *self.scratch;
-            let Some(place) = ahead.next(simd, &self.frame, &tree, stack, pixels, farthest) else { return };
+            let Some(place) = ahead.next(simd, &self.frame, &tree, stack, pixels, farthest) else {
+                return;
+            };
             self.show_block::<S, EXACT>(simd, farthest, &tree.blocks[place], ALONE);
             farthest = occlusion.refresh(simd, &mut self.scratch.pixels);
         }
@@ -121,10 +149,15 @@ impl Tile<'_> {
         block: &Block,
         sibling: Placed,
     ) {
-        let batch = Batch { primitives: &block.primitives, sibling };
+        let batch = Batch {
+            primitives: &block.primitives,
+            sibling,
+        };
         if block.triangles != 0 {
             let Prepared { usable, open } =
-                self.scratch.planes.fill_narrow::<S, EXACT>(simd, &self.frame, block, farthest);
+                self.scratch
+                    .planes
+                    .fill_narrow::<S, EXACT>(simd, &self.frame, block, farthest);
             if usable != 0 {
                 self.draw::<S, EXACT>(simd, usable, batch, Source::Block(block));
             }
@@ -133,19 +166,47 @@ impl Tile<'_> {
             }
         }
         if block.spheres() != 0 {
-            self.contest_spheres(simd, farthest, block, batch, Occlusion::of(self.frame.view, EXACT));
+            self.contest_spheres(
+                simd,
+                farthest,
+                block,
+                batch,
+                Occlusion::of(self.frame.view, EXACT),
+            );
         }
         self.settle();
     }
 
     /// Draws prepared triangles.
     #[inline(always)]
-    fn draw<S: Lanes, const EXACT: bool>(&mut self, simd: S, lanes: u32, batch: Batch, source: Source) {
+    fn draw<S: Lanes, const EXACT: bool>(
+        &mut self,
+        simd: S,
+        lanes: u32,
+        batch: Batch,
+        source: Source,
+    ) {
         let surely_nearer = self.frame.view.surely_nearer();
         let is_perspective = self.frame.view.is_perspective;
-        let rule = Rule { is_perspective, surely_nearer, hits_only: self.searcher.hits_only };
-        let Scratch { pixels, planes, contested, .. } = &mut *self.scratch;
-        let mut canvas = Canvas { batch, source, shapes: self.searcher.shapes, rule, pixels, contested };
+        let rule = Rule {
+            is_perspective,
+            surely_nearer,
+            hits_only: self.searcher.hits_only,
+        };
+        let Scratch {
+            pixels,
+            planes,
+            contested,
+            ..
+        } = &mut *self.scratch;
+        let mut canvas = Canvas {
+            batch,
+            source,
+            shapes: self.searcher.shapes,
+            rule,
+            pixels,
+            contested,
+        };
         canvas.draw::<S, EXACT>(simd, planes, lanes);
     }
 
@@ -159,31 +220,47 @@ impl Tile<'_> {
         let corners = Corners::of::<EXACT>(simd, &self.frame, &triangles);
         let cover = Cover::of(simd, &self.frame, &corners);
         let planes = &mut self.scratch.planes;
-        let Prepared { usable, open } = planes.fill_wide::<S, EXACT>(simd, &self.frame, &corners, &cover);
+        let Prepared { usable, open } =
+            planes.fill_wide::<S, EXACT>(simd, &self.frame, &corners, &cover);
         self.draw::<S, EXACT>(simd, lanes & usable, batch, Source::Shapes);
         let open = lanes & open;
         for lane in (0..LANES).filter(|lane| open >> lane & 1 != 0) {
             let area = self.scratch.planes.areas.of(lane);
-            self.scratch.contest(Occlusion::of(self.frame.view, true), area, batch.of(lane));
+            self.scratch
+                .contest(Occlusion::of(self.frame.view, true), area, batch.of(lane));
         }
     }
 
     /// Decides what was contested.
     fn settle(&mut self) {
         if !self.scratch.contested.is_empty() {
-            let Scratch { pixels, contested, known, .. } = &mut *self.scratch;
-            self.searcher.settle(self.frame.first, contested, pixels, known, self.fallbacks);
+            let Scratch {
+                pixels,
+                contested,
+                known,
+                ..
+            } = &mut *self.scratch;
+            self.searcher
+                .settle(self.frame.first, contested, pixels, known, self.fallbacks);
         }
     }
 
     /// Has the spheres of a block tested alone, where they may be seen.
     #[inline(always)]
-    fn contest_spheres<S: Lanes>(&mut self, simd: S, farthest: f32, block: &Block, batch: Batch, occlusion: Occlusion) {
+    fn contest_spheres<S: Lanes>(
+        &mut self,
+        simd: S,
+        farthest: f32,
+        block: &Block,
+        batch: Batch,
+        occlusion: Occlusion,
+    ) {
         let Seen { areas, mut lanes } = Seen::of(simd, &self.frame, block, farthest);
         while lanes != 0 {
             let lane = lanes.trailing_zeros() as usize;
             lanes &= lanes - 1;
-            self.scratch.contest(occlusion, areas.of(lane), batch.of(lane));
+            self.scratch
+                .contest(occlusion, areas.of(lane), batch.of(lane));
         }
     }
 }

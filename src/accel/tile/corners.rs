@@ -41,12 +41,19 @@ pub(super) struct WideTriangles {
 
 impl WideTriangles {
     pub(super) fn new() -> WideTriangles {
-        WideTriangles { corner: [[0.0; LANES]; 3], edges: [[[0.0; LANES]; 3]; 2] }
+        WideTriangles {
+            corner: [[0.0; LANES]; 3],
+            edges: [[[0.0; LANES]; 3]; 2],
+        }
     }
 
     /// The first corners relative to the eye, and the edges.
     #[inline(always)]
-    pub(super) fn relative_to_eye<S: Lanes>(&self, simd: S, frame: &Frame) -> ([S::D; 3], [[S::D; 3]; 2]) {
+    pub(super) fn relative_to_eye<S: Lanes>(
+        &self,
+        simd: S,
+        frame: &Frame,
+    ) -> ([S::D; 3], [[S::D; 3]; 2]) {
         let eye = frame.eye();
         let mut corner = [simd.splat_wide(0.0); 3];
         let mut edges = [corner; 2];
@@ -73,7 +80,11 @@ impl WideTriangles {
 /// The product and sum that is right for the precision: what is compared by its bits, at whatever level, is never fused.
 #[inline(always)]
 pub(super) fn multiply_add<S: Lanes, const EXACT: bool>(a: S::D, b: S::D, c: S::D) -> S::D {
-    if EXACT { a.fused_or_not(b, c) } else { a * b + c }
+    if EXACT {
+        a.fused_or_not(b, c)
+    } else {
+        a * b + c
+    }
 }
 
 #[inline(always)]
@@ -84,12 +95,27 @@ pub(super) fn dot<S: Lanes, const EXACT: bool>(a: &[S::D; 3], b: &[S::D; 3]) -> 
 
 /// The dot product with one vector for all lanes.
 #[inline(always)]
-pub(super) fn row_times<S: Lanes, const EXACT: bool>(simd: S, row: &[f64; 3], v: &[S::D; 3]) -> S::D {
-    dot::<S, EXACT>(&[simd.splat_wide(row[0]), simd.splat_wide(row[1]), simd.splat_wide(row[2])], v)
+pub(super) fn row_times<S: Lanes, const EXACT: bool>(
+    simd: S,
+    row: &[f64; 3],
+    v: &[S::D; 3],
+) -> S::D {
+    dot::<S, EXACT>(
+        &[
+            simd.splat_wide(row[0]),
+            simd.splat_wide(row[1]),
+            simd.splat_wide(row[2]),
+        ],
+        v,
+    )
 }
 
 #[inline(always)]
-pub(super) fn cross<S: Lanes, const EXACT: bool>(a: &[S::D; 3], b: &[S::D; 3], zero: S::D) -> [S::D; 3] {
+pub(super) fn cross<S: Lanes, const EXACT: bool>(
+    a: &[S::D; 3],
+    b: &[S::D; 3],
+    zero: S::D,
+) -> [S::D; 3] {
     let mut product = *a;
     for k in 0..3 {
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
@@ -102,11 +128,21 @@ pub(super) fn cross<S: Lanes, const EXACT: bool>(a: &[S::D; 3], b: &[S::D; 3], z
 impl<S: Lanes> Corners<S> {
     /// Of first corners and edges, in world space.
     #[inline(always)]
-    pub(super) fn of<const EXACT: bool>(simd: S, frame: &Frame, triangles: &WideTriangles) -> Corners<S> {
+    pub(super) fn of<const EXACT: bool>(
+        simd: S,
+        frame: &Frame,
+        triangles: &WideTriangles,
+    ) -> Corners<S> {
         let (from_eye, edges) = triangles.relative_to_eye(simd, frame);
         let zero = simd.splat(0.0);
         let none = [zero; 3];
-        let mut corners = Corners { corner: from_eye, edges, error: none, edge_error: none, rounding: none };
+        let mut corners = Corners {
+            corner: from_eye,
+            edges,
+            error: none,
+            edge_error: none,
+            rounding: none,
+        };
         for k in 0..3 {
             let row = &frame.tile_from_world[k];
             corners.corner[k] = row_times::<S, EXACT>(simd, row, &from_eye);
@@ -118,9 +154,13 @@ impl<S: Lanes> Corners<S> {
         }
         let mut terms = none;
         for axis in 0..3 {
-            let edge = edges[0][axis].narrow().abs().max(edges[1][axis].narrow().abs());
+            let edge = edges[0][axis]
+                .narrow()
+                .abs()
+                .max(edges[1][axis].narrow().abs());
             // The least number for what is too small for f32.
-            corners.edge_error[axis] = edge * simd.splat(EDGE_ROUNDING) + simd.splat(f32::MIN_POSITIVE);
+            corners.edge_error[axis] =
+                edge * simd.splat(EDGE_ROUNDING) + simd.splat(f32::MIN_POSITIVE);
             terms[axis] = from_eye[axis].narrow().abs() + edge;
         }
         let unit = simd.splat(ROUNDING as f32);
@@ -140,7 +180,11 @@ impl<S: Lanes> Corners<S> {
     #[inline(always)]
     pub(super) fn component(&self, k: usize) -> [S::F; 3] {
         let first = self.corner[k].narrow();
-        [first, first + self.edges[0][k].narrow(), first + self.edges[1][k].narrow()]
+        [
+            first,
+            first + self.edges[0][k].narrow(),
+            first + self.edges[1][k].narrow(),
+        ]
     }
 }
 
@@ -176,12 +220,20 @@ impl<S: Lanes> Cover<S> {
         let relative = simd.splat(1.0 / (1 << 20) as f32);
         let depth = corners.component(2);
         let (nearest, farthest) = (least(depth), most(depth));
-        let depth_error = corners.error[2] * simd.splat(2.0) + nearest.abs().max(farthest.abs()) * relative;
+        let depth_error =
+            corners.error[2] * simd.splat(2.0) + nearest.abs().max(farthest.abs()) * relative;
         let in_front = (nearest - depth_error).above(zero);
         let visible = (farthest + depth_error).above(zero);
-        let inverse = if is_perspective { [one / depth[0], one / depth[1], one / depth[2]] } else { [one; 3] };
+        let inverse = if is_perspective {
+            [one / depth[0], one / depth[1], one / depth[2]]
+        } else {
+            [one; 3]
+        };
         let nearness = if is_perspective {
-            in_front.select(simd.splat(1.0 + 1.0 / (1 << 18) as f32) / (nearest - depth_error), infinity)
+            in_front.select(
+                simd.splat(1.0 + 1.0 / (1 << 18) as f32) / (nearest - depth_error),
+                infinity,
+            )
         } else {
             depth_error - nearest
         };
@@ -189,11 +241,16 @@ impl<S: Lanes> Cover<S> {
         let whole = simd.splat(TILE as f32 - 1.0);
         for k in 0..2 {
             let film = corners.component(k);
-            let pixels = [film[0] * inverse[0], film[1] * inverse[1], film[2] * inverse[2]];
+            let pixels = [
+                film[0] * inverse[0],
+                film[1] * inverse[1],
+                film[2] * inverse[2],
+            ];
             let (low, high) = (least(pixels), most(pixels));
             let reach = low.abs().max(high.abs());
             let film_size = most([film[0].abs(), film[1].abs(), film[2].abs()]);
-            let error = (corners.error[k] + reach * corners.error[2]) * simd.splat(2.0) + film_size * relative;
+            let error = (corners.error[k] + reach * corners.error[2]) * simd.splat(2.0)
+                + film_size * relative;
             let per_pixel = most([inverse[0].abs(), inverse[1].abs(), inverse[2].abs()]);
             let margin = simd.splat(MARGIN) + error * per_pixel + reach * relative;
             let first = (low - margin).ceil().max(zero);
@@ -206,6 +263,12 @@ impl<S: Lanes> Cover<S> {
         }
         let [columns, rows] = ends;
         let covers = visible & !columns[0].above(columns[1]) & !rows[0].above(rows[1]);
-        Cover { columns, rows, nearness, covers, in_front }
+        Cover {
+            columns,
+            rows,
+            nearness,
+            covers,
+            in_front,
+        }
     }
 }

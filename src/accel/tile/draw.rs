@@ -23,7 +23,11 @@ impl Rule {
     #[inline(always)]
     fn in_front<S: Lanes>(&self, simd: S, nearness: S::F) -> S::M {
         let zero = simd.splat(0.0);
-        if self.is_perspective { nearness.above(zero) } else { zero.above(nearness) }
+        if self.is_perspective {
+            nearness.above(zero)
+        } else {
+            zero.above(nearness)
+        }
     }
 }
 
@@ -72,7 +76,12 @@ pub(super) struct Canvas<'a> {
 impl Canvas<'_> {
     /// Draws the triangles of `lanes`. With `EXACT` off nothing is contested: computed numbers count as they are.
     #[inline(always)]
-    pub(super) fn draw<S: Lanes, const EXACT: bool>(&mut self, simd: S, planes: &Planes, lanes: u32) {
+    pub(super) fn draw<S: Lanes, const EXACT: bool>(
+        &mut self,
+        simd: S,
+        planes: &Planes,
+        lanes: u32,
+    ) {
         let small = planes.small(simd, lanes);
         if small != 0 {
             self.draw_small::<S, EXACT>(simd, planes, small);
@@ -89,7 +98,10 @@ impl Canvas<'_> {
     #[inline(always)]
     fn draw_large<S: Lanes, const EXACT: bool>(&mut self, simd: S, planes: &Planes, lane: usize) {
         let area = planes.areas.of(lane);
-        let hidden = simd.load(&self.pixels.farthest).above(simd.splat(area.nearest)).bits();
+        let hidden = simd
+            .load(&self.pixels.farthest)
+            .above(simd.splat(area.nearest))
+            .bits();
         let mut blocks = blocks_between(area.columns, area.rows) & !hidden;
         if blocks == 0 {
             return;
@@ -102,13 +114,17 @@ impl Canvas<'_> {
         let slot = self.next_slot();
         let slots = simd.splat(f32::from_bits(slot));
         let mut is_kept = false;
-        let Canvas { pixels, contested, .. } = self;
+        let Canvas {
+            pixels, contested, ..
+        } = self;
         while blocks != 0 {
             let block = blocks.trailing_zeros() as usize;
             blocks &= blocks - 1;
             let first = Pixel::of(block, 0);
-            let x = simd.load(&LANE_COLUMNS) + simd.splat((first.column() as i32 - origin[0] as i32) as f32);
-            let y = simd.load(&LANE_ROWS) + simd.splat((first.row() as i32 - origin[1] as i32) as f32);
+            let x = simd.load(&LANE_COLUMNS)
+                + simd.splat((first.column() as i32 - origin[0] as i32) as f32);
+            let y =
+                simd.load(&LANE_ROWS) + simd.splat((first.row() as i32 - origin[1] as i32) as f32);
             let edge = triangle.least_edge::<EXACT>(x, y);
             let best = simd.load(&pixels.nearness[block]);
             let at_pixel = triangle.nearness.at::<EXACT>(x, y);
@@ -119,8 +135,10 @@ impl Canvas<'_> {
                 (false, false) => at_pixel.min(triangle.nearest),
             };
             let wins = if EXACT {
-                let wins = edge.above(triangle.error) & nearness.above(best.fused_or_not(factor, addend));
-                let maybe = edge.above(triangle.minus_error) & nearness.fused_or_not(factor, addend).above(best);
+                let wins =
+                    edge.above(triangle.error) & nearness.above(best.fused_or_not(factor, addend));
+                let maybe = edge.above(triangle.minus_error)
+                    & nearness.fused_or_not(factor, addend).above(best);
                 let mut unsure = (maybe & !wins).bits();
                 while unsure != 0 {
                     let pixel = Pixel::of(block, unsure.trailing_zeros() as usize);
@@ -140,8 +158,10 @@ impl Canvas<'_> {
                 inside & nearness.above(best)
             };
             // Stored whether or not anything has changed: branching here took longer.
-            wins.select(nearness, best).store(&mut pixels.nearness[block]);
-            wins.select(slots, simd.load(&pixels.slots[block])).store(&mut pixels.slots[block]);
+            wins.select(nearness, best)
+                .store(&mut pixels.nearness[block]);
+            wins.select(slots, simd.load(&pixels.slots[block]))
+                .store(&mut pixels.slots[block]);
             let has_won = wins.bits() != 0;
             is_kept |= has_won;
             pixels.changed |= u32::from(has_won) << block;
@@ -176,15 +196,31 @@ impl Canvas<'_> {
             }
             let inside = inside.bits();
             let mut nearness = [0.0; LANES];
-            if EXACT { at_pixel } else { at_pixel.min(simd.load(&planes.areas.nearest)) }.store(&mut nearness);
+            if EXACT {
+                at_pixel
+            } else {
+                at_pixel.min(simd.load(&planes.areas.nearest))
+            }
+            .store(&mut nearness);
             while maybe != 0 {
                 let lane = maybe.trailing_zeros() as usize;
                 maybe &= maybe - 1;
                 let first = planes.first(lane);
                 let (column, row) = (first[0] + column, first[1] + row);
-                let nearness = if self.rule.hits_only { f32::INFINITY } else { nearness[lane & 15] };
+                let nearness = if self.rule.hits_only {
+                    f32::INFINITY
+                } else {
+                    nearness[lane & 15]
+                };
                 let is_inside = inside >> lane & 1 != 0;
-                self.put_small::<EXACT>(planes, lane, Pixel::at(column, row), nearness, is_inside, &mut kept);
+                self.put_small::<EXACT>(
+                    planes,
+                    lane,
+                    Pixel::at(column, row),
+                    nearness,
+                    is_inside,
+                    &mut kept,
+                );
             }
         }
     }
@@ -207,7 +243,8 @@ impl Canvas<'_> {
         } else {
             let best_primitive = || self.pixels.primitive(pixel);
             nearness > best
-                || nearness == best && best_primitive().is_some_and(|best| self.shapes.precedes(primitive, best))
+                || nearness == best
+                    && best_primitive().is_some_and(|best| self.shapes.precedes(primitive, best))
         };
         if wins {
             let slot = self.slot_of::<EXACT>(planes, lane, kept);
@@ -225,12 +262,21 @@ impl Canvas<'_> {
     #[inline(always)]
     fn next_slot(&self) -> Slot {
         // Where only hits count, one will do for all.
-        if self.rule.hits_only { 0 } else { self.pixels.kept.len() as Slot }
+        if self.rule.hits_only {
+            0
+        } else {
+            self.pixels.kept.len() as Slot
+        }
     }
 
     /// The slot of a small triangle that a pixel keeps.
     #[inline(always)]
-    fn slot_of<const EXACT: bool>(&mut self, planes: &Planes, lane: usize, kept: &mut Kept) -> Slot {
+    fn slot_of<const EXACT: bool>(
+        &mut self,
+        planes: &Planes,
+        lane: usize,
+        kept: &mut Kept,
+    ) -> Slot {
         let lane = lane & (LANES - 1);
         if kept.0[lane] == NOT_KEPT {
             kept.0[lane] = self.next_slot();
@@ -265,8 +311,16 @@ struct Kept([Slot; LANES]);
 const NOT_KEPT: Slot = Slot::MAX;
 
 /// Of two hits at the same nearness the first in the file counts (rule E3).
-fn take_tie(pixel: Pixel, primitive: Placed, slot: Slot, shapes: &Shapes, pixels: &mut Pixels) -> bool {
-    let wins = pixels.primitive(pixel).is_some_and(|best| shapes.precedes(primitive, best));
+fn take_tie(
+    pixel: Pixel,
+    primitive: Placed,
+    slot: Slot,
+    shapes: &Shapes,
+    pixels: &mut Pixels,
+) -> bool {
+    let wins = pixels
+        .primitive(pixel)
+        .is_some_and(|best| shapes.precedes(primitive, best));
     if wins {
         pixels.slots[pixel.block()][pixel.lane()] = f32::from_bits(slot);
     }
@@ -286,7 +340,11 @@ struct Broadcast<S: Lanes> {
 
 #[inline(always)]
 fn broadcast<S: Lanes>(simd: S, function: &[[f32; LANES]; 3], lane: usize) -> Function<S> {
-    Function([simd.splat(function[0][lane]), simd.splat(function[1][lane]), simd.splat(function[2][lane])])
+    Function([
+        simd.splat(function[0][lane]),
+        simd.splat(function[1][lane]),
+        simd.splat(function[2][lane]),
+    ])
 }
 
 impl<S: Lanes> Broadcast<S> {
@@ -295,7 +353,11 @@ impl<S: Lanes> Broadcast<S> {
         let [first, second, third] = &planes.edges;
         let last = planes.last(lane);
         Broadcast {
-            edges: [broadcast(simd, first, lane), broadcast(simd, second, lane), broadcast(simd, third, lane)],
+            edges: [
+                broadcast(simd, first, lane),
+                broadcast(simd, second, lane),
+                broadcast(simd, third, lane),
+            ],
             nearness: broadcast(simd, &planes.nearness, lane),
             nearest: simd.splat(planes.areas.nearest[lane]),
             error: simd.splat(planes.edge_error[lane]),
@@ -308,7 +370,10 @@ impl<S: Lanes> Broadcast<S> {
     #[inline(always)]
     fn least_edge<const EXACT: bool>(&self, x: S::F, y: S::F) -> S::F {
         let [first, second, third] = &self.edges;
-        first.at::<EXACT>(x, y).min(second.at::<EXACT>(x, y)).min(third.at::<EXACT>(x, y))
+        first
+            .at::<EXACT>(x, y)
+            .min(second.at::<EXACT>(x, y))
+            .min(third.at::<EXACT>(x, y))
     }
 
     /// The pixels that the triangle may cover, of which alone trees know.

@@ -51,14 +51,33 @@ impl<'a> Frame<'a> {
         let tile_from_world_f32 = tile_from_world.map(|row| row.map(|entry| entry as f32));
         let magnitudes = tile_from_world_f32.map(|row| row.map(|entry| entry.abs() * 1.0001));
         let rounding = [0, 1, 2].map(|k| {
-            let offset = if k < 2 { view.offset[k].abs() + offset[k].abs() } else { 0.0 };
+            let offset = if k < 2 {
+                view.offset[k].abs() + offset[k].abs()
+            } else {
+                0.0
+            };
             let terms: f64 = tile_from_world[k].iter().map(|entry| entry.abs()).sum();
             ((terms * view.reach + offset) * ROUNDING) as f32 + UNDERFLOW
         });
         let [start, per_column, per_row] = view.world_from_film;
-        let across = |axis: usize| f64::from(first[0]) * per_column[axis] + f64::from(first[1]) * per_row[axis];
-        let world_from_tile = [[0, 1, 2].map(|axis| start[axis] + across(axis)), per_column, per_row];
-        Frame { view, first, tile_from_world, world_from_tile, offset, tile_from_world_f32, magnitudes, rounding }
+        let across = |axis: usize| {
+            f64::from(first[0]) * per_column[axis] + f64::from(first[1]) * per_row[axis]
+        };
+        let world_from_tile = [
+            [0, 1, 2].map(|axis| start[axis] + across(axis)),
+            per_column,
+            per_row,
+        ];
+        Frame {
+            view,
+            first,
+            tile_from_world,
+            world_from_tile,
+            offset,
+            tile_from_world_f32,
+            magnitudes,
+            rounding,
+        }
     }
 
     pub(super) fn eye(&self) -> Point {
@@ -90,20 +109,32 @@ pub(super) struct PixelAreas {
 
 impl PixelAreas {
     pub(super) fn new() -> PixelAreas {
-        PixelAreas { columns: [[0; LANES]; 2], rows: [[0; LANES]; 2], nearest: [0.0; LANES] }
+        PixelAreas {
+            columns: [[0; LANES]; 2],
+            rows: [[0; LANES]; 2],
+            nearest: [0.0; LANES],
+        }
     }
 
     /// That of one.
     #[inline(always)]
     pub(super) fn of(&self, lane: usize) -> PixelArea {
         let ends = |sides: &[[i32; LANES]; 2]| [sides[0][lane], sides[1][lane]];
-        PixelArea { columns: ends(&self.columns), rows: ends(&self.rows), nearest: self.nearest[lane] }
+        PixelArea {
+            columns: ends(&self.columns),
+            rows: ends(&self.rows),
+            nearest: self.nearest[lane],
+        }
     }
 
     /// Puts the first and the last columns, or for axis 1 rows.
     #[inline(always)]
     pub(super) fn put<F: F32s>(&mut self, axis: usize, first: F, last: F) {
-        let ends = if axis == 0 { &mut self.columns } else { &mut self.rows };
+        let ends = if axis == 0 {
+            &mut self.columns
+        } else {
+            &mut self.rows
+        };
         first.store_whole(&mut ends[0]);
         last.store_whole(&mut ends[1]);
     }

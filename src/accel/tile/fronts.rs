@@ -18,7 +18,11 @@ pub(super) struct Fronts {
 
 impl Fronts {
     pub(super) fn new() -> Fronts {
-        Fronts { whole: None, is_shared: false, known: Vec::new() }
+        Fronts {
+            whole: None,
+            is_shared: false,
+            known: Vec::new(),
+        }
     }
 
     /// Forgets all, for the next tile.
@@ -28,7 +32,9 @@ impl Fronts {
 
     /// Turns to the next primitive. Whether it is a part of the same surface as the one before it.
     pub(super) fn turn_to(&mut self, surface: &Surface) -> bool {
-        let Surface::Quadric(quadric) = surface else { return false };
+        let Surface::Quadric(quadric) = surface else {
+            return false;
+        };
         if surface.is_flat() {
             return false;
         }
@@ -47,8 +53,14 @@ impl Fronts {
 
     /// Where the ray of `pixel` first meets the whole of the surface that was turned to.
     pub(super) fn at(&mut self, pixel: Pixel, ray: impl Fn() -> Option<Ray>) -> Verdict {
-        let Some(whole) = self.whole.as_ref().filter(|_| self.is_shared) else { return Verdict::Unsure };
+        let Some(whole) = self.whole.as_ref().filter(|_| self.is_shared) else {
+            return Verdict::Unsure;
+        };
         let known = &mut self.known[pixel.block() * LANES + pixel.lane()];
-        *known.get_or_insert_with(|| ray().map_or(Verdict::Miss, |ray| whole.filter_whole(&FilterRay::new(&ray))))
+        *known.get_or_insert_with(|| {
+            ray().map_or(Verdict::Miss, |ray| {
+                whole.filter_whole(&FilterRay::new(&ray))
+            })
+        })
     }
 }

@@ -22,7 +22,9 @@ impl Tile<'_> {
         self.scratch.stack.start();
         while farthest < f32::INFINITY {
             let Scratch { stack, pixels, .. } = &mut *self.scratch;
-            let Some(child) = stack.pop(simd, pixels) else { return };
+            let Some(child) = stack.pop(simd, pixels) else {
+                return;
+            };
             if child.blocks == 0 {
                 let node = &self.instances[child.first as usize];
                 stack.push(simd, &self.frame, self.instances, node, pixels, farthest);
@@ -30,7 +32,13 @@ impl Tile<'_> {
             }
             for run in &trees.wide.blocks[child.first as usize..][..child.blocks as usize] {
                 for instance in run.of(&trees.tree.order) {
-                    farthest = self.walk_object::<S, EXACT>(simd, farthest, occlusion, *instance as usize, &mut block);
+                    farthest = self.walk_object::<S, EXACT>(
+                        simd,
+                        farthest,
+                        occlusion,
+                        *instance as usize,
+                        &mut block,
+                    );
                 }
             }
         }
@@ -54,8 +62,14 @@ impl Tile<'_> {
         let sibling = Placed::in_instance(instance, Primitive::FIRST);
         self.scratch.object_stack.start();
         while farthest < f32::INFINITY {
-            let Scratch { object_stack, pixels, .. } = &mut *self.scratch;
-            let Some(child) = object_stack.pop(simd, pixels) else { break };
+            let Scratch {
+                object_stack,
+                pixels,
+                ..
+            } = &mut *self.scratch;
+            let Some(child) = object_stack.pop(simd, pixels) else {
+                break;
+            };
             if child.blocks == 0 {
                 let nodes = &object.wide.nodes;
                 let node = project(simd, &film, &nodes[child.first as usize]);

@@ -57,7 +57,10 @@ pub(super) struct DepthPlane {
 
 impl Kept {
     pub(super) fn new() -> Kept {
-        Kept { groups: Vec::new(), count: 0 }
+        Kept {
+            groups: Vec::new(),
+            count: 0,
+        }
     }
 
     pub(super) fn clear(&mut self) {
@@ -114,7 +117,10 @@ impl Kept {
     #[inline(always)]
     pub(super) fn plane(&self, place: usize) -> DepthPlane {
         let (group, lane) = (&self.groups[place / LANES], place % LANES);
-        DepthPlane { nearness: [0, 1, 2].map(|k| group.nearness[k][lane]), error: group.error[lane] }
+        DepthPlane {
+            nearness: [0, 1, 2].map(|k| group.nearness[k][lane]),
+            error: group.error[lane],
+        }
     }
 
     /// Works out the planes of all.
@@ -152,15 +158,33 @@ impl Group {
         let (along_start, over) = if view.is_perspective {
             (along[0], height)
         } else {
-            (along[0] - height, row_times::<S, true>(simd, &view.forward, &normal))
+            (
+                along[0] - height,
+                row_times::<S, true>(simd, &view.forward, &normal),
+            )
         };
         let inverse = simd.splat_wide(1.0) / over;
-        for (coefficient, to) in [along_start, along[1], along[2]].into_iter().zip(&mut self.nearness) {
+        for (coefficient, to) in [along_start, along[1], along[2]]
+            .into_iter()
+            .zip(&mut self.nearness)
+        {
             (coefficient * inverse).store(to);
         }
-        let per_height = [normal[0] * inverse, normal[1] * inverse, normal[2] * inverse];
+        let per_height = [
+            normal[0] * inverse,
+            normal[1] * inverse,
+            normal[2] * inverse,
+        ];
         let edge_rounding = simd.load(&self.edge_rounding);
-        let error = depth_error(simd, view, &per_height, &from_eye, &edges, edge_rounding, inverse.narrow().abs());
+        let error = depth_error(
+            simd,
+            view,
+            &per_height,
+            &from_eye,
+            &edges,
+            edge_rounding,
+            inverse.narrow().abs(),
+        );
         error.store(&mut self.error);
     }
 }
@@ -179,9 +203,14 @@ fn depth_error<S: Lanes>(
     let tiny = simd.splat(f32::MIN_POSITIVE);
     let (mut terms, mut longer, mut farthest) = ([tiny; 3], [tiny; 3], tiny);
     for axis in 0..3 {
-        longer[axis] = edges[0][axis].narrow().abs().max(edges[1][axis].narrow().abs()) + tiny;
+        longer[axis] = edges[0][axis]
+            .narrow()
+            .abs()
+            .max(edges[1][axis].narrow().abs())
+            + tiny;
         terms[axis] = from_eye[axis].narrow().abs() + longer[axis];
-        farthest = farthest + terms[axis] * simd.splat((view.film_from_world[2][axis].abs() * 1.0001) as f32);
+        farthest = farthest
+            + terms[axis] * simd.splat((view.film_from_world[2][axis].abs() * 1.0001) as f32);
     }
     if !view.is_perspective {
         farthest = simd.splat(1.0);

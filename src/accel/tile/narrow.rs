@@ -89,18 +89,51 @@ impl Planes {
     ) -> Prepared {
         let is_perspective = frame.view.is_perspective;
         let zero = simd.splat(0.0);
-        let InTile { first, edges, terms } = transform::<S, EXACT>(simd, frame, block);
-        let depths = Depths::of(simd, is_perspective, first[2], [edges[0][2], edges[1][2]], terms[2]);
-        let columns = Film::of(simd, frame, 0, first[0], [edges[0][0], edges[1][0]], terms[0], &depths);
-        let rows = Film::of(simd, frame, 1, first[1], [edges[0][1], edges[1][1]], terms[1], &depths);
+        let InTile {
+            first,
+            edges,
+            terms,
+        } = transform::<S, EXACT>(simd, frame, block);
+        let depths = Depths::of(
+            simd,
+            is_perspective,
+            first[2],
+            [edges[0][2], edges[1][2]],
+            terms[2],
+        );
+        let columns = Film::of(
+            simd,
+            frame,
+            0,
+            first[0],
+            [edges[0][0], edges[1][0]],
+            terms[0],
+            &depths,
+        );
+        let rows = Film::of(
+            simd,
+            frame,
+            1,
+            first[1],
+            [edges[0][1], edges[1][1]],
+            terms[1],
+            &depths,
+        );
 
-        let tolerance = (first[2].abs() + depths.terms) * simd.splat(16.0 * U) + simd.splat(frame.rounding[2]);
+        let tolerance =
+            (first[2].abs() + depths.terms) * simd.splat(16.0 * U) + simd.splat(frame.rounding[2]);
         let is_behind = zero.above(depths.farthest + tolerance);
-        let is_steady =
-            if is_perspective { depths.is_steady(simd, frame) } else { (depths.nearest - tolerance).above(zero) };
+        let is_steady = if is_perspective {
+            depths.is_steady(simd, frame)
+        } else {
+            (depths.nearest - tolerance).above(zero)
+        };
         let precise = simd.splat(MAX_ERROR).above(columns.error.max(rows.error));
-        let nearest =
-            if is_perspective { depths.most_inverse * simd.splat(NEARER) } else { tolerance - depths.nearest };
+        let nearest = if is_perspective {
+            depths.most_inverse * simd.splat(NEARER)
+        } else {
+            tolerance - depths.nearest
+        };
         let hidden = simd.splat(farthest).above(nearest);
         let sound = is_steady & precise;
         let (first_column, last_column) = columns.pixels(simd);
@@ -135,7 +168,10 @@ impl Planes {
         };
         let settled = dropped | (sound & sure & outside);
         let usable = sound & sure & close & !settled;
-        Prepared { usable: usable.bits() & block.triangles, open: !(usable | settled).bits() & block.triangles }
+        Prepared {
+            usable: usable.bits() & block.triangles,
+            open: !(usable | settled).bits() & block.triangles,
+        }
     }
 }
 
@@ -162,7 +198,11 @@ fn transform<S: Lanes, const EXACT: bool>(simd: S, frame: &Frame, block: &Block)
         edges[1][axis] = simd.load(&block.edges[1][axis]);
         longer[axis] = edges[0][axis].abs().max(edges[1][axis].abs()) + tiny;
     }
-    let mut in_tile = InTile { first: [zero; 3], edges: [[zero; 3]; 2], terms: [zero; 3] };
+    let mut in_tile = InTile {
+        first: [zero; 3],
+        edges: [[zero; 3]; 2],
+        terms: [zero; 3],
+    };
     for k in 0..3 {
         let mut corner = corners::row_times::<S, EXACT>(simd, &frame.tile_from_world[k], &from_eye);
         if k < 2 && !frame.view.is_perspective {
@@ -185,12 +225,30 @@ impl<S: Lanes> Depths<S> {
         let farthest = first.max(others[0]).max(others[1]);
         if !is_perspective {
             let (inverses, ratio) = ([one; 3], simd.splat(0.0));
-            return Depths { first, ways, terms, nearest, farthest, inverses, most_inverse: one, ratio };
+            return Depths {
+                first,
+                ways,
+                terms,
+                nearest,
+                farthest,
+                inverses,
+                most_inverse: one,
+                ratio,
+            };
         }
         let inverses = [one / first, one / others[0], one / others[1]];
         let most_inverse = inverses[0].max(inverses[1]).max(inverses[2]);
         let ratio = terms * most_inverse;
-        Depths { first, ways, terms, nearest, farthest, inverses, most_inverse, ratio }
+        Depths {
+            first,
+            ways,
+            terms,
+            nearest,
+            farthest,
+            inverses,
+            most_inverse,
+            ratio,
+        }
     }
 
     /// Whether all corners are so far in front of the eye that, in a perspective, depths are off by little.
@@ -223,14 +281,21 @@ impl<S: Lanes> Film<S> {
                 ways[k] = (along[k] - first * depths.ways[k]) * depths.inverses[k + 1];
             }
             let length = (terms + first.abs() * depths.terms) * depths.most_inverse + tiny;
-            let of_wide = (rounding + first.abs() * simd.splat(frame.rounding[2])) * depths.inverses[0];
+            let of_wide =
+                (rounding + first.abs() * simd.splat(frame.rounding[2])) * depths.inverses[0];
             (first, ways, length, of_wide)
         } else {
             (corner, along, terms + tiny, rounding)
         };
         let first_error = first.abs() * simd.splat(8.0 * U) + of_wide + of_ray;
         let error = length * simd.splat(32.0 * U) + first_error * (simd.splat(1.0) + depths.ratio);
-        Film { first, ways, first_error, length, error }
+        Film {
+            first,
+            ways,
+            first_error,
+            length,
+            error,
+        }
     }
 
     /// First and last pixel that the triangle may cover on this axis, within the tile.
@@ -239,7 +304,10 @@ impl<S: Lanes> Film<S> {
         let (zero, margin) = (simd.splat(0.0), self.error + simd.splat(MARGIN));
         let low = self.first + zero.min(self.ways[0]).min(self.ways[1]);
         let high = self.first + zero.max(self.ways[0]).max(self.ways[1]);
-        ((low - margin).ceil().max(zero), (high + margin).floor().min(simd.splat(TILE as f32 - 1.0)))
+        (
+            (low - margin).ceil().max(zero),
+            (high + margin).floor().min(simd.splat(TILE as f32 - 1.0)),
+        )
     }
 }
 
@@ -261,26 +329,46 @@ impl<S: Lanes> Area<S> {
     fn of(simd: S, columns: &Film<S>, rows: &Film<S>, origin: [S::F; 2]) -> Area<S> {
         let zero = simd.splat(0.0);
         let first = [columns.first - origin[0], rows.first - origin[1]];
-        let signed = cross::<S>(&[columns.ways[0], rows.ways[0]], &[columns.ways[1], rows.ways[1]]);
+        let signed = cross::<S>(
+            &[columns.ways[0], rows.ways[0]],
+            &[columns.ways[1], rows.ways[1]],
+        );
         let one = simd.splat(1.0);
         let turn = signed.above(zero).select(one, zero - one);
         let to_second = [columns.ways[0] * turn, rows.ways[0] * turn];
         let to_third = [columns.ways[1] * turn, rows.ways[1] * turn];
         let size = signed * turn;
         // That of the second corner is 0 along the edge from the first to the third.
-        let second = Function([cross::<S>(&to_third, &first), to_third[1], zero - to_third[0]]);
-        let third = Function([cross::<S>(&first, &to_second), zero - to_second[1], to_second[0]]);
+        let second = Function([
+            cross::<S>(&to_third, &first),
+            to_third[1],
+            zero - to_third[0],
+        ]);
+        let third = Function([
+            cross::<S>(&first, &to_second),
+            zero - to_second[1],
+            to_second[0],
+        ]);
         let rest = Function([
             size - second.0[0] - third.0[0],
             zero - (second.0[1] + third.0[1]),
             zero - (second.0[2] + third.0[2]),
         ]);
-        Area { edges: [rest, second, third], size, first }
+        Area {
+            edges: [rest, second, third],
+            size,
+            first,
+        }
     }
 
     /// Nearness: linear on the film.
     #[inline(always)]
-    fn nearness<const EXACT: bool>(&self, simd: S, is_perspective: bool, depths: &Depths<S>) -> Function<S> {
+    fn nearness<const EXACT: bool>(
+        &self,
+        simd: S,
+        is_perspective: bool,
+        depths: &Depths<S>,
+    ) -> Function<S> {
         let (zero, one) = (simd.splat(0.0), simd.splat(1.0));
         let per_area = one / self.size;
         let (start, scale) = if is_perspective {
@@ -314,7 +402,8 @@ fn edge_bound<S: Lanes>(
     let width = reach.extent(0) + first[0].abs();
     let height = reach.extent(1) + first[1].abs();
     let [dx, dy] = [columns.length, rows.length];
-    let moved = columns.first_error * (depths.ratio * height + dy) + rows.first_error * (depths.ratio * width + dx);
+    let moved = columns.first_error * (depths.ratio * height + dy)
+        + rows.first_error * (depths.ratio * width + dx);
     let rounded = (dx * height + dy * width) * simd.splat(4.0 * 34.0 * U);
     rounded + moved * simd.splat(4.0) + dx * dy * simd.splat(128.0 * U)
 }

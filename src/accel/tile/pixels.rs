@@ -47,10 +47,12 @@ impl Pixel {
 }
 
 /// Columns and rows of the pixels of a block, relative to its first.
-pub(super) const LANE_COLUMNS: [f32; LANES] =
-    [0.0, 1.0, 2.0, 3.0, 0.0, 1.0, 2.0, 3.0, 0.0, 1.0, 2.0, 3.0, 0.0, 1.0, 2.0, 3.0];
-pub(super) const LANE_ROWS: [f32; LANES] =
-    [0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 2.0, 2.0, 2.0, 2.0, 3.0, 3.0, 3.0, 3.0];
+pub(super) const LANE_COLUMNS: [f32; LANES] = [
+    0.0, 1.0, 2.0, 3.0, 0.0, 1.0, 2.0, 3.0, 0.0, 1.0, 2.0, 3.0, 0.0, 1.0, 2.0, 3.0,
+];
+pub(super) const LANE_ROWS: [f32; LANES] = [
+    0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 2.0, 2.0, 2.0, 2.0, 3.0, 3.0, 3.0, 3.0,
+];
 
 /// What a pixel hit, as a number: nothing, a triangle that was kept, or one in a list of hits found by exact search.
 pub(super) type Slot = u32;
@@ -115,7 +117,8 @@ impl Pixels {
         }
         for row in 0..TILE {
             for column in 0..TILE {
-                let inside = (columns[0]..columns[1]).contains(&column) && (rows[0]..rows[1]).contains(&row);
+                let inside =
+                    (columns[0]..columns[1]).contains(&column) && (rows[0]..rows[1]).contains(&row);
                 if !inside {
                     let pixel = Pixel::at(column, row);
                     self.nearness[pixel.block()][pixel.lane()] = f32::INFINITY;
@@ -170,7 +173,10 @@ mod tests {
                 let pixel = Pixel::at(column, row);
                 assert_eq!((pixel.column(), pixel.row()), (column, row));
                 assert_eq!(Pixel::of(pixel.block(), pixel.lane()), pixel);
-                let (x, y) = (LANE_COLUMNS[pixel.lane()] as u32, LANE_ROWS[pixel.lane()] as u32);
+                let (x, y) = (
+                    LANE_COLUMNS[pixel.lane()] as u32,
+                    LANE_ROWS[pixel.lane()] as u32,
+                );
                 assert_eq!((column & 3, row & 3), (x, y));
             }
         }

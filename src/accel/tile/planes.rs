@@ -42,7 +42,10 @@ impl Planes {
     /// Column and row of the first pixel that a triangle may cover.
     #[inline(always)]
     pub(super) fn first(&self, lane: usize) -> [u32; 2] {
-        [self.areas.columns[0][lane] as u32, self.areas.rows[0][lane] as u32]
+        [
+            self.areas.columns[0][lane] as u32,
+            self.areas.rows[0][lane] as u32,
+        ]
     }
 
     /// The last column and row that a triangle may cover, relative to the first.
@@ -73,7 +76,12 @@ impl Planes {
 
     /// Notes from which first to which last column and row each triangle reaches.
     #[inline(always)]
-    pub(super) fn put_area<S: Lanes>(&mut self, simd: S, first: [S::F; 2], last: [S::F; 2]) -> Reach<S> {
+    pub(super) fn put_area<S: Lanes>(
+        &mut self,
+        simd: S,
+        first: [S::F; 2],
+        last: [S::F; 2],
+    ) -> Reach<S> {
         self.areas.put(0, first[0], last[0]);
         self.areas.put(1, first[1], last[1]);
         let reach = [last[0] - first[0], last[1] - first[1]];
@@ -81,13 +89,20 @@ impl Planes {
         reach[1].store(&mut self.reach[1]);
         let two = simd.splat(2.0);
         let is_small = two.above(reach[0]) & two.above(reach[1]);
-        Reach { last: reach, around: is_small.select(simd.splat(0.0), simd.splat(3.0)) }
+        Reach {
+            last: reach,
+            around: is_small.select(simd.splat(0.0), simd.splat(3.0)),
+        }
     }
 
     /// A linear function of each triangle.
     #[inline(always)]
     pub(super) fn function<S: Lanes>(&self, simd: S, function: &[[f32; LANES]; 3]) -> Function<S> {
-        Function([simd.load(&function[0]), simd.load(&function[1]), simd.load(&function[2])])
+        Function([
+            simd.load(&function[0]),
+            simd.load(&function[1]),
+            simd.load(&function[2]),
+        ])
     }
 }
 
@@ -140,5 +155,9 @@ impl<S: Lanes> Function<S> {
 /// `a * b + c`: what is compared by its bits, at whatever level, is never fused.
 #[inline(always)]
 pub(super) fn multiply_add<S: Lanes, const EXACT: bool>(a: S::F, b: S::F, c: S::F) -> S::F {
-    if EXACT { a.fused_or_not(b, c) } else { a * b + c }
+    if EXACT {
+        a.fused_or_not(b, c)
+    } else {
+        a * b + c
+    }
 }

@@ -27,8 +27,12 @@ struct RayCoordinates {
 
 impl RayCoordinates {
     fn of(camera: &Camera, first: [u32; 2]) -> RayCoordinates {
-        let coordinates = |k: usize| camera.plane_coordinates(first[0] + k as u32, first[1] + k as u32);
-        RayCoordinates { x: std::array::from_fn(|k| coordinates(k)[0]), y: std::array::from_fn(|k| coordinates(k)[1]) }
+        let coordinates =
+            |k: usize| camera.plane_coordinates(first[0] + k as u32, first[1] + k as u32);
+        RayCoordinates {
+            x: std::array::from_fn(|k| coordinates(k)[0]),
+            y: std::array::from_fn(|k| coordinates(k)[1]),
+        }
     }
 
     /// The X and Y of the pixels of a block.
@@ -54,8 +58,11 @@ fn speeds<S: Lanes>(simd: S, camera: &Camera, coordinates: &RayCoordinates, bloc
     let mut square = simd.splat_wide(0.0);
     for k in 0..3 {
         let along = simd.splat_wide(c[k][2]);
-        let component =
-            if is_perspective { simd.splat_wide(c[k][0]) * x + simd.splat_wide(c[k][1]) * y + along } else { along };
+        let component = if is_perspective {
+            simd.splat_wide(c[k][0]) * x + simd.splat_wide(c[k][1]) * y + along
+        } else {
+            along
+        };
         square = square + component * component;
     }
     square.sqrt()
@@ -76,13 +83,17 @@ pub(super) fn resolve<S: Lanes>(
     if with_depth && searcher.precision == Precision::Exact {
         pixels.kept.fill_planes(simd, frame);
     }
-    let coordinates = wanted.t.then(|| RayCoordinates::of(searcher.camera, frame.first));
+    let coordinates = wanted
+        .t
+        .then(|| RayCoordinates::of(searcher.camera, frame.first));
     let miss = simd.splat(wanted.miss);
     let mut planes = Gathered::new();
     let mut open = Open::new();
     for block in 0..BLOCKS {
         // All hits are nearer than what pixels began with; and pixels that are not wanted.
-        let is_hit = simd.load(&pixels.nearness[block]).above(simd.splat(pixels.least));
+        let is_hit = simd
+            .load(&pixels.nearness[block])
+            .above(simd.splat(pixels.least));
         let hit = planes.gather(pixels, block, is_hit.bits(), traced);
         if !with_depth {
             continue;
@@ -93,13 +104,23 @@ pub(super) fn resolve<S: Lanes>(
             if let Some(coordinates) = &coordinates {
                 of_rays = Some(speeds(simd, searcher.camera, coordinates, block));
             }
-            let Depths { z: block_z, t: block_t, unsure } = match searcher.precision {
+            let Depths {
+                z: block_z,
+                t: block_t,
+                unsure,
+            } = match searcher.precision {
                 Precision::Exact => planes.depths(simd, frame, block, of_rays),
                 Precision::Fast => fast_depths(simd, frame, &pixels.nearness[block], of_rays),
             };
             is_hit.select(block_z, miss).store(&mut z);
             is_hit.select(block_t, miss).store(&mut t);
-            open.add(simd, searcher, pixels, block, (unsure | planes.searched) & hit);
+            open.add(
+                simd,
+                searcher,
+                pixels,
+                block,
+                (unsure | planes.searched) & hit,
+            );
         }
         traced.put_depths(block, &z, &t);
     }
@@ -107,8 +128,12 @@ pub(super) fn resolve<S: Lanes>(
         open.prefetch_corners(simd, searcher, pixels);
         for pixel in open.pixels() {
             let depth = match pixels.held(pixel) {
-                Held::Hit(place) => searcher.depth_of(frame.first, pixel, &pixels.hits[place], fallbacks),
-                Held::Triangle(place) => searcher.depth(frame.first, pixel, pixels.kept.primitive(place), fallbacks),
+                Held::Hit(place) => {
+                    searcher.depth_of(frame.first, pixel, &pixels.hits[place], fallbacks)
+                }
+                Held::Triangle(place) => {
+                    searcher.depth(frame.first, pixel, pixels.kept.primitive(place), fallbacks)
+                }
                 Held::Nothing => continue,
             };
             traced.put_depth(pixel.column(), pixel.row(), depth);
@@ -124,7 +149,10 @@ struct Open {
 
 impl Open {
     fn new() -> Open {
-        Open { pixels: [Pixel::at(0, 0); BLOCKS * LANES], count: 0 }
+        Open {
+            pixels: [Pixel::at(0, 0); BLOCKS * LANES],
+            count: 0,
+        }
     }
 
     fn pixels(&self) -> impl Iterator<Item = Pixel> + '_ {
@@ -133,7 +161,14 @@ impl Open {
 
     /// Adds pixels of a block, and has what they hit fetched: it will be needed when all blocks are done.
     #[inline(always)]
-    fn add<S: Lanes>(&mut self, simd: S, searcher: &Searcher, pixels: &Pixels, block: usize, mut lanes: u32) {
+    fn add<S: Lanes>(
+        &mut self,
+        simd: S,
+        searcher: &Searcher,
+        pixels: &Pixels,
+        block: usize,
+        mut lanes: u32,
+    ) {
         while lanes != 0 {
             let pixel = Pixel::of(block, lanes.trailing_zeros() as usize);
             lanes &= lanes - 1;
@@ -160,9 +195,14 @@ impl Open {
 /// The triangle that a pixel holds, if it is in no instance.
 #[inline(always)]
 fn triangle_at(pixels: &Pixels, pixel: Pixel) -> Option<usize> {
-    let Held::Triangle(place) = pixels.held(pixel) else { return None };
+    let Held::Triangle(place) = pixels.held(pixel) else {
+        return None;
+    };
     let placed = pixels.kept.primitive(place);
-    placed.instance().is_none().then(|| placed.primitive().index())
+    placed
+        .instance()
+        .is_none()
+        .then(|| placed.primitive().index())
 }
 
 /// Depths of a block's pixels.
@@ -183,12 +223,22 @@ struct Gathered {
 
 impl Gathered {
     fn new() -> Gathered {
-        Gathered { nearness: [[1.0; LANES], [0.0; LANES], [0.0; LANES]], error: [0.0; LANES], searched: 0 }
+        Gathered {
+            nearness: [[1.0; LANES], [0.0; LANES], [0.0; LANES]],
+            error: [0.0; LANES],
+            searched: 0,
+        }
     }
 
     /// Notes what was hit by those pixels of a block that may have, and returns those that have.
     #[inline(always)]
-    fn gather(&mut self, pixels: &Pixels, block: usize, mut lanes: u32, traced: &mut TracedTile) -> u32 {
+    fn gather(
+        &mut self,
+        pixels: &Pixels,
+        block: usize,
+        mut lanes: u32,
+        traced: &mut TracedTile,
+    ) -> u32 {
         let mut hit = 0;
         self.searched = 0;
         while lanes != 0 {
@@ -217,12 +267,19 @@ impl Gathered {
     }
 
     #[inline(always)]
-    fn depths<S: Lanes>(&self, simd: S, frame: &Frame, block: usize, speeds: Option<S::D>) -> Depths<S> {
+    fn depths<S: Lanes>(
+        &self,
+        simd: S,
+        frame: &Frame,
+        block: usize,
+        speeds: Option<S::D>,
+    ) -> Depths<S> {
         let first = Pixel::of(block, 0);
         let x = (simd.load(&LANE_COLUMNS) + simd.splat(first.column() as f32)).widen();
         let y = (simd.load(&LANE_ROWS) + simd.splat(first.row() as f32)).widen();
         let [first, per_column, per_row] = &self.nearness;
-        let nearness = simd.load_wide(per_column) * x + simd.load_wide(per_row) * y + simd.load_wide(first);
+        let nearness =
+            simd.load_wide(per_column) * x + simd.load_wide(per_row) * y + simd.load_wide(first);
         let error = simd.load(&self.error);
         // Neither is what has no error to speak of, where planes are seen edge-on.
         let unknown = !simd.splat(MAX_ERROR).above(error).bits();
@@ -235,10 +292,23 @@ impl Gathered {
         };
         let (low, high) = (depth - error, depth + error);
         let (z, unsure) = rounded::<S>(low, high);
-        let Some(speeds) = speeds else { return Depths { z, t: z, unsure: unsure | unknown } };
+        let Some(speeds) = speeds else {
+            return Depths {
+                z,
+                t: z,
+                unsure: unsure | unknown,
+            };
+        };
         let (less, more) = (1.0 - 2f64.powi(-49), 1.0 + 2f64.powi(-49));
-        let (t, unsure_t) = rounded::<S>(low * speeds * simd.splat_wide(less), high * speeds * simd.splat_wide(more));
-        Depths { z, t, unsure: unsure | unsure_t | unknown }
+        let (t, unsure_t) = rounded::<S>(
+            low * speeds * simd.splat_wide(less),
+            high * speeds * simd.splat_wide(more),
+        );
+        Depths {
+            z,
+            t,
+            unsure: unsure | unsure_t | unknown,
+        }
     }
 }
 
@@ -253,9 +323,18 @@ fn rounded<S: Lanes>(low: S::D, high: S::D) -> (S::F, u32) {
 }
 
 #[inline(always)]
-fn fast_depths<S: Lanes>(simd: S, frame: &Frame, nearness: &[f32; LANES], speeds: Option<S::D>) -> Depths<S> {
+fn fast_depths<S: Lanes>(
+    simd: S,
+    frame: &Frame,
+    nearness: &[f32; LANES],
+    speeds: Option<S::D>,
+) -> Depths<S> {
     let nearness = simd.load(nearness);
-    let z = if frame.view.is_perspective { simd.splat(1.0) / nearness } else { simd.splat(0.0) - nearness };
+    let z = if frame.view.is_perspective {
+        simd.splat(1.0) / nearness
+    } else {
+        simd.splat(0.0) - nearness
+    };
     let t = match speeds {
         Some(speeds) => (z.widen() * speeds).narrow(),
         None => z,

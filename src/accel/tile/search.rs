@@ -32,7 +32,8 @@ const NARROW: f64 = 1.0 / (1u64 << 21) as f64;
 
 impl Searcher<'_> {
     fn ray(&self, first: [u32; 2], pixel: Pixel) -> Ray {
-        self.camera.ray(first[0] + pixel.column(), first[1] + pixel.row())
+        self.camera
+            .ray(first[0] + pixel.column(), first[1] + pixel.row())
     }
 
     /// Decides between a contested primitive and what its pixel hit so far, for each.
@@ -56,29 +57,54 @@ impl Searcher<'_> {
                 Some(last) if last.0 == primitive => last,
                 _ => {
                     let last = last.insert((primitive, self.shapes.surface_in_tree(primitive)));
-                    is_part = last.1.as_ref().is_some_and(|surface| fronts.turn_to(surface));
+                    is_part = last
+                        .1
+                        .as_ref()
+                        .is_some_and(|surface| fronts.turn_to(surface));
                     last
                 }
             };
             let Some(surface) = surface else { continue };
             let ray = || Some(self.ray(first, pixel)).filter(Ray::can_hit);
             let is_exact = self.precision == Precision::Exact;
-            if is_exact && is_part && self.is_behind(&fronts.at(pixel, ray), pixels, pixel, primitive, ties) {
+            if is_exact
+                && is_part
+                && self.is_behind(&fronts.at(pixel, ray), pixels, pixel, primitive, ties)
+            {
                 continue;
             }
             let found = match self.precision {
-                Precision::Exact => self.search_exactly(ray, pixels, pixel, (primitive, surface), ties, fallbacks),
-                Precision::Fast => ray().and_then(|ray| self.search_fast(&ray, primitive, pixels, pixel)),
+                Precision::Exact => {
+                    self.search_exactly(ray, pixels, pixel, (primitive, surface), ties, fallbacks)
+                }
+                Precision::Fast => {
+                    ray().and_then(|ray| self.search_fast(&ray, primitive, pixels, pixel))
+                }
             };
             if let Some((hit, nearness)) = found {
-                pixels.set(pixel, hit, if self.hits_only { f32::INFINITY } else { nearness });
+                pixels.set(
+                    pixel,
+                    hit,
+                    if self.hits_only {
+                        f32::INFINITY
+                    } else {
+                        nearness
+                    },
+                );
             }
         }
     }
 
     /// Whether a part of a surface cannot win at a pixel, given where the whole of it is met first:
     /// it is not met, or the pixel has hit another part of it there that comes before in the file.
-    fn is_behind(&self, front: &Verdict, pixels: &Pixels, pixel: Pixel, primitive: Placed, ties: &mut Ties) -> bool {
+    fn is_behind(
+        &self,
+        front: &Verdict,
+        pixels: &Pixels,
+        pixel: Pixel,
+        primitive: Placed,
+        ties: &mut Ties,
+    ) -> bool {
         match (front, pixels.held(pixel)) {
             (Verdict::Miss, _) => true,
             (Verdict::Hit(front), Held::Hit(place)) => {
@@ -104,7 +130,8 @@ impl Searcher<'_> {
         fallbacks: &mut Fallbacks,
     ) -> Option<(Hit, f32)> {
         let best = pixels.primitive(pixel);
-        let is_tie = best.is_some_and(|best| ties.between(self.shapes, best, primitive) == Coincidence::SameHit);
+        let is_tie = best
+            .is_some_and(|best| ties.between(self.shapes, best, primitive) == Coincidence::SameHit);
         if is_tie && best.is_some_and(|best| self.shapes.precedes(best, primitive)) {
             return None;
         }
@@ -119,7 +146,9 @@ impl Searcher<'_> {
                     let held = pixels.kept.primitive(place);
                     nearest.test(held, &self.shapes.surface(held));
                 }
-                Held::Hit(place) => nearest.hold(pixels.hits[place].primitive, pixels.hits[place].t),
+                Held::Hit(place) => {
+                    nearest.hold(pixels.hits[place].primitive, pixels.hits[place].t)
+                }
             }
         }
         let wins = nearest.test(primitive, surface);
@@ -129,7 +158,11 @@ impl Searcher<'_> {
         }
         let mut hit = hit.filter(|_| wins)?;
         let width = hit.t.high - hit.t.low;
-        let allowed = if self.view.is_perspective { hit.t.low * NARROW } else { f64::from(self.view.tolerance) / 8.0 };
+        let allowed = if self.view.is_perspective {
+            hit.t.low * NARROW
+        } else {
+            f64::from(self.view.tolerance) / 8.0
+        };
         if width > allowed || width.is_nan() {
             hit.t = surface.exact_t(&ray).bracket();
         }
@@ -137,35 +170,69 @@ impl Searcher<'_> {
     }
 
     /// The hit with `primitive`, if it is nearer than what the pixel hit.
-    fn search_fast(&self, ray: &Ray, primitive: Placed, pixels: &Pixels, pixel: Pixel) -> Option<(Hit, f32)> {
+    fn search_fast(
+        &self,
+        ray: &Ray,
+        primitive: Placed,
+        pixels: &Pixels,
+        pixel: Pixel,
+    ) -> Option<(Hit, f32)> {
         let slab = self.aggregate.space.ray(ray);
         let mut search = FastSearch::new(self.shapes, &self.aggregate.space, ray, &slab);
         search.test(primitive);
         let hit = search.into_hit()?;
         let nearness = self.view.nearness(hit.t.low);
         let best = pixels.nearness[pixel.block()][pixel.lane()];
-        let comes_first = || pixels.primitive(pixel).is_none_or(|best| self.shapes.precedes(primitive, best));
+        let comes_first = || {
+            pixels
+                .primitive(pixel)
+                .is_none_or(|best| self.shapes.precedes(primitive, best))
+        };
         (nearness > best || (nearness == best && comes_first())).then_some((hit, nearness))
     }
 
     /// The depth of the hit with a primitive that a pixel is known to hit.
-    pub(super) fn depth(&self, first: [u32; 2], pixel: Pixel, primitive: Placed, fallbacks: &mut Fallbacks) -> Depth {
+    pub(super) fn depth(
+        &self,
+        first: [u32; 2],
+        pixel: Pixel,
+        primitive: Placed,
+        fallbacks: &mut Fallbacks,
+    ) -> Depth {
         let ray = self.ray(first, pixel);
         let surface = self.shapes.surface(primitive);
         let t = surface.t_of_hit(&FilterRay::new(&ray));
         let t = t.unwrap_or_else(|| surface.exact_t(&ray).bracket());
-        self.depth_of_hit(&ray, &Hit { primitive, t, is_hard: false }, fallbacks)
+        self.depth_of_hit(
+            &ray,
+            &Hit {
+                primitive,
+                t,
+                is_hard: false,
+            },
+            fallbacks,
+        )
     }
 
     /// The depth of a hit that was searched for.
-    pub(super) fn depth_of(&self, first: [u32; 2], pixel: Pixel, hit: &Hit, fallbacks: &mut Fallbacks) -> Depth {
+    pub(super) fn depth_of(
+        &self,
+        first: [u32; 2],
+        pixel: Pixel,
+        hit: &Hit,
+        fallbacks: &mut Fallbacks,
+    ) -> Depth {
         self.depth_of_hit(&self.ray(first, pixel), hit, fallbacks)
     }
 
     fn depth_of_hit(&self, ray: &Ray, hit: &Hit, fallbacks: &mut Fallbacks) -> Depth {
         let (depth, roundings) = Depth::of(hit, ray, self.shapes, self.precision);
         if roundings > 0 {
-            *fallbacks += Fallbacks { roundings, rays: u64::from(!hit.is_hard), ..Fallbacks::default() };
+            *fallbacks += Fallbacks {
+                roundings,
+                rays: u64::from(!hit.is_hard),
+                ..Fallbacks::default()
+            };
         }
         depth
     }

@@ -26,21 +26,40 @@ pub(super) struct Spread {
 
 impl Spread {
     pub(super) fn of(quadric: &Quadric) -> Spread {
-        let Ellipsoid { height, semi_axes, farthest } = quadric.ellipsoid();
+        let Ellipsoid {
+            height,
+            semi_axes,
+            farthest,
+        } = quadric.ellipsoid();
         let rows = &quadric.world_from_object.rows;
         let square = quadric.radius * quadric.radius;
         let weights = semi_axes.map(|axis| axis * axis);
-        let entry = |[i, j]: [usize; 2]| square * (0..3).map(|k| weights[k] * rows[i][k] * rows[j][k]).sum::<f64>();
+        let entry = |[i, j]: [usize; 2]| {
+            square
+                * (0..3)
+                    .map(|k| weights[k] * rows[i][k] * rows[j][k])
+                    .sum::<f64>()
+        };
         let mut entries = ENTRIES.map(entry);
         let centre = match quadric.form {
             Form::Sphere(_) => quadric.world_from_object.column(3),
             _ => {
-                widen(&mut entries, [0, 1, 2].map(|k| ROUNDING * (rows[k][3].abs() + farthest * rows[k][2].abs())));
+                widen(
+                    &mut entries,
+                    [0, 1, 2].map(|k| ROUNDING * (rows[k][3].abs() + farthest * rows[k][2].abs())),
+                );
                 [0, 1, 2].map(|k| rows[k][3] + height * rows[k][2])
             }
         };
         let fits = entries[..3].iter().all(|x| (LEAST..LARGEST).contains(x));
-        Spread { centre, entries: if fits { entries.map(|x| x as f32) } else { [f32::INFINITY; 6] } }
+        Spread {
+            centre,
+            entries: if fits {
+                entries.map(|x| x as f32)
+            } else {
+                [f32::INFINITY; 6]
+            },
+        }
     }
 }
 
@@ -84,9 +103,16 @@ impl Seen {
         let (all, infinity) = (simd.splat(f32::MAX), simd.splat(f32::INFINITY));
         let (nearest, factors) = if is_perspective {
             let factors = [one / depth.low, one / depth.high];
-            (in_front.select(factors[0] * simd.splat(NEARER), infinity), factors)
+            (
+                in_front.select(factors[0] * simd.splat(NEARER), infinity),
+                factors,
+            )
         } else {
-            (all.above(depth.low.abs()).select(zero - depth.low, infinity), [one; 2])
+            (
+                all.above(depth.low.abs())
+                    .select(zero - depth.low, infinity),
+                [one; 2],
+            )
         };
         nearest.store(&mut areas.nearest);
         let mut hidden = is_behind | simd.splat(farthest).above(nearest);
@@ -96,16 +122,24 @@ impl Seen {
             let low = (film.low * factors[0]).min(film.low * factors[1]);
             let high = (film.high * factors[0]).max(film.high * factors[1]);
             let extent = low.abs().max(high.abs());
-            let margin = simd.splat(MARGIN + 20.0 * frame.view.ray_error) + extent * simd.splat(16.0 * U);
+            let margin =
+                simd.splat(MARGIN + 20.0 * frame.view.ray_error) + extent * simd.splat(16.0 * U);
             let first = (low - margin).ceil().max(zero);
             let last = (high + margin).floor().min(last_pixel);
             let known = all.above(extent);
-            let known = if is_perspective { known & in_front } else { known };
+            let known = if is_perspective {
+                known & in_front
+            } else {
+                known
+            };
             let (first, last) = (known.select(first, zero), known.select(last, last_pixel));
             hidden = hidden | first.above(last);
             areas.put(axis, first, last);
         }
-        Seen { areas, lanes: block.spheres() & !hidden.bits() }
+        Seen {
+            areas,
+            lanes: block.spheres() & !hidden.bits(),
+        }
     }
 }
 
@@ -124,21 +158,28 @@ impl<S: Lanes> Range<S> {
             from_eye[axis] = simd.load_wide(&block.corner[axis]) - simd.splat_wide(eye[axis]);
         }
         let offset = simd.splat_wide(if k < 2 { frame.offset[k] } else { 0.0 });
-        let centre = (row_times::<S, false>(simd, &frame.tile_from_world[k], &from_eye) + offset).narrow();
+        let centre =
+            (row_times::<S, false>(simd, &frame.tile_from_world[k], &from_eye) + offset).narrow();
         let row = &frame.tile_from_world_f32[k];
         let mut square = simd.splat(0.0);
         let mut terms = simd.splat(f32::MIN_POSITIVE);
         for entry in 0..6 {
             let [i, j] = ENTRIES[entry];
             let twice = if i == j { 1.0 } else { 2.0 };
-            let value = simd.load(&block.edges[entry / 3][entry % 3]) * simd.splat(twice * row[i]) * simd.splat(row[j]);
+            let value = simd.load(&block.edges[entry / 3][entry % 3])
+                * simd.splat(twice * row[i])
+                * simd.splat(row[j]);
             square = square + value;
             terms = terms + value.abs();
         }
         let square = square.max(simd.splat(0.0)) + terms * simd.splat(16.0 * U);
         let reach = square.widen().sqrt().narrow();
-        let reach = reach + (reach + centre.abs()) * simd.splat(8.0 * U) + simd.splat(frame.rounding[k]);
-        Range { low: centre - reach, high: centre + reach }
+        let reach =
+            reach + (reach + centre.abs()) * simd.splat(8.0 * U) + simd.splat(frame.rounding[k]);
+        Range {
+            low: centre - reach,
+            high: centre + reach,
+        }
     }
 }
 
@@ -199,11 +240,19 @@ mod tests {
     fn what_a_centre_is_off_by_counts() {
         let far = |z: f64| {
             let form = Form::Cylinder(Cut::of_cylinder(z, z + 1.0, 360.0));
-            Spread::of(&Quadric { world_from_object: Matrix::translate([0.0, 0.0, -z]), radius: 1.0, form }).entries[2]
+            Spread::of(&Quadric {
+                world_from_object: Matrix::translate([0.0, 0.0, -z]),
+                radius: 1.0,
+                form,
+            })
+            .entries[2]
         };
         assert!(far(1e15) > far(1e3) + 1.0 && far(1e3) < 0.52);
-        let flat =
-            Quadric { world_from_object: Matrix::IDENTITY, radius: 1.0, form: Form::Disk(Disk::new(0.0, 0.0, 360.0)) };
+        let flat = Quadric {
+            world_from_object: Matrix::IDENTITY,
+            radius: 1.0,
+            form: Form::Disk(Disk::new(0.0, 0.0, 360.0)),
+        };
         assert!(Spread::of(&flat).entries[2] > 1e-6 && Spread::of(&flat).entries[0] < 1.02);
     }
 }

@@ -24,20 +24,43 @@ struct Scene {
 fn camera(eye: [f64; 3], is_perspective: bool) -> Camera {
     let up = Vector::new(0.1, 1.0, 0.2);
     let look_at = Transform::look_at(Point::from(eye), Point::new(0.1, 0.2, 0.3), up).unwrap();
-    let (projection, size) =
-        if is_perspective { (Projection::perspective(40.0), 1.0) } else { (Projection::Orthographic, 3.0) };
-    let screen_window = ScreenWindow { x0: -size, x1: size, y0: -size, y1: size };
-    Camera { world_from_camera: look_at.inverse, projection, screen_window, resolution: [256, 256] }
+    let (projection, size) = if is_perspective {
+        (Projection::perspective(40.0), 1.0)
+    } else {
+        (Projection::Orthographic, 3.0)
+    };
+    let screen_window = ScreenWindow {
+        x0: -size,
+        x1: size,
+        y0: -size,
+        y1: size,
+    };
+    Camera {
+        world_from_camera: look_at.inverse,
+        projection,
+        screen_window,
+        resolution: [256, 256],
+    }
 }
 
 /// The triangles lie around points that rays of the tile pass, from small ones to some that are larger than the tile.
 fn scene() -> impl Strategy<Value = Scene> {
     let eye = prop::array::uniform3(3.0..9.0f64);
     let corner = prop::array::uniform3(-1.0..1.0f64);
-    let triangle = (prop::array::uniform2(0u32..16), 4.0..40.0f64, -9..2i32, prop::array::uniform3(corner));
+    let triangle = (
+        prop::array::uniform2(0u32..16),
+        4.0..40.0f64,
+        -9..2i32,
+        prop::array::uniform3(corner),
+    );
     let triangles = prop::collection::vec(triangle, LANES);
-    (eye, any::<bool>(), prop::array::uniform2(0u32..16), triangles).prop_map(
-        |(eye, is_perspective, tile, triangles)| {
+    (
+        eye,
+        any::<bool>(),
+        prop::array::uniform2(0u32..16),
+        triangles,
+    )
+        .prop_map(|(eye, is_perspective, tile, triangles)| {
             let (camera, first) = (camera(eye, is_perspective), tile.map(|k| 16 * k));
             let place = |(pixel, depth, size, corners): ([u32; 2], f64, i32, [[f64; 3]; 3])| {
                 let ray = camera.ray(first[0] + pixel[0], first[1] + pixel[1]);
@@ -45,9 +68,12 @@ fn scene() -> impl Strategy<Value = Scene> {
                 corners.map(|corner| centre + Vector::from(corner) * 2f64.powi(size))
             };
             let triangles = triangles.into_iter().map(place).collect();
-            Scene { camera, triangles, first }
-        },
-    )
+            Scene {
+                camera,
+                triangles,
+                first,
+            }
+        })
 }
 
 struct Check<'a>(&'a Scene);
@@ -66,22 +92,49 @@ impl Kernel for Check<'_> {
     /// Compares numbers and their bounds with what `f64` makes of the scene's own corners.
     #[inline(always)]
     fn run<S: Lanes>(self, simd: S) {
-        let Scene { camera, triangles, first } = self.0;
+        let Scene {
+            camera,
+            triangles,
+            first,
+        } = self.0;
         let mut shapes = Shapes::default();
-        let indices = (0..triangles.len() as u32).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
-        shapes.add_mesh(triangles.iter().flatten().copied().collect(), indices, &Matrix::IDENTITY, 1).unwrap();
+        let indices = (0..triangles.len() as u32)
+            .map(|k| [3 * k, 3 * k + 1, 3 * k + 2])
+            .collect();
+        shapes
+            .add_mesh(
+                triangles.iter().flatten().copied().collect(),
+                indices,
+                &Matrix::IDENTITY,
+                1,
+            )
+            .unwrap();
         let order: Vec<Primitive> = (0..triangles.len()).map(Primitive::triangle).collect();
-        let block = &blocks_of(&[Run { first: 0, count: LANES as u32 }], &order, &shapes)[0];
+        let block = &blocks_of(
+            &[Run {
+                first: 0,
+                count: LANES as u32,
+            }],
+            &order,
+            &shapes,
+        )[0];
         let view = View::new(camera, &AnchorSpace::new(camera.anchor(), 256.0)).unwrap();
         let frame = Frame::new(&view, *first);
         let mut planes = Planes::new();
-        let usable = planes.fill_narrow::<S, true>(simd, &frame, block, view.least_nearness()).usable;
+        let usable = planes
+            .fill_narrow::<S, true>(simd, &frame, block, view.least_nearness())
+            .usable;
         let mut kept = Kept::new();
         for (lane, primitive) in order.iter().enumerate() {
             kept.push_narrow(Placed::alone(*primitive), &block.corner, &block.edges, lane);
         }
         kept.fill_planes(simd, &frame);
-        let prepared = Prepared { scene: self.0, shapes, planes, kept };
+        let prepared = Prepared {
+            scene: self.0,
+            shapes,
+            planes,
+            kept,
+        };
         for lane in (0..LANES).filter(|lane| usable >> lane & 1 != 0) {
             let area = prepared.planes.areas.of(lane);
             for row in area.rows[0]..=area.rows[1] {
@@ -98,15 +151,28 @@ impl Prepared<'_> {
         let planes = &self.planes;
         let first = planes.first(lane);
         let local = [pixel[0] - first[0], pixel[1] - first[1]].map(|k| k as f32);
-        let at = |f: &[[f32; LANES]; 3]| f64::from(f[0][lane] + f[1][lane] * local[0] + f[2][lane] * local[1]);
+        let at = |f: &[[f32; LANES]; 3]| {
+            f64::from(f[0][lane] + f[1][lane] * local[0] + f[2][lane] * local[1])
+        };
         let truth = Truth::of(frame, &self.shapes.triangle(lane), pixel.map(f64::from));
         for (edge, truth) in planes.edges.iter().zip(truth.edges) {
             let off = (at(edge) - truth).abs();
-            assert!(off <= f64::from(planes.edge_error[lane]), "{off} is more than {}", planes.edge_error[lane]);
+            assert!(
+                off <= f64::from(planes.edge_error[lane]),
+                "{off} is more than {}",
+                planes.edge_error[lane]
+            );
         }
         if truth.edges.iter().all(|edge| *edge > 0.0) {
-            let unit = if frame.view.is_perspective { truth.nearness } else { 1.0 };
-            assert!((at(&planes.nearness) - truth.nearness).abs() < f64::from(frame.view.tolerance) * unit);
+            let unit = if frame.view.is_perspective {
+                truth.nearness
+            } else {
+                1.0
+            };
+            assert!(
+                (at(&planes.nearness) - truth.nearness).abs()
+                    < f64::from(frame.view.tolerance) * unit
+            );
             self.check_depth(frame, lane, pixel);
         }
     }
@@ -116,14 +182,21 @@ impl Prepared<'_> {
         let [start, per_column, per_row] = plane.nearness;
         let nearness = start + per_column * f64::from(pixel[0]) + per_row * f64::from(pixel[1]);
         let is_perspective = frame.view.is_perspective;
-        let depth = if is_perspective { 1.0 / nearness } else { -nearness };
+        let depth = if is_perspective {
+            1.0 / nearness
+        } else {
+            -nearness
+        };
         let Scene { camera, first, .. } = self.scene;
         let ray = camera.ray(first[0] + pixel[0], first[1] + pixel[1]);
         let [a, b, c] = self.shapes.triangle(lane).0;
         let normal = (b - a).cross(c - a);
         let t = normal.dot(a - ray.origin) / normal.dot(ray.direction);
         let allowed = f64::from(plane.error) * if is_perspective { t } else { 1.0 };
-        assert!((depth - t).abs() <= allowed, "{depth} is not {t}, by more than {allowed}");
+        assert!(
+            (depth - t).abs() <= allowed,
+            "{depth} is not {t}, by more than {allowed}"
+        );
     }
 }
 
@@ -141,16 +214,27 @@ impl Truth {
             if frame.view.is_perspective {
                 ([row(0) / row(2), row(1) / row(2)], 1.0 / row(2))
             } else {
-                ([row(0) + frame.offset[0], row(1) + frame.offset[1]], -row(2))
+                (
+                    [row(0) + frame.offset[0], row(1) + frame.offset[1]],
+                    -row(2),
+                )
             }
         });
-        let twice_area =
-            |a: [f64; 2], b: [f64; 2], c: [f64; 2]| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+        let twice_area = |a: [f64; 2], b: [f64; 2], c: [f64; 2]| {
+            (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+        };
         let [(a, at_a), (b, at_b), (c, at_c)] = on_film;
         let (pixel, area) = ([x, y], twice_area(a, b, c));
-        let edges = [twice_area(pixel, b, c), twice_area(a, pixel, c), twice_area(a, b, pixel)];
+        let edges = [
+            twice_area(pixel, b, c),
+            twice_area(a, pixel, c),
+            twice_area(a, b, pixel),
+        ];
         let nearness = (edges[0] * at_a + edges[1] * at_b + edges[2] * at_c) / area;
-        Truth { edges: edges.map(|edge| edge * area.signum()), nearness }
+        Truth {
+            edges: edges.map(|edge| edge * area.signum()),
+            nearness,
+        }
     }
 }
 

@@ -27,7 +27,12 @@ fn place(column: u32, row: u32) -> usize {
 impl TracedTile {
     pub(super) fn new() -> TracedTile {
         let primitives = [Placed::alone(Primitive::FIRST); PIXELS];
-        TracedTile { z: [0.0; PIXELS], t: [0.0; PIXELS], primitives, hits: [0; TILE as usize] }
+        TracedTile {
+            z: [0.0; PIXELS],
+            t: [0.0; PIXELS],
+            primitives,
+            hits: [0; TILE as usize],
+        }
     }
 
     /// Forgets hits; depths are to be put for all pixels.
@@ -45,7 +50,9 @@ impl TracedTile {
     pub fn hits_within(&self, columns: [u32; 2], rows: [u32; 2]) -> u64 {
         let columns = (1u32 << columns[1]) - (1 << columns[0]);
         let rows = &self.hits[rows[0] as usize..rows[1] as usize];
-        rows.iter().map(|row| u64::from((u32::from(*row) & columns).count_ones())).sum()
+        rows.iter()
+            .map(|row| u64::from((u32::from(*row) & columns).count_ones()))
+            .sum()
     }
 
     /// What the rays of a row hit, anything where nothing was hit.

@@ -45,7 +45,10 @@ pub struct Tiles<'a> {
 
 fn project_all(nodes: &[WideNode], view: &View, level: Level) -> Vec<ViewNode> {
     let film = FilmFromTree::of_world(view);
-    nodes.par_chunks(256).flat_map_iter(|nodes| level.run(Project { film, nodes })).collect()
+    nodes
+        .par_chunks(256)
+        .flat_map_iter(|nodes| level.run(Project { film, nodes }))
+        .collect()
 }
 
 /// What a view sees of the world's trees.
@@ -58,16 +61,32 @@ struct Together {
 
 impl<'a> Tiles<'a> {
     /// For the rays of `camera` through `aggregate`, which was built over `shapes`.
-    pub fn new(camera: &'a Camera, shapes: &'a Shapes, aggregate: &'a Aggregate, options: TileOptions) -> Tiles<'a> {
+    pub fn new(
+        camera: &'a Camera,
+        shapes: &'a Shapes,
+        aggregate: &'a Aggregate,
+        options: TileOptions,
+    ) -> Tiles<'a> {
         // Answers of f32 depend on where boxes are the most precise: those of a ray alone are asked for where that is elsewhere.
         let is_for_view = aggregate.space.anchor() == camera.anchor();
-        let view = View::new(camera, &aggregate.space).filter(|_| is_for_view || options.precision == Precision::Exact);
+        let view = View::new(camera, &aggregate.space)
+            .filter(|_| is_for_view || options.precision == Precision::Exact);
         let together = view.map(|view| {
             let nodes = project_all(&aggregate.wide.nodes, &view, options.level);
             let instances = project_all(&aggregate.instances.wide.nodes, &view, options.level);
-            Together { view, nodes, instances }
+            Together {
+                view,
+                nodes,
+                instances,
+            }
         });
-        Tiles { camera, shapes, aggregate, options, together }
+        Tiles {
+            camera,
+            shapes,
+            aggregate,
+            options,
+            together,
+        }
     }
 
     /// Whether the picture asks no more than hit or miss.
@@ -115,7 +134,12 @@ impl TileTracer<'_> {
     }
 
     fn trace_alone(&mut self, first: [u32; 2], window: &PixelBounds) {
-        let TileOptions { with_z, with_t, miss, .. } = self.tiles.options;
+        let TileOptions {
+            with_z,
+            with_t,
+            miss,
+            ..
+        } = self.tiles.options;
         self.traced.clear_depths(miss);
         let [columns, rows] = part_of(first, window);
         for row in rows[0]..rows[1] {
@@ -128,7 +152,8 @@ impl TileTracer<'_> {
                 } else if let Some(hit) = self.single.closest_hit(&ray) {
                     self.traced.put_hit(column, row, hit.primitive);
                     if with_z || with_t {
-                        self.traced.put_depth(column, row, self.single.depth(&ray, &hit));
+                        self.traced
+                            .put_depth(column, row, self.single.depth(&ray, &hit));
                     }
                 }
             }
@@ -136,19 +161,57 @@ impl TileTracer<'_> {
     }
 
     fn trace_together(&mut self, together: &Together, first: [u32; 2], window: &PixelBounds) {
-        let Together { view, nodes, instances } = together;
-        let Tiles { camera, shapes, aggregate, options, .. } = *self.tiles;
+        let Together {
+            view,
+            nodes,
+            instances,
+        } = together;
+        let Tiles {
+            camera,
+            shapes,
+            aggregate,
+            options,
+            ..
+        } = *self.tiles;
         let hits_only = self.tiles.hits_only();
-        let searcher = Searcher { camera, shapes, aggregate, view, precision: options.precision, hits_only };
+        let searcher = Searcher {
+            camera,
+            shapes,
+            aggregate,
+            view,
+            precision: options.precision,
+            hits_only,
+        };
         let frame = Frame::new(view, first);
-        let wanted = Wanted { z: options.with_z, t: options.with_t, miss: options.miss };
-        let TileTracer { scratch, traced, fallbacks, .. } = self;
+        let wanted = Wanted {
+            z: options.with_z,
+            t: options.with_t,
+            miss: options.miss,
+        };
+        let TileTracer {
+            scratch,
+            traced,
+            fallbacks,
+            ..
+        } = self;
         scratch.pixels.clear(view.least_nearness());
         scratch.known.fronts.clear();
         let [columns, rows] = part_of(first, window);
         scratch.pixels.keep_only(columns, rows);
-        let tree = ViewTree { nodes, blocks: &aggregate.wide.blocks };
-        let kernel = Tile { frame, tree, instances, searcher, wanted, scratch, traced, fallbacks };
+        let tree = ViewTree {
+            nodes,
+            blocks: &aggregate.wide.blocks,
+        };
+        let kernel = Tile {
+            frame,
+            tree,
+            instances,
+            searcher,
+            wanted,
+            scratch,
+            traced,
+            fallbacks,
+        };
         match options.precision {
             Precision::Exact => options.level.run(Exactly(kernel)),
             Precision::Fast => options.level.run(Fast(kernel)),
@@ -158,7 +221,14 @@ impl TileTracer<'_> {
 
 /// Columns and rows of a tile that are within `window`: from the first to before the second.
 fn part_of(first: [u32; 2], window: &PixelBounds) -> [[u32; 2]; 2] {
-    let part =
-        |first: u32, low: u32, high: u32| [low.saturating_sub(first).min(TILE), high.saturating_sub(first).min(TILE)];
-    [part(first[0], window.x0, window.x1), part(first[1], window.y0, window.y1)]
+    let part = |first: u32, low: u32, high: u32| {
+        [
+            low.saturating_sub(first).min(TILE),
+            high.saturating_sub(first).min(TILE),
+        ]
+    };
+    [
+        part(first[0], window.x0, window.x1),
+        part(first[1], window.y0, window.y1),
+    ]
 }

@@ -72,16 +72,36 @@ impl View {
             Projection::Orthographic => (false, 1.0),
         };
         // The screen coordinate of pixel (0, 0) and the step to the next one, along both axes.
-        let step = [tangent * (screen.x1 - screen.x0) / width, tangent * (screen.y0 - screen.y1) / height];
-        let first = [tangent * screen.x0 + step[0] / 2.0, tangent * screen.y1 + step[1] / 2.0];
-        let extent = [screen.x0.abs().max(screen.x1.abs()), screen.y0.abs().max(screen.y1.abs())].map(|x| tangent * x);
+        let step = [
+            tangent * (screen.x1 - screen.x0) / width,
+            tangent * (screen.y0 - screen.y1) / height,
+        ];
+        let first = [
+            tangent * screen.x0 + step[0] / 2.0,
+            tangent * screen.y1 + step[1] / 2.0,
+        ];
+        let extent = [
+            screen.x0.abs().max(screen.x1.abs()),
+            screen.y0.abs().max(screen.y1.abs()),
+        ]
+        .map(|x| tangent * x);
         let depth = [inverse.rows[2][0], inverse.rows[2][1], inverse.rows[2][2]];
         let row = |k: usize| {
-            let from_depth = |axis: usize| if is_perspective { first[k] * depth[axis] } else { 0.0 };
+            let from_depth = |axis: usize| {
+                if is_perspective {
+                    first[k] * depth[axis]
+                } else {
+                    0.0
+                }
+            };
             std::array::from_fn(|axis| (inverse.rows[k][axis] - from_depth(axis)) / step[k])
         };
         let film_from_world = [row(0), row(1), depth];
-        let offset = if is_perspective { [0.0; 2] } else { [0, 1].map(|k| -first[k] / step[k]) };
+        let offset = if is_perspective {
+            [0.0; 2]
+        } else {
+            [0, 1].map(|k| -first[k] / step[k])
+        };
 
         let units = space.units();
         let anchor = space.anchor() - eye;
@@ -91,7 +111,8 @@ impl View {
             let entry = |axis: usize| match k {
                 2 => depth[axis].abs(),
                 _ if is_perspective => {
-                    (inverse.rows[k][axis].abs() + 3.0 * extent[k] * depth[axis].abs()) / step[k].abs()
+                    (inverse.rows[k][axis].abs() + 3.0 * extent[k] * depth[axis].abs())
+                        / step[k].abs()
                 }
                 _ => inverse.rows[k][axis].abs() / step[k].abs(),
             };
@@ -101,21 +122,41 @@ impl View {
         let terms_of_ray = |axis: usize| {
             let along = |column: usize| c.rows[axis][column].abs();
             let across = along(0) * extent[0] + along(1) * extent[1];
-            if is_perspective { across + along(2) } else { across + along(3) + along(2) * farthest }
+            if is_perspective {
+                across + along(2)
+            } else {
+                across + along(3) + along(2) * farthest
+            }
         };
         let column = |axis: usize| [c.rows[0][axis], c.rows[1][axis], c.rows[2][axis]];
         let (right, up, forward) = (column(0), column(1), column(2));
         let start = [0, 1, 2].map(|axis| {
             let across = first[0] * right[axis] + first[1] * up[axis];
-            if is_perspective { across + forward[axis] } else { across }
+            if is_perspective {
+                across + forward[axis]
+            } else {
+                across
+            }
         });
         let world_from_film = [start, right.map(|x| x * step[0]), up.map(|x| x * step[1])];
-        let ray_rounding = [0, 1, 2].map(|axis| (4.0 * ROUNDINGS * U * terms_of_ray(axis)) as f32 + f32::MIN_POSITIVE);
-        let offsets = [0, 1].map(|k| if is_perspective { 0.0 } else { 4.0 * extent[k] / step[k].abs() });
-        let ray_error = |k: usize| ROUNDINGS * U * (sum_of_terms(k, &terms_of_ray) + offsets.get(k).unwrap_or(&0.0));
+        let ray_rounding = [0, 1, 2]
+            .map(|axis| (4.0 * ROUNDINGS * U * terms_of_ray(axis)) as f32 + f32::MIN_POSITIVE);
+        let offsets = [0, 1].map(|k| {
+            if is_perspective {
+                0.0
+            } else {
+                4.0 * extent[k] / step[k].abs()
+            }
+        });
+        let ray_error = |k: usize| {
+            ROUNDINGS * U * (sum_of_terms(k, &terms_of_ray) + offsets.get(k).unwrap_or(&0.0))
+        };
         let largest_error = ray_error(0).max(ray_error(1)).max(ray_error(2));
-        let largest =
-            sum_of_terms(0, &|_| reach).max(sum_of_terms(1, &|_| reach)).max(farthest) + offsets[0] + offsets[1];
+        let largest = sum_of_terms(0, &|_| reach)
+            .max(sum_of_terms(1, &|_| reach))
+            .max(farthest)
+            + offsets[0]
+            + offsets[1];
         let fits = largest_error < MAX_RAY_ERROR
             && largest < LARGEST
             && farthest > LEAST_DEPTH
@@ -132,7 +173,11 @@ impl View {
             world_from_film,
             ray_rounding,
             forward,
-            tolerance: if is_perspective { TOLERANCE } else { TOLERANCE * farthest as f32 },
+            tolerance: if is_perspective {
+                TOLERANCE
+            } else {
+                TOLERANCE * farthest as f32
+            },
             units,
             anchor,
         })
@@ -140,17 +185,29 @@ impl View {
 
     /// What nearness must be above to be surely greater than `nearness`: this times it, plus that.
     pub(super) fn surely_nearer(&self) -> [f32; 2] {
-        if self.is_perspective { [1.0 + 4.0 * self.tolerance, 0.0] } else { [1.0, 4.0 * self.tolerance] }
+        if self.is_perspective {
+            [1.0 + 4.0 * self.tolerance, 0.0]
+        } else {
+            [1.0, 4.0 * self.tolerance]
+        }
     }
 
     /// Every hit has more nearness.
     pub(super) fn least_nearness(&self) -> f32 {
-        if self.is_perspective { 0.0 } else { f32::NEG_INFINITY }
+        if self.is_perspective {
+            0.0
+        } else {
+            f32::NEG_INFINITY
+        }
     }
 
     /// The nearness of a hit at parameter `t`: it grows towards the eye.
     pub(super) fn nearness(&self, t: f64) -> f32 {
-        if self.is_perspective { (1.0 / t) as f32 } else { -t as f32 }
+        if self.is_perspective {
+            (1.0 / t) as f32
+        } else {
+            -t as f32
+        }
     }
 
     /// Where a point is on the film.
@@ -159,7 +216,8 @@ impl View {
         let k = &self.film_from_world;
         let row = |row: &[f64; 3]| row[0] * from_eye.x + row[1] * from_eye.y + row[2] * from_eye.z;
         let terms = |row: &[f64; 3]| {
-            from_eye.largest() * (row[0].abs() + row[1].abs() + row[2].abs()) * ROUNDING + f64::from(UNDERFLOW)
+            from_eye.largest() * (row[0].abs() + row[1].abs() + row[2].abs()) * ROUNDING
+                + f64::from(UNDERFLOW)
         };
         let (depth, depth_error) = (row(&k[2]), terms(&k[2]));
         if depth + depth_error < 0.0 {
@@ -169,11 +227,16 @@ impl View {
         if self.is_perspective && !is_clear_of_eye || !point.is_finite() {
             return OnFilm::Anywhere;
         }
-        let inverse = if self.is_perspective { 1.0 / depth } else { 1.0 };
+        let inverse = if self.is_perspective {
+            1.0 / depth
+        } else {
+            1.0
+        };
         let pixel = [0, 1].map(|axis| row(&k[axis]) * inverse + self.offset[axis]);
         // The error of depth moves a pixel in proportion to its distance from the first one.
         let error = |axis: usize| {
-            (terms(&k[axis]) + pixel[axis].abs() * depth_error) * inverse + self.offset[axis].abs() * ROUNDING
+            (terms(&k[axis]) + pixel[axis].abs() * depth_error) * inverse
+                + self.offset[axis].abs() * ROUNDING
         };
         if error(0).max(error(1)) < MAX_PIXEL_ERROR {
             OnFilm::At(pixel.map(|coordinate| coordinate as f32))

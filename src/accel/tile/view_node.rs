@@ -48,22 +48,42 @@ impl FilmFromTree {
     /// For the tree of the world.
     pub(super) fn of_world(view: &View) -> FilmFromTree {
         let row = |k: usize| view.film_from_world[k].map(|entry| (entry / view.units) as f32);
-        let terms = |k: usize| [0, 1, 2].map(|axis| view.film_from_world[k][axis] * view.anchor[axis]);
+        let terms =
+            |k: usize| [0, 1, 2].map(|axis| view.film_from_world[k][axis] * view.anchor[axis]);
         // One rounding of the anchor relative to the eye, one of a product and two of sums, where they may cancel out.
-        let slack = |k: usize| 16.0 * UNIT_ROUNDOFF * terms(k).iter().map(|term| term.abs()).sum::<f64>();
+        let slack =
+            |k: usize| 16.0 * UNIT_ROUNDOFF * terms(k).iter().map(|term| term.abs()).sum::<f64>();
         FilmFromTree::new(view, row, |k| terms(k).iter().sum(), slack)
     }
 
     /// For the tree of an object, with boxes in `space`, where an instance places it.
-    pub(super) fn of_object(view: &View, space: &AnchorSpace, placement: &Placement) -> FilmFromTree {
+    pub(super) fn of_object(
+        view: &View,
+        space: &AnchorSpace,
+        placement: &Placement,
+    ) -> FilmFromTree {
         let world_from_instance = &placement.world_from_instance;
         let anchor = world_from_instance.apply(space.anchor()) - view.eye;
         let rows = &view.film_from_world;
-        let along = |k: usize, vector: [f64; 3]| (0..3).map(|axis| rows[k][axis] * vector[axis]).sum::<f64>();
-        let row = |k: usize| [0, 1, 2].map(|axis| (along(k, world_from_instance.column(axis)) / space.units()) as f32);
-        let slack = |k: usize| (0..3).map(|axis| rows[k][axis].abs() * placement.slack[axis]).sum::<f64>();
+        let along = |k: usize, vector: [f64; 3]| {
+            (0..3).map(|axis| rows[k][axis] * vector[axis]).sum::<f64>()
+        };
+        let row = |k: usize| {
+            [0, 1, 2]
+                .map(|axis| (along(k, world_from_instance.column(axis)) / space.units()) as f32)
+        };
+        let slack = |k: usize| {
+            (0..3)
+                .map(|axis| rows[k][axis].abs() * placement.slack[axis])
+                .sum::<f64>()
+        };
         // Twice, for the roundings of what is worked out here.
-        FilmFromTree::new(view, row, |k| along(k, anchor.to_array()), |k| 2.0 * slack(k))
+        FilmFromTree::new(
+            view,
+            row,
+            |k| along(k, anchor.to_array()),
+            |k| 2.0 * slack(k),
+        )
     }
 
     fn new(
@@ -122,7 +142,11 @@ impl<S: Lanes> Terms<S> {
             }
             magnitude = magnitude + of_sides[axis][0].abs().max(of_sides[axis][1].abs());
         }
-        Terms { of_sides, anchor, error: magnitude * simd.splat(ERROR) + simd.splat(film.slack[k]) }
+        Terms {
+            of_sides,
+            anchor,
+            error: magnitude * simd.splat(ERROR) + simd.splat(film.slack[k]),
+        }
     }
 
     #[inline(always)]
@@ -162,7 +186,11 @@ pub(super) fn project<S: Lanes>(simd: S, view: &FilmFromTree, node: &WideNode) -
     let infinity = simd.splat(f32::INFINITY);
     let (nearness, inverse_nearest, inverse_farthest) = if view.is_perspective {
         let inverse = one / nearest;
-        (in_front.select(inverse * simd.splat(NEARER), infinity), inverse, one / farthest)
+        (
+            in_front.select(inverse * simd.splat(NEARER), infinity),
+            inverse,
+            one / farthest,
+        )
     } else {
         // As much as that of a triangle may be too large.
         (depth_error * simd.splat(4.0) - nearest, one, one)
@@ -200,17 +228,29 @@ pub(super) fn project<S: Lanes>(simd: S, view: &FilmFromTree, node: &WideNode) -
             // In front of the eye's plane only: what lies on one side of the first pixel stays there.
             let beyond = (low_film - film_error).above(zero);
             let before = (zero - film_error).above(high_film);
-            let least = beyond
-                .select((low_film - film_error) * inverse_farthest * simd.splat(0.999), simd.splat(f32::NEG_INFINITY));
-            let most = before.select((high_film + film_error) * inverse_farthest * simd.splat(0.999), infinity);
+            let least = beyond.select(
+                (low_film - film_error) * inverse_farthest * simd.splat(0.999),
+                simd.splat(f32::NEG_INFINITY),
+            );
+            let most = before.select(
+                (high_film + film_error) * inverse_farthest * simd.splat(0.999),
+                infinity,
+            );
             let margin = simd.splat(MARGIN);
-            (in_front.select(low, least - margin), in_front.select(high, most + margin))
+            (
+                in_front.select(low, least - margin),
+                in_front.select(high, most + margin),
+            )
         } else {
             let offset = simd.splat(view.offset[axis]);
             let margin = offset.abs() * relative;
             (low + offset - margin, high + offset + margin)
         };
-        let ends = if axis == 0 { &mut projected.columns } else { &mut projected.rows };
+        let ends = if axis == 0 {
+            &mut projected.columns
+        } else {
+            &mut projected.rows
+        };
         low.store(&mut ends[0]);
         high.store(&mut ends[1]);
     }

@@ -43,9 +43,18 @@ impl Occlusion {
     #[inline]
     pub(super) fn of(view: &View, is_exact: bool) -> Occlusion {
         match (is_exact, view.is_perspective) {
-            (false, _) => Occlusion { factor: 1.0, difference: 0.0 },
-            (true, true) => Occlusion { factor: 1.0 - 4.0 * view.tolerance, difference: 0.0 },
-            (true, false) => Occlusion { factor: 1.0, difference: 4.0 * view.tolerance },
+            (false, _) => Occlusion {
+                factor: 1.0,
+                difference: 0.0,
+            },
+            (true, true) => Occlusion {
+                factor: 1.0 - 4.0 * view.tolerance,
+                difference: 0.0,
+            },
+            (true, false) => Occlusion {
+                factor: 1.0,
+                difference: 4.0 * view.tolerance,
+            },
         }
     }
 
@@ -101,15 +110,25 @@ impl Stack {
     /// Starts at the root.
     pub(super) fn start(&mut self) {
         self.waiting.clear();
-        let child = Child { first: 0, blocks: 0 };
-        self.waiting.push(Waiting { nearness: f32::INFINITY, blocks: (1 << BLOCKS) - 1, child });
+        let child = Child {
+            first: 0,
+            blocks: 0,
+        };
+        self.waiting.push(Waiting {
+            nearness: f32::INFINITY,
+            blocks: (1 << BLOCKS) - 1,
+            child,
+        });
     }
 
     /// The next child that some block of pixels may see.
     #[inline(always)]
     pub(super) fn pop<S: Lanes>(&mut self, simd: S, pixels: &Pixels) -> Option<Child> {
         while let Some(waiting) = self.waiting.pop() {
-            let hidden = simd.load(&pixels.farthest).above(simd.splat(waiting.nearness)).bits();
+            let hidden = simd
+                .load(&pixels.farthest)
+                .above(simd.splat(waiting.nearness))
+                .bits();
             if waiting.blocks & !hidden != 0 {
                 return Some(waiting.child);
             }
@@ -156,7 +175,14 @@ impl Stack {
             if child.blocks == 0 {
                 simd.prefetch(&nodes[child.first as usize]);
             }
-            self.insert(bottom, Waiting { nearness, blocks, child });
+            self.insert(
+                bottom,
+                Waiting {
+                    nearness,
+                    blocks,
+                    child,
+                },
+            );
         }
     }
 

@@ -52,8 +52,11 @@ impl Planes {
         let mut size = simd.splat(0.0);
         let mut least_edge = simd.splat(f32::INFINITY);
         for edge in 0..3 {
-            let plane =
-                [normals.edges[edge][0] * inverse, normals.edges[edge][1] * inverse, normals.edges[edge][2] * inverse];
+            let plane = [
+                normals.edges[edge][0] * inverse,
+                normals.edges[edge][1] * inverse,
+                normals.edges[edge][2] * inverse,
+            ];
             let local = shifted::<S, EXACT>(&plane, &first);
             local.store(&mut self.edges[edge]);
             least_edge = least_edge.min(local.most_within::<EXACT>(simd, &reach));
@@ -69,7 +72,10 @@ impl Planes {
         if !EXACT {
             simd.splat(0.0).store(&mut self.edge_error);
             let inside = !simd.splat(0.0).above(least_edge);
-            return Prepared { usable: (moderate & inside).bits() & covers, open: 0 };
+            return Prepared {
+                usable: (moderate & inside).bits() & covers,
+                open: 0,
+            };
         }
         let bounds = Bounds::of(simd, frame.view, corners, &homogeneous);
         let tile = simd.splat(TILE as f32);
@@ -79,19 +85,42 @@ impl Planes {
         let edge_error = bounds.edge / volume * simd.splat(1.001) + size * rounding;
         edge_error.store(&mut self.edge_error);
 
-        let slope = [depth[0].narrow().abs(), depth[1].narrow().abs(), depth[2].narrow().abs()];
-        let plane_error = plane_error(simd, frame, corners, &bounds, &depth, &slope) + bounds.normal / volume;
+        let slope = [
+            depth[0].narrow().abs(),
+            depth[1].narrow().abs(),
+            depth[2].narrow().abs(),
+        ];
+        let plane_error =
+            plane_error(simd, frame, corners, &bounds, &depth, &slope) + bounds.normal / volume;
         // In a perspective nearness is 1 over the depth at least, which makes its error relative.
-        let farthest = if is_perspective { bounds.size[2] } else { simd.splat(1.0) };
-        let evaluation = (tile * (slope[0] + slope[1]) + slope[2]) * farthest * simd.splat(1.0 / (1u64 << 49) as f32);
-        let nearness_error = (plane_error + evaluation) * simd.splat(1.01) + nearness_size * farthest * rounding;
+        let farthest = if is_perspective {
+            bounds.size[2]
+        } else {
+            simd.splat(1.0)
+        };
+        let evaluation = (tile * (slope[0] + slope[1]) + slope[2])
+            * farthest
+            * simd.splat(1.0 / (1u64 << 49) as f32);
+        let nearness_error =
+            (plane_error + evaluation) * simd.splat(1.01) + nearness_size * farthest * rounding;
 
         let sure = volume.above(bounds.volume);
         let close = simd.splat(frame.view.tolerance * 0.9).above(nearness_error);
-        let usable = sure & close & bounds.is_small & moderate & simd.splat(2f32.powi(100)).above(edge_error);
-        let usable = if is_perspective { usable } else { usable & cover.in_front };
+        let usable = sure
+            & close
+            & bounds.is_small
+            & moderate
+            & simd.splat(2f32.powi(100)).above(edge_error);
+        let usable = if is_perspective {
+            usable
+        } else {
+            usable & cover.in_front
+        };
         let outside = usable & (simd.splat(0.0) - edge_error).above(least_edge);
-        Prepared { usable: (usable & !outside).bits() & covers, open: !usable.bits() & covers }
+        Prepared {
+            usable: (usable & !outside).bits() & covers,
+            open: !usable.bits() & covers,
+        }
     }
 }
 
@@ -106,7 +135,9 @@ fn shifted<S: Lanes, const EXACT: bool>(plane: &[S::D; 3], first: &[S::D; 2]) ->
 /// The sum of a function's absolute terms, at most, where it is evaluated.
 #[inline(always)]
 fn magnitude<S: Lanes>(function: &Function<S>, reach: &Reach<S>) -> S::F {
-    function.0[0].abs() + function.0[1].abs() * reach.extent(0) + function.0[2].abs() * reach.extent(1)
+    function.0[0].abs()
+        + function.0[1].abs() * reach.extent(0)
+        + function.0[2].abs() * reach.extent(1)
 }
 
 /// The corners with a third component that makes them homogeneous.
@@ -125,7 +156,10 @@ struct Normals<S: Lanes> {
 impl<S: Lanes> Homogeneous<S> {
     #[inline(always)]
     fn of(simd: S, corners: &Corners<S>, is_perspective: bool) -> Homogeneous<S> {
-        let mut homogeneous = Homogeneous { corner: corners.corner, edges: corners.edges };
+        let mut homogeneous = Homogeneous {
+            corner: corners.corner,
+            edges: corners.edges,
+        };
         if !is_perspective {
             homogeneous.corner[2] = simd.splat_wide(1.0);
             homogeneous.edges[0][2] = simd.splat_wide(0.0);
@@ -146,7 +180,11 @@ impl<S: Lanes> Homogeneous<S> {
             first[k] = sum[k] - second[k] - third[k];
         }
         let volume = dot::<S, EXACT>(&self.corner, &sum);
-        Normals { edges: [first, second, third], sum, volume }
+        Normals {
+            edges: [first, second, third],
+            sum,
+            volume,
+        }
     }
 }
 
@@ -166,9 +204,16 @@ fn depth_plane<S: Lanes, const EXACT: bool>(
         }
     } else {
         let zero = simd.splat_wide(0.0);
-        let weights = [(zero - corners.edges[0][2]) * inverse, (zero - corners.edges[1][2]) * inverse];
+        let weights = [
+            (zero - corners.edges[0][2]) * inverse,
+            (zero - corners.edges[1][2]) * inverse,
+        ];
         for k in 0..3 {
-            let constant = if k == 2 { zero - corners.corner[2] } else { zero };
+            let constant = if k == 2 {
+                zero - corners.corner[2]
+            } else {
+                zero
+            };
             plane[k] = multiply_add::<S, EXACT>(weights[0], normals.edges[1][k], constant);
             plane[k] = multiply_add::<S, EXACT>(weights[1], normals.edges[2][k], plane[k]);
         }
@@ -190,9 +235,24 @@ fn plane_error<S: Lanes>(
     slope: &[S::F; 3],
 ) -> S::F {
     let is_perspective = frame.view.is_perspective;
-    let normal =
-        [depth[0].narrow(), depth[1].narrow(), if is_perspective { depth[2].narrow() } else { simd.splat(1.0) }];
-    let size = [slope[0], slope[1], if is_perspective { slope[2] } else { simd.splat(1.0) }];
+    let normal = [
+        depth[0].narrow(),
+        depth[1].narrow(),
+        if is_perspective {
+            depth[2].narrow()
+        } else {
+            simd.splat(1.0)
+        },
+    ];
+    let size = [
+        slope[0],
+        slope[1],
+        if is_perspective {
+            slope[2]
+        } else {
+            simd.splat(1.0)
+        },
+    ];
     let mut sum = simd.splat(0.0);
     for axis in 0..3 {
         let mut along = simd.splat(0.0);
@@ -204,7 +264,8 @@ fn plane_error<S: Lanes>(
     // The roundings of this sum, and those of everything but the edges.
     let relative = simd.splat(1.0 / (1 << 20) as f32);
     for k in 0..3 {
-        sum = sum + size[k] * (corners.rounding[k] + bounds.of_ray[k] + corners.error[k] * relative);
+        sum =
+            sum + size[k] * (corners.rounding[k] + bounds.of_ray[k] + corners.error[k] * relative);
     }
     sum
 }
@@ -236,13 +297,18 @@ impl<S: Lanes> Bounds<S> {
             let second = first + homogeneous.edges[0][k].narrow();
             let third = first + homogeneous.edges[1][k].narrow();
             size[k] = first.abs().max(second.abs()).max(third.abs()) * slack;
-            length[k] = corners.edges[0][k].narrow().abs().max(corners.edges[1][k].narrow().abs()) * slack;
+            length[k] = corners.edges[0][k]
+                .narrow()
+                .abs()
+                .max(corners.edges[1][k].narrow().abs())
+                * slack;
         }
         // |first + edge| may have cancelled: no error is smaller than this part of the depth.
         let along_depth = size[2] * simd.splat(view.ray_error + 1.0 / (1u64 << 46) as f32);
         let mut of_ray = error;
         for k in 0..3 {
-            of_ray[k] = size[k] * simd.splat(view.ray_error + 1.0 / (1u64 << 46) as f32) + along_depth;
+            of_ray[k] =
+                size[k] * simd.splat(view.ray_error + 1.0 / (1u64 << 46) as f32) + along_depth;
             error[k] = error[k] + of_ray[k];
         }
         if !view.is_perspective {
@@ -255,8 +321,8 @@ impl<S: Lanes> Bounds<S> {
         let (x, y) = (size[0] + size[2], size[1] + size[2]);
         let volume = error[0] * y * size[2] + error[1] * x * size[2] + error[2] * x * y;
         let sixteenth = size[2] * simd.splat(1.0 / 16.0);
-        let is_small =
-            sixteenth.above(error[0].max(error[1]).max(error[2])) & size[2].above(simd.splat(1.0 / (1 << 20) as f32));
+        let is_small = sixteenth.above(error[0].max(error[1]).max(error[2]))
+            & size[2].above(simd.splat(1.0 / (1 << 20) as f32));
         // The orthographic t is a sum of depths, not a quotient: its rounding is relative to the depths.
         let (x, y) = (size[0] + tile * size[2], size[1] + tile * size[2]);
         let terms = if view.is_perspective {
@@ -265,6 +331,13 @@ impl<S: Lanes> Bounds<S> {
             length[2] * (length[0] * y + length[1] * x)
         };
         let normal = terms * simd.splat(1.0 / (1u64 << 49) as f32);
-        Bounds { size, of_ray, edge: edge * simd.splat(3.0), volume: volume * simd.splat(8.0), normal, is_small }
+        Bounds {
+            size,
+            of_ray,
+            edge: edge * simd.splat(3.0),
+            volume: volume * simd.splat(8.0),
+            normal,
+            is_small,
+        }
     }
 }

@@ -36,14 +36,35 @@ pub(crate) struct WideTree<B> {
 
 impl<B> WideTree<B> {
     /// Of a binary tree; `blocks_of` makes the blocks of runs of what is in its leaves.
-    pub(in crate::accel) fn of<T>(tree: &Tree<T>, blocks_of: impl FnOnce(Vec<Run>) -> Vec<B>) -> WideTree<B> {
-        let Some(root) = tree.root else { return WideTree { nodes: Vec::new(), blocks: Vec::new() } };
+    pub(in crate::accel) fn of<T>(
+        tree: &Tree<T>,
+        blocks_of: impl FnOnce(Vec<Run>) -> Vec<B>,
+    ) -> WideTree<B> {
+        let Some(root) = tree.root else {
+            return WideTree {
+                nodes: Vec::new(),
+                blocks: Vec::new(),
+            };
+        };
         let below = &tree.below;
-        let mut collapse = Collapse { below, measured: measure(below), nodes: Vec::new(), blocks: Vec::new() };
+        let mut collapse = Collapse {
+            below,
+            measured: measure(below),
+            nodes: Vec::new(),
+            blocks: Vec::new(),
+        };
         collapse.node(vec![root]);
-        let Collapse { nodes, blocks, measured, .. } = collapse;
+        let Collapse {
+            nodes,
+            blocks,
+            measured,
+            ..
+        } = collapse;
         drop(measured);
-        WideTree { blocks: blocks_of(blocks), nodes }
+        WideTree {
+            blocks: blocks_of(blocks),
+            nodes,
+        }
     }
 
     /// Bytes that the tree takes.
@@ -89,18 +110,38 @@ fn measure(below: &[Children]) -> Vec<Below> {
     for place in (0..below.len()).rev() {
         let [left, right] = [0, 1].map(|side| below_node(&below[place].node(side), &measured));
         let run = left.run.zip(right.run).and_then(|(left, right)| {
-            let (a, b) = if left.first < right.first { (left, right) } else { (right, left) };
-            let joined = Run { first: a.first, count: a.count + b.count };
+            let (a, b) = if left.first < right.first {
+                (left, right)
+            } else {
+                (right, left)
+            };
+            let joined = Run {
+                first: a.first,
+                count: a.count + b.count,
+            };
             (a.first + a.count == b.first && joined.count as usize <= BLOCK).then_some(joined)
         });
-        measured[place] = Below { run, runs: if run.is_some() { 1 } else { left.runs + right.runs } };
+        measured[place] = Below {
+            run,
+            runs: if run.is_some() {
+                1
+            } else {
+                left.runs + right.runs
+            },
+        };
     }
     measured
 }
 
 fn below_node(node: &Node, measured: &[Below]) -> Below {
     if node.is_leaf() {
-        Below { run: Some(Run { first: node.first, count: node.count }), runs: 1 }
+        Below {
+            run: Some(Run {
+                first: node.first,
+                count: node.count,
+            }),
+            runs: 1,
+        }
     } else {
         measured[node.first as usize]
     }
@@ -121,7 +162,9 @@ impl Collapse<'_> {
     /// Recursion is no deeper than the binary tree.
     fn node(&mut self, mut parts: Vec<Node>) -> u32 {
         while parts.len() < LANES {
-            let Some(part) = self.part_to_open(&parts) else { break };
+            let Some(part) = self.part_to_open(&parts) else {
+                break;
+            };
             let children = &self.below[parts[part].first as usize];
             parts[part] = children.node(0);
             parts.push(children.node(1));
@@ -132,8 +175,12 @@ impl Collapse<'_> {
             self.nodes[place].children[lane] = match self.of(part).run {
                 Some(run) => self.blocks_of(run),
                 None => {
-                    let [left, right] = [0, 1].map(|side| self.below[part.first as usize].node(side));
-                    Child { first: self.node(vec![left, right]), blocks: 0 }
+                    let [left, right] =
+                        [0, 1].map(|side| self.below[part.first as usize].node(side));
+                    Child {
+                        first: self.node(vec![left, right]),
+                        blocks: 0,
+                    }
                 }
             };
         }
@@ -152,23 +199,32 @@ impl Collapse<'_> {
             let Below { run, runs } = self.of(part);
             run.is_none() && fits(runs)
         });
-        let largest = inner.max_by(|(_, a), (_, b)| a.bounds.half_area().total_cmp(&b.bounds.half_area()));
+        let largest =
+            inner.max_by(|(_, a), (_, b)| a.bounds.half_area().total_cmp(&b.bounds.half_area()));
         largest.map(|(part, _)| part)
     }
 
     fn blocks_of(&mut self, run: Run) -> Child {
         let first = self.blocks.len() as u32;
         let starts = (0..run.count).step_by(BLOCK);
-        let block = |start: u32| Run { first: run.first + start, count: (run.count - start).min(BLOCK as u32) };
+        let block = |start: u32| Run {
+            first: run.first + start,
+            count: (run.count - start).min(BLOCK as u32),
+        };
         self.blocks.extend(starts.map(block));
-        Child { first, blocks: self.blocks.len() as u32 - first }
+        Child {
+            first,
+            blocks: self.blocks.len() as u32 - first,
+        }
     }
 }
 
 impl WideNode {
     /// Lanes that have a child, lane k as bit k.
     pub(super) fn used(&self) -> u32 {
-        (0..LANES).fold(0, |used, lane| used | u32::from(self.low[0][lane] <= self.high[0][lane]) << lane)
+        (0..LANES).fold(0, |used, lane| {
+            used | u32::from(self.low[0][lane] <= self.high[0][lane]) << lane
+        })
     }
 
     fn over(parts: &[Node]) -> WideNode {

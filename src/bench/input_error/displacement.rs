@@ -42,7 +42,10 @@ fn of_vertex(rounded: &RoundedTransform, p: [f64; 3]) -> [f64; 3] {
 
 /// What the error of the matrix does to a point.
 fn of_matrix(rounded: &RoundedTransform, p: [f64; 3]) -> [f64; 3] {
-    rounded.error.matrix.map(|e| made_up(e[0] * p[0] + e[1] * p[1] + e[2] * p[2] + e[3]))
+    rounded
+        .error
+        .matrix
+        .map(|e| made_up(e[0] * p[0] + e[1] * p[1] + e[2] * p[2] + e[3]))
 }
 
 /// What rule R4 rounds: products, but for those with 0 and 1, and sums of what is not 0. Along the way no sum is larger than all
@@ -51,8 +54,15 @@ fn of_rounding(rounded: &RoundedTransform, p: [f64; 3]) -> [f64; 3] {
     rounded.transform.matrix.rows.map(|m| {
         let m = m.map(f64::abs);
         let terms = [m[0] * p[0], m[1] * p[1], m[2] * p[2], m[3]];
-        let products = (0..3).filter(|j| m[*j] != 0.0 && m[*j] != 1.0).map(|j| U * terms[j] + TINY).sum::<f64>();
-        let sums = m.iter().filter(|entry| **entry != 0.0).count().saturating_sub(1);
+        let products = (0..3)
+            .filter(|j| m[*j] != 0.0 && m[*j] != 1.0)
+            .map(|j| U * terms[j] + TINY)
+            .sum::<f64>();
+        let sums = m
+            .iter()
+            .filter(|entry| **entry != 0.0)
+            .count()
+            .saturating_sub(1);
         made_up(products + sums as f64 * (U * terms.iter().sum::<f64>()))
     })
 }
@@ -80,7 +90,11 @@ fn of_world_vertex(rounded: &RoundedTransform, w: Point) -> f64 {
     let guess = bound(bound([0.0; 3])).map(|component| 2.0 * component);
     let p = bound(guess);
     let is_proven = (0..3).all(|k| p[k] <= guess[k] && p[k] < f64::INFINITY);
-    if is_proven { length(of_vertex(rounded, p)) } else { f64::INFINITY }
+    if is_proven {
+        length(of_vertex(rounded, p))
+    } else {
+        f64::INFINITY
+    }
 }
 
 /// The length of a vector, or more: scaled, so that no square leaves the range.
@@ -89,7 +103,13 @@ pub(super) fn length(v: [f64; 3]) -> f64 {
     if largest == 0.0 || largest == f64::INFINITY {
         return largest;
     }
-    made_up(largest * v.iter().map(|x| (x / largest) * (x / largest)).sum::<f64>().sqrt())
+    made_up(
+        largest
+            * v.iter()
+                .map(|x| (x / largest) * (x / largest))
+                .sum::<f64>()
+                .sqrt(),
+    )
 }
 
 #[cfg(test)]
@@ -122,7 +142,10 @@ mod tests {
         assert_eq!(of_world_vertex(&RoundedTransform::IDENTITY, point), 0.0);
         let moved = RoundedTransform::translate([0.0, 4.0, 0.0]);
         let displacement = of_world_vertex(&moved, Point::new(0.1, 4.2, 0.3));
-        assert!(displacement > 3.0 * U && displacement < 6.0 * U, "{displacement}");
+        assert!(
+            displacement > 3.0 * U && displacement < 6.0 * U,
+            "{displacement}"
+        );
         let flat = RoundedTransform::scale([1.0, 0.0, 1.0]);
         assert_eq!(of_world_vertex(&flat, point), f64::INFINITY);
     }

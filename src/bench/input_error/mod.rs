@@ -30,7 +30,11 @@ const SLACK: f64 = 1.0 + 1.0 / (1u64 << 40) as f64;
 
 /// A bound with its own roundings; infinite where it is not known.
 fn made_up(bound: f64) -> f64 {
-    if bound.is_nan() { f64::INFINITY } else { bound * SLACK }
+    if bound.is_nan() {
+        f64::INFINITY
+    } else {
+        bound * SLACK
+    }
 }
 
 impl InputError {
@@ -38,7 +42,10 @@ impl InputError {
     /// roundings, and where there is no hit.
     pub fn of(scene: &Scene, hits: &[([u32; 2], ReferenceHit)]) -> Option<InputError> {
         let roundings = scene.roundings.as_ref()?;
-        let view = View { camera: &scene.camera, rounded: &roundings.camera };
+        let view = View {
+            camera: &scene.camera,
+            rounded: &roundings.camera,
+        };
         let errors = hits.par_iter().map(|(pixel, hit)| {
             let of_ray = view.displacement(*pixel, hit.z);
             let of_surface = of_primitive(&scene.shapes, roundings, hit.primitive);
@@ -57,7 +64,11 @@ impl InputError {
 
 /// In units of the last place of `t`; at a power of two of those below it, which are smaller.
 fn in_ulps(displacement: f64, t: f32) -> f64 {
-    if t.is_finite() { made_up(displacement / (f64::from(t) - f64::from(t.next_down()))) } else { f64::INFINITY }
+    if t.is_finite() {
+        made_up(displacement / (f64::from(t) - f64::from(t.next_down())))
+    } else {
+        f64::INFINITY
+    }
 }
 
 #[cfg(test)]

@@ -43,7 +43,11 @@ impl View<'_> {
                 Projection::Perspective { .. } => {
                     let depth = (f64::from(z.next_down()) - reach(linear(2))).next_down();
                     let sideways = [0, 1, 2].map(|j| rows[axis][j] - plane[axis] * rows[2][j]);
-                    if depth > 0.0 { reach(sideways) / depth } else { f64::INFINITY }
+                    if depth > 0.0 {
+                        reach(sideways) / depth
+                    } else {
+                        f64::INFINITY
+                    }
                 }
                 Projection::Orthographic => reach(linear(axis)),
             };
@@ -57,21 +61,32 @@ impl View<'_> {
         let [width, height] = self.camera.resolution;
         let [x0, x1, y0, y1] = self.screen_window();
         let scale = self.scale();
-        [scale * pixel_centre(x0, x1, x, width), scale * pixel_centre(y1, y0, y, height)]
+        [
+            scale * pixel_centre(x0, x1, x, width),
+            scale * pixel_centre(y1, y0, y, height),
+        ]
     }
 
     /// How far it is from the centre of a pixel to the next one's along x and along y, or less.
     fn pixel_sizes(&self) -> [f64; 2] {
         let [x0, x1, y0, y1] = self.screen_window();
-        let [width, height] = self.camera.resolution.map(|count| Rounded::exactly(f64::from(count)));
-        [(self.scale() * (x1 - x0)).over(width).least(), (self.scale() * (y1 - y0)).over(height).least()]
+        let [width, height] = self
+            .camera
+            .resolution
+            .map(|count| Rounded::exactly(f64::from(count)));
+        [
+            (self.scale() * (x1 - x0)).over(width).least(),
+            (self.scale() * (y1 - y0)).over(height).least(),
+        ]
     }
 
     /// What plane coordinates are multiplied by. A tangent is correctly rounded, and irrational but for 1, that of 45 degrees: those
     /// of the nearest angles are more than half a unit away.
     fn scale(&self) -> Rounded {
         match self.camera.projection {
-            Projection::Perspective { tangent: 1.0 } | Projection::Orthographic => Rounded::exactly(1.0),
+            Projection::Perspective { tangent: 1.0 } | Projection::Orthographic => {
+                Rounded::exactly(1.0)
+            }
             Projection::Perspective { tangent } => Rounded::nearest(tangent),
         }
     }
@@ -90,7 +105,8 @@ impl View<'_> {
 /// Where the centre of pixel `i` of `count` lies between `first` and `last`. The factors are integers below 2^53.
 fn pixel_centre(first: Rounded, last: Rounded, i: u32, count: u32) -> Rounded {
     let (i, count) = (f64::from(i), f64::from(count));
-    let [before, after, all] = [2.0 * (count - i) - 1.0, 2.0 * i + 1.0, 2.0 * count].map(Rounded::exactly);
+    let [before, after, all] =
+        [2.0 * (count - i) - 1.0, 2.0 * i + 1.0, 2.0 * count].map(Rounded::exactly);
     (first * before + last * after).over(all)
 }
 
@@ -102,8 +118,18 @@ mod tests {
     use proptest::prelude::*;
 
     fn camera(rounded: &RoundedTransform, projection: Projection) -> Camera {
-        let screen_window = ScreenWindow { x0: -1.7, x1: 1.3, y0: -0.9, y1: 1.1 };
-        Camera { world_from_camera: rounded.transform.inverse, projection, screen_window, resolution: [160, 91] }
+        let screen_window = ScreenWindow {
+            x0: -1.7,
+            x1: 1.3,
+            y0: -0.9,
+            y1: 1.1,
+        };
+        Camera {
+            world_from_camera: rounded.transform.inverse,
+            projection,
+            screen_window,
+            resolution: [160, 91],
+        }
     }
 
     proptest! {
@@ -148,20 +174,46 @@ mod tests {
     fn pixels_are_counted_across_the_film() {
         let rounded = RoundedTransform::translate([0.0, 0.0, 5.0]);
         let mut camera = camera(&rounded, Projection::Perspective { tangent: 1.0 });
-        camera.screen_window = ScreenWindow { x0: -1.0, x1: 1.0, y0: -1.0, y1: 1.0 };
+        camera.screen_window = ScreenWindow {
+            x0: -1.0,
+            x1: 1.0,
+            y0: -1.0,
+            y1: 1.0,
+        };
         camera.resolution = [100, 100];
         let pixels = |camera: &Camera, displacement: f64, pixel: [u32; 2], z: f32| {
-            View { camera, rounded: &rounded }.in_pixels(displacement, pixel, z)
+            View {
+                camera,
+                rounded: &rounded,
+            }
+            .in_pixels(displacement, pixel, z)
         };
         // A pixel is 0.02 wide at distance 1: at 10, 1e-6 is 5e-6 of one, in either direction.
         let middle = pixels(&camera, 1e-6, [50, 50], 10.0);
-        assert!((middle / (5e-6 * 2f64.sqrt()) - 1.0).abs() < 1e-3, "{middle}");
-        assert!(pixels(&camera, 1e-6, [99, 50], 10.0) > 1.1 * middle, "a step away from the eye moves it, too");
-        assert_eq!(pixels(&camera, 11.0, [50, 50], 10.0), f64::INFINITY, "it may be behind the eye");
+        assert!(
+            (middle / (5e-6 * 2f64.sqrt()) - 1.0).abs() < 1e-3,
+            "{middle}"
+        );
+        assert!(
+            pixels(&camera, 1e-6, [99, 50], 10.0) > 1.1 * middle,
+            "a step away from the eye moves it, too"
+        );
+        assert_eq!(
+            pixels(&camera, 11.0, [50, 50], 10.0),
+            f64::INFINITY,
+            "it may be behind the eye"
+        );
         camera.projection = Projection::Orthographic;
         let middle = pixels(&camera, 1e-6, [50, 50], 10.0);
-        assert!((middle / (5e-5 * 2f64.sqrt()) - 1.0).abs() < 1e-3, "{middle}");
+        assert!(
+            (middle / (5e-5 * 2f64.sqrt()) - 1.0).abs() < 1e-3,
+            "{middle}"
+        );
         camera.screen_window.x0 = 1.0;
-        assert_eq!(pixels(&camera, 1e-6, [50, 50], 10.0), f64::INFINITY, "pixels without width");
+        assert_eq!(
+            pixels(&camera, 1e-6, [50, 50], 10.0),
+            f64::INFINITY,
+            "pixels without width"
+        );
     }
 }

@@ -22,14 +22,24 @@ pub(super) fn escaped(text: &str) -> String {
 pub(super) fn table(table: &TextTable) -> String {
     let line = |cells: &Vec<String>, tag: &str| {
         let cell = |(column, cell): (usize, &String)| {
-            let class = if table.is_name(column) { " class=\"name\"" } else { "" };
+            let class = if table.is_name(column) {
+                " class=\"name\""
+            } else {
+                ""
+            };
             format!("<{tag}{class}>{}</{tag}>", escaped(cell))
         };
-        format!("<tr>{}</tr>\n", cells.iter().enumerate().map(cell).collect::<String>())
+        format!(
+            "<tr>{}</tr>\n",
+            cells.iter().enumerate().map(cell).collect::<String>()
+        )
     };
     let (titles, rows) = table.lines().split_first().expect("a line of titles");
     let rows: String = rows.iter().map(|cells| line(cells, "td")).collect();
-    format!("<div class=\"wide\"><table>\n{}{rows}</table></div>\n", line(titles, "th"))
+    format!(
+        "<div class=\"wide\"><table>\n{}{rows}</table></div>\n",
+        line(titles, "th")
+    )
 }
 
 /// A picture, a PNG file, that is part of the page.
@@ -43,7 +53,10 @@ pub(super) fn figure(caption: &str, png: &[u8]) -> String {
 
 /// A colour and what it means.
 pub(super) fn swatch([red, green, blue]: [u8; 3], meaning: &str) -> String {
-    format!("<span class=\"swatch\" style=\"background: rgb({red} {green} {blue})\"></span>{}", escaped(meaning))
+    format!(
+        "<span class=\"swatch\" style=\"background: rgb({red} {green} {blue})\"></span>{}",
+        escaped(meaning)
+    )
 }
 
 #[cfg(test)]
@@ -53,10 +66,22 @@ mod tests {
 
     #[test]
     fn nothing_from_outside_becomes_a_tag() {
-        let columns = [name("a", |(name, _): &(&str, u32)| (*name).to_owned()), number("<b>", |(_, n)| n.to_string())];
+        let columns = [
+            name("a", |(name, _): &(&str, u32)| (*name).to_owned()),
+            number("<b>", |(_, n)| n.to_string()),
+        ];
         let table = table(&TextTable::new(&columns, [("\"c\" & 'd'", 1)].into_iter()));
-        assert!(table.contains("<th class=\"name\">a</th><th>&lt;b&gt;</th>"), "{table}");
-        assert!(table.contains("<td class=\"name\">&quot;c&quot; &amp; &#39;d&#39;</td><td>1</td>"), "{table}");
-        assert!(figure("\"<", &[0, 1]).contains("alt=\"&quot;&lt;\" src=\"data:image/png;base64,AAE=\""));
+        assert!(
+            table.contains("<th class=\"name\">a</th><th>&lt;b&gt;</th>"),
+            "{table}"
+        );
+        assert!(
+            table.contains("<td class=\"name\">&quot;c&quot; &amp; &#39;d&#39;</td><td>1</td>"),
+            "{table}"
+        );
+        assert!(
+            figure("\"<", &[0, 1])
+                .contains("alt=\"&quot;&lt;\" src=\"data:image/png;base64,AAE=\"")
+        );
     }
 }

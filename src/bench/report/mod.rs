@@ -2,7 +2,9 @@
 
 mod html;
 
-use super::{InputError, Kernel, Machine, PictureFiles, Row, ray_table, to_svg, totals, tree_table};
+use super::{
+    InputError, Kernel, Machine, PictureFiles, Row, ray_table, to_svg, totals, tree_table,
+};
 use crate::compare::picture;
 use html::{escaped, figure, swatch, table};
 use indicatif::HumanCount;
@@ -29,16 +31,26 @@ pub fn is_report(head: &str) -> bool {
 /// A page of HTML that needs no other file: the machine, and of each scene the plot, the tables, and the pictures. `command` is what was
 /// typed.
 pub fn to_html(machine: &Machine, command: &str, sections: &[Section]) -> String {
-    let mut page = String::from("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
+    let mut page =
+        String::from("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
     page += &format!("<meta name=\"viewport\" content=\"width=device-width\">\n{TITLE}\n");
-    page += &format!("<style>\n{}</style>\n</head>\n<body>\n", include_str!("style.css"));
+    page += &format!(
+        "<style>\n{}</style>\n</head>\n<body>\n",
+        include_str!("style.css")
+    );
     page += "<h1>Speed against error</h1>\n";
-    page += &format!("<p class=\"quiet\">{}<br><code>{}</code></p>\n", escaped(&machine.to_string()), escaped(command));
+    page += &format!(
+        "<p class=\"quiet\">{}<br><code>{}</code></p>\n",
+        escaped(&machine.to_string()),
+        escaped(command)
+    );
     page += READING;
     if sections.len() > 1 {
         page += &of_all(machine, sections);
     }
-    sections.iter().for_each(|section| page += &of_scene(machine, section));
+    sections
+        .iter()
+        .for_each(|section| page += &of_scene(machine, section));
     page += "</body>\n</html>\n";
     page
 }
@@ -55,7 +67,10 @@ overlap of its nodes with what is not theirs.</p>
 
 /// All scenes together.
 fn of_all(machine: &Machine, sections: &[Section]) -> String {
-    let rows: Vec<Row> = sections.iter().flat_map(|section| section.rows.iter().cloned()).collect();
+    let rows: Vec<Row> = sections
+        .iter()
+        .flat_map(|section| section.rows.iter().cloned())
+        .collect();
     let totals = totals(&rows);
     let mut text = format!(
         "<h2>All {} scenes</h2>\n{}",
@@ -67,10 +82,20 @@ fn of_all(machine: &Machine, sections: &[Section]) -> String {
 }
 
 fn of_scene(machine: &Machine, section: &Section) -> String {
-    let Section { title, rows, pictures } = section;
+    let Section {
+        title,
+        rows,
+        pictures,
+    } = section;
     let name = rows.first().map_or("", |row| &row.scene);
-    let size = title.strip_prefix(name).map_or(&title[..], |rest| rest.trim_start_matches(": "));
-    let mut text = format!("<h2>{}</h2>\n<p class=\"quiet\">{}</p>\n", escaped(name), escaped(size));
+    let size = title
+        .strip_prefix(name)
+        .map_or(&title[..], |rest| rest.trim_start_matches(": "));
+    let mut text = format!(
+        "<h2>{}</h2>\n<p class=\"quiet\">{}</p>\n",
+        escaped(name),
+        escaped(size)
+    );
     for note in notes(rows) {
         text += &format!("<p class=\"quiet\">{}</p>\n", escaped(&note));
     }
@@ -84,14 +109,28 @@ fn of_scene(machine: &Machine, section: &Section) -> String {
 /// What there is to say of a scene's errors, in sentences.
 pub fn notes(rows: &[Row]) -> Vec<String> {
     let mut notes = Vec::new();
-    if let Some(InputError { max_ulp, max_pixels }) = rows.iter().find_map(|row| row.input) {
+    if let Some(InputError {
+        max_ulp,
+        max_pixels,
+    }) = rows.iter().find_map(|row| row.input)
+    {
         notes.push(format!(
             "input: rounding transforms, vertices and rays to f64 moves what is seen by at most {max_ulp:.1e} ulp of its \
              distance, {max_pixels:.1e} pixels"
         ));
     }
-    let is_sampled = |row: &&Row| !row.is_sampled() && row.errors.as_ref().is_some_and(|errors| errors.is_sampled());
-    if let Some(errors) = rows.iter().find(is_sampled).and_then(|row| row.errors.as_ref()) {
+    let is_sampled = |row: &&Row| {
+        !row.is_sampled()
+            && row
+                .errors
+                .as_ref()
+                .is_some_and(|errors| errors.is_sampled())
+    };
+    if let Some(errors) = rows
+        .iter()
+        .find(is_sampled)
+        .and_then(|row| row.errors.as_ref())
+    {
         notes.push(format!(
             "errors are those of {} of {} pixels, chosen at random; in brackets, what the share of all pixels is below, with a \
              confidence of 95 %",
@@ -99,11 +138,16 @@ pub fn notes(rows: &[Row]) -> Vec<String> {
             HumanCount(errors.of)
         ));
     }
-    for row in rows.chunk_by(|a, b| a.method == b.method).filter_map(|rows| rows.iter().find(|row| row.is_sampled())) {
-        let judged = row
-            .errors
-            .as_ref()
-            .map_or(String::new(), |errors| format!("; errors are those of {} pixels in them", errors.tally.pixels));
+    for row in rows
+        .chunk_by(|a, b| a.method == b.method)
+        .filter_map(|rows| rows.iter().find(|row| row.is_sampled()))
+    {
+        let judged = row.errors.as_ref().map_or(String::new(), |errors| {
+            format!(
+                "; errors are those of {} pixels in them",
+                errors.tally.pixels
+            )
+        });
         notes.push(format!(
             "{} is sampled: {} of {} rays, some tiles chosen at random (of kernels that trace rays alone, a ray of each){judged}",
             row.method,
@@ -128,7 +172,10 @@ fn of_pictures(rows: &[Row], pictures: &PictureFiles) -> String {
             pictures.highest_cost
         );
         text += &figure("depth", depth);
-        pictures.costs.iter().for_each(|(method, cost)| text += &figure(&format!("cost, {method}"), cost));
+        pictures
+            .costs
+            .iter()
+            .for_each(|(method, cost)| text += &figure(&format!("cost, {method}"), cost));
         text += "</div>\n";
     }
     if pictures.errors.iter().any(Option::is_some) {
@@ -157,8 +204,13 @@ fn of_pictures(rows: &[Row], pictures: &PictureFiles) -> String {
 fn different<'a>(rows: &[Row], pictures: &'a [Option<Vec<u8>>]) -> Vec<(String, &'a [u8])> {
     let mut different: Vec<(Kernel, Vec<&str>, &[u8])> = Vec::new();
     for (row, picture) in rows.iter().zip(pictures) {
-        let Some(picture) = picture.as_deref() else { continue };
-        match different.iter_mut().find(|(kernel, _, other)| *kernel == row.kernel && *other == picture) {
+        let Some(picture) = picture.as_deref() else {
+            continue;
+        };
+        match different
+            .iter_mut()
+            .find(|(kernel, _, other)| *kernel == row.kernel && *other == picture)
+        {
             Some((_, methods, _)) => methods.push(row.method.name()),
             None => different.push((row.kernel, vec![row.method.name()], picture)),
         }
@@ -190,20 +242,53 @@ mod tests {
             errors: vec![Some(vec![3]), Some(vec![4]), Some(vec![3]), Some(vec![5])],
             size: [3, 4],
         };
-        let rows = rows.map(|(method, kernel)| Row { scene: name.into(), ..row(method, kernel, 1000) }).to_vec();
-        Section { title: format!("{name}: small"), rows, pictures }
+        let rows = rows
+            .map(|(method, kernel)| Row {
+                scene: name.into(),
+                ..row(method, kernel, 1000)
+            })
+            .to_vec();
+        Section {
+            title: format!("{name}: small"),
+            rows,
+            pictures,
+        }
     }
 
     #[test]
     fn a_page_holds_every_scene_and_nothing_from_elsewhere() {
         let machine = Machine::detect("scalar");
-        let page = to_html(&machine, "feimos bench <x>", &[section("a<b>.pbrt"), section("c.pbrt")]);
-        assert!(page.contains("<h2>a&lt;b&gt;.pbrt</h2>") && page.contains("<h2>All 2 scenes</h2>"));
-        assert_eq!((page.matches("<svg").count(), page.matches("<table>").count()), (3, 5));
-        assert!(!page.contains("src=\"http") && !page.contains("href="), "everything is on the page");
-        let captions: Vec<&str> =
-            page.split("<figcaption>").skip(1).map(|rest| &rest[..rest.find('<').unwrap()]).collect();
-        let of_one = ["depth", "cost, sah", "exact: middle, sah", "fast: middle", "fast: sah"];
+        let page = to_html(
+            &machine,
+            "feimos bench <x>",
+            &[section("a<b>.pbrt"), section("c.pbrt")],
+        );
+        assert!(
+            page.contains("<h2>a&lt;b&gt;.pbrt</h2>") && page.contains("<h2>All 2 scenes</h2>")
+        );
+        assert_eq!(
+            (
+                page.matches("<svg").count(),
+                page.matches("<table>").count()
+            ),
+            (3, 5)
+        );
+        assert!(
+            !page.contains("src=\"http") && !page.contains("href="),
+            "everything is on the page"
+        );
+        let captions: Vec<&str> = page
+            .split("<figcaption>")
+            .skip(1)
+            .map(|rest| &rest[..rest.find('<').unwrap()])
+            .collect();
+        let of_one = [
+            "depth",
+            "cost, sah",
+            "exact: middle, sah",
+            "fast: middle",
+            "fast: sah",
+        ];
         assert_eq!(captions, [of_one, of_one].concat());
     }
 }

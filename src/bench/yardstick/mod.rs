@@ -43,8 +43,13 @@ impl<'a> Yardstick<'a> {
         Yardstick {
             classic,
             shapes,
-            triangles: (0..shapes.triangle_count()).into_par_iter().map(triangle).collect(),
-            quadrics: (0..shapes.sphere_count()).map(|index| Quadric32::new(&shapes.sphere(index))).collect(),
+            triangles: (0..shapes.triangle_count())
+                .into_par_iter()
+                .map(triangle)
+                .collect(),
+            quadrics: (0..shapes.sphere_count())
+                .map(|index| Quadric32::new(&shapes.sphere(index)))
+                .collect(),
         }
     }
 
@@ -61,7 +66,13 @@ impl<'a> Yardstick<'a> {
         let hit = tracer.closest_hit_by::<false>(ray, self.of_ray(ray), &mut Work::default())?;
         let z = hit.t.low as f32;
         let direction = ray.direction.to_array().map(|component| component as f32);
-        Some((hit.primitive, Depth { z, t: z * dot(direction, direction).sqrt() }))
+        Some((
+            hit.primitive,
+            Depth {
+                z,
+                t: z * dot(direction, direction).sqrt(),
+            },
+        ))
     }
 
     #[inline]
@@ -96,7 +107,9 @@ impl<'a> Yardstick<'a> {
 }
 
 fn corners(triangle: &Triangle) -> Corners {
-    triangle.0.map(|corner: Point| corner.to_array().map(|x| x as f32))
+    triangle
+        .0
+        .map(|corner: Point| corner.to_array().map(|x| x as f32))
 }
 
 #[cfg(test)]
@@ -116,7 +129,10 @@ mod tests {
             let hits = shapes.all().filter_map(yardstick.of_ray(ray));
             hits.min_by(f32::total_cmp)
         };
-        (reference::closest_hit(shapes, ray).map(|hit| hit.z), BOTH.map(nearest))
+        (
+            reference::closest_hit(shapes, ray).map(|hit| hit.z),
+            BOTH.map(nearest),
+        )
     }
 
     fn agree(exact: Option<f32>, classic: Option<f32>, tolerance: f32) -> bool {
@@ -190,8 +206,13 @@ mod tests {
         object.add_sphere(1.0, None, transform, 1).unwrap();
         let mut shapes = Shapes::default();
         let number = shapes.add_object(object);
-        shapes.add_instance(number, Matrix::translate([0.0, 0.0, 5.0])).unwrap();
-        let ray = Ray { origin: Point::new(0.0, 0.0, 0.0), direction: Vector::new(0.0, 0.0, 2.0) };
+        shapes
+            .add_instance(number, Matrix::translate([0.0, 0.0, 5.0]))
+            .unwrap();
+        let ray = Ray {
+            origin: Point::new(0.0, 0.0, 0.0),
+            direction: Vector::new(0.0, 0.0, 2.0),
+        };
         assert_eq!(answers(&shapes, &ray), (Some(2.0), [Some(2.0); 2]));
     }
 }

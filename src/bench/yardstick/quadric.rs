@@ -32,11 +32,19 @@ impl Quadratic {
                     return None;
                 }
                 let root = discriminant.sqrt() as f32;
-                let q = if b < 0.0 { -0.5 * (b - root) } else { -0.5 * (b + root) };
+                let q = if b < 0.0 {
+                    -0.5 * (b - root)
+                } else {
+                    -0.5 * (b + root)
+                };
                 [q / a, c / q]
             }
         };
-        Some(if other < one { [other, one] } else { [one, other] })
+        Some(if other < one {
+            [other, one]
+        } else {
+            [one, other]
+        })
     }
 }
 
@@ -52,7 +60,9 @@ impl Quadric32 {
     pub(super) fn new(quadric: &Quadric) -> Quadric32 {
         let object_from_world = quadric.world_from_object.inverse();
         Quadric32 {
-            object_from_world: object_from_world.rows.map(|row| row.map(|entry| entry as f32)),
+            object_from_world: object_from_world
+                .rows
+                .map(|row| row.map(|entry| entry as f32)),
             radius: quadric.radius as f32,
             form: quadric.form,
         }
@@ -60,7 +70,10 @@ impl Quadric32 {
 
     /// The `t` at which `ray` meets what there is of the surface first.
     pub(super) fn intersect(&self, ray: &Ray32, quadratic: Quadratic) -> Option<f32> {
-        let apply = |v: [f32; 3]| self.object_from_world.map(|row| dot([row[0], row[1], row[2]], v));
+        let apply = |v: [f32; 3]| {
+            self.object_from_world
+                .map(|row| dot([row[0], row[1], row[2]], v))
+        };
         let moved = apply(ray.origin);
         let o: [f32; 3] = std::array::from_fn(|k| moved[k] + self.object_from_world[k][3]);
         let d = apply(ray.direction);
@@ -71,10 +84,14 @@ impl Quadric32 {
                 let [x, y, _] = point(t);
                 let square = x * x + y * y;
                 let (inner, outer) = (disk.inner_radius as f32, self.radius);
-                let is_there = square <= outer * outer && square >= inner * inner && is_within(&disk.sector, x, y);
+                let is_there = square <= outer * outer
+                    && square >= inner * inner
+                    && is_within(&disk.sector, x, y);
                 (t > 0.0 && is_there).then_some(t)
             }
-            Form::Sphere(cut) => self.meet(o, d, quadratic, |t| cut.is_none_or(|cut| is_left(&cut, point(t)))),
+            Form::Sphere(cut) => self.meet(o, d, quadratic, |t| {
+                cut.is_none_or(|cut| is_left(&cut, point(t)))
+            }),
             Form::Cylinder(cut) => {
                 let flat = |[x, y, _]: [f32; 3]| [x, y, 0.0];
                 self.meet(flat(o), flat(d), quadratic, |t| is_left(cut, point(t)))
@@ -83,8 +100,18 @@ impl Quadric32 {
     }
 
     /// The first positive `t` with |o + t d| = r that `is_there`.
-    fn meet(&self, o: [f32; 3], d: [f32; 3], quadratic: Quadratic, is_there: impl Fn(f32) -> bool) -> Option<f32> {
-        let roots = quadratic.roots(dot(d, d), 2.0 * dot(o, d), dot(o, o) - self.radius * self.radius)?;
+    fn meet(
+        &self,
+        o: [f32; 3],
+        d: [f32; 3],
+        quadratic: Quadratic,
+        is_there: impl Fn(f32) -> bool,
+    ) -> Option<f32> {
+        let roots = quadratic.roots(
+            dot(d, d),
+            2.0 * dot(o, d),
+            dot(o, o) - self.radius * self.radius,
+        )?;
         roots.into_iter().find(|t| *t > 0.0 && is_there(*t))
     }
 }

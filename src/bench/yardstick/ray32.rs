@@ -16,10 +16,17 @@ pub(super) struct Ray32 {
 impl Ray32 {
     pub(super) fn new(ray: &Ray) -> Ray32 {
         let direction = ray.direction.to_array().map(|x| x as f32);
-        let last = (0..3).max_by(|a, b| direction[*a].abs().total_cmp(&direction[*b].abs())).unwrap_or(2);
+        let last = (0..3)
+            .max_by(|a, b| direction[*a].abs().total_cmp(&direction[*b].abs()))
+            .unwrap_or(2);
         let axes = [(last + 1) % 3, (last + 2) % 3, last];
         let [x, y, z] = axes.map(|axis| direction[axis]);
-        Ray32 { origin: ray.origin.to_array().map(|x| x as f32), direction, axes, shear: [-x / z, -y / z, 1.0 / z] }
+        Ray32 {
+            origin: ray.origin.to_array().map(|x| x as f32),
+            direction,
+            axes,
+            shear: [-x / z, -y / z, 1.0 / z],
+        }
     }
 }
 

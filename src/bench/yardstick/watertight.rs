@@ -11,7 +11,11 @@ pub(super) fn intersect(ray: &Ray32, corners: &Corners) -> Option<f32> {
     let [shear_x, shear_y, shear_z] = ray.shear;
     let [a, b, c] = corners.map(|corner| {
         let corner = minus(corner, ray.origin);
-        [corner[x] + shear_x * corner[z], corner[y] + shear_y * corner[z], shear_z * corner[z]]
+        [
+            corner[x] + shear_x * corner[z],
+            corner[y] + shear_y * corner[z],
+            shear_z * corner[z],
+        ]
     });
     let edges = match [edge(b, c), edge(c, a), edge(a, b)] {
         edges if edges.contains(&0.0) => [edge_in_f64(b, c), edge_in_f64(c, a), edge_in_f64(a, b)],

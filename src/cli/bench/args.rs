@@ -94,6 +94,9 @@ fn warmup(text: &str) -> Result<usize, String> {
 }
 
 fn rounds(text: &str, least: usize) -> Result<usize, String> {
-    let rounds = text.parse().ok().filter(|rounds| (least..=MAX_ROUNDS).contains(rounds));
+    let rounds = text
+        .parse()
+        .ok()
+        .filter(|rounds| (least..=MAX_ROUNDS).contains(rounds));
     rounds.ok_or_else(|| format!("expected a number from {least} to {MAX_ROUNDS}"))
 }

@@ -20,8 +20,8 @@ use super::thread_pool::thread_pool;
 use args::Reference;
 use feimos::accel::SplitMethod;
 use feimos::bench::{
-    Bench, Judge, Kernel, Machine, Measured, Plan, Rounds, Row, Section, can_be_judged, judged_pixels, notes,
-    ray_table, timed, tree_table,
+    Bench, Judge, Kernel, Machine, Measured, Plan, Rounds, Row, Section, can_be_judged,
+    judged_pixels, notes, ray_table, timed, tree_table,
 };
 use feimos::error::{Error, Result};
 use feimos::file_id::InputFiles;
@@ -42,17 +42,24 @@ pub(crate) fn bench(args: &BenchArgs, reporter: &Reporter) -> Result<u8> {
     stdout::check_if(!args.talk.quiet || outputs.replace_tables())?;
     let runner = Runner::new(args, outputs.need_pictures(), reporter)?;
     // All of it: pictures are encoded in parallel, too.
-    thread_pool(args.configurations.threads, reporter)?.install(|| measure_all(args, &runner, outputs, reporter))
+    thread_pool(args.configurations.threads, reporter)?
+        .install(|| measure_all(args, &runner, outputs, reporter))
 }
 
-fn measure_all(args: &BenchArgs, runner: &Runner, mut outputs: Outputs, reporter: &Reporter) -> Result<u8> {
+fn measure_all(
+    args: &BenchArgs,
+    runner: &Runner,
+    mut outputs: Outputs,
+    reporter: &Reporter,
+) -> Result<u8> {
     let machine = Machine::detect(Level::detect().as_str());
     let (mut rows, mut sections) = (Vec::new(), Vec::new());
     let (mut failures, mut code) = (Failures::default(), 0);
     let mut told = Ok(());
     for path in &args.scenes {
         let load = || Ok(runner.load(path));
-        let (scene, files) = guarded(Some(path), load).unwrap_or_else(|error| (Err(error), InputFiles::default()));
+        let (scene, files) =
+            guarded(Some(path), load).unwrap_or_else(|error| (Err(error), InputFiles::default()));
         if let Err(error) = outputs.check_against_scene(&files) {
             if rows.is_empty() {
                 return Err(error);
@@ -76,8 +83,14 @@ fn measure_all(args: &BenchArgs, runner: &Runner, mut outputs: Outputs, reporter
         }
         rows.extend(measured.rows.iter().cloned());
         if let Some(pictures) = measured.pictures {
-            let pictures = pictures.encode().map_err(|error| Error::writing(Path::new("a picture"), &error))?;
-            sections.push(Section { title, rows: measured.rows, pictures });
+            let pictures = pictures
+                .encode()
+                .map_err(|error| Error::writing(Path::new("a picture"), &error))?;
+            sections.push(Section {
+                title,
+                rows: measured.rows,
+                pictures,
+            });
         }
     }
     failures.report("scenes", args.scenes.len(), 0, reporter);
@@ -106,7 +119,10 @@ impl<'a> Runner<'a> {
         Ok(Runner {
             methods: methods.unwrap_or_else(|| SplitMethod::ALL.to_vec()),
             kernels: kernels.unwrap_or_else(|| Kernel::ALL.to_vec()),
-            rounds: Rounds { warmup: args.measurement.warmup, runs: args.measurement.runs },
+            rounds: Rounds {
+                warmup: args.measurement.warmup,
+                runs: args.measurement.runs,
+            },
             reference: args.measurement.reference,
             with_pictures,
             input_budget: args.input.input_budget,
@@ -123,7 +139,8 @@ impl<'a> Runner<'a> {
             input_budget: self.input_budget,
             ..LoadOptions::default()
         };
-        let load_scene = |progress: Progress<'_>| scene::load_listing_files(path, &options, progress);
+        let load_scene =
+            |progress: Progress<'_>| scene::load_listing_files(path, &options, progress);
         let ((scene, files), load_ms) = timed(|| self.bars.during(Phase::Loading, load_scene));
         (scene.map(|scene| (scene, load_ms)), files)
     }
@@ -132,11 +149,24 @@ impl<'a> Runner<'a> {
     /// says so.
     fn measure(&self, path: &Path, (scene, load_ms): (Scene, f64)) -> Result<(String, Measured)> {
         summary::report_scene(&scene, self.reporter);
-        let builds = self.methods.iter().map(|method| build_options(*method, &scene.accelerator)).collect();
-        let plan =
-            Plan { builds, kernels: self.kernels.clone(), rounds: self.rounds, with_pictures: self.with_pictures };
-        let bench =
-            Bench { path, scene: &scene, load_ms, input_budget: self.input_budget, judge: self.judge(path, &scene) };
+        let builds = self
+            .methods
+            .iter()
+            .map(|method| build_options(*method, &scene.accelerator))
+            .collect();
+        let plan = Plan {
+            builds,
+            kernels: self.kernels.clone(),
+            rounds: self.rounds,
+            with_pictures: self.with_pictures,
+        };
+        let bench = Bench {
+            path,
+            scene: &scene,
+            load_ms,
+            input_budget: self.input_budget,
+            judge: self.judge(path, &scene),
+        };
         let run = |progress: Progress<'_>| bench.measure(&plan, progress);
         let measured = self.bars.during(Phase::Measuring(plan.steps()), run)?;
         Ok((self.title(path, &scene), measured))
@@ -157,7 +187,9 @@ impl<'a> Runner<'a> {
             return None;
         }
         let pixels = judged_pixels(scene);
-        Some(self.bars.during(Phase::Judging(pixels), |progress| Judge::new(scene, pixels, progress)))
+        Some(self.bars.during(Phase::Judging(pixels), |progress| {
+            Judge::new(scene, pixels, progress)
+        }))
     }
 
     fn title(&self, path: &Path, scene: &Scene) -> String {
@@ -174,7 +206,10 @@ impl<'a> Runner<'a> {
     }
 }
 
-fn refuse_repeated<T: Copy + PartialEq + std::fmt::Display>(flag: &str, items: Option<&[T]>) -> Result<()> {
+fn refuse_repeated<T: Copy + PartialEq + std::fmt::Display>(
+    flag: &str,
+    items: Option<&[T]>,
+) -> Result<()> {
     match items.and_then(first_repeated) {
         Some(repeated) => Err(Error::usage(format!("{flag} names `{repeated}` twice"))),
         None => Ok(()),
@@ -183,9 +218,20 @@ fn refuse_repeated<T: Copy + PartialEq + std::fmt::Display>(flag: &str, items: O
 
 /// Prints the tables of a scene, those of the first one below a line on the machine.
 fn print_tables(is_first: bool, machine: &Machine, title: &str, rows: &[Row]) -> Result<()> {
-    let machine_line = if is_first { format!("{machine}\n") } else { String::new() };
+    let machine_line = if is_first {
+        format!("{machine}\n")
+    } else {
+        String::new()
+    };
     let notes: String = notes(rows).iter().map(|note| format!("{note}\n")).collect();
-    let tables = format!("{}\n{}", tree_table(rows).aligned(), ray_table(rows, machine.mhz).aligned());
-    let text = format!("{machine_line}\n{}\n\n{tables}{notes}", terminal_text::line(title));
+    let tables = format!(
+        "{}\n{}",
+        tree_table(rows).aligned(),
+        ray_table(rows, machine.mhz).aligned()
+    );
+    let text = format!(
+        "{machine_line}\n{}\n\n{tables}{notes}",
+        terminal_text::line(title)
+    );
     write_to_stdout(Ok(text.into_bytes()))
 }

@@ -48,7 +48,12 @@ impl Outputs {
     pub(super) fn new(args: &OutputArgs, inputs: &Inputs) -> Result<Outputs> {
         let results = results(args);
         let mut taken = Places::default();
-        for Output { content, flag, destination } in &results {
+        for Output {
+            content,
+            flag,
+            destination,
+        } in &results
+        {
             if let Destination::File(path) = destination {
                 inputs.check(path, flag)?;
                 check_extension(path, flag, content.extensions())?;
@@ -60,35 +65,53 @@ impl Outputs {
         }
         // Other files may go into that folder, too.
         let folders = args.report.as_deref().map(NewFolders::make).transpose()?;
-        results.iter().try_for_each(|output| output.destination.check())?;
+        results
+            .iter()
+            .try_for_each(|output| output.destination.check())?;
         args.report.as_deref().map_or(Ok(()), page::check)?;
-        Ok(Outputs { results, _folders: folders })
+        Ok(Outputs {
+            results,
+            _folders: folders,
+        })
     }
 
     /// # Errors
     /// A result that would overwrite one of the files that a scene reads.
     pub(super) fn check_against_scene(&self, files: &InputFiles) -> Result<()> {
-        self.results.iter().try_for_each(|output| output.check_against_scene(files))
+        self.results
+            .iter()
+            .try_for_each(|output| output.check_against_scene(files))
     }
 
     /// Gives up results that would overwrite one of the files that a scene reads.
     pub(super) fn leave_out(&mut self, files: &InputFiles) {
-        self.results.retain(|output| output.check_against_scene(files).is_ok());
+        self.results
+            .retain(|output| output.check_against_scene(files).is_ok());
     }
 
     /// Returns true if a result replaces the tables on standard output.
     pub(super) fn replace_tables(&self) -> bool {
-        self.results.iter().any(|output| output.destination == Destination::Stdout)
+        self.results
+            .iter()
+            .any(|output| output.destination == Destination::Stdout)
     }
 
     /// Returns true if the report needs pictures.
     pub(super) fn need_pictures(&self) -> bool {
-        self.results.iter().any(|output| output.content == Content::Page)
+        self.results
+            .iter()
+            .any(|output| output.content == Content::Page)
     }
 
     /// Writes all results and returns the highest exit code. An error does not stop the other
     /// results. Without rows, older results stay.
-    pub(super) fn write(&self, machine: &Machine, rows: &[Row], sections: &[Section], reporter: &Reporter) -> u8 {
+    pub(super) fn write(
+        &self,
+        machine: &Machine,
+        rows: &[Row],
+        sections: &[Section],
+        reporter: &Reporter,
+    ) -> u8 {
         if rows.is_empty() {
             return 0;
         }
@@ -103,7 +126,10 @@ impl Outputs {
 
 fn results(args: &OutputArgs) -> Vec<Output> {
     let stdout = args.json.then(|| "-".into());
-    let page = args.report.as_ref().map(|directory| directory.join(page::NAME));
+    let page = args
+        .report
+        .as_ref()
+        .map(|directory| directory.join(page::NAME));
     let asked = [
         (Content::Json, "--json", &stdout),
         (Content::Json, "--json-file", &args.json_file),
@@ -114,7 +140,11 @@ fn results(args: &OutputArgs) -> Vec<Output> {
     ];
     let output = |(content, flag, path): (Content, &'static str, &Option<_>)| {
         let path: &std::path::PathBuf = path.as_ref()?;
-        Some(Output { content, flag, destination: Destination::of_name(path) })
+        Some(Output {
+            content,
+            flag,
+            destination: Destination::of_name(path),
+        })
     };
     asked.into_iter().filter_map(output).collect()
 }
@@ -167,17 +197,28 @@ fn printable(bytes: Vec<u8>) -> Vec<u8> {
 /// Of one scene, or of all together.
 fn plot(rows: &[Row]) -> String {
     match rows.chunk_by(|a, b| a.scene == b.scene).count() {
-        0 | 1 => to_svg(&terminal_text::line(rows.first().map_or("", |row| &row.scene)), rows),
+        0 | 1 => to_svg(
+            &terminal_text::line(rows.first().map_or("", |row| &row.scene)),
+            rows,
+        ),
         scenes => to_svg(&format!("{scenes} scenes together"), &totals(rows)),
     }
 }
 
 fn write_file(path: &Path, bytes: io::Result<Vec<u8>>) -> Result<()> {
-    atomic_file::write_file(path, Overwrite::Yes, |out| bytes.and_then(|bytes| out.write_all(&bytes))).map(|_| ())
+    atomic_file::write_file(path, Overwrite::Yes, |out| {
+        bytes.and_then(|bytes| out.write_all(&bytes))
+    })
+    .map(|_| ())
 }
 
 /// As it was typed, for people; the program without its path.
 fn command_line() -> String {
-    let arguments = std::env::args_os().skip(1).map(|argument| argument.to_string_lossy().into_owned());
-    std::iter::once("feimos".to_owned()).chain(arguments).collect::<Vec<_>>().join(" ")
+    let arguments = std::env::args_os()
+        .skip(1)
+        .map(|argument| argument.to_string_lossy().into_owned());
+    std::iter::once("feimos".to_owned())
+        .chain(arguments)
+        .collect::<Vec<_>>()
+        .join(" ")
 }

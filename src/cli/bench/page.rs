@@ -25,6 +25,10 @@ pub(super) fn check(directory: &Path) -> Result<()> {
     if is_report(&String::from_utf8_lossy(&head)) {
         return Ok(());
     }
-    let diagnostic = Diagnostic::new("exists already, and is no report of feimos").at(SourceLocation::file(&path));
-    Err(Error::new(ErrorKind::Output, diagnostic.note("move it away, or give --report another folder")))
+    let diagnostic = Diagnostic::new("exists already, and is no report of feimos")
+        .at(SourceLocation::file(&path));
+    Err(Error::new(
+        ErrorKind::Output,
+        diagnostic.note("move it away, or give --report another folder"),
+    ))
 }

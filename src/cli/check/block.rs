@@ -32,7 +32,14 @@ impl<'a> Block<'a> {
 
 impl Display for Block<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let Scene { camera, film, shapes, census, transform_count, .. } = self.scene;
+        let Scene {
+            camera,
+            film,
+            shapes,
+            census,
+            transform_count,
+            ..
+        } = self.scene;
         writeln!(f, "{}", printable(&self.path.display().to_string()))?;
         line(f, "camera", &camera_in_words(camera))?;
         line(f, "film", &film_in_words(film))?;
@@ -40,14 +47,32 @@ impl Display for Block<'_> {
         line(f, "geometry", &geometry(shapes))?;
         line(f, "bounds", &bounds_in_words(&shapes.extent()))?;
         let transforms = counted(*transform_count as u64, "transform");
-        line(f, "memory", &format!("{transforms}, {}", counted(shapes.bytes() as u64, "byte")))?;
+        line(
+            f,
+            "memory",
+            &format!("{transforms}, {}", counted(shapes.bytes() as u64, "byte")),
+        )?;
         list(f, "directives", census.obeyed())?;
         list(f, "skipped", census.skipped())?;
         list(f, "unknown", census.private())?;
-        let boundary = |of: &Boundary| format!("{}, {}", printable(&of.shape), printable(&of.place));
-        listed(f, "media", "rays pass through what only bounds a medium", census.boundaries(), boundary)?;
-        let object = |of: &UnusedObject| format!("{}, {}", printable(&of.name), printable(&of.place));
-        listed(f, "unused", "no instance shows these objects", census.unused_objects(), object)
+        let boundary =
+            |of: &Boundary| format!("{}, {}", printable(&of.shape), printable(&of.place));
+        listed(
+            f,
+            "media",
+            "rays pass through what only bounds a medium",
+            census.boundaries(),
+            boundary,
+        )?;
+        let object =
+            |of: &UnusedObject| format!("{}, {}", printable(&of.name), printable(&of.place));
+        listed(
+            f,
+            "unused",
+            "no instance shows these objects",
+            census.unused_objects(),
+            object,
+        )
     }
 }
 
@@ -63,7 +88,10 @@ fn listed<T>(
         return Ok(());
     }
     line(f, subject, &format!("{}: {what}", HumanCount(listed.count)))?;
-    listed.first.iter().try_for_each(|one| line(f, "", &in_words(one)))?;
+    listed
+        .first
+        .iter()
+        .try_for_each(|one| line(f, "", &in_words(one)))?;
     match listed.count - listed.first.len() as u64 {
         0 => Ok(()),
         more => line(f, "", &format!("and {} more", HumanCount(more))),
@@ -71,29 +99,61 @@ fn listed<T>(
 }
 
 /// What there is of each type of shape.
-fn table<'a>(f: &mut Formatter<'_>, shapes: impl Iterator<Item = (&'a str, ShapeCount)>) -> fmt::Result {
+fn table<'a>(
+    f: &mut Formatter<'_>,
+    shapes: impl Iterator<Item = (&'a str, ShapeCount)>,
+) -> fmt::Result {
     let name = |name: &str| printable(name).chars().take(NAME_WIDTH).collect::<String>();
     let rows: Vec<(String, ShapeCount)> = shapes.map(|(of, count)| (name(of), count)).collect();
     if rows.is_empty() {
         return line(f, "shapes", "none");
     }
-    let width = rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
-    line(f, "shapes", &format!("{:width$}  statements  primitives", ""))?;
-    for (name, ShapeCount { statements, primitives, is_left_out }) in rows {
-        let primitives = if is_left_out { "left out".to_owned() } else { HumanCount(primitives).to_string() };
-        let counts = format!("{:>10}  {primitives:>10}", HumanCount(statements).to_string());
+    let width = rows
+        .iter()
+        .map(|(name, _)| name.chars().count())
+        .max()
+        .unwrap_or(0);
+    line(
+        f,
+        "shapes",
+        &format!("{:width$}  statements  primitives", ""),
+    )?;
+    for (
+        name,
+        ShapeCount {
+            statements,
+            primitives,
+            is_left_out,
+        },
+    ) in rows
+    {
+        let primitives = if is_left_out {
+            "left out".to_owned()
+        } else {
+            HumanCount(primitives).to_string()
+        };
+        let counts = format!(
+            "{:>10}  {primitives:>10}",
+            HumanCount(statements).to_string()
+        );
         line(f, "", &format!("{name:<width$}  {counts}"))?;
     }
     Ok(())
 }
 
 /// How often each name occurs, if any does, in lines that are not too long.
-fn list<'a>(f: &mut Formatter<'_>, subject: &str, counts: impl Iterator<Item = (&'a str, u64)>) -> fmt::Result {
+fn list<'a>(
+    f: &mut Formatter<'_>,
+    subject: &str,
+    counts: impl Iterator<Item = (&'a str, u64)>,
+) -> fmt::Result {
     let mut lines: Vec<String> = Vec::new();
     for (name, count) in counts {
         let item = format!("{} {}", HumanCount(count), printable(name));
         match lines.last_mut() {
-            Some(last) if INDENT + last.len() + 2 + item.len() < WIDTH => last.push_str(&format!(", {item}")),
+            Some(last) if INDENT + last.len() + 2 + item.len() < WIDTH => {
+                last.push_str(&format!(", {item}"))
+            }
             Some(last) => {
                 last.push(',');
                 lines.push(item);
@@ -101,14 +161,27 @@ fn list<'a>(f: &mut Formatter<'_>, subject: &str, counts: impl Iterator<Item = (
             None => lines.push(item),
         }
     }
-    lines.iter().enumerate().try_for_each(|(place, text)| line(f, if place == 0 { subject } else { "" }, text))
+    lines
+        .iter()
+        .enumerate()
+        .try_for_each(|(place, text)| line(f, if place == 0 { subject } else { "" }, text))
 }
 
 fn camera_in_words(camera: &Camera) -> String {
     let kind = camera.projection.name();
-    let fov = camera.projection.field_of_view().map_or(String::new(), |fov| format!(", {} degrees", short(fov)));
-    let (eye, direction) = (camera.anchor().to_array(), camera.view_direction().to_array());
-    format!("{kind}{fov}, at {}, towards {}", triple(eye), triple(direction))
+    let fov = camera
+        .projection
+        .field_of_view()
+        .map_or(String::new(), |fov| format!(", {} degrees", short(fov)));
+    let (eye, direction) = (
+        camera.anchor().to_array(),
+        camera.view_direction().to_array(),
+    );
+    format!(
+        "{kind}{fov}, at {}, towards {}",
+        triple(eye),
+        triple(direction)
+    )
 }
 
 fn film_in_words(film: &Film) -> String {
@@ -118,7 +191,10 @@ fn film_in_words(film: &Film) -> String {
         true => String::new(),
         false => format!(", of which {x0} to {x1} and {y0} to {y1}"),
     };
-    let filename = film.filename.as_ref().map_or(String::new(), |name| format!(", {name}"));
+    let filename = film
+        .filename
+        .as_ref()
+        .map_or(String::new(), |name| format!(", {name}"));
     format!("{width} x {height} pixels{crop}{filename}")
 }
 
@@ -126,7 +202,11 @@ fn bounds_in_words(bounds: &Bounds) -> String {
     if bounds.is_empty() {
         return "nothing that can be hit".to_owned();
     }
-    format!("{} to {}", triple(bounds.low.to_array()), triple(bounds.high.to_array()))
+    format!(
+        "{} to {}",
+        triple(bounds.low.to_array()),
+        triple(bounds.high.to_array())
+    )
 }
 
 fn triple(numbers: [f64; 3]) -> String {

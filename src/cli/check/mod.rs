@@ -33,10 +33,22 @@ pub(crate) fn check(args: &CheckArgs, reporter: &Reporter) -> Result<u8> {
 }
 
 fn check_all(args: &CheckArgs, reporter: &Reporter) -> Result<u8> {
-    let mut check =
-        Check { args, reporter, bars: ProgressBars::new(&args.talk), failures: Failures::default(), tried: 0 };
-    let named: Vec<(&PathBuf, Result<Vec<PathBuf>>)> = args.scenes.iter().map(|path| (path, scenes_of(path))).collect();
-    let count = named.iter().map(|(_, found)| found.as_ref().map_or(1, Vec::len)).sum();
+    let mut check = Check {
+        args,
+        reporter,
+        bars: ProgressBars::new(&args.talk),
+        failures: Failures::default(),
+        tried: 0,
+    };
+    let named: Vec<(&PathBuf, Result<Vec<PathBuf>>)> = args
+        .scenes
+        .iter()
+        .map(|path| (path, scenes_of(path)))
+        .collect();
+    let count = named
+        .iter()
+        .map(|(_, found)| found.as_ref().map_or(1, Vec::len))
+        .sum();
     let mut code = 0;
     'all: for (path, found) in named {
         let results = match found {
@@ -51,7 +63,9 @@ fn check_all(args: &CheckArgs, reporter: &Reporter) -> Result<u8> {
             }
         }
     }
-    check.failures.report("scenes", count, count - check.tried, reporter);
+    check
+        .failures
+        .report("scenes", count, count - check.tried, reporter);
     Ok(code)
 }
 
@@ -68,10 +82,17 @@ impl Check<'_> {
     /// All of `render` that comes before the aggregate.
     fn load(&self, path: &Path) -> Result<Scene> {
         let start = Instant::now();
-        let options = LoadOptions { input_budget: self.args.input.input_budget, ..LoadOptions::default() };
+        let options = LoadOptions {
+            input_budget: self.args.input.input_budget,
+            ..LoadOptions::default()
+        };
         let load = |progress: Progress<'_>| scene::load(path, &options, progress);
         let loaded = self.bars.during(Phase::Loading, load);
-        self.reporter.detail(format_args!("{}: read in {:.0} ms", path.display(), start.elapsed().as_secs_f64() * 1e3));
+        self.reporter.detail(format_args!(
+            "{}: read in {:.0} ms",
+            path.display(),
+            start.elapsed().as_secs_f64() * 1e3
+        ));
         loaded
     }
 
@@ -99,7 +120,9 @@ impl Check<'_> {
             write_to_stdout(Ok(format!("{gap}{}", Block::new(path, scene)).into_bytes()))?;
         }
         self.reporter.warnings(&scene.warnings);
-        note_on(&scene.accelerator).into_iter().for_each(|note| self.reporter.note(note));
+        note_on(&scene.accelerator)
+            .into_iter()
+            .for_each(|note| self.reporter.note(note));
         Ok(())
     }
 }

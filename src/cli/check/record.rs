@@ -115,8 +115,16 @@ struct AcceleratorRecord<'a> {
 
 impl From<ShapeCount> for ShapeRecord {
     fn from(count: ShapeCount) -> ShapeRecord {
-        let ShapeCount { statements, primitives, is_left_out: left_out } = count;
-        ShapeRecord { statements, primitives, left_out }
+        let ShapeCount {
+            statements,
+            primitives,
+            is_left_out: left_out,
+        } = count;
+        ShapeRecord {
+            statements,
+            primitives,
+            left_out,
+        }
     }
 }
 
@@ -126,11 +134,23 @@ impl<'a> Record<'a> {
         match result {
             Ok(content) => {
                 let warnings = content.warnings.iter().map(Counted::new).collect();
-                Record { scene, exit_code, error: None, warnings, content: Some(Content::new(content)) }
+                Record {
+                    scene,
+                    exit_code,
+                    error: None,
+                    warnings,
+                    content: Some(Content::new(content)),
+                }
             }
             Err(error) => {
                 let error = Some(Message::new(error.diagnostic()));
-                Record { scene, exit_code, error, warnings: Vec::new(), content: None }
+                Record {
+                    scene,
+                    exit_code,
+                    error,
+                    warnings: Vec::new(),
+                    content: None,
+                }
             }
         }
     }
@@ -139,21 +159,35 @@ impl<'a> Record<'a> {
 impl<'a> Message<'a> {
     fn new(diagnostic: &'a Diagnostic) -> Message<'a> {
         let place = diagnostic.location.as_ref().map(ToString::to_string);
-        Message { message: &diagnostic.message, place, notes: &diagnostic.notes }
+        Message {
+            message: &diagnostic.message,
+            place,
+            notes: &diagnostic.notes,
+        }
     }
 }
 
 impl<'a> Counted<'a> {
     fn new(warning: &'a Warning) -> Counted<'a> {
-        Counted { kind: &warning.kind, first: Message::new(&warning.first), count: warning.count }
+        Counted {
+            kind: &warning.kind,
+            first: Message::new(&warning.first),
+            count: warning.count,
+        }
     }
 }
 
 impl<'a> Content<'a> {
     fn new(scene: &'a Scene) -> Content<'a> {
         let (shapes, census): (_, &Census) = (&scene.shapes, &scene.census);
-        let AcceleratorParameters { name, split_method, max_leaf } = &scene.accelerator;
-        let of_type = census.shapes().map(|(name, count)| (name, ShapeRecord::from(count)));
+        let AcceleratorParameters {
+            name,
+            split_method,
+            max_leaf,
+        } = &scene.accelerator;
+        let of_type = census
+            .shapes()
+            .map(|(name, count)| (name, ShapeRecord::from(count)));
         let bounds = shapes.extent();
         Content {
             camera: CameraRecord::new(&scene.camera),
@@ -183,18 +217,27 @@ impl<'a> Content<'a> {
 }
 
 impl<'a> ListRecord<'a> {
-    fn new<T>(listed: &'a Listed<T>, name_and_place: impl Fn(&'a T) -> (&'a String, &'a String)) -> ListRecord<'a> {
+    fn new<T>(
+        listed: &'a Listed<T>,
+        name_and_place: impl Fn(&'a T) -> (&'a String, &'a String),
+    ) -> ListRecord<'a> {
         let record = |of| {
             let (name, place) = name_and_place(of);
             PlacedRecord { name, place }
         };
-        ListRecord { count: listed.count, first: listed.first.iter().map(record).collect() }
+        ListRecord {
+            count: listed.count,
+            first: listed.first.iter().map(record).collect(),
+        }
     }
 }
 
 impl BoundsRecord {
     fn new(bounds: &Bounds) -> BoundsRecord {
-        BoundsRecord { low: bounds.low.to_array(), high: bounds.high.to_array() }
+        BoundsRecord {
+            low: bounds.low.to_array(),
+            high: bounds.high.to_array(),
+        }
     }
 }
 
@@ -215,6 +258,11 @@ impl<'a> FilmRecord<'a> {
     fn new(film: &'a Film) -> FilmRecord<'a> {
         let [width, height] = film.resolution;
         let PixelBounds { x0, x1, y0, y1 } = film.crop;
-        FilmRecord { width, height, crop: [x0, x1, y0, y1], filename: film.filename.as_deref() }
+        FilmRecord {
+            width,
+            height,
+            crop: [x0, x1, y0, y1],
+            filename: film.filename.as_deref(),
+        }
     }
 }

@@ -16,7 +16,12 @@ pub(crate) struct CompareArgs {
     #[arg(long, value_name = "ULPS", help_heading = "Tolerance")]
     pub(crate) max_ulp: Option<u32>,
     /// How many pixels may differ.
-    #[arg(long, value_name = "N", default_value_t = 0, help_heading = "Tolerance")]
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 0,
+        help_heading = "Tolerance"
+    )]
     pub(crate) max_pixels: u64,
     /// Write a picture of the differences: false hits orange, missed hits blue, wrong primitives pink, errors of depths
     /// and surfaces from green to yellow [default: none].

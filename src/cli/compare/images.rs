@@ -15,20 +15,32 @@ use std::collections::BTreeMap;
 use std::fmt::{self, Display, Formatter};
 
 /// Compares them, prints what was found and returns the exit code.
-pub(super) fn compare(args: &CompareArgs, expected: &Image, found: &Image, reporter: &Reporter) -> Result<u8> {
+pub(super) fn compare(
+    args: &CompareArgs,
+    expected: &Image,
+    found: &Image,
+    reporter: &Reporter,
+) -> Result<u8> {
     let comparison = match Comparison::new(expected, found) {
         Ok(comparison) => comparison,
-        Err(problem @ Incomparable::Windows(..)) => return sizes::differ(args, &problem.to_string(), reporter),
+        Err(problem @ Incomparable::Windows(..)) => {
+            return sizes::differ(args, &problem.to_string(), reporter);
+        }
         Err(problem @ Incomparable::NoHits) => {
             let names = format!("{} and {}", args.expected.display(), args.found.display());
-            return Err(Error::bad_input(Diagnostic::new(format!("{names} cannot be compared: {problem}"))));
+            return Err(Error::bad_input(Diagnostic::new(format!(
+                "{names} cannot be compared: {problem}"
+            ))));
         }
     };
     let pixels = expected.data_window.area() as usize;
     let max_ulp = args.max_ulp.unwrap_or(0);
     let details = Details::of(&comparison, pixels, max_ulp, listed(args));
     let max_error = details.tally.max_ulps();
-    let first = details.first.iter().map(|pixel| Pixel::new(expected, found, *pixel, comparison.difference(*pixel)));
+    let first = details
+        .first
+        .iter()
+        .map(|pixel| Pixel::new(expected, found, *pixel, comparison.difference(*pixel)));
     let report = Report {
         args,
         max_ulp,
@@ -40,7 +52,12 @@ pub(super) fn compare(args: &CompareArgs, expected: &Image, found: &Image, repor
     print(args, &report, &Record::new(&report))?;
     if let Some(path) = &args.diff {
         let picture = difference_picture(&comparison, pixels, max_error);
-        diff::write(path, expected.data_window.width(), expected.data_window.height(), &picture)?;
+        diff::write(
+            path,
+            expected.data_window.width(),
+            expected.data_window.height(),
+            &picture,
+        )?;
         let ramp = match max_error {
             0 => "no depth error".to_owned(),
             error if comparison.surfaces().is_empty() => ramp_of("depth", error),
@@ -52,7 +69,10 @@ pub(super) fn compare(args: &CompareArgs, expected: &Image, found: &Image, repor
 }
 
 fn ramp_of(what: &str, largest: u32) -> String {
-    format!("{what} errors from green to yellow, up to {}", counted(largest.into(), "ulp"))
+    format!(
+        "{what} errors from green to yellow, up to {}",
+        counted(largest.into(), "ulp")
+    )
 }
 
 /// The channels that one of the images has alone, and which.
@@ -84,21 +104,48 @@ impl Report<'_> {
 
 impl Display for Report<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let Details { tally, hits, numbers, measures, .. } = &self.details;
+        let Details {
+            tally,
+            hits,
+            numbers,
+            measures,
+            ..
+        } = &self.details;
         line(f, "A", &self.args.expected.display().to_string())?;
         line(f, "B", &self.args.found.display().to_string())?;
         line(f, "pixels", &HumanCount(tally.pixels).to_string())?;
-        line(f, "hits", &format!("{} in A, {} in B", HumanCount(*hits), HumanCount(self.hits_found())))?;
-        line(f, "false hits", &format!("{}, only in B", HumanCount(tally.false_hits)))?;
-        line(f, "missed hits", &format!("{}, only in A", HumanCount(tally.missed_hits)))?;
+        line(
+            f,
+            "hits",
+            &format!(
+                "{} in A, {} in B",
+                HumanCount(*hits),
+                HumanCount(self.hits_found())
+            ),
+        )?;
+        line(
+            f,
+            "false hits",
+            &format!("{}, only in B", HumanCount(tally.false_hits)),
+        )?;
+        line(
+            f,
+            "missed hits",
+            &format!("{}, only in A", HumanCount(tally.missed_hits)),
+        )?;
         if !numbers.is_empty() {
-            let wrong: Vec<String> =
-                numbers.iter().map(|(name, wrong)| format!("{} {}", HumanCount(*wrong), name.as_str())).collect();
+            let wrong: Vec<String> = numbers
+                .iter()
+                .map(|(name, wrong)| format!("{} {}", HumanCount(*wrong), name.as_str()))
+                .collect();
             line(f, "wrong", &wrong.join(", "))?;
         }
         measure_table(f, measures, self.max_ulp)?;
-        let alone: Vec<String> =
-            self.alone.iter().map(|(name, image)| format!("{} (only in {image})", name.as_str())).collect();
+        let alone: Vec<String> = self
+            .alone
+            .iter()
+            .map(|(name, image)| format!("{} (only in {image})", name.as_str()))
+            .collect();
         if !alone.is_empty() {
             line(f, "left out", &alone.join(", "))?;
         }
@@ -110,23 +157,58 @@ impl Display for Report<'_> {
 }
 
 /// A line a channel, below a heading.
-fn measure_table(f: &mut Formatter<'_>, measures: &[(ChannelName, Ulps)], max_ulp: u32) -> fmt::Result {
+fn measure_table(
+    f: &mut Formatter<'_>,
+    measures: &[(ChannelName, Ulps)],
+    max_ulp: u32,
+) -> fmt::Result {
     if measures.is_empty() {
         return Ok(());
     }
-    let heading = ["", "compared", "largest", "mean", "50 %", "99 %", "99.9 %", &format!("above {max_ulp}")];
+    let heading = [
+        "",
+        "compared",
+        "largest",
+        "mean",
+        "50 %",
+        "99 %",
+        "99.9 %",
+        &format!("above {max_ulp}"),
+    ];
     let mut rows = vec![heading.map(str::to_owned)];
     for (name, ulps) in measures {
-        let Measure { compared, largest, mean, p50, p99, p99_9, above } = Measure::of(ulps, max_ulp);
-        let ulps = |ulps: Option<u32>| ulps.map_or("-".to_owned(), |ulps| HumanCount(ulps.into()).to_string());
+        let Measure {
+            compared,
+            largest,
+            mean,
+            p50,
+            p99,
+            p99_9,
+            above,
+        } = Measure::of(ulps, max_ulp);
+        let ulps = |ulps: Option<u32>| {
+            ulps.map_or("-".to_owned(), |ulps| HumanCount(ulps.into()).to_string())
+        };
         let mean = mean.map_or("-".to_owned(), |mean| format!("{mean:.3}"));
         let [compared, above] = [compared, above].map(|count| HumanCount(count).to_string());
-        rows.push([name.as_str().to_owned(), compared, ulps(largest), mean, ulps(p50), ulps(p99), ulps(p99_9), above]);
+        rows.push([
+            name.as_str().to_owned(),
+            compared,
+            ulps(largest),
+            mean,
+            ulps(p50),
+            ulps(p99),
+            ulps(p99_9),
+            above,
+        ]);
     }
     let width = |column: usize| rows.iter().map(|row| row[column].len()).max().unwrap_or(0);
     for (place, row) in rows.iter().enumerate() {
-        let cells: Vec<String> =
-            row.iter().enumerate().map(|(column, cell)| format!("{cell:>width$}", width = width(column))).collect();
+        let cells: Vec<String> = row
+            .iter()
+            .enumerate()
+            .map(|(column, cell)| format!("{cell:>width$}", width = width(column)))
+            .collect();
         line(f, if place == 0 { "ulps" } else { "" }, &cells.join("  "))?;
     }
     Ok(())
@@ -182,8 +264,18 @@ struct Record<'a> {
 
 impl<'a> Record<'a> {
     fn new(report: &'a Report) -> Record<'a> {
-        let Report { args, max_ulp, details, first, alone, verdict } = report;
-        let measures = details.measures.iter().map(|(name, ulps)| (name.as_str(), Measure::of(ulps, *max_ulp)));
+        let Report {
+            args,
+            max_ulp,
+            details,
+            first,
+            alone,
+            verdict,
+        } = report;
+        let measures = details
+            .measures
+            .iter()
+            .map(|(name, ulps)| (name.as_str(), Measure::of(ulps, *max_ulp)));
         Record {
             expected: args.expected.display().to_string(),
             found: args.found.display().to_string(),
@@ -197,9 +289,16 @@ impl<'a> Record<'a> {
             false_hits: details.tally.false_hits,
             missed_hits: details.tally.missed_hits,
             wrong_primitives: details.tally.wrong_primitives,
-            wrong: details.numbers.iter().map(|(name, wrong)| (name.as_str(), *wrong)).collect(),
+            wrong: details
+                .numbers
+                .iter()
+                .map(|(name, wrong)| (name.as_str(), *wrong))
+                .collect(),
             ulps: measures.collect(),
-            not_compared: alone.iter().map(|(name, image)| (name.as_str(), *image)).collect(),
+            not_compared: alone
+                .iter()
+                .map(|(name, image)| (name.as_str(), *image))
+                .collect(),
             first,
         }
     }

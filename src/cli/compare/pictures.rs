@@ -13,10 +13,19 @@ use serde::Serialize;
 use std::fmt::{self, Display, Formatter};
 
 /// Compares them, prints what was found and returns the exit code.
-pub(super) fn compare(args: &CompareArgs, expected: &Picture, found: &Picture, reporter: &Reporter) -> Result<u8> {
+pub(super) fn compare(
+    args: &CompareArgs,
+    expected: &Picture,
+    found: &Picture,
+    reporter: &Reporter,
+) -> Result<u8> {
     let Some(comparison) = ColorComparison::new(expected, found) else {
         let words = |picture: &Picture| format!("{} x {}", picture.width, picture.height);
-        return sizes::differ(args, &format!("they have {} and {} pixels", words(expected), words(found)), reporter);
+        return sizes::differ(
+            args,
+            &format!("they have {} and {} pixels", words(expected), words(found)),
+            reporter,
+        );
     };
     let tally = comparison.tally(listed(args));
     let pixel = |pixel: &usize| Pixel::new(expected, found, *pixel);
@@ -33,8 +42,10 @@ pub(super) fn compare(args: &CompareArgs, expected: &Picture, found: &Picture, r
         let picture = color_difference_picture(&comparison, report.tally.largest);
         diff::write(path, expected.width, expected.height, &picture)?;
         let largest = report.tally.largest;
-        reporter
-            .result(format_args!("{}: differences; of colours from green to yellow, up to {largest}", path.display()));
+        reporter.result(format_args!(
+            "{}: differences; of colours from green to yellow, up to {largest}",
+            path.display()
+        ));
     }
     Ok(report.verdict.exit_code())
 }
@@ -62,7 +73,12 @@ impl Pixel {
     fn new(expected: &Picture, found: &Picture, pixel: usize) -> Pixel {
         let width = u64::from(expected.width);
         let (x, y) = ((pixel as u64 % width) as u32, (pixel as u64 / width) as u32);
-        Pixel { x, y, expected: expected.pixels[pixel], found: found.pixels[pixel] }
+        Pixel {
+            x,
+            y,
+            expected: expected.pixels[pixel],
+            found: found.pixels[pixel],
+        }
     }
 }
 
@@ -70,7 +86,12 @@ impl Display for Pixel {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let place = format!("({}, {})", self.x, self.y);
         let words = |color: [u16; 4]| color.map(|component| component.to_string()).join(" ");
-        write!(f, "{place:<12}  A: {}; B: {}", words(self.expected), words(self.found))
+        write!(
+            f,
+            "{place:<12}  A: {}; B: {}",
+            words(self.expected),
+            words(self.found)
+        )
     }
 }
 
@@ -81,12 +102,28 @@ impl Display for Report<'_> {
         line(f, "B", &self.args.found.display().to_string())?;
         line(f, "pixels", &HumanCount(tally.pixels).to_string())?;
         if self.hits != Hits::Unknown {
-            line(f, "false hits", &format!("{}, only in B", HumanCount(tally.false_hits)))?;
-            line(f, "missed hits", &format!("{}, only in A", HumanCount(tally.missed_hits)))?;
+            line(
+                f,
+                "false hits",
+                &format!("{}, only in B", HumanCount(tally.false_hits)),
+            )?;
+            line(
+                f,
+                "missed hits",
+                &format!("{}, only in A", HumanCount(tally.missed_hits)),
+            )?;
         }
-        let others = if self.hits == Hits::Unknown { "differ" } else { "more differ" };
+        let others = if self.hits == Hits::Unknown {
+            "differ"
+        } else {
+            "more differ"
+        };
         let largest = format!("a component by {} of {} at most", tally.largest, self.full);
-        line(f, "colours", &format!("{} {others}, {largest}", HumanCount(tally.other_colors)))?;
+        line(
+            f,
+            "colours",
+            &format!("{} {others}, {largest}", HumanCount(tally.other_colors)),
+        )?;
         for (place, pixel) in self.first.iter().enumerate() {
             line(f, if place == 0 { "first" } else { "" }, &pixel.to_string())?;
         }
@@ -113,7 +150,14 @@ struct Record<'a> {
 
 impl<'a> Record<'a> {
     fn new(report: &'a Report) -> Record<'a> {
-        let Report { args, tally, full, hits, first, verdict } = report;
+        let Report {
+            args,
+            tally,
+            full,
+            hits,
+            first,
+            verdict,
+        } = report;
         let told = |count: u64| (*hits != Hits::Unknown).then_some(count);
         Record {
             expected: args.expected.display().to_string(),

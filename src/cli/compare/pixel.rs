@@ -37,9 +37,17 @@ enum Sample {
 
 impl Pixel {
     /// Pixel number `pixel` of two images of the same pixels.
-    pub(super) fn new(expected: &Image, found: &Image, pixel: usize, difference: Difference) -> Pixel {
+    pub(super) fn new(
+        expected: &Image,
+        found: &Image,
+        pixel: usize,
+        difference: Difference,
+    ) -> Pixel {
         let window = expected.data_window;
-        let (column, row) = (pixel as u64 % u64::from(window.width()), pixel as u64 / u64::from(window.width()));
+        let (column, row) = (
+            pixel as u64 % u64::from(window.width()),
+            pixel as u64 / u64::from(window.width()),
+        );
         let (kind, ulps) = match difference {
             Difference::None => ("equal", None),
             Difference::FalseHit => (FALSE_HIT, None),
@@ -49,7 +57,14 @@ impl Pixel {
             Difference::Surface(ulps) => ("wrong surface", Some(ulps)),
         };
         let (x, y) = (window.x0 + column as u32, window.y0 + row as u32);
-        Pixel { x, y, kind, ulps, expected: Values::of(expected, pixel), found: Values::of(found, pixel) }
+        Pixel {
+            x,
+            y,
+            kind,
+            ulps,
+            expected: Values::of(expected, pixel),
+            found: Values::of(found, pixel),
+        }
     }
 }
 
@@ -60,14 +75,25 @@ impl Values {
             Samples::F32(values) => Sample::NotFinite(values[pixel].to_string()),
             Samples::U32(values) => Sample::Number(values[pixel]),
         };
-        Values(image.channels.iter().map(|channel| (channel.name.as_str(), sample(&channel.samples))).collect())
+        Values(
+            image
+                .channels
+                .iter()
+                .map(|channel| (channel.name.as_str(), sample(&channel.samples)))
+                .collect(),
+        )
     }
 }
 
 impl Display for Pixel {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let place = format!("({}, {})", self.x, self.y);
-        let kind = format!("{}{}", self.kind, self.ulps.map_or(String::new(), |ulps| format!(" by {ulps}")));
+        let kind = format!(
+            "{}{}",
+            self.kind,
+            self.ulps
+                .map_or(String::new(), |ulps| format!(" by {ulps}"))
+        );
         write!(f, "{place:<12}  {kind:<15}  ")?;
         match self.kind {
             FALSE_HIT => write!(f, "A: miss; B: {}", self.found),
@@ -80,7 +106,9 @@ impl Display for Pixel {
 impl Display for Values {
     /// Of a hit, so that `A` says nothing.
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let names = ChannelName::ALL.into_iter().filter(|name| *name != ChannelName::A);
+        let names = ChannelName::ALL
+            .into_iter()
+            .filter(|name| *name != ChannelName::A);
         let samples = names.filter_map(|name| Some((name.as_str(), self.0.get(name.as_str())?)));
         for (place, (name, sample)) in samples.enumerate() {
             let gap = if place == 0 { "" } else { ", " };

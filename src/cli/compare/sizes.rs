@@ -17,7 +17,10 @@ pub(super) fn differ(args: &CompareArgs, problem: &str, reporter: &Reporter) -> 
     };
     print(args, &report, &report)?;
     if let Some(diff) = &args.diff {
-        reporter.note(format_args!("{} is not written: there is no pixel to compare with another", diff.display()));
+        reporter.note(format_args!(
+            "{} is not written: there is no pixel to compare with another",
+            diff.display()
+        ));
     }
     Ok(DIFFERENT)
 }

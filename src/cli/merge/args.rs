@@ -10,7 +10,13 @@ pub(crate) struct MergeArgs {
     #[arg(required = true, value_name = "CROP")]
     pub(crate) crops: Vec<PathBuf>,
     /// Where the whole goes: an .exr, or `-` for standard output.
-    #[arg(short, long, alias = "outfile", value_name = "OUT", help_heading = "Output")]
+    #[arg(
+        short,
+        long,
+        alias = "outfile",
+        value_name = "OUT",
+        help_heading = "Output"
+    )]
     pub(crate) output: PathBuf,
     /// Allow pixels that no crop has: they become misses, and the image ends where the crops do [default: they are an error].
     #[arg(long, help_heading = "Output")]

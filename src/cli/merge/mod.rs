@@ -23,13 +23,17 @@ pub(crate) fn merge(args: &MergeArgs, reporter: &Reporter) -> Result<u8> {
     let destination = Destination::of_name(&args.output);
     if let Destination::File(path) = &destination {
         check_format(path)?;
-        Inputs::default().with(&args.crops, "a crop").check(path, "-o")?;
+        Inputs::default()
+            .with(&args.crops, "a crop")
+            .check(path, "-o")?;
     }
     destination.check()?;
     thread_pool(args.threads, reporter)?.install(|| {
-        let put_together =
-            |progress: Progress<'_>| merge::merge(&args.crops, args.partial, args.input.input_budget, progress);
-        let merged = ProgressBars::new(&args.talk).during(Phase::Merging(args.crops.len()), put_together)?;
+        let put_together = |progress: Progress<'_>| {
+            merge::merge(&args.crops, args.partial, args.input.input_budget, progress)
+        };
+        let merged =
+            ProgressBars::new(&args.talk).during(Phase::Merging(args.crops.len()), put_together)?;
         destination.write(Overwrite::Yes, &merged)?;
         let window = &merged.image.data_window;
         let holes = match merged.holes {
@@ -48,7 +52,10 @@ pub(crate) fn merge(args: &MergeArgs, reporter: &Reporter) -> Result<u8> {
 
 fn check_format(path: &Path) -> Result<()> {
     if Format::of_path(path)? != Format::Exr {
-        let error = Error::usage(format!("{}: the whole is an EXR, as its crops are", path.display()));
+        let error = Error::usage(format!(
+            "{}: the whole is an EXR, as its crops are",
+            path.display()
+        ));
         return Err(error.note("expected a name that ends in .exr"));
     }
     Ok(())

@@ -48,17 +48,32 @@ impl Data {
         self
     }
 
-    pub(super) fn encode(&self, image: &Image, caption: &Caption, out: &mut (impl Write + Seek)) -> io::Result<()> {
+    pub(super) fn encode(
+        &self,
+        image: &Image,
+        caption: &Caption,
+        out: &mut (impl Write + Seek),
+    ) -> io::Result<()> {
         match &self.format {
             DataFormat::Exr { .. } => {
                 // The header says what the depth channel is called.
                 let header = caption.header.clone().unwrap_or_default();
-                let metadata = Metadata { camera: caption.camera, ..Metadata::of_json(header) };
+                let metadata = Metadata {
+                    camera: caption.camera,
+                    ..Metadata::of_json(header)
+                };
                 exr_file::write(image, &metadata, out)
             }
             DataFormat::Npy => {
-                let field = |aov: &Aov| Field { name: aov.as_str(), channels: aov.channels() };
-                npy_file::write(image, &self.aovs.iter().map(field).collect::<Vec<Field>>(), out)
+                let field = |aov: &Aov| Field {
+                    name: aov.as_str(),
+                    channels: aov.channels(),
+                };
+                npy_file::write(
+                    image,
+                    &self.aovs.iter().map(field).collect::<Vec<Field>>(),
+                    out,
+                )
             }
             DataFormat::Pfm => pfm_file::write(image, &self.channels(), out),
         }

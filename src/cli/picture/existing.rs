@@ -46,21 +46,39 @@ impl Picture {
 }
 
 fn of_exr(data: &Data, path: &Path, header: &str, origin: &Origin) -> Result<Existing> {
-    debug_assert!(matches!(data.format, DataFormat::Exr { .. }), "no other data has a header");
-    let Outline { film, window, channels, metadata } = exr_reader::read_outline(path)?;
+    debug_assert!(
+        matches!(data.format, DataFormat::Exr { .. }),
+        "no other data has a header"
+    );
+    let Outline {
+        film,
+        window,
+        channels,
+        metadata,
+    } = exr_reader::read_outline(path)?;
     if metadata.json.is_empty() {
         return Ok(Existing::Foreign);
     }
     let [found, expected] = [channels, data.channels()].map(BTreeSet::from_iter);
     let same_windows = film == origin.film.into() && window == origin.window;
-    Ok(same_or_stale(metadata.json == header && same_windows && found == expected))
+    Ok(same_or_stale(
+        metadata.json == header && same_windows && found == expected,
+    ))
 }
 
 fn same_or_stale(is_same: bool) -> Existing {
-    if is_same { Existing::Same } else { Existing::Stale }
+    if is_same {
+        Existing::Same
+    } else {
+        Existing::Stale
+    }
 }
 
 /// A file of another format, or a damaged one, is nobody's to overwrite.
 fn not_an_image(error: Error) -> Result<Existing> {
-    if error.kind() == ErrorKind::BadInput { Ok(Existing::Foreign) } else { Err(error) }
+    if error.kind() == ErrorKind::BadInput {
+        Ok(Existing::Foreign)
+    } else {
+        Err(error)
+    }
 }

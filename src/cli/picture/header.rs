@@ -24,7 +24,13 @@ pub(crate) struct Origin {
 impl Picture {
     /// Whether the format has a place for a header.
     pub(crate) fn has_header(&self) -> bool {
-        !matches!(self, Picture::Data(Data { format: DataFormat::Npy | DataFormat::Pfm, .. }))
+        !matches!(
+            self,
+            Picture::Data(Data {
+                format: DataFormat::Npy | DataFormat::Pfm,
+                ..
+            })
+        )
     }
 
     /// The header of a file that has a place for it.
@@ -48,16 +54,26 @@ impl Picture {
 fn of_data(data: &Data, header: &mut Map<String, Value>) {
     header.insert(MISS.into(), number(data.miss));
     for aov in &data.aovs {
-        header.insert(aov.as_str().into(), meaning(aov, data.within_instances).into());
+        header.insert(
+            aov.as_str().into(),
+            meaning(aov, data.within_instances).into(),
+        );
     }
-    if let DataFormat::Exr { depth_channel: Some(name) } = &data.format {
+    if let DataFormat::Exr {
+        depth_channel: Some(name),
+    } = &data.format
+    {
         header.insert(DEPTH_CHANNEL.into(), name.as_str().into());
     }
 }
 
 /// A number, or a string where JSON has no number for it.
 fn number(value: f32) -> Value {
-    if value.is_finite() { json!(value) } else { json!(value.to_string()) }
+    if value.is_finite() {
+        json!(value)
+    } else {
+        json!(value.to_string())
+    }
 }
 
 /// What an AOV holds.
@@ -75,7 +91,9 @@ fn meaning(aov: &Aov, within_instances: bool) -> &'static str {
         "N" => "geometric normal in world space, of length 1; 0 miss",
         "P" => "point of the hit in world space; 0 miss",
         "uv" => "parameters of the surface, as pbrt has them; 0 miss",
-        _ => "nodes and primitives that the ray tests when it goes alone through the whole tree of the accelerator",
+        _ => {
+            "nodes and primitives that the ray tests when it goes alone through the whole tree of the accelerator"
+        }
     }
 }
 
@@ -87,11 +105,17 @@ fn of_view(shown: &Shown, origin: &Origin, header: &mut Map<String, Value>) {
     match shown {
         Shown::Depth { colors, range } => {
             header.insert("colormap".into(), colors.as_str().into());
-            header.insert("range".into(), json!(range.map(|DepthRange { near, far }| [near, far])));
+            header.insert(
+                "range".into(),
+                json!(range.map(|DepthRange { near, far }| [near, far])),
+            );
         }
         Shown::Cost { colors, range } => {
             header.insert("colormap".into(), colors.as_str().into());
-            header.insert("range".into(), json!(range.map(|CostRange { low, high }| [low, high])));
+            header.insert(
+                "range".into(),
+                json!(range.map(|CostRange { low, high }| [low, high])),
+            );
         }
         Shown::Depth16(Depth16 { scale, miss }) => {
             header.insert("scale".into(), json!(scale));

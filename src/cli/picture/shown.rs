@@ -32,7 +32,12 @@ pub(super) enum Pixels {
 }
 
 impl Pixels {
-    pub(super) fn encode(&self, size: [u32; 2], texts: &[Text], out: &mut impl Write) -> io::Result<()> {
+    pub(super) fn encode(
+        &self,
+        size: [u32; 2],
+        texts: &[Text],
+        out: &mut impl Write,
+    ) -> io::Result<()> {
         match self {
             Pixels::Rgb(pixels) => png_file::write_rgb(size, pixels, texts, out),
             Pixels::Gray16(pixels) => png_file::write_gray16(size, pixels, texts, out),
@@ -73,38 +78,58 @@ impl Shown {
     /// What the colours mean, in words.
     pub(super) fn legend(&self) -> String {
         match self {
-            Shown::Depth { colors, range: Some(DepthRange { near, far }) } => {
+            Shown::Depth {
+                colors,
+                range: Some(DepthRange { near, far }),
+            } => {
                 let [at_near, at_far] = colors.ends();
                 format!("depth {near} ({at_near}) to {far} ({at_far}), misses pale blue")
             }
             Shown::Depth { .. } => "misses pale blue".to_owned(),
             Shown::Hit => "hits red, misses yellow".to_owned(),
-            Shown::Normal => "x, y and z of normals from -1 to 1 as red, green and blue, misses black".to_owned(),
+            Shown::Normal => {
+                "x, y and z of normals from -1 to 1 as red, green and blue, misses black".to_owned()
+            }
             Shown::Id => "a colour for each shape, misses black".to_owned(),
             Shown::Cost { colors, range } => {
-                let CostRange { low, high } = range.unwrap_or(CostRange { low: 0.0, high: 0.0 });
+                let CostRange { low, high } = range.unwrap_or(CostRange {
+                    low: 0.0,
+                    high: 0.0,
+                });
                 let [at_high, at_low] = colors.ends();
                 format!("cost {low} ({at_low}) to {high} ({at_high})")
             }
-            Shown::Depth16(Depth16 { scale, miss }) => format!("{scale} steps a unit of depth, misses {miss}"),
+            Shown::Depth16(Depth16 { scale, miss }) => {
+                format!("{scale} steps a unit of depth, misses {miss}")
+            }
         }
     }
 
     /// The words in the file; `header` is for programs.
     pub(super) fn texts(&self, header: Option<&str>) -> Vec<Text> {
         let text = |keyword, text: String| Text { keyword, text };
-        let mut texts =
-            vec![text("Software", format!("feimos {}", env!("CARGO_PKG_VERSION"))), text("Description", self.legend())];
+        let mut texts = vec![
+            text("Software", format!("feimos {}", env!("CARGO_PKG_VERSION"))),
+            text("Description", self.legend()),
+        ];
         match self {
-            Shown::Depth { range: Some(DepthRange { near, far }), .. } => {
+            Shown::Depth {
+                range: Some(DepthRange { near, far }),
+                ..
+            } => {
                 texts.extend([text("near", near.to_string()), text("far", far.to_string())]);
             }
-            Shown::Cost { range: Some(CostRange { low, high }), .. } => {
+            Shown::Cost {
+                range: Some(CostRange { low, high }),
+                ..
+            } => {
                 texts.extend([text("low", low.to_string()), text("high", high.to_string())]);
             }
             _ => {}
         }
-        texts.extend(header.map(|header| text(feimos::film::exr_file::ATTRIBUTE, header.to_owned())));
+        texts.extend(
+            header.map(|header| text(feimos::film::exr_file::ATTRIBUTE, header.to_owned())),
+        );
         texts
     }
 
@@ -114,18 +139,28 @@ impl Shown {
         let pixels = match self {
             Shown::Depth { colors, range } => {
                 // Without a hit there is no range, and no pixel that would ask for it.
-                let range = range.unwrap_or(DepthRange { near: 0.0, far: 1.0 });
+                let range = range.unwrap_or(DepthRange {
+                    near: 0.0,
+                    far: 1.0,
+                });
                 view::depth(image, *colors, range)
             }
             Shown::Hit => view::hit(image),
             Shown::Normal => view::normal(image),
             Shown::Id => view::id(image),
-            Shown::Cost { colors, range } => {
-                view::cost(image, *colors, range.unwrap_or(CostRange { low: 0.0, high: 0.0 }))
-            }
+            Shown::Cost { colors, range } => view::cost(
+                image,
+                *colors,
+                range.unwrap_or(CostRange {
+                    low: 0.0,
+                    high: 0.0,
+                }),
+            ),
             Shown::Depth16(depth16) => {
                 let numbers = depth16.of(image).map_err(internal)?;
-                return numbers.map(Pixels::Gray16).map_err(|unfit| does_not_fit(depth16, &unfit));
+                return numbers
+                    .map(Pixels::Gray16)
+                    .map_err(|unfit| does_not_fit(depth16, &unfit));
             }
         };
         pixels.map(Pixels::Rgb).map_err(internal)
@@ -134,7 +169,10 @@ impl Shown {
 
 /// An image lacks what was rendered for it.
 fn internal(error: io::Error) -> Error {
-    Error::new(feimos::error::ErrorKind::Internal, feimos::error::Diagnostic::new(error.to_string()))
+    Error::new(
+        feimos::error::ErrorKind::Internal,
+        feimos::error::Diagnostic::new(error.to_string()),
+    )
 }
 
 fn does_not_fit(depth16: &Depth16, unfit: &Unfit) -> Error {

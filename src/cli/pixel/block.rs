@@ -4,7 +4,9 @@ use crate::cli::columns::line;
 use crate::cli::counted::counted;
 use feimos::accel::Precision;
 use feimos::error::printable;
-use feimos::pixel::{Answer, Explanation, Found, HitDetails, MAX_JUDGED, MAX_SCANNED, Margin, Next, Scan};
+use feimos::pixel::{
+    Answer, Explanation, Found, HitDetails, MAX_JUDGED, MAX_SCANNED, Margin, Next, Scan,
+};
 use feimos::scene::Scene;
 use feimos::shape::{Placed, Surface};
 use std::fmt::{self, Display, Formatter};
@@ -19,23 +21,41 @@ pub(super) struct Block<'a> {
 
 impl<'a> Block<'a> {
     pub(super) fn new(path: &'a Path, scene: &'a Scene, explanation: &'a Explanation) -> Block<'a> {
-        Block { path, scene, explanation }
+        Block {
+            path,
+            scene,
+            explanation,
+        }
     }
 }
 
 impl Display for Block<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let Explanation { pixel: [x, y], ray, hit, scan, .. } = self.explanation;
+        let Explanation {
+            pixel: [x, y],
+            ray,
+            hit,
+            scan,
+            ..
+        } = self.explanation;
         let [width, height] = self.scene.film.resolution;
         let path = printable(&self.path.display().to_string());
         writeln!(f, "{path}, pixel {x},{y} of {width} x {height}")?;
         let kind = self.scene.camera.projection.name();
         let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());
         let length = ray.direction.dot(ray.direction).sqrt();
-        let text = format!("{kind} camera, from {} along {}, of length {length}", triple(origin), triple(direction));
+        let text = format!(
+            "{kind} camera, from {} along {}, of length {length}",
+            triple(origin),
+            triple(direction)
+        );
         line(f, "ray", &text)?;
         if !ray.can_hit() {
-            line(f, "", "it is not finite, or goes nowhere: it can hit nothing")?;
+            line(
+                f,
+                "",
+                "it is not finite, or goes nowhere: it can hit nothing",
+            )?;
         }
         match hit {
             Some(hit) => self.tell_of_hit(f, hit)?,
@@ -43,12 +63,23 @@ impl Display for Block<'_> {
         }
         match scan {
             Some(scan) => self.tell_of_neighbours(f, scan)?,
-            None => line(f, "others", &format!("not looked at: more than {MAX_SCANNED} primitives"))?,
+            None => line(
+                f,
+                "others",
+                &format!("not looked at: more than {MAX_SCANNED} primitives"),
+            )?,
         }
         self.tell_of_answers(f)?;
         for (place, (method, work)) in self.explanation.costs.iter().enumerate() {
-            let (nodes, primitives) = (counted(work.nodes, "node"), counted(work.primitives, "primitive"));
-            line(f, if place == 0 { "tested" } else { "" }, &format!("{:6}  {nodes}, {primitives}", method.name()))?;
+            let (nodes, primitives) = (
+                counted(work.nodes, "node"),
+                counted(work.primitives, "primitive"),
+            );
+            line(
+                f,
+                if place == 0 { "tested" } else { "" },
+                &format!("{:6}  {nodes}, {primitives}", method.name()),
+            )?;
         }
         line(f, "reference", &self.verdict())
     }
@@ -57,11 +88,24 @@ impl Display for Block<'_> {
 impl Block<'_> {
     fn tell_of_hit(&self, f: &mut Formatter<'_>, hit: &HitDetails) -> fmt::Result {
         let HitDetails { depth, z, .. } = hit;
-        line(f, "hit", &format!("Z {}, t {}; Z is from {} to {}", depth.z, depth.t, z.low, z.high))?;
+        line(
+            f,
+            "hit",
+            &format!(
+                "Z {}, t {}; Z is from {} to {}",
+                depth.z, depth.t, z.low, z.high
+            ),
+        )?;
         line(f, "point", &triple(hit.point.to_array()))?;
-        let normal = hit.normal.map_or("unknown".to_owned(), |normal| triple(normal.to_array()));
+        let normal = hit
+            .normal
+            .map_or("unknown".to_owned(), |normal| triple(normal.to_array()));
         line(f, "normal", &normal)?;
-        line(f, "primitive", &format!("{} {}", hit.surface.name(), self.name(hit.primitive)))?;
+        line(
+            f,
+            "primitive",
+            &format!("{} {}", hit.surface.name(), self.name(hit.primitive)),
+        )?;
         if let (Some(places), Some(instance)) = (&self.scene.places, hit.primitive.instance())
             && let Some(place) = places.instance(instance)
         {
@@ -69,7 +113,11 @@ impl Block<'_> {
         }
         if let Surface::Triangle(triangle) = &hit.surface {
             for (place, corner) in triangle.0.iter().enumerate() {
-                line(f, if place == 0 { "corners" } else { "" }, &triple(corner.to_array()))?;
+                line(
+                    f,
+                    if place == 0 { "corners" } else { "" },
+                    &triple(corner.to_array()),
+                )?;
             }
         }
         line(f, "margin", &margin(&hit.margin))
@@ -77,33 +125,65 @@ impl Block<'_> {
 
     fn tell_of_neighbours(&self, f: &mut Formatter<'_>, scan: &Scan) -> fmt::Result {
         match &scan.next {
-            Some(Next { primitive, is_tie: true, .. }) => {
+            Some(Next {
+                primitive,
+                is_tie: true,
+                ..
+            }) => {
                 let text = format!(
                     "{} is at exactly the same depth: the first in the file wins (rule E3)",
                     self.name(*primitive)
                 );
                 line(f, "behind", &text)?;
             }
-            Some(Next { primitive, z, farther, .. }) => {
-                let farther = if *farther < 1e-4 { format!("{farther:e}") } else { farther.to_string() };
-                line(f, "behind", &format!("{}, Z about {}: {farther} farther", self.name(*primitive), z.low))?;
+            Some(Next {
+                primitive,
+                z,
+                farther,
+                ..
+            }) => {
+                let farther = if *farther < 1e-4 {
+                    format!("{farther:e}")
+                } else {
+                    farther.to_string()
+                };
+                line(
+                    f,
+                    "behind",
+                    &format!(
+                        "{}, Z about {}: {farther} farther",
+                        self.name(*primitive),
+                        z.low
+                    ),
+                )?;
             }
             None if scan.first.is_some() => line(f, "behind", "nothing")?,
             None => {}
         }
         if let Some(missed) = &scan.missed {
-            let text = format!("{}, {} pixels away on the film", self.name(missed.primitive), missed.on_film);
+            let text = format!(
+                "{}, {} pixels away on the film",
+                self.name(missed.primitive),
+                missed.on_film
+            );
             line(f, "nearest", &text)?;
         }
         if scan.unmeasured > 0 {
             line(
                 f,
                 "",
-                &format!("not measured: spheres, cylinders and disks, of which there are {}", scan.unmeasured),
+                &format!(
+                    "not measured: spheres, cylinders and disks, of which there are {}",
+                    scan.unmeasured
+                ),
             )?;
         }
         if scan.met > 1 {
-            line(f, "", &format!("{} are met in all", counted(scan.met, "primitive")))?;
+            line(
+                f,
+                "",
+                &format!("{} are met in all", counted(scan.met, "primitive")),
+            )?;
         }
         Ok(())
     }
@@ -121,11 +201,20 @@ impl Block<'_> {
 
     fn verdict(&self) -> String {
         let count = self.scene.shapes.primitive_count();
-        let Explanation { is_judged, contradictions, .. } = self.explanation;
+        let Explanation {
+            is_judged,
+            contradictions,
+            ..
+        } = self.explanation;
         match (contradictions.is_empty(), is_judged) {
             (false, _) => "CONTRADICTION: see the error".to_owned(),
-            (true, true) => format!("agrees: exact arithmetic on {}", counted(count, "primitive")),
-            (true, false) => format!("not asked: it takes too long for more than {MAX_JUDGED} primitives"),
+            (true, true) => format!(
+                "agrees: exact arithmetic on {}",
+                counted(count, "primitive")
+            ),
+            (true, false) => {
+                format!("not asked: it takes too long for more than {MAX_JUDGED} primitives")
+            }
         }
     }
 
@@ -133,8 +222,14 @@ impl Block<'_> {
     fn name(&self, placed: Placed) -> String {
         let shapes = &self.scene.shapes;
         let (prim, id) = (shapes.image_number(placed), shapes.shape_number(placed));
-        let of_shape = self.scene.places.as_ref().and_then(|places| places.shape(id));
-        let of_shape = of_shape.map_or(String::new(), |(name, place)| format!(": {}, {place}", printable(name)));
+        let of_shape = self
+            .scene
+            .places
+            .as_ref()
+            .and_then(|places| places.shape(id));
+        let of_shape = of_shape.map_or(String::new(), |(name, place)| {
+            format!(": {}, {place}", printable(name))
+        });
         format!("prim {prim} of shape {id}{of_shape}")
     }
 }
@@ -142,27 +237,56 @@ impl Block<'_> {
 fn margin(margin: &Margin) -> String {
     let on_rim = margin.is_on_rim();
     match margin {
-        Margin::Triangle { barycentric, on_film } => {
-            let on_film =
-                on_film.map_or(String::new(), |pixels| format!("; {pixels} pixels from the nearest edge on the film"));
-            let rim = if on_rim { "; exactly on its edge, which counts as hit (rule E1)" } else { "" };
-            format!("barycentric {}, where 0 would be on an edge{on_film}{rim}", triple(*barycentric))
+        Margin::Triangle {
+            barycentric,
+            on_film,
+        } => {
+            let on_film = on_film.map_or(String::new(), |pixels| {
+                format!("; {pixels} pixels from the nearest edge on the film")
+            });
+            let rim = if on_rim {
+                "; exactly on its edge, which counts as hit (rule E1)"
+            } else {
+                ""
+            };
+            format!(
+                "barycentric {}, where 0 would be on an edge{on_film}{rim}",
+                triple(*barycentric)
+            )
         }
         Margin::Quadric { .. } if on_rim => {
             "the ray touches it exactly, which counts as hit (rules E2 and E5)".to_owned()
         }
-        Margin::Quadric { clearance: Some(clearance) } => {
-            format!("(b^2 - ac) / b^2 of its equation is {clearance}: 0 would be a ray that touches it")
+        Margin::Quadric {
+            clearance: Some(clearance),
+        } => {
+            format!(
+                "(b^2 - ac) / b^2 of its equation is {clearance}: 0 would be a ray that touches it"
+            )
         }
         Margin::Quadric { clearance: None } => "not measured".to_owned(),
     }
 }
 
 fn found(answer: &Answer) -> String {
-    let Some(Found { prim, instance, z, t }) = answer.found else { return "miss".to_owned() };
-    let instance = if instance > 0 { format!(" in instance {instance}") } else { String::new() };
+    let Some(Found {
+        prim,
+        instance,
+        z,
+        t,
+    }) = answer.found
+    else {
+        return "miss".to_owned();
+    };
+    let instance = if instance > 0 {
+        format!(" in instance {instance}")
+    } else {
+        String::new()
+    };
     let off = match answer.ulps {
-        Some([of_z, of_t]) if answer.precision != Some(Precision::Exact) => format!(": off by {of_z} and {of_t} ulps"),
+        Some([of_z, of_t]) if answer.precision != Some(Precision::Exact) => {
+            format!(": off by {of_z} and {of_t} ulps")
+        }
         _ => String::new(),
     };
     format!("prim {prim}{instance}, Z {z}, t {t}{off}")

@@ -30,7 +30,8 @@ pub(crate) fn pixel(args: &PixelArgs, reporter: &Reporter) -> Result<u8> {
         input_budget: args.input.input_budget,
         ..LoadOptions::default()
     };
-    let load = |progress: Progress<'_>| pool.install(|| scene::load(&args.scene, &options, progress));
+    let load =
+        |progress: Progress<'_>| pool.install(|| scene::load(&args.scene, &options, progress));
     let scene = ProgressBars::new(&args.talk).during(Phase::Loading, load)?;
     summary::report_scene(&scene, reporter);
     check_within_film(&scene, args.pixel)?;
@@ -38,7 +39,9 @@ pub(crate) fn pixel(args: &PixelArgs, reporter: &Reporter) -> Result<u8> {
     if args.json {
         write_json_line(&Record::new(&args.scene, &scene, &explanation))?;
     } else if !args.talk.quiet {
-        write_to_stdout(Ok(Block::new(&args.scene, &scene, &explanation).to_string().into_bytes()))?;
+        write_to_stdout(Ok(Block::new(&args.scene, &scene, &explanation)
+            .to_string()
+            .into_bytes()))?;
     }
     refuse_contradictions(&explanation).map(|()| 0)
 }
@@ -48,16 +51,29 @@ fn check_within_film(scene: &Scene, [x, y]: [u32; 2]) -> Result<()> {
     if x < width && y < height {
         return Ok(());
     }
-    let error = Error::usage(format!("pixel {x},{y} is outside the film, which is {width} x {height}"));
-    Err(error.note(format!("expected X from 0 to {} and Y from 0 to {}", width - 1, height - 1)))
+    let error = Error::usage(format!(
+        "pixel {x},{y} is outside the film, which is {width} x {height}"
+    ));
+    Err(error.note(format!(
+        "expected X from 0 to {} and Y from 0 to {}",
+        width - 1,
+        height - 1
+    )))
 }
 
 /// The accelerators to try: what answers is the surface area heuristic's tree, unless another one is asked for.
 fn builds(args: &PixelArgs, scene: &Scene) -> Vec<BuildOptions> {
-    let others = SplitMethod::ALL.into_iter().filter(|method| *method != SplitMethod::Sah);
-    let methods =
-        args.accel.map_or_else(|| [SplitMethod::Sah].into_iter().chain(others).collect(), |method| vec![method]);
-    methods.into_iter().map(|method| build_options(method, &scene.accelerator)).collect()
+    let others = SplitMethod::ALL
+        .into_iter()
+        .filter(|method| *method != SplitMethod::Sah);
+    let methods = args.accel.map_or_else(
+        || [SplitMethod::Sah].into_iter().chain(others).collect(),
+        |method| vec![method],
+    );
+    methods
+        .into_iter()
+        .map(|method| build_options(method, &scene.accelerator))
+        .collect()
 }
 
 /// Exact answers that differ are a bug, and nobody should miss it.
@@ -65,8 +81,12 @@ fn refuse_contradictions(explanation: &Explanation) -> Result<()> {
     if explanation.contradictions.is_empty() {
         return Ok(());
     }
-    let diagnostic =
-        Diagnostic::new("exact answers to this pixel contradict each other: a bug in feimos; please report it");
+    let diagnostic = Diagnostic::new(
+        "exact answers to this pixel contradict each other: a bug in feimos; please report it",
+    );
     let notes = explanation.contradictions.iter();
-    Err(Error::new(ErrorKind::Internal, notes.fold(diagnostic, |diagnostic, note| diagnostic.note(note))))
+    Err(Error::new(
+        ErrorKind::Internal,
+        notes.fold(diagnostic, |diagnostic, note| diagnostic.note(note)),
+    ))
 }

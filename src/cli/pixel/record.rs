@@ -104,7 +104,16 @@ struct CostRecord {
 
 impl<'a> Record<'a> {
     pub(super) fn new(path: &Path, scene: &'a Scene, explanation: &'a Explanation) -> Record<'a> {
-        let Explanation { pixel, ray, hit, scan, answers, costs, is_judged, contradictions } = explanation;
+        let Explanation {
+            pixel,
+            ray,
+            hit,
+            scan,
+            answers,
+            costs,
+            is_judged,
+            contradictions,
+        } = explanation;
         let scanned = |of: fn(&Scan) -> u64| scan.as_ref().map(of);
         Record {
             scene: path.display().to_string(),
@@ -116,16 +125,22 @@ impl<'a> Record<'a> {
             can_hit: ray.can_hit(),
             hit: hit.as_ref().map(|hit| HitRecord::new(scene, hit)),
             met: scanned(|scan| scan.met),
-            behind: scan.as_ref().and_then(|scan| scan.next).map(|next| NextRecord {
-                primitive: PrimitiveRecord::new(scene, next.primitive),
-                bracket: [next.z.low, next.z.high],
-                farther: next.farther,
-                tie: next.is_tie,
-            }),
-            nearest_missed: scan.as_ref().and_then(|scan| scan.missed).map(|missed| MissedRecord {
-                primitive: PrimitiveRecord::new(scene, missed.primitive),
-                on_film: missed.on_film,
-            }),
+            behind: scan
+                .as_ref()
+                .and_then(|scan| scan.next)
+                .map(|next| NextRecord {
+                    primitive: PrimitiveRecord::new(scene, next.primitive),
+                    bracket: [next.z.low, next.z.high],
+                    farther: next.farther,
+                    tie: next.is_tie,
+                }),
+            nearest_missed: scan
+                .as_ref()
+                .and_then(|scan| scan.missed)
+                .map(|missed| MissedRecord {
+                    primitive: PrimitiveRecord::new(scene, missed.primitive),
+                    on_film: missed.on_film,
+                }),
             unmeasured: scanned(|scan| scan.unmeasured),
             answers: answers.iter().map(AnswerRecord::new).collect(),
             costs: costs
@@ -148,7 +163,9 @@ impl<'a> PrimitiveRecord<'a> {
         let places = scene.places.as_ref();
         let shape = places.and_then(|places| places.shape(id));
         let instance = placed.instance();
-        let instance_place = places.zip(instance).and_then(|(places, instance)| places.instance(instance));
+        let instance_place = places
+            .zip(instance)
+            .and_then(|(places, instance)| places.instance(instance));
         PrimitiveRecord {
             prim: scene.shapes.image_number(placed),
             id,
@@ -163,7 +180,10 @@ impl<'a> PrimitiveRecord<'a> {
 impl<'a> HitRecord<'a> {
     fn new(scene: &'a Scene, hit: &HitDetails) -> HitRecord<'a> {
         let (barycentric, edge_on_film, clearance) = match hit.margin {
-            Margin::Triangle { barycentric, on_film } => (Some(barycentric), on_film, None),
+            Margin::Triangle {
+                barycentric,
+                on_film,
+            } => (Some(barycentric), on_film, None),
             Margin::Quadric { clearance } => (None, None, clearance),
         };
         let corners = match &hit.surface {

@@ -12,7 +12,9 @@ fn directory() -> tempfile::TempDir {
 
 fn names_in(directory: &Path) -> Vec<String> {
     let entries = fs::read_dir(directory).unwrap();
-    let mut names: Vec<String> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    let mut names: Vec<String> = entries
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
     names.sort();
     names
 }
@@ -46,7 +48,10 @@ fn writers_may_seek() {
         out.rewind()?;
         out.write_all(b"ab")
     });
-    assert_eq!((size.unwrap(), fs::read_to_string(&path).unwrap().as_str()), (4, "abcd"));
+    assert_eq!(
+        (size.unwrap(), fs::read_to_string(&path).unwrap().as_str()),
+        (4, "abcd")
+    );
 }
 
 #[test]
@@ -55,7 +60,10 @@ fn a_failing_writer_leaves_nothing() {
     let path = directory.path().join("a.exr");
     let error = write_and_fail(&path, io::ErrorKind::StorageFull);
     assert_eq!(error.kind(), ErrorKind::TryAgain);
-    assert_eq!(write_and_fail(&path, io::ErrorKind::Other).kind(), ErrorKind::Io);
+    assert_eq!(
+        write_and_fail(&path, io::ErrorKind::Other).kind(),
+        ErrorKind::Io
+    );
     assert!(names_in(directory.path()).is_empty());
 }
 
@@ -85,7 +93,12 @@ fn an_existing_file_is_kept_where_it_must_be() {
     write_text(&path, Overwrite::No, "old").unwrap();
     let error = write_file(&path, Overwrite::No, |_| panic!("nothing to write")).unwrap_err();
     assert_eq!(error.kind(), ErrorKind::Output);
-    assert!(error.to_string().ends_with("a.exr: cannot create: the file exists"), "{error}");
+    assert!(
+        error
+            .to_string()
+            .ends_with("a.exr: cannot create: the file exists"),
+        "{error}"
+    );
 }
 
 #[test]
@@ -121,18 +134,32 @@ fn a_directory_or_a_file_in_its_place_is_an_error() {
     let file = directory.path().join("file");
     write_text(&file, Overwrite::Yes, "").unwrap();
     let error = write_text(&file.join("a.exr"), Overwrite::Yes, "").unwrap_err();
-    assert!(error.kind() == ErrorKind::Output && error.diagnostic().notes.is_empty(), "{error}");
+    assert!(
+        error.kind() == ErrorKind::Output && error.diagnostic().notes.is_empty(),
+        "{error}"
+    );
 }
 
 #[test]
 fn a_check_foretells_the_errors_of_writing_and_writes_nothing() {
     let directory = directory();
-    let (file, missing) = (directory.path().join("file"), directory.path().join("out/a.exr"));
+    let (file, missing) = (
+        directory.path().join("file"),
+        directory.path().join("out/a.exr"),
+    );
     write_text(&file, Overwrite::Yes, "old").unwrap();
     for path in [directory.path().to_path_buf(), file.join("a.exr"), missing] {
         let foretold = check(&path).unwrap_err();
-        assert_eq!(foretold.kind(), write_text(&path, Overwrite::Yes, "").unwrap_err().kind());
-        assert_eq!(foretold.to_string(), write_text(&path, Overwrite::Yes, "").unwrap_err().to_string());
+        assert_eq!(
+            foretold.kind(),
+            write_text(&path, Overwrite::Yes, "").unwrap_err().kind()
+        );
+        assert_eq!(
+            foretold.to_string(),
+            write_text(&path, Overwrite::Yes, "")
+                .unwrap_err()
+                .to_string()
+        );
     }
     for path in [file.clone(), directory.path().join("new"), "new".into()] {
         check(&path).unwrap();
@@ -173,8 +200,11 @@ mod unix {
     #[test]
     fn links_stay_and_what_they_lead_to_is_replaced() {
         let directory = directory();
-        let (real, link, second) =
-            (directory.path().join("sub/real"), directory.path().join("link"), directory.path().join("second"));
+        let (real, link, second) = (
+            directory.path().join("sub/real"),
+            directory.path().join("link"),
+            directory.path().join("second"),
+        );
         fs::create_dir(directory.path().join("sub")).unwrap();
         symlink("sub/real", &link).unwrap();
         symlink(&link, &second).unwrap();
@@ -192,7 +222,10 @@ mod unix {
         let directory = directory();
         let link = directory.path().join("link");
         symlink("link", &link).unwrap();
-        assert_eq!(write_text(&link, Overwrite::Yes, "").unwrap_err().kind(), ErrorKind::Output);
+        assert_eq!(
+            write_text(&link, Overwrite::Yes, "").unwrap_err().kind(),
+            ErrorKind::Output
+        );
         assert_eq!(check(&link).unwrap_err().kind(), ErrorKind::Output);
     }
 
@@ -225,7 +258,10 @@ mod unix {
         let (real, link) = (directory.path().join("real"), directory.path().join("link"));
         write_text(&real, Overwrite::Yes, "old").unwrap();
         symlink("real", &link).unwrap();
-        assert_eq!(write_text(&link, Overwrite::No, "new").unwrap_err().kind(), ErrorKind::Output);
+        assert_eq!(
+            write_text(&link, Overwrite::No, "new").unwrap_err().kind(),
+            ErrorKind::Output
+        );
         assert_eq!(fs::read_to_string(&real).unwrap(), "old");
     }
 
@@ -244,7 +280,12 @@ mod unix {
         let directory = directory();
         let path = directory.path().join("a");
         write_text(&path, Overwrite::Yes, "").unwrap();
-        for (old, expected) in [(0o4755, 0o755), (0o2770, 0o770), (0o6600, 0o600), (0o1644, 0o644)] {
+        for (old, expected) in [
+            (0o4755, 0o755),
+            (0o2770, 0o770),
+            (0o6600, 0o600),
+            (0o1644, 0o644),
+        ] {
             fs::set_permissions(&path, fs::Permissions::from_mode(old)).unwrap();
             write_text(&path, Overwrite::Yes, "").unwrap();
             assert_eq!(mode(&path), expected);
@@ -257,7 +298,13 @@ mod unix {
         let (path, link) = (directory.path().join("a"), directory.path().join("link"));
         write_text(&path, Overwrite::Yes, "").unwrap();
         symlink("a", &link).unwrap();
-        for path in [&path, &link, Path::new("/dev/null"), &directory.path().join("gone"), Path::new("Cargo.toml")] {
+        for path in [
+            &path,
+            &link,
+            Path::new("/dev/null"),
+            &directory.path().join("gone"),
+            Path::new("Cargo.toml"),
+        ] {
             sync_folder(path).unwrap();
         }
     }

@@ -4,7 +4,9 @@ use super::part::Part;
 use super::{WHOLE, damaged, wrong};
 use crate::error::Result;
 use exr::block::UncompressedBlock;
-use exr::block::chunk::{Chunk, CompressedBlock, CompressedScanLineBlock, CompressedTileBlock, TileCoordinates};
+use exr::block::chunk::{
+    Chunk, CompressedBlock, CompressedScanLineBlock, CompressedTileBlock, TileCoordinates,
+};
 use exr::math::Vec2;
 use exr::meta::{BlockDescription, MetaData};
 
@@ -24,7 +26,12 @@ pub(super) struct Block<'a> {
 
 /// All blocks of the largest resolution of `part`, each once, in the order of the file's table, which begins at byte `table` of
 /// the file.
-pub(super) fn blocks<'a>(bytes: &'a [u8], table: u64, meta: &MetaData, part: &Part) -> Result<Vec<Block<'a>>> {
+pub(super) fn blocks<'a>(
+    bytes: &'a [u8],
+    table: u64,
+    meta: &MetaData,
+    part: &Part,
+) -> Result<Vec<Block<'a>>> {
     let grid = Grid::of(part);
     let counts = meta.headers.iter().map(|header| header.chunk_count as u64);
     let chunks = counts.clone().fold(0, u64::saturating_add);
@@ -35,12 +42,16 @@ pub(super) fn blocks<'a>(bytes: &'a [u8], table: u64, meta: &MetaData, part: &Pa
     }
     let before = counts.take(part.index).sum::<u64>() as usize;
     let offsets = &tables.as_chunks().0[before..before + part.header.chunk_count];
-    let mut blocks: Vec<Option<Block>> = std::iter::repeat_with(|| None).take(grid.count() as usize).collect();
+    let mut blocks: Vec<Option<Block>> = std::iter::repeat_with(|| None)
+        .take(grid.count() as usize)
+        .collect();
     for offset in offsets {
         let offset = u64::from_le_bytes(*offset);
         let at = |problem: String| wrong(format!("the chunk at byte {offset} {problem}"), WHOLE);
         let chunk = RawChunk::read(bytes, offset, meta, part).map_err(at)?;
-        let Some(place) = grid.place(&chunk).map_err(at)? else { continue };
+        let Some(place) = grid.place(&chunk).map_err(at)? else {
+            continue;
+        };
         let block = grid.block(place, chunk.compressed);
         block.check_size(part).map_err(at)?;
         if blocks[place as usize].replace(block).is_some() {
@@ -64,28 +75,47 @@ enum RawPosition {
 }
 
 impl<'a> RawChunk<'a> {
-    fn read(bytes: &'a [u8], offset: u64, meta: &MetaData, part: &Part) -> std::result::Result<RawChunk<'a>, String> {
+    fn read(
+        bytes: &'a [u8],
+        offset: u64,
+        meta: &MetaData,
+        part: &Part,
+    ) -> std::result::Result<RawChunk<'a>, String> {
         let outside = || format!("lies outside of the file, which has {} bytes", bytes.len());
-        let start = usize::try_from(offset).ok().and_then(|offset| bytes.get(offset..)).ok_or_else(outside)?;
+        let start = usize::try_from(offset)
+            .ok()
+            .and_then(|offset| bytes.get(offset..))
+            .ok_or_else(outside)?;
         let mut rest = Integers(start);
         if meta.requirements.is_multilayer() {
             let index = rest.next().ok_or_else(outside)?;
             if usize::try_from(index) != Ok(part.index) {
-                return Err(format!("is of part {index}, and is listed in the table of part {}", part.index));
+                return Err(format!(
+                    "is of part {index}, and is listed in the table of part {}",
+                    part.index
+                ));
             }
         }
         let position = match part.header.blocks {
             BlockDescription::ScanLines => RawPosition::Row(rest.next().ok_or_else(outside)?),
             BlockDescription::Tiles(_) => {
                 let numbers = [rest.next(), rest.next(), rest.next(), rest.next()];
-                let [Some(x), Some(y), Some(level_x), Some(level_y)] = numbers else { return Err(outside()) };
+                let [Some(x), Some(y), Some(level_x), Some(level_y)] = numbers else {
+                    return Err(outside());
+                };
                 RawPosition::Tile([x, y, level_x, level_y])
             }
         };
         let size = rest.next().ok_or_else(outside)?;
-        let compressed = usize::try_from(size).ok().and_then(|size| rest.0.get(..size));
-        let compressed = compressed.ok_or_else(|| format!("has {size} bytes, of which {} are there", rest.0.len()))?;
-        Ok(RawChunk { position, compressed })
+        let compressed = usize::try_from(size)
+            .ok()
+            .and_then(|size| rest.0.get(..size));
+        let compressed = compressed
+            .ok_or_else(|| format!("has {size} bytes, of which {} are there", rest.0.len()))?;
+        Ok(RawChunk {
+            position,
+            compressed,
+        })
     }
 }
 
@@ -114,7 +144,8 @@ impl Grid {
         let (width, height) = (part.window.width(), part.window.height());
         let Vec2(block_width, block_height) = part.header.max_block_pixel_size();
         // Blocks that are larger than the image are as good as some of its size.
-        let within = |size: usize, side: u32| u32::try_from(size).unwrap_or(u32::MAX).clamp(1, side);
+        let within =
+            |size: usize, side: u32| u32::try_from(size).unwrap_or(u32::MAX).clamp(1, side);
         Grid {
             width,
             height,
@@ -141,7 +172,9 @@ impl Grid {
         let (column, row) = match chunk.position {
             RawPosition::Row(y) => {
                 let row = u32::try_from(i64::from(y) - i64::from(self.first_row)).ok();
-                let block = row.filter(|row| row.is_multiple_of(self.block_height)).map(|row| row / self.block_height);
+                let block = row
+                    .filter(|row| row.is_multiple_of(self.block_height))
+                    .map(|row| row / self.block_height);
                 (
                     0,
                     block
@@ -149,21 +182,39 @@ impl Grid {
                         .ok_or_else(|| format!("begins with row {y}, as none does"))?,
                 )
             }
-            RawPosition::Tile([_, _, level_x, level_y]) if (level_x, level_y) != (0, 0) => return Ok(None),
+            RawPosition::Tile([_, _, level_x, level_y]) if (level_x, level_y) != (0, 0) => {
+                return Ok(None);
+            }
             RawPosition::Tile([x, y, ..]) => {
                 let place = u32::try_from(x).ok().zip(u32::try_from(y).ok());
                 let within = place.filter(|(x, y)| *x < self.columns() && *y < self.rows());
-                within.ok_or_else(|| format!("is tile ({x}, {y}) of {} x {}", self.columns(), self.rows()))?
+                within.ok_or_else(|| {
+                    format!("is tile ({x}, {y}) of {} x {}", self.columns(), self.rows())
+                })?
             }
         };
-        Ok(Some(u64::from(row) * u64::from(self.columns()) + u64::from(column)))
+        Ok(Some(
+            u64::from(row) * u64::from(self.columns()) + u64::from(column),
+        ))
     }
 
     fn block<'a>(&self, place: u64, compressed: &'a [u8]) -> Block<'a> {
         let columns = u64::from(self.columns());
-        let (x, y) = ((place % columns) as u32 * self.block_width, (place / columns) as u32 * self.block_height);
-        let (width, height) = (self.block_width.min(self.width - x), self.block_height.min(self.height - y));
-        Block { x, y, width, height, compressed }
+        let (x, y) = (
+            (place % columns) as u32 * self.block_width,
+            (place / columns) as u32 * self.block_height,
+        );
+        let (width, height) = (
+            self.block_width.min(self.width - x),
+            self.block_height.min(self.height - y),
+        );
+        Block {
+            x,
+            y,
+            width,
+            height,
+            compressed,
+        }
     }
 }
 
@@ -178,7 +229,9 @@ impl Block<'_> {
         let (bytes, size) = (self.compressed.len() as u64, self.size(part));
         if bytes > size || bytes.saturating_mul(MOST_TIMES) < size {
             let (width, height) = (self.width, self.height);
-            return Err(format!("has {bytes} bytes for {width} x {height} pixels, which are {size} bytes"));
+            return Err(format!(
+                "has {bytes} bytes for {width} x {height} pixels, which are {size} bytes"
+            ));
         }
         Ok(())
     }
@@ -189,21 +242,36 @@ impl Block<'_> {
         let compressed_block = match part.header.blocks {
             BlockDescription::ScanLines => {
                 let y_coordinate = part.header.own_attributes.layer_position.y() + self.y as i32;
-                CompressedBlock::ScanLine(CompressedScanLineBlock { y_coordinate, compressed_pixels_le })
+                CompressedBlock::ScanLine(CompressedScanLineBlock {
+                    y_coordinate,
+                    compressed_pixels_le,
+                })
             }
             BlockDescription::Tiles(tiles) => {
                 let Vec2(width, height) = tiles.tile_size;
                 let tile_index = Vec2(self.x as usize / width, self.y as usize / height);
-                let coordinates = TileCoordinates { tile_index, level_index: Vec2(0, 0) };
-                CompressedBlock::Tile(CompressedTileBlock { coordinates, compressed_pixels_le })
+                let coordinates = TileCoordinates {
+                    tile_index,
+                    level_index: Vec2(0, 0),
+                };
+                CompressedBlock::Tile(CompressedTileBlock {
+                    coordinates,
+                    compressed_pixels_le,
+                })
             }
         };
-        let chunk = Chunk { layer_index: part.index, compressed_block };
-        let block =
-            UncompressedBlock::decompress_chunk(chunk, meta, false).map_err(|error| damaged("pixels", &error))?;
+        let chunk = Chunk {
+            layer_index: part.index,
+            compressed_block,
+        };
+        let block = UncompressedBlock::decompress_chunk(chunk, meta, false)
+            .map_err(|error| damaged("pixels", &error))?;
         match block.data.len() as u64 == self.size(part) {
             true => Ok(block.data),
-            false => Err(wrong("a chunk does not hold as many samples as it has pixels", WHOLE)),
+            false => Err(wrong(
+                "a chunk does not hold as many samples as it has pixels",
+                WHOLE,
+            )),
         }
     }
 }

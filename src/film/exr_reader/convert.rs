@@ -13,22 +13,31 @@ pub(super) struct Wrong {
 }
 
 /// Puts samples of one type, in the machine's order of bytes, into the channel from place `start` on.
-pub(super) fn put(from: SampleType, bytes: &[u8], samples: &mut Samples, start: usize) -> Result<(), Wrong> {
+pub(super) fn put(
+    from: SampleType,
+    bytes: &[u8],
+    samples: &mut Samples,
+    start: usize,
+) -> Result<(), Wrong> {
     match (samples, from) {
-        (Samples::F32(to), SampleType::F32) => convert(bytes, &mut to[start..], |bytes| Ok(f32::from_ne_bytes(bytes))),
-        (Samples::F32(to), SampleType::F16) => {
-            convert(bytes, &mut to[start..], |bytes| Ok(f16::from_ne_bytes(bytes).to_f32()))
-        }
-        (Samples::F32(to), SampleType::U32) => {
-            convert(bytes, &mut to[start..], |bytes| measure(u32::from_ne_bytes(bytes)))
-        }
-        (Samples::U32(to), SampleType::U32) => convert(bytes, &mut to[start..], |bytes| Ok(u32::from_ne_bytes(bytes))),
-        (Samples::U32(to), SampleType::F32) => {
-            convert(bytes, &mut to[start..], |bytes| number(f32::from_ne_bytes(bytes)))
-        }
-        (Samples::U32(to), SampleType::F16) => {
-            convert(bytes, &mut to[start..], |bytes| number(f16::from_ne_bytes(bytes).to_f32()))
-        }
+        (Samples::F32(to), SampleType::F32) => convert(bytes, &mut to[start..], |bytes| {
+            Ok(f32::from_ne_bytes(bytes))
+        }),
+        (Samples::F32(to), SampleType::F16) => convert(bytes, &mut to[start..], |bytes| {
+            Ok(f16::from_ne_bytes(bytes).to_f32())
+        }),
+        (Samples::F32(to), SampleType::U32) => convert(bytes, &mut to[start..], |bytes| {
+            measure(u32::from_ne_bytes(bytes))
+        }),
+        (Samples::U32(to), SampleType::U32) => convert(bytes, &mut to[start..], |bytes| {
+            Ok(u32::from_ne_bytes(bytes))
+        }),
+        (Samples::U32(to), SampleType::F32) => convert(bytes, &mut to[start..], |bytes| {
+            number(f32::from_ne_bytes(bytes))
+        }),
+        (Samples::U32(to), SampleType::F16) => convert(bytes, &mut to[start..], |bytes| {
+            number(f16::from_ne_bytes(bytes).to_f32())
+        }),
     }
 }
 
@@ -41,7 +50,11 @@ fn convert<const N: usize, T>(
     one: impl Fn([u8; N]) -> Result<T, Unfit>,
 ) -> Result<(), Wrong> {
     for (place, (bytes, to)) in bytes.as_chunks().0.iter().zip(to).enumerate() {
-        *to = one(*bytes).map_err(|(value, expected)| Wrong { place, value, expected })?;
+        *to = one(*bytes).map_err(|(value, expected)| Wrong {
+            place,
+            value,
+            expected,
+        })?;
     }
     Ok(())
 }
@@ -50,12 +63,20 @@ fn number(value: f32) -> Result<u32, Unfit> {
     // A cast takes NaN to 0 and what is out of range to an end of it.
     let number = value as u32;
     let is_same = number as f32 == value && value < u32::MAX as f32;
-    if is_same { Ok(number) } else { Err((value.to_string(), "a whole number from 0 to 4294967295")) }
+    if is_same {
+        Ok(number)
+    } else {
+        Err((value.to_string(), "a whole number from 0 to 4294967295"))
+    }
 }
 
 fn measure(number: u32) -> Result<f32, Unfit> {
     let value = number as f32;
     // 2^32, which is no u32, is what the largest ones are rounded to.
     let is_same = value < u32::MAX as f32 && value as u32 == number;
-    if is_same { Ok(value) } else { Err((number.to_string(), "a number that an f32 can hold")) }
+    if is_same {
+        Ok(value)
+    } else {
+        Err((number.to_string(), "a number that an f32 can hold"))
+    }
 }

@@ -10,10 +10,18 @@ use std::io::{self, Read, Seek, SeekFrom};
 ///
 /// # Errors
 /// Reading; a file that ends too early is no error.
-pub(super) fn has_end(file: &mut (impl Read + Seek), start: u64, meta: &MetaData) -> io::Result<bool> {
+pub(super) fn has_end(
+    file: &mut (impl Read + Seek),
+    start: u64,
+    meta: &MetaData,
+) -> io::Result<bool> {
     const SIZE: u64 = size_of::<i32>() as u64;
     let length = file.seek(SeekFrom::End(0))?;
-    let chunks = meta.headers.iter().map(|header| header.chunk_count as u64).fold(0, u64::saturating_add);
+    let chunks = meta
+        .headers
+        .iter()
+        .map(|header| header.chunk_count as u64)
+        .fold(0, u64::saturating_add);
     let first = start.saturating_add(chunks.saturating_mul(size_of::<u64>() as u64));
     let is_multilayer = meta.requirements.is_multilayer();
     file.seek(SeekFrom::Start(start))?;
@@ -40,7 +48,9 @@ pub(super) fn has_end(file: &mut (impl Read + Seek), start: u64, meta: &MetaData
         }
         file.seek(SeekFrom::Start(offset + before))?;
         // No chunk is empty: zeros are what is left of a file that lost its end.
-        let Ok(size @ 1..) = u64::try_from(i32::from_le_bytes(read_array(file)?)) else { return Ok(false) };
+        let Ok(size @ 1..) = u64::try_from(i32::from_le_bytes(read_array(file)?)) else {
+            return Ok(false);
+        };
         if file.stream_position()? + size > length {
             return Ok(false);
         }

@@ -65,8 +65,19 @@ pub fn read_outline(path: &Path) -> Result<Outline> {
     file.fill_buf().map_err(reading)?;
     let mut outline = || {
         let meta = meta_data(&mut file)?;
-        let Part { film, window, channels, metadata, .. } = Part::find(&meta)?;
-        Ok(Outline { film, window, channels: channels.iter().map(|channel| channel.name).collect(), metadata })
+        let Part {
+            film,
+            window,
+            channels,
+            metadata,
+            ..
+        } = Part::find(&meta)?;
+        Ok(Outline {
+            film,
+            window,
+            channels: channels.iter().map(|channel| channel.name).collect(),
+            metadata,
+        })
     };
     outline().map_err(|error: Error| error.or_at(|| SourceLocation::file(path)))
 }
@@ -106,7 +117,8 @@ pub fn decode(path: &Path, bytes: &[u8]) -> Result<Image> {
 
 /// As [`decode`], where pixels may take so many times the usual memory.
 pub(super) fn decode_within(path: &Path, bytes: &[u8], factor: BudgetFactor) -> Result<Image> {
-    let decoded = decoded(bytes, factor).map_err(|error| error.or_at(|| SourceLocation::file(path)));
+    let decoded =
+        decoded(bytes, factor).map_err(|error| error.or_at(|| SourceLocation::file(path)));
     decoded.map(|(image, _)| image)
 }
 
@@ -122,25 +134,38 @@ fn decoded(bytes: &[u8], factor: BudgetFactor) -> Result<(Image, Metadata)> {
 
 /// Refuses pixels that take far more memory than the file: zeros shrink a thousand times.
 fn check_size(part: &Part, size: usize, factor: BudgetFactor) -> Result<()> {
-    let bytes_each = part.bytes_per_pixel().max(part.channels.len() * size_of::<f32>());
+    let bytes_each = part
+        .bytes_per_pixel()
+        .max(part.channels.len() * size_of::<f32>());
     let bytes = part.window.area().saturating_mul(bytes_each as u64);
     if bytes <= factor.image_limit(size as u64) {
         return Ok(());
     }
     let (width, height) = (part.window.width(), part.window.height());
-    let found = format!("{size} bytes of OpenEXR hold {width} x {height} pixels, which take {bytes} bytes of memory");
-    Err(Error::bad_input(Diagnostic::new(found).note(factor.advice())))
+    let found = format!(
+        "{size} bytes of OpenEXR hold {width} x {height} pixels, which take {bytes} bytes of memory"
+    );
+    Err(Error::bad_input(
+        Diagnostic::new(found).note(factor.advice()),
+    ))
 }
 
 /// The headers of a file, checked; what follows them is not read.
 fn meta_data(file: &mut impl BufRead) -> Result<MetaData> {
     if !file.fill_buf().is_ok_and(recognises) {
-        return Err(wrong("this is no OpenEXR file", "its first bytes to be 76 2f 31 01"));
+        return Err(wrong(
+            "this is no OpenEXR file",
+            "its first bytes to be 76 2f 31 01",
+        ));
     }
-    let meta = MetaData::read_from_buffered(file, false).map_err(|error| damaged("header", &error))?;
+    let meta =
+        MetaData::read_from_buffered(file, false).map_err(|error| damaged("header", &error))?;
     if meta.headers.iter().any(|header| header.deep) {
         let expected = "one sample a pixel: flatten the image first";
-        return Err(wrong("the file holds deep data, several samples a pixel", expected));
+        return Err(wrong(
+            "the file holds deep data, several samples a pixel",
+            expected,
+        ));
     }
     MetaData::validate(&meta.headers, false).map_err(|error| damaged("header", &error))?;
     Ok(meta)
@@ -151,20 +176,49 @@ fn fill(meta: &MetaData, part: &Part, blocks: &[Block]) -> Result<Image> {
     let area = part.window.area() as usize;
     let bytes = area.saturating_mul(part.channels.len() * size_of::<f32>());
     // Zeroed memory costs nothing before it is used, but is refused by ending the program: so ask politely first.
-    memory::check(bytes as u64, || "this image is too large for this machine's memory".to_owned())?;
-    Vec::<u8>::new()
-        .try_reserve_exact(bytes)
-        .map_err(|_| wrong(format!("the image takes {bytes} bytes of memory"), "as many to be had"))?;
-    let zeros = |is_integer: bool| if is_integer { Samples::U32(vec![0; area]) } else { Samples::F32(vec![0.0; area]) };
-    let mut samples: Vec<Samples> = part.channels.iter().map(|channel| zeros(channel.name.is_integer())).collect();
+    memory::check(bytes as u64, || {
+        "this image is too large for this machine's memory".to_owned()
+    })?;
+    Vec::<u8>::new().try_reserve_exact(bytes).map_err(|_| {
+        wrong(
+            format!("the image takes {bytes} bytes of memory"),
+            "as many to be had",
+        )
+    })?;
+    let zeros = |is_integer: bool| {
+        if is_integer {
+            Samples::U32(vec![0; area])
+        } else {
+            Samples::F32(vec![0.0; area])
+        }
+    };
+    let mut samples: Vec<Samples> = part
+        .channels
+        .iter()
+        .map(|channel| zeros(channel.name.is_integer()))
+        .collect();
     for batch in blocks.chunks(BATCH) {
-        let decompressed: Vec<_> = batch.par_iter().map(|block| block.decompress(meta, part)).collect();
+        let decompressed: Vec<_> = batch
+            .par_iter()
+            .map(|block| block.decompress(meta, part))
+            .collect();
         for (block, pixels) in batch.iter().zip(decompressed) {
             put(part, block, &pixels?, &mut samples)?;
         }
     }
-    let named = part.channels.iter().zip(samples).map(|(channel, samples)| Channel { name: channel.name, samples });
-    Ok(Image { display_window: part.film, data_window: part.window, channels: named.collect() })
+    let named = part
+        .channels
+        .iter()
+        .zip(samples)
+        .map(|(channel, samples)| Channel {
+            name: channel.name,
+            samples,
+        });
+    Ok(Image {
+        display_window: part.film,
+        data_window: part.window,
+        channels: named.collect(),
+    })
 }
 
 /// Puts a decompressed block into its place in the samples of each channel.
@@ -176,8 +230,15 @@ fn put(part: &Part, block: &Block, pixels: &[u8], samples: &mut [Samples]) -> Re
         for (channel, samples) in part.channels.iter().zip(&mut *samples) {
             let bytes = &row[channel.offset * width..][..channel.bytes() * width];
             convert::put(channel.sample_type, bytes, samples, start).map_err(|unfit| {
-                let (x, y) = (part.window.x0 + block.x + unfit.place as u32, part.window.y0 + y);
-                let found = format!("channel {} holds {} in pixel ({x}, {y})", channel.name.as_str(), unfit.value);
+                let (x, y) = (
+                    part.window.x0 + block.x + unfit.place as u32,
+                    part.window.y0 + y,
+                );
+                let found = format!(
+                    "channel {} holds {} in pixel ({x}, {y})",
+                    channel.name.as_str(),
+                    unfit.value
+                );
                 wrong(found, unfit.expected)
             })?;
         }
@@ -191,7 +252,11 @@ fn wrong(found: impl Into<String>, expected: impl std::fmt::Display) -> Error {
 }
 
 fn damaged(what: &str, error: &exr::error::Error) -> Error {
-    wrong(format!("the {what} of this OpenEXR file cannot be read: {error}"), WHOLE)
+    wrong(
+        format!("the {what} of this OpenEXR file cannot be read: {error}"),
+        WHOLE,
+    )
 }
 
-const WHOLE: &str = "a whole file: it may be damaged, cut off, or the program that wrote it was ended";
+const WHOLE: &str =
+    "a whole file: it may be damaged, cut off, or the program that wrote it was ended";

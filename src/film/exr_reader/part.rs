@@ -47,16 +47,33 @@ impl<'a> Part<'a> {
             let channels = known_channels(header, &metadata);
             (index, header, metadata, channels)
         });
-        let Some((index, header, metadata, channels)) = parts.find(|(.., channels)| !channels.is_empty()) else {
+        let Some((index, header, metadata, channels)) =
+            parts.find(|(.., channels)| !channels.is_empty())
+        else {
             return Err(unknown_channels(meta));
         };
-        if let Some(channel) = header.channels.list.iter().find(|channel| channel.sampling != Vec2(1, 1)) {
-            let found = format!("channel {} does not have a sample for every pixel", channel.name);
+        if let Some(channel) = header
+            .channels
+            .list
+            .iter()
+            .find(|channel| channel.sampling != Vec2(1, 1))
+        {
+            let found = format!(
+                "channel {} does not have a sample for every pixel",
+                channel.name
+            );
             return Err(wrong(found, "channels that are not subsampled"));
         }
         refuse_compression(header.compression)?;
         let (film, window) = windows(header)?;
-        Ok(Part { index, header, metadata, film, window, channels })
+        Ok(Part {
+            index,
+            header,
+            metadata,
+            film,
+            window,
+            channels,
+        })
     }
 
     /// Bytes of all channels of a pixel.
@@ -72,25 +89,43 @@ fn metadata(header: &Header) -> Metadata {
         Some(AttributeValue::Text(text)) => String::from_utf8_lossy(text.as_slice()).into_owned(),
         _ => String::new(),
     };
-    let matrices = attributes.world_to_camera.zip(attributes.world_to_normalized_device);
+    let matrices = attributes
+        .world_to_camera
+        .zip(attributes.world_to_normalized_device);
     let camera = matrices.map(|(world_to_camera, world_to_ndc)| CameraAttributes {
         pixel_aspect: header.shared_attributes.pixel_aspect,
-        screen_window_center: [attributes.screen_window_center.x(), attributes.screen_window_center.y()],
+        screen_window_center: [
+            attributes.screen_window_center.x(),
+            attributes.screen_window_center.y(),
+        ],
         screen_window_width: attributes.screen_window_width,
         world_to_camera,
         world_to_ndc,
     });
-    Metadata { camera, ..Metadata::of_json(json) }
+    Metadata {
+        camera,
+        ..Metadata::of_json(json)
+    }
 }
 
 fn known_channels(header: &Header, metadata: &Metadata) -> Vec<FileChannel> {
     let mut channels: Vec<FileChannel> = Vec::new();
     let mut offset = 0;
-    for ChannelDescription { name, sample_type, .. } in &header.channels.list {
-        let known =
-            ChannelName::ALL.into_iter().find(|known| name.as_slice() == metadata.name_in_file(*known).as_bytes());
-        if let Some(name) = known.filter(|known| channels.iter().all(|channel| channel.name != *known)) {
-            channels.push(FileChannel { name, sample_type: *sample_type, offset });
+    for ChannelDescription {
+        name, sample_type, ..
+    } in &header.channels.list
+    {
+        let known = ChannelName::ALL
+            .into_iter()
+            .find(|known| name.as_slice() == metadata.name_in_file(*known).as_bytes());
+        if let Some(name) =
+            known.filter(|known| channels.iter().all(|channel| channel.name != *known))
+        {
+            channels.push(FileChannel {
+                name,
+                sample_type: *sample_type,
+                offset,
+            });
         }
         offset += sample_type.bytes_per_sample();
     }
@@ -105,7 +140,10 @@ fn refuse_compression(compression: Compression) -> Result<()> {
         Uncompressed | RLE | ZIP1 | ZIP16 | PIZ | PXR24 => Ok(()),
         other => {
             let expected = "none, RLE, ZIP, ZIPS, PIZ or PXR24: write it with one of these";
-            Err(wrong(format!("the image is compressed by {other}, which is not read"), expected))
+            Err(wrong(
+                format!("the image is compressed by {other}, which is not read"),
+                expected,
+            ))
         }
     }
 }
@@ -114,38 +152,70 @@ fn refuse_compression(compression: Compression) -> Result<()> {
 const MAX_NAMES: usize = 10;
 
 fn unknown_channels(meta: &MetaData) -> Error {
-    let mut names =
-        meta.headers.iter().flat_map(|header| &header.channels.list).map(|channel| channel.name.to_string());
+    let mut names = meta
+        .headers
+        .iter()
+        .flat_map(|header| &header.channels.list)
+        .map(|channel| channel.name.to_string());
     let mut found: Vec<String> = names.by_ref().take(MAX_NAMES).collect();
     found.extend(names.next().map(|_| "...".to_owned()));
     let known = ChannelName::ALL.map(ChannelName::as_str).join(", ");
-    let found = format!("no channel of this image is one of feimos's; it has {}", found.join(", "));
+    let found = format!(
+        "no channel of this image is one of feimos's; it has {}",
+        found.join(", ")
+    );
     wrong(found, format!("one or more of {known}"))
 }
 
 /// Width and height of the film, and the pixels of it that the part has.
 fn windows(header: &Header) -> Result<((u32, u32), PixelBounds)> {
-    let (data, display) = (header.data_window(), header.shared_attributes.display_window);
+    let (data, display) = (
+        header.data_window(),
+        header.shared_attributes.display_window,
+    );
     let shifted = |at: i32, origin: i32| u32::try_from(i64::from(at) - i64::from(origin)).ok();
     let x0 = shifted(data.position.x(), display.position.x());
     let y0 = shifted(data.position.y(), display.position.y());
-    let [width, height] = [data.size.x(), data.size.y()].map(|side| u32::try_from(side).unwrap_or(u32::MAX));
-    let film = [display.size.x(), display.size.y()].map(|side| u32::try_from(side).unwrap_or(u32::MAX));
-    let window = x0
-        .zip(y0)
-        .and_then(|(x0, y0)| Some(PixelBounds { x0, x1: x0.checked_add(width)?, y0, y1: y0.checked_add(height)? }));
-    let within = window.filter(|window| PixelBounds::of_film(film[0], film[1]).contains_bounds(window));
+    let [width, height] =
+        [data.size.x(), data.size.y()].map(|side| u32::try_from(side).unwrap_or(u32::MAX));
+    let film =
+        [display.size.x(), display.size.y()].map(|side| u32::try_from(side).unwrap_or(u32::MAX));
+    let window = x0.zip(y0).and_then(|(x0, y0)| {
+        Some(PixelBounds {
+            x0,
+            x1: x0.checked_add(width)?,
+            y0,
+            y1: y0.checked_add(height)?,
+        })
+    });
+    let within =
+        window.filter(|window| PixelBounds::of_film(film[0], film[1]).contains_bounds(window));
     let Some(window) = within else {
-        let found =
-            format!("the data window, {}, reaches out of the display window, {}", words(&data), words(&display));
-        return Err(wrong(found, "a part of the display window: crop the image to it first"));
+        let found = format!(
+            "the data window, {}, reaches out of the display window, {}",
+            words(&data),
+            words(&display)
+        );
+        return Err(wrong(
+            found,
+            "a part of the display window: crop the image to it first",
+        ));
     };
     if window.is_empty() {
-        return Err(wrong(format!("the image is {width} x {height} pixels"), "a pixel at least"));
+        return Err(wrong(
+            format!("the image is {width} x {height} pixels"),
+            "a pixel at least",
+        ));
     }
     if film[0].max(film[1]) > PixelBounds::MAX_SIDE || window.area() > MAX_AREA {
-        let found = format!("the image is {width} x {height} pixels, of a film of {} x {}", film[0], film[1]);
-        let note = format!("{MAX_AREA} pixels at most, of a film with sides of {} at most", PixelBounds::MAX_SIDE);
+        let found = format!(
+            "the image is {width} x {height} pixels, of a film of {} x {}",
+            film[0], film[1]
+        );
+        let note = format!(
+            "{MAX_AREA} pixels at most, of a film with sides of {} at most",
+            PixelBounds::MAX_SIDE
+        );
         return Err(wrong(found, note));
     }
     Ok(((film[0], film[1]), window))
@@ -153,5 +223,11 @@ fn windows(header: &Header) -> Result<((u32, u32), PixelBounds)> {
 
 fn words(bounds: &IntegerBounds) -> String {
     let (first, last) = (bounds.position, bounds.max());
-    format!("x {} to {} and y {} to {}", first.x(), last.x(), first.y(), last.y())
+    format!(
+        "x {} to {} and y {} to {}",
+        first.x(),
+        last.x(),
+        first.y(),
+        last.y()
+    )
 }

@@ -13,7 +13,10 @@ use std::io;
 /// An image without the channel `cost`.
 pub fn cost(image: &Image, colors: ColorMap, range: CostRange) -> io::Result<Vec<Rgb>> {
     let color = colors.steps();
-    Ok(numbers(image, ChannelName::Cost)?.par_iter().map(|cost| color(range.position(*cost))).collect())
+    Ok(numbers(image, ChannelName::Cost)?
+        .par_iter()
+        .map(|cost| color(range.position(*cost)))
+        .collect())
 }
 
 #[cfg(test)]
@@ -27,11 +30,27 @@ mod tests {
         let image = Image {
             display_window: (5, 1),
             data_window: PixelBounds::of_film(5, 1),
-            channels: vec![Channel { name: ChannelName::Cost, samples: Samples::U32(costs) }],
+            channels: vec![Channel {
+                name: ChannelName::Cost,
+                samples: Samples::U32(costs),
+            }],
         };
-        let row = |colors| cost(&image, colors, CostRange { low: 10.0, high: 30.0 }).unwrap();
+        let row = |colors| {
+            cost(
+                &image,
+                colors,
+                CostRange {
+                    low: 10.0,
+                    high: 30.0,
+                },
+            )
+            .unwrap()
+        };
         let gray = row(ColorMap::Gray);
-        assert_eq!([gray[0], gray[1], gray[3], gray[4]], [[0; 3], [0; 3], [255; 3], [255; 3]]);
+        assert_eq!(
+            [gray[0], gray[1], gray[3], gray[4]],
+            [[0; 3], [0; 3], [255; 3], [255; 3]]
+        );
         assert!((127..=128).contains(&gray[2][0]));
         assert_eq!(row(ColorMap::Viridis)[..2], [[68, 1, 84]; 2]);
         assert_eq!(row(ColorMap::Viridis)[3..], [[253, 231, 37]; 2]);

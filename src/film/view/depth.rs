@@ -15,9 +15,18 @@ pub const MISS_IN_DEPTH: Rgb = [184, 200, 224];
 /// # Errors
 /// An image without the channels `Z` and `A`.
 pub fn depth(image: &Image, colors: ColorMap, range: DepthRange) -> io::Result<Vec<Rgb>> {
-    let (z, a) = (measures(image, ChannelName::Z)?, measures(image, ChannelName::A)?);
+    let (z, a) = (
+        measures(image, ChannelName::Z)?,
+        measures(image, ChannelName::A)?,
+    );
     let color = colors.steps();
-    let pixel = |(z, a): (&f32, &f32)| if *a != 0.0 { color(range.position(*z)) } else { MISS_IN_DEPTH };
+    let pixel = |(z, a): (&f32, &f32)| {
+        if *a != 0.0 {
+            color(range.position(*z))
+        } else {
+            MISS_IN_DEPTH
+        }
+    };
     Ok(z.par_iter().zip(a).map(pixel).collect())
 }
 
@@ -29,10 +38,17 @@ mod tests {
     use clap::ValueEnum;
 
     fn depths(z: &[f32], a: &[f32], colors: ColorMap, range: DepthRange) -> Vec<Rgb> {
-        let channel = |name, values: &[f32]| Channel { name, samples: Samples::F32(values.to_vec()) };
+        let channel = |name, values: &[f32]| Channel {
+            name,
+            samples: Samples::F32(values.to_vec()),
+        };
         let size = (z.len() as u32, 1);
         let channels = vec![channel(ChannelName::A, a), channel(ChannelName::Z, z)];
-        let image = Image { display_window: size, data_window: PixelBounds::of_film(size.0, 1), channels };
+        let image = Image {
+            display_window: size,
+            data_window: PixelBounds::of_film(size.0, 1),
+            channels,
+        };
         depth(&image, colors, range).unwrap()
     }
 
@@ -40,7 +56,15 @@ mod tests {
     fn depth_goes_from_near_to_far_and_what_misses_hold_does_not_show() {
         let z = [1.0, 3.0, f32::INFINITY, 0.0, f32::NAN, 2.0, 2.0];
         let a = [1.0, 1.0, 1.0, 1.0, 0.0, 0.0, 1.0];
-        let pixels = depths(&z, &a, ColorMap::Gray, DepthRange { near: 1.0, far: 3.0 });
+        let pixels = depths(
+            &z,
+            &a,
+            ColorMap::Gray,
+            DepthRange {
+                near: 1.0,
+                far: 3.0,
+            },
+        );
         let gray = |value| [value; 3];
         assert_eq!(pixels[..4], [gray(255), gray(0), gray(0), gray(255)]);
         assert_eq!(pixels[4..6], [MISS_IN_DEPTH; 2]);
@@ -50,26 +74,61 @@ mod tests {
     #[test]
     fn depths_beyond_the_range_get_the_colours_of_its_ends() {
         for colors in ColorMap::value_variants() {
-            let (table, range) = (colors.table(), DepthRange { near: 1.0, far: 3.0 });
-            let z = [f32::NEG_INFINITY, -7.0, 1.0, 3.0, 3.1, f32::MAX, f32::INFINITY];
+            let (table, range) = (
+                colors.table(),
+                DepthRange {
+                    near: 1.0,
+                    far: 3.0,
+                },
+            );
+            let z = [
+                f32::NEG_INFINITY,
+                -7.0,
+                1.0,
+                3.0,
+                3.1,
+                f32::MAX,
+                f32::INFINITY,
+            ];
             let (near, far) = (table[0], table[TABLE_LENGTH - 1]);
-            assert_eq!(depths(&z, &[1.0; 7], *colors, range), [near, near, near, far, far, far, far], "{colors:?}");
+            assert_eq!(
+                depths(&z, &[1.0; 7], *colors, range),
+                [near, near, near, far, far, far, far],
+                "{colors:?}"
+            );
         }
     }
 
     #[test]
     fn one_depth_makes_one_colour() {
         for colors in ColorMap::value_variants() {
-            let pixels = depths(&[2.0, 2.0], &[1.0, 1.0], *colors, DepthRange { near: 2.0, far: 2.0 });
+            let pixels = depths(
+                &[2.0, 2.0],
+                &[1.0, 1.0],
+                *colors,
+                DepthRange {
+                    near: 2.0,
+                    far: 2.0,
+                },
+            );
             assert_eq!(pixels, [colors.table()[0]; 2]);
         }
     }
 
     #[test]
     fn no_map_passes_near_the_colour_of_a_miss() {
-        let distance = |a: &Rgb, b: &Rgb| (0..3).map(|i| (i32::from(a[i]) - i32::from(b[i])).pow(2)).sum::<i32>();
+        let distance = |a: &Rgb, b: &Rgb| {
+            (0..3)
+                .map(|i| (i32::from(a[i]) - i32::from(b[i])).pow(2))
+                .sum::<i32>()
+        };
         for colors in ColorMap::value_variants() {
-            let closest = colors.table().iter().map(|color| distance(color, &MISS_IN_DEPTH)).min().unwrap();
+            let closest = colors
+                .table()
+                .iter()
+                .map(|color| distance(color, &MISS_IN_DEPTH))
+                .min()
+                .unwrap();
             assert!(closest > 25 * 25, "{colors:?}: {closest}");
         }
     }

@@ -27,8 +27,15 @@ pub struct Unfit {
 
 impl fmt::Display for Unfit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Unfit { pixel: [x, y], depth, .. } = self;
-        write!(f, "the depth {depth} of pixel ({x}, {y}) does not fit into 16 bits")
+        let Unfit {
+            pixel: [x, y],
+            depth,
+            ..
+        } = self;
+        write!(
+            f,
+            "the depth {depth} of pixel ({x}, {y}) does not fit into 16 bits"
+        )
     }
 }
 
@@ -41,14 +48,34 @@ impl Depth16 {
     /// # Errors
     /// An image without the channels `Z` and `A`. Within, a depth that does not fit: none is cut off or wrapped round.
     pub fn of(&self, image: &Image) -> io::Result<Result<Vec<u16>, Unfit>> {
-        let (z, a) = (measures(image, ChannelName::Z)?, measures(image, ChannelName::A)?);
-        let number = |(z, a): (&f32, &f32)| if *a != 0.0 { self.number(*z) } else { Some(self.miss) };
+        let (z, a) = (
+            measures(image, ChannelName::Z)?,
+            measures(image, ChannelName::A)?,
+        );
+        let number = |(z, a): (&f32, &f32)| {
+            if *a != 0.0 {
+                self.number(*z)
+            } else {
+                Some(self.miss)
+            }
+        };
         let numbers: Option<Vec<u16>> = z.iter().zip(a).map(number).collect();
         let Some(numbers) = numbers else {
-            let place = z.iter().zip(a).position(|sample| number(sample).is_none()).unwrap_or(0);
+            let place = z
+                .iter()
+                .zip(a)
+                .position(|sample| number(sample).is_none())
+                .unwrap_or(0);
             let (window, width) = (image.data_window, image.data_window.width() as usize);
-            let pixel = [window.x0 + (place % width) as u32, window.y0 + (place / width) as u32];
-            return Ok(Err(Unfit { pixel, depth: z[place], fitting_scale: self.fitting_scale(z, a) }));
+            let pixel = [
+                window.x0 + (place % width) as u32,
+                window.y0 + (place / width) as u32,
+            ];
+            return Ok(Err(Unfit {
+                pixel,
+                depth: z[place],
+                fitting_scale: self.fitting_scale(z, a),
+            }));
         };
         Ok(Ok(numbers))
     }
@@ -64,12 +91,19 @@ impl Depth16 {
         let hits = || z.iter().zip(a).filter(|(_, a)| **a != 0.0).map(|(z, _)| *z);
         let far = f64::from(hits().fold(0.0, f32::max));
         let largest = (f64::from(u16::MAX) / far).log10().floor();
-        let scales = [1.0, 0.0, -1.0].map(|down| [5.0, 2.0, 1.0].map(|digit| digit * 10f64.powf(largest + down)));
+        let scales = [1.0, 0.0, -1.0]
+            .map(|down| [5.0, 2.0, 1.0].map(|digit| digit * 10f64.powf(largest + down)));
         let fits = |scale: &f64| {
-            let other = Depth16 { scale: *scale, ..*self };
+            let other = Depth16 {
+                scale: *scale,
+                ..*self
+            };
             hits().all(|z| other.number(z).is_some())
         };
-        scales.into_iter().flatten().find(|scale| scale.is_finite() && fits(scale))
+        scales
+            .into_iter()
+            .flatten()
+            .find(|scale| scale.is_finite() && fits(scale))
     }
 }
 
@@ -79,37 +113,85 @@ mod tests {
     use crate::film::{Channel, PixelBounds, Samples};
 
     fn numbers(depth16: Depth16, z: &[f32], a: &[f32]) -> Result<Vec<u16>, Unfit> {
-        let channel = |name, values: &[f32]| Channel { name, samples: Samples::F32(values.to_vec()) };
+        let channel = |name, values: &[f32]| Channel {
+            name,
+            samples: Samples::F32(values.to_vec()),
+        };
         let channels = vec![channel(ChannelName::A, a), channel(ChannelName::Z, z)];
-        let data_window = PixelBounds { x0: 5, x1: 5 + z.len() as u32, y0: 2, y1: 3 };
-        depth16.of(&Image { display_window: (20, 20), data_window, channels }).unwrap()
+        let data_window = PixelBounds {
+            x0: 5,
+            x1: 5 + z.len() as u32,
+            y0: 2,
+            y1: 3,
+        };
+        depth16
+            .of(&Image {
+                display_window: (20, 20),
+                data_window,
+                channels,
+            })
+            .unwrap()
     }
 
-    const PLAIN: Depth16 = Depth16 { scale: Depth16::SCALE, miss: 0 };
+    const PLAIN: Depth16 = Depth16 {
+        scale: Depth16::SCALE,
+        miss: 0,
+    };
 
     #[test]
     fn depths_are_rounded_to_steps_and_misses_are_0() {
         let z = [1.0, 0.0014, 0.0016, 65.535, f32::INFINITY];
-        assert_eq!(numbers(PLAIN, &z, &[1.0, 1.0, 1.0, 1.0, 0.0]), Ok(vec![1000, 1, 2, 65535, 0]));
-        let other = Depth16 { scale: 2.0, miss: 9 };
-        assert_eq!(numbers(other, &[0.1, 3.0, 7.0], &[1.0, 1.0, 0.0]), Ok(vec![0, 6, 9]));
+        assert_eq!(
+            numbers(PLAIN, &z, &[1.0, 1.0, 1.0, 1.0, 0.0]),
+            Ok(vec![1000, 1, 2, 65535, 0])
+        );
+        let other = Depth16 {
+            scale: 2.0,
+            miss: 9,
+        };
+        assert_eq!(
+            numbers(other, &[0.1, 3.0, 7.0], &[1.0, 1.0, 0.0]),
+            Ok(vec![0, 6, 9])
+        );
     }
 
     #[test]
     fn a_depth_that_does_not_fit_is_named_with_a_scale_that_does() {
         let unfit = numbers(PLAIN, &[1.0, 65.536, 3.0, 700.0], &[1.0; 4]).unwrap_err();
-        assert_eq!(unfit, Unfit { pixel: [6, 2], depth: 65.536, fitting_scale: Some(50.0) });
-        assert_eq!(unfit.to_string(), "the depth 65.536 of pixel (6, 2) does not fit into 16 bits");
+        assert_eq!(
+            unfit,
+            Unfit {
+                pixel: [6, 2],
+                depth: 65.536,
+                fitting_scale: Some(50.0)
+            }
+        );
+        assert_eq!(
+            unfit.to_string(),
+            "the depth 65.536 of pixel (6, 2) does not fit into 16 bits"
+        );
         let near = numbers(PLAIN, &[1.0, 0.0001], &[1.0; 2]).unwrap_err();
         assert_eq!((near.pixel, near.fitting_scale), ([6, 2], Some(50_000.0)));
-        let miss = numbers(Depth16 { miss: 1000, ..PLAIN }, &[1.0], &[1.0]).unwrap_err();
+        let miss = numbers(
+            Depth16 {
+                miss: 1000,
+                ..PLAIN
+            },
+            &[1.0],
+            &[1.0],
+        )
+        .unwrap_err();
         assert_eq!(miss.fitting_scale, Some(50_000.0));
     }
 
     #[test]
     fn where_no_scale_fits_none_is_named() {
         for z in [[1e-3, 1e4], [f32::INFINITY, 1.0], [-1.0, 1.0]] {
-            assert_eq!(numbers(PLAIN, &z, &[1.0; 2]).unwrap_err().fitting_scale, None, "{z:?}");
+            assert_eq!(
+                numbers(PLAIN, &z, &[1.0; 2]).unwrap_err().fitting_scale,
+                None,
+                "{z:?}"
+            );
         }
     }
 }

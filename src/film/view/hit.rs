@@ -17,7 +17,9 @@ pub const MISS: Rgb = [255, 255, 0];
 /// An image without the channel `A`.
 pub fn hit(image: &Image) -> io::Result<Vec<Rgb>> {
     let a = measures(image, ChannelName::A)?;
-    Ok(a.par_iter().map(|a| if *a != 0.0 { HIT } else { MISS }).collect())
+    Ok(a.par_iter()
+        .map(|a| if *a != 0.0 { HIT } else { MISS })
+        .collect())
 }
 
 #[cfg(test)]
@@ -27,9 +29,15 @@ mod tests {
 
     #[test]
     fn hits_are_red_and_misses_yellow() {
-        let channels =
-            vec![Channel { name: ChannelName::A, samples: Samples::F32(vec![1.0, 0.0, 0.0, 0.0, 1.0, 0.0]) }];
-        let image = Image { display_window: (3, 2), data_window: PixelBounds::of_film(3, 2), channels };
+        let channels = vec![Channel {
+            name: ChannelName::A,
+            samples: Samples::F32(vec![1.0, 0.0, 0.0, 0.0, 1.0, 0.0]),
+        }];
+        let image = Image {
+            display_window: (3, 2),
+            data_window: PixelBounds::of_film(3, 2),
+            channels,
+        };
         assert_eq!(hit(&image).unwrap(), [HIT, MISS, MISS, MISS, HIT, MISS]);
     }
 }

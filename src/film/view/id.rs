@@ -12,7 +12,10 @@ use std::io;
 /// # Errors
 /// An image without the channel `id`.
 pub fn id(image: &Image) -> io::Result<Vec<Rgb>> {
-    Ok(numbers(image, ChannelName::Id)?.par_iter().map(|number| color_of(*number)).collect())
+    Ok(numbers(image, ChannelName::Id)?
+        .par_iter()
+        .map(|number| color_of(*number))
+        .collect())
 }
 
 /// The golden ratio as a fraction of 2^32: its multiples spread evenly over a circle, however many there are.
@@ -41,12 +44,21 @@ mod tests {
 
     #[test]
     fn a_miss_is_black_and_nothing_else_is() {
-        let channels = vec![Channel { name: ChannelName::Id, samples: Samples::U32(vec![0, 1, 7, 1]) }];
-        let image = Image { display_window: (2, 2), data_window: PixelBounds::of_film(2, 2), channels };
+        let channels = vec![Channel {
+            name: ChannelName::Id,
+            samples: Samples::U32(vec![0, 1, 7, 1]),
+        }];
+        let image = Image {
+            display_window: (2, 2),
+            data_window: PixelBounds::of_film(2, 2),
+            channels,
+        };
         let colors = id(&image).unwrap();
         assert_eq!((colors[0], colors[1]), (NOTHING, colors[3]));
         assert!(colors[1] != colors[2]);
-        assert!((1..100_000).all(|number| color_of(number).iter().any(|component| *component >= 120)));
+        assert!(
+            (1..100_000).all(|number| color_of(number).iter().any(|component| *component >= 120))
+        );
     }
 
     #[test]
@@ -54,7 +66,10 @@ mod tests {
         let distance = |a: Rgb, b: Rgb| (0..3).map(|i| a[i].abs_diff(b[i])).max().unwrap();
         for number in 1..10_000 {
             for next in number + 1..number + 5 {
-                assert!(distance(color_of(number), color_of(next)) > 30, "{number} and {next}");
+                assert!(
+                    distance(color_of(number), color_of(next)) > 30,
+                    "{number} and {next}"
+                );
             }
         }
     }

@@ -57,7 +57,12 @@ impl View {
         match self {
             View::Depth | View::Depth16 => &[ChannelName::Z, ChannelName::A],
             View::Hit => &[ChannelName::A],
-            View::Normal => &[ChannelName::Nx, ChannelName::Ny, ChannelName::Nz, ChannelName::A],
+            View::Normal => &[
+                ChannelName::Nx,
+                ChannelName::Ny,
+                ChannelName::Nz,
+                ChannelName::A,
+            ],
             View::Id => &[ChannelName::Id],
             View::Cost => &[ChannelName::Cost],
         }
@@ -99,8 +104,15 @@ mod tests {
 
     #[test]
     fn a_missing_channel_is_an_error() {
-        let channels = vec![Channel { name: ChannelName::A, samples: Samples::F32(vec![1.0]) }];
-        let image = Image { display_window: (1, 1), data_window: PixelBounds::of_film(1, 1), channels };
+        let channels = vec![Channel {
+            name: ChannelName::A,
+            samples: Samples::F32(vec![1.0]),
+        }];
+        let image = Image {
+            display_window: (1, 1),
+            data_window: PixelBounds::of_film(1, 1),
+            channels,
+        };
         assert_eq!(hit(&image).unwrap(), [HIT]);
         assert_eq!(id(&image).unwrap_err().to_string(), "no channel id");
         assert_eq!(normal(&image).unwrap_err().to_string(), "no channel N.X");

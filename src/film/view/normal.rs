@@ -13,10 +13,18 @@ use std::io;
 /// An image without the channels of `N`, and `A`.
 pub fn normal(image: &Image) -> io::Result<Vec<Rgb>> {
     let channel = |name| measures(image, name);
-    let (x, y, z) = (channel(ChannelName::Nx)?, channel(ChannelName::Ny)?, channel(ChannelName::Nz)?);
+    let (x, y, z) = (
+        channel(ChannelName::Nx)?,
+        channel(ChannelName::Ny)?,
+        channel(ChannelName::Nz)?,
+    );
     let a = channel(ChannelName::A)?;
     let pixel = |(((x, y), z), a): (((&f32, &f32), &f32), &f32)| {
-        if *a != 0.0 { [*x, *y, *z].map(component) } else { NOTHING }
+        if *a != 0.0 {
+            [*x, *y, *z].map(component)
+        } else {
+            NOTHING
+        }
     };
     Ok(x.par_iter().zip(y).zip(z).zip(a).map(pixel).collect())
 }
@@ -32,14 +40,24 @@ mod tests {
 
     #[test]
     fn components_are_stretched_from_0_to_255() {
-        let channel = |name, values: [f32; 3]| Channel { name, samples: Samples::F32(values.to_vec()) };
+        let channel = |name, values: [f32; 3]| Channel {
+            name,
+            samples: Samples::F32(values.to_vec()),
+        };
         let channels = vec![
             channel(ChannelName::Nx, [1.0, -1.0, 0.0]),
             channel(ChannelName::Ny, [0.0, 0.0, 0.0]),
             channel(ChannelName::Nz, [0.0, 0.0, 0.0]),
             channel(ChannelName::A, [1.0, 1.0, 0.0]),
         ];
-        let image = Image { display_window: (3, 1), data_window: PixelBounds::of_film(3, 1), channels };
-        assert_eq!(normal(&image).unwrap(), [[255, 128, 128], [0, 128, 128], NOTHING]);
+        let image = Image {
+            display_window: (3, 1),
+            data_window: PixelBounds::of_film(3, 1),
+            channels,
+        };
+        assert_eq!(
+            normal(&image).unwrap(),
+            [[255, 128, 128], [0, 128, 128], NOTHING]
+        );
     }
 }

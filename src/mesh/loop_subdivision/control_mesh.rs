@@ -16,7 +16,11 @@ pub(super) fn connect(vertices: Vec<Point>, faces: &[[u32; 3]]) -> Result<Surfac
     let mut connected = Vec::with_capacity(faces.len());
     for (number, corners) in faces.iter().enumerate() {
         let refuse = |k: usize, message, advice: &str| {
-            Err(Refusal { place: Place::Index(3 * number + k), message, advice: advice.to_owned() })
+            Err(Refusal {
+                place: Place::Index(3 * number + k),
+                message,
+                advice: advice.to_owned(),
+            })
         };
         if let Some(k) = (0..3).find(|k| corners[*k] == corners[(*k + 1) % 3]) {
             let message = format!("a face with vertex {} twice", corners[k]);
@@ -29,13 +33,17 @@ pub(super) fn connect(vertices: Vec<Point>, faces: &[[u32; 3]]) -> Result<Surfac
                 Entry::Vacant(place) => {
                     place.insert(edges.len() as u32);
                     edges_of_face[k] = edges.len() as u32;
-                    edges.push(Edge { ends: [a, b], is_boundary: true });
+                    edges.push(Edge {
+                        ends: [a, b],
+                        is_boundary: true,
+                    });
                     opposite.push(c);
                 }
                 Entry::Occupied(place) => {
                     let edge = *place.get() as usize;
                     if !edges[edge].is_boundary {
-                        let message = format!("a third face at the edge of the vertices {a} and {b}");
+                        let message =
+                            format!("a third face at the edge of the vertices {a} and {b}");
                         return refuse(
                             k,
                             message,
@@ -51,9 +59,16 @@ pub(super) fn connect(vertices: Vec<Point>, faces: &[[u32; 3]]) -> Result<Surfac
                 }
             }
         }
-        connected.push(Face { corners: *corners, edges: edges_of_face });
+        connected.push(Face {
+            corners: *corners,
+            edges: edges_of_face,
+        });
     }
-    let surface = Surface { vertices, faces: connected, edges };
+    let surface = Surface {
+        vertices,
+        faces: connected,
+        edges,
+    };
     check_vertices(&surface)?;
     Ok(surface)
 }
@@ -63,7 +78,11 @@ fn check_vertices(surface: &Surface) -> Result<(), Refusal> {
     let mut ends = JoinedEnds::of(surface);
     for face in &surface.faces {
         for k in 0..3 {
-            ends.join(surface, face.corners[k], [face.edges[k], face.edges[(k + 2) % 3]]);
+            ends.join(
+                surface,
+                face.corners[k],
+                [face.edges[k], face.edges[(k + 2) % 3]],
+            );
         }
     }
     let mut corners = surface.faces.iter().flat_map(|face| face.corners);
@@ -72,9 +91,15 @@ fn check_vertices(surface: &Surface) -> Result<(), Refusal> {
         Some(place) => {
             let vertex = surface.faces[place / 3].corners[place % 3];
             let parts = ends.parts[vertex as usize];
-            let message = format!("{parts} parts of the surface meet at vertex {vertex} and share no edge there");
+            let message = format!(
+                "{parts} parts of the surface meet at vertex {vertex} and share no edge there"
+            );
             let advice = "give each part a vertex of its own".to_owned();
-            Err(Refusal { place: Place::Index(place), message, advice })
+            Err(Refusal {
+                place: Place::Index(place),
+                message,
+                advice,
+            })
         }
     }
 }
@@ -93,7 +118,10 @@ impl JoinedEnds {
         for vertex in surface.edges.iter().flat_map(|edge| edge.ends) {
             parts[vertex as usize] += 1;
         }
-        JoinedEnds { parents: (0..2 * surface.edges.len() as u32).collect(), parts }
+        JoinedEnds {
+            parents: (0..2 * surface.edges.len() as u32).collect(),
+            parts,
+        }
     }
 
     /// Joins the ends at `vertex` of two edges.

@@ -46,7 +46,11 @@ pub enum Place {
 /// # Errors
 /// Where faces do not make a surface: more than two at an edge, parts that only share a vertex, a face that names a vertex twice,
 /// two of the same vertices; and where there would be more than 2^30 faces.
-pub fn subdivide(vertices: Vec<Point>, faces: &[[u32; 3]], levels: u32) -> Result<TriangleMesh, Refusal> {
+pub fn subdivide(
+    vertices: Vec<Point>,
+    faces: &[[u32; 3]],
+    levels: u32,
+) -> Result<TriangleMesh, Refusal> {
     check_size(vertices.len(), faces.len(), levels)?;
     let mut surface = control_mesh::connect(vertices, faces)?;
     for _ in 0..levels {
@@ -54,19 +58,36 @@ pub fn subdivide(vertices: Vec<Point>, faces: &[[u32; 3]], levels: u32) -> Resul
     }
     let vertices = surface.limit();
     let triangles = surface.faces.iter().map(|face| face.corners).collect();
-    Ok(TriangleMesh { vertices, triangles, uv: None })
+    Ok(TriangleMesh {
+        vertices,
+        triangles,
+        uv: None,
+    })
 }
 
 /// Each level gives a vertex for each edge, of which faces have three at most: so all vertices are numbered with 32 bits.
 fn check_size(vertices: usize, faces: usize, levels: u32) -> Result<(), Refusal> {
-    let refuse = |message, advice: &str| Err(Refusal { place: Place::Levels, message, advice: advice.to_owned() });
+    let refuse = |message, advice: &str| {
+        Err(Refusal {
+            place: Place::Levels,
+            message,
+            advice: advice.to_owned(),
+        })
+    };
     let refined = (faces as u128) << (2 * levels.min(MOST_LEVELS));
     if refined > MOST_FACES.into() {
-        let message = format!("{faces} faces would be {refined} after {levels} levels of subdivision");
-        return refuse(message, &format!("at most {MOST_FACES} are supported: take fewer levels"));
+        let message =
+            format!("{faces} faces would be {refined} after {levels} levels of subdivision");
+        return refuse(
+            message,
+            &format!("at most {MOST_FACES} are supported: take fewer levels"),
+        );
     }
     if vertices as u64 > MOST_VERTICES {
-        return refuse(format!("{vertices} vertices for {faces} faces"), "leave out vertices that no face names");
+        return refuse(
+            format!("{vertices} vertices for {faces} faces"),
+            "leave out vertices that no face names",
+        );
     }
     Ok(())
 }

@@ -42,15 +42,28 @@ impl Surface {
         vertices.extend(self.middles());
         let middle = |edge: u32| self.vertices.len() as u32 + edge;
         let mut edges = Vec::with_capacity(2 * self.edges.len() + 3 * self.faces.len());
-        for (Edge { ends: [a, b], is_boundary }, number) in self.edges.iter().zip(0..) {
-            let half = |ends| Edge { ends, is_boundary: *is_boundary };
+        for (
+            Edge {
+                ends: [a, b],
+                is_boundary,
+            },
+            number,
+        ) in self.edges.iter().zip(0..)
+        {
+            let half = |ends| Edge {
+                ends,
+                is_boundary: *is_boundary,
+            };
             edges.extend([half([*a, middle(number)]), half([middle(number), *b])]);
         }
         let mut faces = Vec::with_capacity(4 * self.faces.len());
         for face in &self.faces {
             let first = edges.len() as u32;
             let middles = face.edges.map(middle);
-            let within = |k: usize| Edge { ends: [middles[k], middles[(k + 1) % 3]], is_boundary: false };
+            let within = |k: usize| Edge {
+                ends: [middles[k], middles[(k + 1) % 3]],
+                is_boundary: false,
+            };
             edges.extend([within(0), within(1), within(2)]);
             let half = |k: usize, corner: usize| {
                 let is_second = self.edges[face.edges[k] as usize].ends[1] == face.corners[corner];
@@ -59,7 +72,10 @@ impl Surface {
             // At corner k lie edge k and the one before; between them the edge within that joins their middles.
             faces.extend([0, 1, 2].map(|k| {
                 let before = (k + 2) % 3;
-                let mut child = Face { corners: middles, edges: [0; 3] };
+                let mut child = Face {
+                    corners: middles,
+                    edges: [0; 3],
+                };
                 child.corners[k] = face.corners[k];
                 child.corners[before] = middles[before];
                 child.corners[(k + 1) % 3] = middles[k];
@@ -68,15 +84,25 @@ impl Surface {
                 child.edges[before] = half(before, k);
                 child
             }));
-            faces.push(Face { corners: middles, edges: [first, first + 1, first + 2] });
+            faces.push(Face {
+                corners: middles,
+                edges: [first, first + 1, first + 2],
+            });
         }
-        Surface { vertices, faces, edges }
+        Surface {
+            vertices,
+            faces,
+            edges,
+        }
     }
 
     /// Where the vertices are after levels without end.
     pub(super) fn limit(&self) -> Vec<Point> {
         // Not the 1/6 that the boundary's own curve would have, but pbrt's weight.
-        self.moved(|count| 1.0 / (count + 3.0 / (8.0 * even_weight(count))), 1.0 / 5.0)
+        self.moved(
+            |count| 1.0 / (count + 3.0 / (8.0 * even_weight(count))),
+            1.0 / 5.0,
+        )
     }
 
     /// Every vertex moved towards those around it: each of n has the weight `interior(n)`, or `boundary` on the boundary.
@@ -87,7 +113,11 @@ impl Surface {
                 return *vertex;
             }
             let count = f64::from(ring.count);
-            let weight = if ring.is_boundary { boundary } else { interior(count) };
+            let weight = if ring.is_boundary {
+                boundary
+            } else {
+                interior(count)
+            };
             let rest = 1.0 - count * weight;
             Point::from([0, 1, 2].map(|k| rest * vertex[k] + weight * ring.sum[k]))
         };
@@ -97,7 +127,11 @@ impl Surface {
     /// The sums are in the order of the edges.
     fn rings(&self) -> Vec<Ring> {
         let mut rings = vec![Ring::default(); self.vertices.len()];
-        for Edge { ends: [a, b], is_boundary } in &self.edges {
+        for Edge {
+            ends: [a, b],
+            is_boundary,
+        } in &self.edges
+        {
             for (vertex, other) in [(*a, *b), (*b, *a)] {
                 rings[vertex as usize].add(&self.vertices[other as usize], *is_boundary);
             }
@@ -110,7 +144,10 @@ impl Surface {
         let mut opposite = vec![[0.0; 3]; self.edges.len()];
         for Face { corners, edges } in &self.faces {
             for k in 0..3 {
-                add(&mut opposite[edges[k] as usize], &self.vertices[corners[(k + 2) % 3] as usize]);
+                add(
+                    &mut opposite[edges[k] as usize],
+                    &self.vertices[corners[(k + 2) % 3] as usize],
+                );
             }
         }
         let middle = |(Edge { ends, is_boundary }, opposite): (&Edge, &[f64; 3])| {
@@ -128,7 +165,10 @@ impl Surface {
 impl Ring {
     fn add(&mut self, neighbour: &Point, along_boundary: bool) {
         if along_boundary && !self.is_boundary {
-            *self = Ring { is_boundary: true, ..Ring::default() };
+            *self = Ring {
+                is_boundary: true,
+                ..Ring::default()
+            };
         }
         if along_boundary == self.is_boundary {
             add(&mut self.sum, neighbour);
@@ -145,5 +185,9 @@ fn add(sum: &mut [f64; 3], point: &Point) {
 
 /// The weight of each of the `count` neighbours of a vertex, in Warren's form (the book's beta).
 fn even_weight(count: f64) -> f64 {
-    if count == 3.0 { 3.0 / 16.0 } else { 3.0 / (8.0 * count) }
+    if count == 3.0 {
+        3.0 / 16.0
+    } else {
+        3.0 / (8.0 * count)
+    }
 }

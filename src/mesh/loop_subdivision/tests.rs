@@ -7,25 +7,42 @@ fn points(coordinates: &[[f64; 3]]) -> Vec<Point> {
 
 /// The corners x, y, z, -x, -y and -z, and a face for each octant.
 fn octahedron() -> (Vec<Point>, Vec<[u32; 3]>) {
-    let axis = |k: usize, sign: f64| Point::from([0, 1, 2].map(|j| if j == k { sign } else { 0.0 }));
-    let vertices = (0..6).map(|k| axis(k % 3, if k < 3 { 1.0 } else { -1.0 })).collect();
-    let faces = (0..8u32).map(|octant| [0, 1, 2].map(|k| k + 3 * (octant >> k & 1))).collect();
+    let axis =
+        |k: usize, sign: f64| Point::from([0, 1, 2].map(|j| if j == k { sign } else { 0.0 }));
+    let vertices = (0..6)
+        .map(|k| axis(k % 3, if k < 3 { 1.0 } else { -1.0 }))
+        .collect();
+    let faces = (0..8u32)
+        .map(|octant| [0, 1, 2].map(|k| k + 3 * (octant >> k & 1)))
+        .collect();
     (vertices, faces)
 }
 
 fn tetrahedron() -> (Vec<Point>, Vec<[u32; 3]>) {
-    let vertices = points(&[[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]]);
+    let vertices = points(&[
+        [1.0, 1.0, 1.0],
+        [1.0, -1.0, -1.0],
+        [-1.0, 1.0, -1.0],
+        [-1.0, -1.0, 1.0],
+    ]);
     (vertices, vec![[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]])
 }
 
 /// Points of a square grid, each square split into two faces.
 fn grid(size: u32) -> (Vec<Point>, Vec<[u32; 3]>) {
     let side = size + 1;
-    let vertices = (0..side * side).map(|k| Point::new(f64::from(k % side), f64::from(k / side), 2.0)).collect();
+    let vertices = (0..side * side)
+        .map(|k| Point::new(f64::from(k % side), f64::from(k / side), 2.0))
+        .collect();
     let corner = |x: u32, y: u32| y * side + x;
     let faces = (0..size * size).flat_map(|k| {
         let (x, y) = (k % size, k / size);
-        let [a, b, c, d] = [corner(x, y), corner(x + 1, y), corner(x + 1, y + 1), corner(x, y + 1)];
+        let [a, b, c, d] = [
+            corner(x, y),
+            corner(x + 1, y),
+            corner(x + 1, y + 1),
+            corner(x, y + 1),
+        ];
         [[a, b, c], [a, c, d]]
     });
     (vertices, faces.collect())
@@ -68,12 +85,22 @@ fn one_triangle_by_hand() {
     let vertices = points(&[[0.0, 0.0, 0.0], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0]]);
     let surface = control_mesh::connect(vertices.clone(), &[[0, 1, 2]]).unwrap();
     let refined = surface.refined();
-    let expected =
-        [[1.0, 1.0, 0.0], [6.0, 1.0, 0.0], [1.0, 6.0, 0.0], [4.0, 0.0, 0.0], [4.0, 4.0, 0.0], [0.0, 4.0, 0.0]];
+    let expected = [
+        [1.0, 1.0, 0.0],
+        [6.0, 1.0, 0.0],
+        [1.0, 6.0, 0.0],
+        [4.0, 0.0, 0.0],
+        [4.0, 4.0, 0.0],
+        [0.0, 4.0, 0.0],
+    ];
     assert_eq!(refined.vertices, points(&expected));
     let at_once = subdivide(vertices, &[[0, 1, 2]], 0).unwrap();
     assert_eq!(at_once.triangles, [[0, 1, 2]]);
-    assert!(is_near(&at_once.vertices[1], &Point::new(4.8, 1.6, 0.0), 1e-15));
+    assert!(is_near(
+        &at_once.vertices[1],
+        &Point::new(4.8, 1.6, 0.0),
+        1e-15
+    ));
 }
 
 #[test]
@@ -91,7 +118,11 @@ fn a_flat_grid_stays_where_it_is() {
 fn symmetries_stay() {
     let (vertices, faces) = octahedron();
     let mesh = subdivide(vertices, &faces, 3).unwrap();
-    let mut found: Vec<[u64; 3]> = mesh.vertices.iter().map(|v| v.to_array().map(|x| x.abs().to_bits())).collect();
+    let mut found: Vec<[u64; 3]> = mesh
+        .vertices
+        .iter()
+        .map(|v| v.to_array().map(|x| x.abs().to_bits()))
+        .collect();
     found.sort_unstable();
     let mut turned: Vec<[u64; 3]> = found.iter().map(|[x, y, z]| [*y, *z, *x]).collect();
     turned.sort_unstable();
@@ -104,9 +135,14 @@ fn symmetries_stay() {
 #[test]
 fn levels_lead_to_one_limit() {
     for (vertices, faces) in [octahedron(), tetrahedron()] {
-        let limits = [0, 1, 2, 4].map(|levels| subdivide(vertices.clone(), &faces, levels).unwrap());
+        let limits =
+            [0, 1, 2, 4].map(|levels| subdivide(vertices.clone(), &faces, levels).unwrap());
         for vertex in 0..vertices.len() {
-            assert!(limits.iter().all(|mesh| is_near(&mesh.vertices[vertex], &limits[0].vertices[vertex], 1e-15)));
+            assert!(limits.iter().all(|mesh| is_near(
+                &mesh.vertices[vertex],
+                &limits[0].vertices[vertex],
+                1e-15
+            )));
         }
     }
 }
@@ -114,33 +150,69 @@ fn levels_lead_to_one_limit() {
 #[test]
 fn what_is_no_surface_is_refused() {
     let refusal = |faces: &[[u32; 3]]| {
-        let Refusal { place, message, .. } = subdivide(vec![Point::default(); 9], faces, 2).unwrap_err();
+        let Refusal { place, message, .. } =
+            subdivide(vec![Point::default(); 9], faces, 2).unwrap_err();
         (place, message)
     };
     let expected = |place, message: &str| (Place::Index(place), message.to_owned());
-    assert_eq!(refusal(&[[0, 1, 2], [3, 4, 4]]), expected(4, "a face with vertex 4 twice"));
-    assert_eq!(refusal(&[[3, 4, 3]]), expected(2, "a face with vertex 3 twice"));
+    assert_eq!(
+        refusal(&[[0, 1, 2], [3, 4, 4]]),
+        expected(4, "a face with vertex 4 twice")
+    );
+    assert_eq!(
+        refusal(&[[3, 4, 3]]),
+        expected(2, "a face with vertex 3 twice")
+    );
     let fin = [[0, 1, 2], [1, 0, 3], [0, 1, 4]];
-    assert_eq!(refusal(&fin), expected(6, "a third face at the edge of the vertices 0 and 1"));
-    assert_eq!(refusal(&[[0, 1, 2], [2, 1, 0]]), expected(3, "a second face of the vertices 2, 1 and 0"));
+    assert_eq!(
+        refusal(&fin),
+        expected(6, "a third face at the edge of the vertices 0 and 1")
+    );
+    assert_eq!(
+        refusal(&[[0, 1, 2], [2, 1, 0]]),
+        expected(3, "a second face of the vertices 2, 1 and 0")
+    );
     let corner_to_corner = [[0, 1, 2], [2, 3, 4]];
     let message = "2 parts of the surface meet at vertex 2 and share no edge there";
     assert_eq!(refusal(&corner_to_corner), expected(2, message));
     // Two closed surfaces that share a vertex.
     let (_, faces) = tetrahedron();
-    let other = faces.iter().map(|face| face.map(|corner| if corner == 0 { 0 } else { corner + 3 }));
+    let other = faces
+        .iter()
+        .map(|face| face.map(|corner| if corner == 0 { 0 } else { corner + 3 }));
     let both: Vec<[u32; 3]> = faces.iter().copied().chain(other).collect();
-    assert_eq!(refusal(&both), expected(0, "2 parts of the surface meet at vertex 0 and share no edge there"));
+    assert_eq!(
+        refusal(&both),
+        expected(
+            0,
+            "2 parts of the surface meet at vertex 0 and share no edge there"
+        )
+    );
 }
 
 #[test]
 fn faces_either_way_round_make_a_surface() {
     let (vertices, faces) = octahedron();
-    let turned: Vec<[u32; 3]> =
-        faces.iter().enumerate().map(|(k, [a, b, c])| if k % 3 == 0 { [*b, *a, *c] } else { [*a, *b, *c] }).collect();
-    let [plain, turned] = [faces, turned].map(|faces| subdivide(vertices.clone(), &faces, 2).unwrap());
+    let turned: Vec<[u32; 3]> = faces
+        .iter()
+        .enumerate()
+        .map(|(k, [a, b, c])| {
+            if k % 3 == 0 {
+                [*b, *a, *c]
+            } else {
+                [*a, *b, *c]
+            }
+        })
+        .collect();
+    let [plain, turned] =
+        [faces, turned].map(|faces| subdivide(vertices.clone(), &faces, 2).unwrap());
     for vertex in &plain.vertices {
-        assert!(turned.vertices.iter().any(|other| is_near(vertex, other, 1e-15)));
+        assert!(
+            turned
+                .vertices
+                .iter()
+                .any(|other| is_near(vertex, other, 1e-15))
+        );
     }
 }
 
@@ -148,18 +220,37 @@ fn faces_either_way_round_make_a_surface() {
 fn sizes_are_checked_before_anything_is_made() {
     let refused = |faces: usize, levels| check_size(0, faces, levels).unwrap_err().message;
     assert!(check_size(3, 1, 15).is_ok());
-    assert_eq!(refused(1, 16), "1 faces would be 4294967296 after 16 levels of subdivision");
-    assert_eq!(refused(8, 30), "8 faces would be 9223372036854775808 after 30 levels of subdivision");
-    assert!(check_size(3, usize::MAX, MOST_LEVELS).is_err() && check_size(usize::MAX, 1, 0).is_err());
+    assert_eq!(
+        refused(1, 16),
+        "1 faces would be 4294967296 after 16 levels of subdivision"
+    );
+    assert_eq!(
+        refused(8, 30),
+        "8 faces would be 9223372036854775808 after 30 levels of subdivision"
+    );
+    assert!(
+        check_size(3, usize::MAX, MOST_LEVELS).is_err() && check_size(usize::MAX, 1, 0).is_err()
+    );
 }
 
 #[test]
 fn vertices_that_no_face_names_stay_and_broken_ones_spread_no_panic() {
-    let vertices = points(&[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, f64::NAN, 0.0], [5.0, 6.0, 7.0]]);
+    let vertices = points(&[
+        [0.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [0.0, f64::NAN, 0.0],
+        [5.0, 6.0, 7.0],
+    ]);
     let mesh = subdivide(vertices, &[[0, 1, 2]], 1).unwrap();
-    assert_eq!((mesh.vertices[3], mesh.vertices.len()), (Point::new(5.0, 6.0, 7.0), 7));
+    assert_eq!(
+        (mesh.vertices[3], mesh.vertices.len()),
+        (Point::new(5.0, 6.0, 7.0), 7)
+    );
     assert!(mesh.vertices[0].y.is_nan() && mesh.vertices[0].x.is_finite());
-    assert_eq!(subdivide(Vec::new(), &[], 3).unwrap(), TriangleMesh::default());
+    assert_eq!(
+        subdivide(Vec::new(), &[], 3).unwrap(),
+        TriangleMesh::default()
+    );
 }
 
 proptest! {

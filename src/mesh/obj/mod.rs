@@ -23,12 +23,18 @@ use crate::geometry::Point;
 use crate::input::{Budget, gzip};
 
 /// Polygons are ours to cut, and what `tobj` calls lines and points are faces that it finds too small.
-const OPTIONS: tobj::LoadOptions =
-    tobj::LoadOptions { single_index: false, triangulate: false, ignore_points: true, ignore_lines: true };
+const OPTIONS: tobj::LoadOptions = tobj::LoadOptions {
+    single_index: false,
+    triangulate: false,
+    ignore_points: true,
+    ignore_lines: true,
+};
 
 /// Reads the bytes of an OBJ file, compressed or not; `path` is for messages only.
 pub(super) fn parse_any(path: &Path, bytes: &[u8], budget: &Budget) -> Result<Loaded> {
-    gzip::parsed(path, bytes, budget, |content| parse(path, signature::without_utf8_mark(content), budget))
+    gzip::parsed(path, bytes, budget, |content| {
+        parse(path, signature::without_utf8_mark(content), budget)
+    })
 }
 
 /// As [`parse_any`], with u and v of the corners, if the file has them.
@@ -64,13 +70,22 @@ fn parse_odd(path: &Path, text: &[u8], budget: &Budget) -> Result<Loaded> {
 }
 
 /// Reads any OBJ file. Where `corners` are wanted, they become those of the triangles, numbered through all faces.
-fn read(path: &Path, text: &[u8], corners: Option<&mut Vec<[u32; 3]>>, budget: &Budget) -> Result<Loaded> {
+fn read(
+    path: &Path,
+    text: &[u8],
+    corners: Option<&mut Vec<[u32; 3]>>,
+    budget: &Budget,
+) -> Result<Loaded> {
     let mut plain = Plain::new(text);
     let models = tobj::load_obj_buf(&mut plain, &OPTIONS, |_| Ok(Default::default()));
     let (models, _) = models.map_err(|error| refused(path, text, &error))?;
     let at_file = |error: Error| error.or_at(|| SourceLocation::file(path));
     check_count(plain.vertices, "vertices").map_err(at_file)?;
-    let mut faces = models.into_iter().next().map(|model| model.mesh).unwrap_or_default();
+    let mut faces = models
+        .into_iter()
+        .next()
+        .map(|model| model.mesh)
+        .unwrap_or_default();
     let vertices = points(std::mem::take(&mut faces.positions));
     let count = face_count(&faces);
     let triangles = faces.indices.len() - 2 * count;
@@ -85,16 +100,31 @@ fn read(path: &Path, text: &[u8], corners: Option<&mut Vec<[u32; 3]>>, budget: &
         number_through(wanted, (0..count).map(|face| corners_of(&faces, face)));
     }
     let triangles = collected.finish().map_err(at_file)?.0;
-    Ok(Loaded::new(path, TriangleMesh { vertices, triangles, uv: None }, plain.warnings(path)))
+    Ok(Loaded::new(
+        path,
+        TriangleMesh {
+            vertices,
+            triangles,
+            uv: None,
+        },
+        plain.warnings(path),
+    ))
 }
 
 fn points(coordinates: Vec<f64>) -> Vec<Point> {
-    coordinates.chunks_exact(3).map(|point| Point::new(point[0], point[1], point[2])).collect()
+    coordinates
+        .chunks_exact(3)
+        .map(|point| Point::new(point[0], point[1], point[2]))
+        .collect()
 }
 
 /// No arities at all mean that all faces are triangles.
 fn face_count(mesh: &tobj::Mesh) -> usize {
-    if mesh.face_arities.is_empty() { mesh.indices.len() / 3 } else { mesh.face_arities.len() }
+    if mesh.face_arities.is_empty() {
+        mesh.indices.len() / 3
+    } else {
+        mesh.face_arities.len()
+    }
 }
 
 fn corners_of(mesh: &tobj::Mesh, face: usize) -> u32 {
@@ -102,12 +132,18 @@ fn corners_of(mesh: &tobj::Mesh, face: usize) -> u32 {
 }
 
 /// Adds all faces of `mesh` to `faces`.
-fn push_all(mesh: &tobj::Mesh, faces: &mut Faces, location: impl Fn(usize) -> SourceLocation) -> Result<()> {
+fn push_all(
+    mesh: &tobj::Mesh,
+    faces: &mut Faces,
+    location: impl Fn(usize) -> SourceLocation,
+) -> Result<()> {
     let mut rest = mesh.indices.as_slice();
     for face in 0..face_count(mesh) {
         let (corners, others) = rest.split_at(corners_of(mesh, face) as usize);
         // Faces of fewer corners have been left out before.
-        faces.push(corners, || 0..0).map_err(|error| error.or_at(|| location(face)))?;
+        faces
+            .push(corners, || 0..0)
+            .map_err(|error| error.or_at(|| location(face)))?;
         rest = others;
     }
     Ok(())
@@ -118,13 +154,16 @@ fn number_through(triangles: &mut [[u32; 3]], sizes: impl Iterator<Item = u32>) 
     let (mut rest, mut first) = (triangles, 0);
     for size in sizes {
         let (own, others) = rest.split_at_mut(size as usize - 2);
-        own.iter_mut().for_each(|corners| *corners = corners.map(|corner| corner + first));
+        own.iter_mut()
+            .for_each(|corners| *corners = corners.map(|corner| corner + first));
         (rest, first) = (others, first + size);
     }
 }
 
 fn refused(path: &Path, text: &[u8], error: &tobj::LoadError) -> Error {
-    let otherwise =
-        || Diagnostic::new(format!("the OBJ reader refuses this file: {error}")).at(SourceLocation::file(path));
+    let otherwise = || {
+        Diagnostic::new(format!("the OBJ reader refuses this file: {error}"))
+            .at(SourceLocation::file(path))
+    };
     Error::bad_input(blame::find(path, text).unwrap_or_else(otherwise))
 }

@@ -31,13 +31,21 @@ impl Part {
 
     /// The number of faces.
     pub(super) fn face_count(&self) -> usize {
-        if self.sizes.is_empty() { self.corners.len() / 3 } else { self.sizes.len() }
+        if self.sizes.is_empty() {
+            self.corners.len() / 3
+        } else {
+            self.sizes.len()
+        }
     }
 
     /// Adds the faces, whose corners have become the places `corners`.
     pub(super) fn push_faces(&self, corners: &[u32], faces: &mut Faces) -> Option<()> {
         if self.sizes.is_empty() {
-            corners.as_chunks().0.iter().for_each(|corners| faces.push_triangle(*corners));
+            corners
+                .as_chunks()
+                .0
+                .iter()
+                .for_each(|corners| faces.push_triangle(*corners));
             return Some(());
         }
         let mut rest = corners;
@@ -57,13 +65,19 @@ impl Part {
             [b'f', b' ', rest @ ..] => self.face(rest),
             [b'#', ..] => skip_line(line),
             _ => {
-                let length = line.iter().position(|byte| *byte <= b' ').unwrap_or(line.len());
+                let length = line
+                    .iter()
+                    .position(|byte| *byte <= b' ')
+                    .unwrap_or(line.len());
                 let keyword = &line[..length];
                 let rest = &line[length..];
                 match keyword {
                     [] => end_line(rest),
                     _ if !matches!(rest, [] | [b' ' | b'\t' | b'\r' | b'\n', ..]) => None,
-                    _ => IGNORED.iter().find(|known| known.as_bytes() == keyword).and_then(|_| skip_line(rest)),
+                    _ => IGNORED
+                        .iter()
+                        .find(|known| known.as_bytes() == keyword)
+                        .and_then(|_| skip_line(rest)),
                 }
             }
         }
@@ -108,7 +122,10 @@ fn real(line: &[u8]) -> Option<(f64, &[u8])> {
     let (value, length) = match decimal::leading(line) {
         Some((value, length)) if ends_at(line, length) => (value, length),
         _ => {
-            let length = line.iter().position(|byte| *byte <= b' ').unwrap_or(line.len());
+            let length = line
+                .iter()
+                .position(|byte| *byte <= b' ')
+                .unwrap_or(line.len());
             (decimal::parse(&line[..length])?, length)
         }
     };
@@ -119,14 +136,23 @@ fn real(line: &[u8]) -> Option<(f64, &[u8])> {
 #[inline]
 fn corner(line: &[u8]) -> Option<(u32, &[u8])> {
     let (number, length) = decimal::leading_whole(line).or_else(|| {
-        let length = line.iter().position(|byte| !byte.is_ascii_digit()).unwrap_or(line.len());
-        Some((std::str::from_utf8(&line[..length]).ok()?.parse().ok()?, length))
+        let length = line
+            .iter()
+            .position(|byte| !byte.is_ascii_digit())
+            .unwrap_or(line.len());
+        Some((
+            std::str::from_utf8(&line[..length]).ok()?.parse().ok()?,
+            length,
+        ))
     })?;
     let place = u32::try_from(number.checked_sub(1)?).ok()?;
     let rest = &line[length..];
     match rest {
         [b'/', ..] => {
-            let length = rest.iter().position(|byte| !matches!(byte, b'/' | b'-' | b'0'..=b'9')).unwrap_or(rest.len());
+            let length = rest
+                .iter()
+                .position(|byte| !matches!(byte, b'/' | b'-' | b'0'..=b'9'))
+                .unwrap_or(rest.len());
             let (others, rest) = rest.split_at(length);
             (is_corner(others) && ends_at(rest, 0)).then_some((place, rest))
         }
@@ -146,9 +172,16 @@ fn end_line(rest: &[u8]) -> Option<&[u8]> {
 
 /// What follows the line whose end, whatever it says, does not matter.
 fn skip_line(line: &[u8]) -> Option<&[u8]> {
-    let end = line.iter().position(|byte| matches!(byte, b'\n' | b'\r')).unwrap_or(line.len());
+    let end = line
+        .iter()
+        .position(|byte| matches!(byte, b'\n' | b'\r'))
+        .unwrap_or(line.len());
     let is_continued = line[..end].last() == Some(&b'\\');
-    if is_continued { None } else { end_line(&line[end..]) }
+    if is_continued {
+        None
+    } else {
+        end_line(&line[end..])
+    }
 }
 
 /// `line` without the blanks it begins with.

@@ -85,7 +85,17 @@ impl<'a> Plain<'a> {
     pub(super) fn new(text: &'a [u8]) -> Plain<'a> {
         let [small, unknown, surfaces, calls] = Default::default();
         let (statements, lines) = (Statements::new(text), Vec::new());
-        Plain { text, statements, lines, taken: 0, vertices: 0, small, unknown, surfaces, calls }
+        Plain {
+            text,
+            statements,
+            lines,
+            taken: 0,
+            vertices: 0,
+            small,
+            unknown,
+            surfaces,
+            calls,
+        }
     }
 
     /// What was left out of the mesh.
@@ -94,13 +104,22 @@ impl<'a> Plain<'a> {
             let warning = tally.in_text(path, self.text, noun)?;
             Some(note.into_iter().fold(warning, Diagnostic::note))
         };
-        let finer = "free-form surfaces are not supported: turn them into polygons where the file was made";
+        let finer =
+            "free-form surfaces are not supported: turn them into polygons where the file was made";
         let inline = "what it would bring in is missing: put it into this file";
         let warnings = [
             told(self.small, "face of fewer than 3 corners, left out", None),
-            told(self.unknown, "statement that OBJ does not know, left out", None),
+            told(
+                self.unknown,
+                "statement that OBJ does not know, left out",
+                None,
+            ),
             told(self.surfaces, "surface in free form, left out", Some(finer)),
-            told(self.calls, "statement `call` or `csh`, not executed", Some(inline)),
+            told(
+                self.calls,
+                "statement `call` or `csh`, not executed",
+                Some(inline),
+            ),
         ];
         warnings.into_iter().flatten().collect()
     }
@@ -119,7 +138,13 @@ impl<'a> Plain<'a> {
             b"f" if words.clone().count() < 3 => self.small.add(statement.span.clone()),
             b"f" => self.push_line(
                 b'f',
-                words.map(|word| if is_corner(&text[word.clone()]) { position(&text[word]) } else { b"?" }),
+                words.map(|word| {
+                    if is_corner(&text[word.clone()]) {
+                        position(&text[word])
+                    } else {
+                        b"?"
+                    }
+                }),
             ),
             other if is_one_of(other, &IGNORED) => {}
             other if is_one_of(other, &SURFACES) => self.surfaces.add(keyword),
@@ -133,7 +158,10 @@ impl<'a> Plain<'a> {
         for word in words {
             self.lines.push(b' ');
             // What is no character is wrong in any case, and may be a blank to others; so may nothing, before the slash of `/2`.
-            self.lines.extend(word.iter().map(|byte| if byte.is_ascii_graphic() { *byte } else { b'?' }));
+            self.lines.extend(
+                word.iter()
+                    .map(|byte| if byte.is_ascii_graphic() { *byte } else { b'?' }),
+            );
             self.lines.extend(word.is_empty().then_some(b'?'));
         }
         self.lines.push(b'\n');
@@ -156,9 +184,9 @@ pub(super) fn is_corner(corner: &[u8]) -> bool {
     match (others.next(), others.next(), others.next()) {
         (None, ..) => true,
         (Some(texture), None, _) => is_integer(texture),
-        (Some(texture), Some(normal), None) => {
-            [texture, normal].iter().all(|index| index.is_empty() || is_integer(index))
-        }
+        (Some(texture), Some(normal), None) => [texture, normal]
+            .iter()
+            .all(|index| index.is_empty() || is_integer(index)),
         _ => false,
     }
 }

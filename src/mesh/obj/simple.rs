@@ -23,19 +23,28 @@ pub(super) fn read(text: &[u8], budget: &Budget) -> Option<TriangleMesh> {
 }
 
 pub(super) fn read_in_blocks(text: &[u8], block: usize, budget: &Budget) -> Option<TriangleMesh> {
-    let parts: Option<Vec<Part>> = cut(text, block).into_par_iter().map(|lines| Part::read(&text[lines])).collect();
+    let parts: Option<Vec<Part>> = cut(text, block)
+        .into_par_iter()
+        .map(|lines| Part::read(&text[lines]))
+        .collect();
     let mut parts = parts?;
     let positions = positions(&mut parts);
-    let (vertices, corners) = in_order_of_use(&positions, parts.iter_mut().map(|part| &mut part.corners))?;
+    let (vertices, corners) =
+        in_order_of_use(&positions, parts.iter_mut().map(|part| &mut part.corners))?;
     drop(positions);
-    let triangles = corners.iter().map(Vec::len).sum::<usize>() - 2 * parts.iter().map(Part::face_count).sum::<usize>();
+    let triangles = corners.iter().map(Vec::len).sum::<usize>()
+        - 2 * parts.iter().map(Part::face_count).sum::<usize>();
     let mut faces = Faces::new(&vertices, triangles, budget);
     for (part, corners) in parts.iter().zip(corners) {
         part.push_faces(&corners, &mut faces)?;
     }
     let triangles = faces.finish().ok()?.0;
     // What is to be said about a mesh without faces is said elsewhere.
-    (!triangles.is_empty()).then_some(TriangleMesh { vertices, triangles, uv: None })
+    (!triangles.is_empty()).then_some(TriangleMesh {
+        vertices,
+        triangles,
+        uv: None,
+    })
 }
 
 /// Whole lines of about `size` bytes.
@@ -44,7 +53,10 @@ fn cut(text: &[u8], size: usize) -> Vec<Range<usize>> {
     let mut start = 0;
     while start < text.len() {
         let near = text.len().min(start + size);
-        let end = text[near - 1..].iter().position(|byte| *byte == b'\n').map_or(text.len(), |at| near + at);
+        let end = text[near - 1..]
+            .iter()
+            .position(|byte| *byte == b'\n')
+            .map_or(text.len(), |at| near + at);
         blocks.push(start..end);
         start = end;
     }
@@ -67,7 +79,9 @@ fn in_order_of_use<'a>(
     parts: impl Iterator<Item = &'a mut Vec<u32>>,
 ) -> Option<(Vec<Point>, Vec<Vec<u32>>)> {
     const UNUSED: u32 = u32::MAX;
-    u32::try_from(positions.len()).ok().filter(|count| *count < UNUSED)?;
+    u32::try_from(positions.len())
+        .ok()
+        .filter(|count| *count < UNUSED)?;
     let mut place = vec![UNUSED; positions.len()];
     let mut vertices = Vec::with_capacity(positions.len());
     let mut renumbered = Vec::new();

@@ -20,7 +20,10 @@ impl<'a> Statements<'a> {
     /// The end of the line that the byte `at` is in.
     fn line_end(&self, at: usize) -> usize {
         let rest = &self.text[at..];
-        at + rest.iter().position(|byte| is_end(*byte)).unwrap_or(rest.len())
+        at + rest
+            .iter()
+            .position(|byte| is_end(*byte))
+            .unwrap_or(rest.len())
     }
 }
 
@@ -37,9 +40,13 @@ impl<'a> Iterator for Statements<'a> {
             let end = self.line_end(line);
             self.at = end + end_length(&self.text[end..]);
             let content = &self.text[line..end];
-            let is_continued = content.ends_with(b"\\") && !content.contains(&b'#') && self.at > end;
+            let is_continued =
+                content.ends_with(b"\\") && !content.contains(&b'#') && self.at > end;
             if !is_continued {
-                return Some(Statement { text: self.text, span: start..end });
+                return Some(Statement {
+                    text: self.text,
+                    span: start..end,
+                });
             }
             line = self.at;
         }
@@ -57,7 +64,10 @@ pub(super) struct Statement<'a> {
 impl<'a> Statement<'a> {
     /// Its words, up to a comment.
     pub(super) fn words(&self) -> Words<'a> {
-        Words { text: &self.text[..self.span.end], at: self.span.start }
+        Words {
+            text: &self.text[..self.span.end],
+            at: self.span.start,
+        }
     }
 }
 
@@ -75,16 +85,22 @@ impl Iterator for Words<'_> {
     fn next(&mut self) -> Option<Range<usize>> {
         let start = self.at + gap_length(&self.text[self.at..]);
         let rest = &self.text[start..];
-        let ends = |at: &usize| is_blank(rest[*at]) || rest[*at] == b'#' || is_continuation(&rest[*at..]);
+        let ends =
+            |at: &usize| is_blank(rest[*at]) || rest[*at] == b'#' || is_continuation(&rest[*at..]);
         let mut length = (0..rest.len()).find(ends).unwrap_or(rest.len());
         // What looks like a comment may be a number that is none: `1.#INF`.
         if rest.get(length) == Some(&b'#')
-            && let Some(whole) = decimal::leading_non_finite(rest, |byte| !is_blank(byte) && byte != b'#')
+            && let Some(whole) =
+                decimal::leading_non_finite(rest, |byte| !is_blank(byte) && byte != b'#')
         {
             length = whole;
         }
         // Nothing but a comment may come after a word that is empty.
-        self.at = if length == 0 { self.text.len() } else { start + length };
+        self.at = if length == 0 {
+            self.text.len()
+        } else {
+            start + length
+        };
         (length > 0).then_some(start..start + length)
     }
 }

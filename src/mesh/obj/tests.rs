@@ -19,11 +19,18 @@ fn check(text: &[u8]) -> bool {
     let mut times_read = 0;
     for block in [1, 9, 50, 1 << 20] {
         if let Some(mesh) = read_in_blocks(text, block, &budget()) {
-            assert_eq!(told(&Ok(Loaded::new(path, mesh, Vec::new()))), expected, "in blocks of {block} bytes");
+            assert_eq!(
+                told(&Ok(Loaded::new(path, mesh, Vec::new()))),
+                expected,
+                "in blocks of {block} bytes"
+            );
             times_read += 1;
         }
     }
-    assert!(times_read == 0 || times_read == 4, "the size of blocks has no influence");
+    assert!(
+        times_read == 0 || times_read == 4,
+        "the size of blocks has no influence"
+    );
     if !text.is_empty() && crate::mesh::signature::describe(text).is_none() {
         assert_eq!(told(&parse(path, text, &budget())), expected);
     }
@@ -36,10 +43,15 @@ const VERTICES: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0.5 .2 1e-1\nv 0 1 0\n";
 fn simple_files_are_read() {
     for rest in [
         "f 3 2 1\nf 1 3 4 5\nf 1 2 3",
-        "# a\ng b c\nusemtl d\n\n  f 1/1 2/2/2 3//-3  \r\nvt x\nf\t1\n".replace("f\t1\n", "f 5 1 2\n").as_str(),
+        "# a\ng b c\nusemtl d\n\n  f 1/1 2/2/2 3//-3  \r\nvt x\nf\t1\n"
+            .replace("f\t1\n", "f 5 1 2\n")
+            .as_str(),
         "f 1 2 3 4 5\nf 5 4 0000001\nv nan inf +3\nf 6 1 2\n",
     ] {
-        assert!(check(&[VERTICES.as_bytes(), rest.as_bytes()].concat()), "{rest}");
+        assert!(
+            check(&[VERTICES.as_bytes(), rest.as_bytes()].concat()),
+            "{rest}"
+        );
     }
 }
 
@@ -70,13 +82,15 @@ fn odd_files_are_left_alone() {
         "f 1 2 3\nvt\0x\n",
     ];
     for rest in odd {
-        assert!(!check(&[VERTICES.as_bytes(), rest.as_bytes()].concat()), "{rest}");
+        assert!(
+            !check(&[VERTICES.as_bytes(), rest.as_bytes()].concat()),
+            "{rest}"
+        );
     }
 }
 
 fn line() -> impl Strategy<Value = String> {
-    let number =
-        prop_oneof![6 => "-?[0-9]{1,2}[.][0-9]{1,6}", 1 => "[+-]?[0-9]{1,9}[.]?[0-9]{0,18}(e[+-]?[0-9]{1,2})?"];
+    let number = prop_oneof![6 => "-?[0-9]{1,2}[.][0-9]{1,6}", 1 => "[+-]?[0-9]{1,9}[.]?[0-9]{0,18}(e[+-]?[0-9]{1,2})?"];
     let corner = prop_oneof![8 => "[1-9]", 1 => "[1-9](/[0-9]?(/-?[1-9])?)"];
     let end = prop_oneof![20 => Just("\n"), 3 => Just(" \n"), 1 => Just("\r\n")];
     let line = prop_oneof![

@@ -21,7 +21,12 @@ pub(super) struct Ascii<'a> {
 impl<'a> Ascii<'a> {
     /// The values of `text` from `start` on.
     pub(super) fn new(path: &'a Path, text: &'a [u8], start: usize) -> Ascii<'a> {
-        Ascii { path, text, at: start, token: start }
+        Ascii {
+            path,
+            text,
+            at: start,
+            token: start,
+        }
     }
 
     #[inline]
@@ -49,7 +54,9 @@ impl Values for Ascii<'_> {
     fn real(&mut self, kind: Scalar) -> Result<f64, Fault> {
         match kind {
             Scalar::F64 => decimal::parse(self.token()?).ok_or(Fault::NotANumber),
-            Scalar::F32 => decimal::parse(self.token()?).map(|value| f64::from(value as f32)).ok_or(Fault::NotANumber),
+            Scalar::F32 => decimal::parse(self.token()?)
+                .map(|value| f64::from(value as f32))
+                .ok_or(Fault::NotANumber),
             _ => self.integer(kind).map(|value| value as f64),
         }
     }
@@ -90,14 +97,19 @@ impl Values for Ascii<'_> {
 
     fn rest(&self) -> Range<usize> {
         let rest = &self.text[self.at..];
-        let blanks = rest.iter().position(|byte| *byte > b' ').unwrap_or(rest.len());
+        let blanks = rest
+            .iter()
+            .position(|byte| *byte > b' ')
+            .unwrap_or(rest.len());
         self.at + blanks..self.text.len()
     }
 
     /// A header that lists one property too many or too few is often noticed only here.
     fn is_inside_line(&self) -> bool {
         let rest = &self.text[self.at..];
-        rest.iter().find(|byte| !matches!(byte, b' ' | b'\t')).is_some_and(|byte| !matches!(byte, b'\n' | b'\r'))
+        rest.iter()
+            .find(|byte| !matches!(byte, b' ' | b'\t'))
+            .is_some_and(|byte| !matches!(byte, b'\n' | b'\r'))
     }
 }
 

@@ -56,7 +56,13 @@ pub(super) struct Binary<'a, Order> {
 impl<'a, Order: ByteOrder> Binary<'a, Order> {
     /// The values of `bytes` from `start` on.
     pub(super) fn new(path: &'a Path, bytes: &'a [u8], start: usize) -> Self {
-        Binary { path, bytes, at: start, last: start, order: PhantomData }
+        Binary {
+            path,
+            bytes,
+            at: start,
+            last: start,
+            order: PhantomData,
+        }
     }
 
     /// The bytes of the next value, the least significant one first.
@@ -71,12 +77,18 @@ impl<'a, Order: ByteOrder> Binary<'a, Order> {
     /// The corners in a list, if they are three and all of them below `limit`.
     #[inline]
     fn triangle(list: &[u8], limit: u32) -> Option<[u32; 3]> {
-        let [3, a0, a1, a2, a3, b0, b1, b2, b3, c0, c1, c2, c3] = *list.first_chunk::<TRIANGLE>()? else {
+        let [3, a0, a1, a2, a3, b0, b1, b2, b3, c0, c1, c2, c3] =
+            *list.first_chunk::<TRIANGLE>()?
+        else {
             return None;
         };
-        let corners =
-            [[a0, a1, a2, a3], [b0, b1, b2, b3], [c0, c1, c2, c3]].map(Order::ordered).map(u32::from_le_bytes);
-        corners.iter().all(|corner| *corner < limit).then_some(corners)
+        let corners = [[a0, a1, a2, a3], [b0, b1, b2, b3], [c0, c1, c2, c3]]
+            .map(Order::ordered)
+            .map(u32::from_le_bytes);
+        corners
+            .iter()
+            .all(|corner| *corner < limit)
+            .then_some(corners)
     }
 
     /// The points at `offsets` in records of `stride` bytes; the loop has no decisions left.
@@ -91,7 +103,11 @@ impl<'a, Order: ByteOrder> Binary<'a, Order> {
             Some(real(Order::ordered(bytes)))
         };
         let point = |record: &[u8]| {
-            Some(Point::new(value(record, offsets[0])?, value(record, offsets[1])?, value(record, offsets[2])?))
+            Some(Point::new(
+                value(record, offsets[0])?,
+                value(record, offsets[1])?,
+                value(record, offsets[2])?,
+            ))
         };
         let mut points = Vec::with_capacity(records.len() / stride);
         for record in records.chunks_exact(stride) {
@@ -105,7 +121,9 @@ impl<Order: ByteOrder> Values for Binary<'_, Order> {
     #[inline]
     fn real(&mut self, kind: Scalar) -> Result<f64, Fault> {
         match kind {
-            Scalar::F32 => self.take().map(|bytes| f64::from(f32::from_le_bytes(bytes))),
+            Scalar::F32 => self
+                .take()
+                .map(|bytes| f64::from(f32::from_le_bytes(bytes))),
             Scalar::F64 => self.take().map(f64::from_le_bytes),
             _ => self.integer(kind).map(|value| value as f64),
         }
@@ -116,10 +134,18 @@ impl<Order: ByteOrder> Values for Binary<'_, Order> {
         match kind {
             Scalar::I8 => self.take().map(|bytes| i64::from(i8::from_le_bytes(bytes))),
             Scalar::U8 => self.take().map(|bytes| i64::from(u8::from_le_bytes(bytes))),
-            Scalar::I16 => self.take().map(|bytes| i64::from(i16::from_le_bytes(bytes))),
-            Scalar::U16 => self.take().map(|bytes| i64::from(u16::from_le_bytes(bytes))),
-            Scalar::I32 => self.take().map(|bytes| i64::from(i32::from_le_bytes(bytes))),
-            Scalar::U32 => self.take().map(|bytes| i64::from(u32::from_le_bytes(bytes))),
+            Scalar::I16 => self
+                .take()
+                .map(|bytes| i64::from(i16::from_le_bytes(bytes))),
+            Scalar::U16 => self
+                .take()
+                .map(|bytes| i64::from(u16::from_le_bytes(bytes))),
+            Scalar::I32 => self
+                .take()
+                .map(|bytes| i64::from(i32::from_le_bytes(bytes))),
+            Scalar::U32 => self
+                .take()
+                .map(|bytes| i64::from(u32::from_le_bytes(bytes))),
             Scalar::F32 | Scalar::F64 => self.real(kind).and_then(whole),
         }
     }
@@ -156,19 +182,33 @@ impl<Order: ByteOrder> Values for Binary<'_, Order> {
     }
 
     fn rest(&self) -> Range<usize> {
-        let is_padding = self.bytes[self.at..].iter().all(|byte| matches!(byte, b'\n' | b'\r' | 0));
-        if is_padding { self.bytes.len()..self.bytes.len() } else { self.at..self.bytes.len() }
+        let is_padding = self.bytes[self.at..]
+            .iter()
+            .all(|byte| matches!(byte, b'\n' | b'\r' | 0));
+        if is_padding {
+            self.bytes.len()..self.bytes.len()
+        } else {
+            self.at..self.bytes.len()
+        }
     }
 
     fn is_inside_line(&self) -> bool {
         false
     }
 
-    fn points(&mut self, count: u64, stride: usize, offsets: [usize; 3], kind: Scalar) -> Option<Vec<Point>> {
+    fn points(
+        &mut self,
+        count: u64,
+        stride: usize,
+        offsets: [usize; 3],
+        kind: Scalar,
+    ) -> Option<Vec<Point>> {
         let size = usize::try_from(count).ok()?.checked_mul(stride)?;
         let records = self.bytes[self.at..].get(..size)?;
         let points = match kind {
-            Scalar::F32 => Self::gather(records, stride, offsets, |bytes| f64::from(f32::from_le_bytes(bytes))),
+            Scalar::F32 => Self::gather(records, stride, offsets, |bytes| {
+                f64::from(f32::from_le_bytes(bytes))
+            }),
             Scalar::F64 => Self::gather(records, stride, offsets, f64::from_le_bytes),
             _ => None,
         }?;
@@ -177,7 +217,13 @@ impl<Order: ByteOrder> Values for Binary<'_, Order> {
     }
 
     fn triangles(&mut self, count: u64, layout: &Layout, faces: &mut Faces) -> u64 {
-        let Layout { lead, count: Scalar::U8 | Scalar::I8, item: Scalar::I32 | Scalar::U32, trail } = *layout else {
+        let Layout {
+            lead,
+            count: Scalar::U8 | Scalar::I8,
+            item: Scalar::I32 | Scalar::U32,
+            trail,
+        } = *layout
+        else {
             return 0;
         };
         let lead = lead.bytes as usize;
@@ -185,8 +231,13 @@ impl<Order: ByteOrder> Values for Binary<'_, Order> {
         // As an unsigned number, a negative index is too large for this as well.
         let limit = faces.vertex_count().min(1 << 31) as u32;
         let mut read = 0;
-        for record in self.bytes[self.at..].chunks_exact(stride).take(count as usize) {
-            let Some(corners) = Self::triangle(&record[lead..], limit) else { break };
+        for record in self.bytes[self.at..]
+            .chunks_exact(stride)
+            .take(count as usize)
+        {
+            let Some(corners) = Self::triangle(&record[lead..], limit) else {
+                break;
+            };
             faces.push_triangle(corners);
             read += 1;
         }

@@ -28,8 +28,17 @@ pub(super) fn read<V: Values>(
     wanted: Wanted,
 ) -> Result<Loaded> {
     let elements = &header.elements;
-    let mut body = Body { path, content, values, wanted, uv: Vec::new(), warnings: header.warnings };
-    let vertex = body.vertex(elements)?.ok_or_else(|| body.no_vertex(elements, header.end))?;
+    let mut body = Body {
+        path,
+        content,
+        values,
+        wanted,
+        uv: Vec::new(),
+        warnings: header.warnings,
+    };
+    let vertex = body
+        .vertex(elements)?
+        .ok_or_else(|| body.no_vertex(elements, header.end))?;
     let mesh = body.mesh(elements, vertex)?;
     body.note_rest();
     Ok(Loaded::new(path, mesh, body.warnings))
@@ -58,7 +67,10 @@ pub(super) struct Body<'a, V> {
 impl<V: Values> Body<'_, V> {
     /// The place of the element `vertex`, which may be there once.
     fn vertex(&self, elements: &[Element]) -> Result<Option<usize>> {
-        let mut found = elements.iter().enumerate().filter(|(_, element)| element.name == "vertex");
+        let mut found = elements
+            .iter()
+            .enumerate()
+            .filter(|(_, element)| element.name == "vertex");
         let first = found.next().map(|(at, _)| at);
         match found.next() {
             None => Ok(first),
@@ -84,12 +96,21 @@ impl<V: Values> Body<'_, V> {
             self.visit(element, |body, element| body.any_faces(element, &mut faces))?;
         }
         let triangles = self.finish(faces)?;
-        let uv = (!self.uv.is_empty()).then(|| uv_of_corners(&triangles, &std::mem::take(&mut self.uv)));
-        Ok(TriangleMesh { vertices, triangles, uv })
+        let uv =
+            (!self.uv.is_empty()).then(|| uv_of_corners(&triangles, &std::mem::take(&mut self.uv)));
+        Ok(TriangleMesh {
+            vertices,
+            triangles,
+            uv,
+        })
     }
 
     /// Reads an element for which the file must have room.
-    fn visit<T>(&mut self, element: &Element, read: impl FnOnce(&mut Self, &Element) -> Result<T>) -> Result<T> {
+    fn visit<T>(
+        &mut self,
+        element: &Element,
+        read: impl FnOnce(&mut Self, &Element) -> Result<T>,
+    ) -> Result<T> {
         self.check_room(element)?;
         let read = read(self, element)?;
         self.note_line(element);
@@ -107,17 +128,31 @@ impl<V: Values> Body<'_, V> {
     }
 
     fn finish(&mut self, faces: Faces) -> Result<Vec<[u32; 3]>> {
-        let (triangles, small) = faces.finish().map_err(|error| error.or_at(|| SourceLocation::file(self.path)))?;
-        self.warnings.extend(self.values.warning(small, "face of fewer than 3 corners, left out"));
+        let (triangles, small) = faces
+            .finish()
+            .map_err(|error| error.or_at(|| SourceLocation::file(self.path)))?;
+        self.warnings.extend(
+            self.values
+                .warning(small, "face of fewer than 3 corners, left out"),
+        );
         Ok(triangles)
     }
 
     /// The length of a list that the rest of the file can hold.
     #[inline]
-    pub(super) fn length(&mut self, count: Scalar, item: Scalar) -> std::result::Result<u64, Fault> {
-        let length = u64::try_from(self.values.integer(count)?).map_err(|_| Fault::NegativeLength)?;
+    pub(super) fn length(
+        &mut self,
+        count: Scalar,
+        item: Scalar,
+    ) -> std::result::Result<u64, Fault> {
+        let length =
+            u64::try_from(self.values.integer(count)?).map_err(|_| Fault::NegativeLength)?;
         let is_possible = V::least_bytes(Run::of(item, length)) <= self.values.bytes_left();
-        if is_possible { Ok(length) } else { Err(Fault::ListTooLong) }
+        if is_possible {
+            Ok(length)
+        } else {
+            Err(Fault::ListTooLong)
+        }
     }
 
     #[inline]
@@ -140,7 +175,8 @@ impl<V: Values> Body<'_, V> {
         let plan = plan(&element.properties, |_, _| None);
         for number in 0..element.count {
             for step in &plan {
-                self.leave_out(*step).map_err(|fault| self.error(fault, element, number))?;
+                self.leave_out(*step)
+                    .map_err(|fault| self.error(fault, element, number))?;
             }
         }
         Ok(())
@@ -153,9 +189,13 @@ impl<V: Values> Body<'_, V> {
         if needed <= left {
             return Ok(());
         }
-        let message =
-            format!("{} of `{}` need {needed} bytes or more, but only {left} follow", element.count, element.name);
-        Err(self.wrong_header(message, element).note("the file is cut off, or its header is wrong"))
+        let message = format!(
+            "{} of `{}` need {needed} bytes or more, but only {left} follow",
+            element.count, element.name
+        );
+        Err(self
+            .wrong_header(message, element)
+            .note("the file is cut off, or its header is wrong"))
     }
 
     /// Warns where an element ends within a line: the header and the lines disagree.
@@ -163,15 +203,20 @@ impl<V: Values> Body<'_, V> {
         if element.count > 0 && !element.properties.is_empty() && self.values.is_inside_line() {
             let message = format!("the last `{}` ends within a line", element.name);
             let warning = Diagnostic::new(message).at(self.values.location(self.values.last()));
-            self.warnings.push(warning.note("the header may list too few or too many properties"));
+            self.warnings
+                .push(warning.note("the header may list too few or too many properties"));
         }
     }
 
     fn note_rest(&mut self) {
         let rest = self.values.rest();
         if !rest.is_empty() {
-            let message = format!("{} after the last element, ignored", counted(rest.len() as u64, "byte"));
-            self.warnings.push(Diagnostic::new(message).at(self.values.location(rest.start..rest.start)));
+            let message = format!(
+                "{} after the last element, ignored",
+                counted(rest.len() as u64, "byte")
+            );
+            self.warnings
+                .push(Diagnostic::new(message).at(self.values.location(rest.start..rest.start)));
         }
     }
 }

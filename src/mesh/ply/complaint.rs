@@ -26,7 +26,8 @@ impl<V: Values> Body<'_, V> {
             None => "it has no properties".to_string(),
             Some(names) => format!("its properties are {names}"),
         };
-        self.wrong_header(format!("element `{}` has no {what}", element.name), element).note(note)
+        self.wrong_header(format!("element `{}` has no {what}", element.name), element)
+            .note(note)
     }
 
     /// None of `elements` is `vertex`; the header ends with the line `end`.
@@ -35,7 +36,8 @@ impl<V: Values> Body<'_, V> {
             None => "it has no elements".to_string(),
             Some(names) => format!("its elements are {names}"),
         };
-        let diagnostic = Diagnostic::new("the header has no element `vertex`").at(self.in_header(end));
+        let diagnostic =
+            Diagnostic::new("the header has no element `vertex`").at(self.in_header(end));
         Error::bad_input(diagnostic.note(note))
     }
 
@@ -50,22 +52,45 @@ impl<V: Values> Body<'_, V> {
             Fault::End => return self.at(format!("the file ends in {place}"), end),
             Fault::NotANumber => (format!("{found} is not a number"), last),
             Fault::NotAnInteger => (format!("{found} is not a whole number"), last),
-            Fault::NotAnIndex(value) => (format!("{value} is not an index: expected a whole number"), last),
+            Fault::NotAnIndex(value) => (
+                format!("{value} is not an index: expected a whole number"),
+                last,
+            ),
             Fault::NegativeLength => ("a list of negative length".to_string(), last),
-            Fault::ListTooLong => ("a list that is longer than the rest of the file".to_string(), last),
+            Fault::ListTooLong => (
+                "a list that is longer than the rest of the file".to_string(),
+                last,
+            ),
         };
-        self.at(message, span).note(format!("read as part of {place}"))
+        self.at(message, span)
+            .note(format!("read as part of {place}"))
     }
 
     /// The value read last names no vertex.
     #[cold]
-    pub(super) fn no_such_vertex(&self, index: i64, element: &Element, number: u64, vertices: usize) -> Error {
+    pub(super) fn no_such_vertex(
+        &self,
+        index: i64,
+        element: &Element,
+        number: u64,
+        vertices: usize,
+    ) -> Error {
         let Element { name, count, .. } = element;
-        let message = format!("{name} {} of {count} has a corner at vertex {index}, which does not exist", number + 1);
-        let end_of_strip = if name == STRIPS { format!(", or {} to end a strip", strip::END) } else { String::new() };
+        let message = format!(
+            "{name} {} of {count} has a corner at vertex {index}, which does not exist",
+            number + 1
+        );
+        let end_of_strip = if name == STRIPS {
+            format!(", or {} to end a strip", strip::END)
+        } else {
+            String::new()
+        };
         let note = match vertices {
             0 => "the mesh has no vertices".to_string(),
-            _ => format!("vertices count from 0: expected 0 to {}{end_of_strip}", vertices - 1),
+            _ => format!(
+                "vertices count from 0: expected 0 to {}{end_of_strip}",
+                vertices - 1
+            ),
         };
         self.at(message, self.values.last()).note(note)
     }

@@ -18,7 +18,12 @@ impl<V: Values> Body<'_, V> {
         });
         let layout = Layout::of(&plan);
         let triangles = self.likely_triangles(element);
-        let too_large = || format!("{} faces are too many for this machine's memory", element.count);
+        let too_large = || {
+            format!(
+                "{} faces are too many for this machine's memory",
+                element.count
+            )
+        };
         memory::check((triangles * size_of::<[u32; 3]>()) as u64, too_large)
             .map_err(|error| error.or_at(|| self.in_header(element.span.clone())))?;
         faces.reserve(triangles);
@@ -44,8 +49,14 @@ impl<V: Values> Body<'_, V> {
 
     /// Which property of `element` holds the corners.
     pub(super) fn corner_list(&self, element: &Element) -> Result<usize> {
-        let is_corners = |property: &Property| matches!(property.name.as_str(), "vertex_indices" | "vertex_index");
-        let mut found = element.properties.iter().enumerate().filter(|(_, property)| is_corners(property));
+        let is_corners = |property: &Property| {
+            matches!(property.name.as_str(), "vertex_indices" | "vertex_index")
+        };
+        let mut found = element
+            .properties
+            .iter()
+            .enumerate()
+            .filter(|(_, property)| is_corners(property));
         let Some((at, property)) = found.next() else {
             return Err(self.missing(element, "list `vertex_indices`"));
         };
@@ -55,7 +66,10 @@ impl<V: Values> Body<'_, V> {
         match property.shape {
             // Whole numbers of a floating-point type are indices as well: rply, and so pbrt, reads them.
             Shape::List { .. } => Ok(at),
-            Shape::One(_) => Err(self.wrong_header(format!("property `{}` is not a list", property.name), element)),
+            Shape::One(_) => Err(self.wrong_header(
+                format!("property `{}` is not a list", property.name),
+                element,
+            )),
         }
     }
 
@@ -71,7 +85,9 @@ impl<V: Values> Body<'_, V> {
     ) -> Result<()> {
         for step in plan {
             if let Step::Corners { count, item } = *step {
-                let length = self.length(count, item).map_err(|fault| self.error(fault, element, number))?;
+                let length = self
+                    .length(count, item)
+                    .map_err(|fault| self.error(fault, element, number))?;
                 let start = self.values.last();
                 corners.clear();
                 for _ in 0..length {
@@ -81,21 +97,37 @@ impl<V: Values> Body<'_, V> {
                 let pushed = faces.push(corners, || start.clone());
                 pushed.map_err(|error| error.or_at(|| self.values.location(start)))?;
             } else {
-                self.leave_out(*step).map_err(|fault| self.error(fault, element, number))?;
+                self.leave_out(*step)
+                    .map_err(|fault| self.error(fault, element, number))?;
             }
         }
         Ok(())
     }
 
     #[inline]
-    fn corner(&mut self, element: &Element, number: u64, item: Scalar, faces: &Faces) -> Result<u32> {
-        let index = self.values.integer(item).map_err(|fault| self.error(fault, element, number))?;
+    fn corner(
+        &mut self,
+        element: &Element,
+        number: u64,
+        item: Scalar,
+        faces: &Faces,
+    ) -> Result<u32> {
+        let index = self
+            .values
+            .integer(item)
+            .map_err(|fault| self.error(fault, element, number))?;
         self.existing(index, element, number, faces)
     }
 
     /// The vertex `index`, if there is one.
     #[inline]
-    pub(super) fn existing(&self, index: i64, element: &Element, number: u64, faces: &Faces) -> Result<u32> {
+    pub(super) fn existing(
+        &self,
+        index: i64,
+        element: &Element,
+        number: u64,
+        faces: &Faces,
+    ) -> Result<u32> {
         // A negative index becomes one that is far too large.
         if (index as u64) < faces.vertex_count() as u64 {
             return Ok(index as u32);

@@ -100,15 +100,24 @@ impl Header {
         let mut reader = Reader::begin(path, content)?;
         let mut stray = Tally::default();
         let (encoding, elements, warnings) = (reader.encoding()?, Vec::new(), Vec::new());
-        let mut header = Header { encoding, elements, end: 0..0, size: 0, warnings };
+        let mut header = Header {
+            encoding,
+            elements,
+            end: 0..0,
+            size: 0,
+            warnings,
+        };
         while let Some(line) = reader.lines.next() {
             let words = Words::new(content, line.clone());
             match words.get(0) {
                 b"end_header" => {
                     header.end = words.span(0);
                     header.size = reader.lines.position();
-                    let warning = stray.in_text(path, content, "header line of unknown meaning, skipped");
-                    header.warnings.extend(warning.map(|warning| warning.note("a comment begins with `comment`")));
+                    let warning =
+                        stray.in_text(path, content, "header line of unknown meaning, skipped");
+                    header.warnings.extend(
+                        warning.map(|warning| warning.note("a comment begins with `comment`")),
+                    );
                     return Ok(header);
                 }
                 b"comment" | b"obj_info" | b"" => {}
@@ -120,7 +129,9 @@ impl Header {
         }
         let end = SourceLocation::text(path, content, content.len()..content.len());
         let diagnostic = Diagnostic::new("the header has no end").at(end);
-        Err(Error::bad_input(diagnostic.note("expected a line `end_header`: the file may be cut off")))
+        Err(Error::bad_input(diagnostic.note(
+            "expected a line `end_header`: the file may be cut off",
+        )))
     }
 }
 
@@ -136,7 +147,11 @@ impl<'a> Reader<'a> {
         let mut lines = Lines::new(content, mark);
         let first = lines.next().unwrap_or(mark..content.len());
         if content[first].trim_ascii() == b"ply" {
-            return Ok(Reader { path, content, lines });
+            return Ok(Reader {
+                path,
+                content,
+                lines,
+            });
         }
         let diagnostic = match signature::describe(content) {
             Some(found) => Diagnostic::new(format!("not a PLY mesh: this is {found}")),
@@ -147,9 +162,16 @@ impl<'a> Reader<'a> {
 
     fn encoding(&mut self) -> Result<Encoding> {
         let content = self.content;
-        let is_comment =
-            |line: &Range<usize>| matches!(Words::new(content, line.clone()).get(0), b"comment" | b"obj_info" | b"");
-        let line = self.lines.find(|line| !is_comment(line)).unwrap_or(content.len()..content.len());
+        let is_comment = |line: &Range<usize>| {
+            matches!(
+                Words::new(content, line.clone()).get(0),
+                b"comment" | b"obj_info" | b""
+            )
+        };
+        let line = self
+            .lines
+            .find(|line| !is_comment(line))
+            .unwrap_or(content.len()..content.len());
         let words = Words::new(content, line);
         let known = "expected `format`, one of ascii, binary_little_endian and binary_big_endian, and the version 1.0";
         if words.get(0) != b"format" {
@@ -159,39 +181,77 @@ impl<'a> Reader<'a> {
             b"ascii" => Encoding::Ascii,
             b"binary_little_endian" => Encoding::LittleEndian,
             b"binary_big_endian" => Encoding::BigEndian,
-            _ => return Err(self.wrong(&words, 1, format!("unknown encoding {}", words.quoted(1)), known)),
+            _ => {
+                return Err(self.wrong(
+                    &words,
+                    1,
+                    format!("unknown encoding {}", words.quoted(1)),
+                    known,
+                ));
+            }
         };
         match words.get(2) {
             b"1.0" => Ok(encoding),
-            _ => Err(self.wrong(&words, 2, format!("unknown version {}", words.quoted(2)), known)),
+            _ => Err(self.wrong(
+                &words,
+                2,
+                format!("unknown version {}", words.quoted(2)),
+                known,
+            )),
         }
     }
 
     fn element(&self, words: &Words) -> Result<Element> {
         if words.get(1).is_empty() {
-            return Err(self.wrong(words, 1, "an element without a name", "expected `element NAME COUNT`"));
+            return Err(self.wrong(
+                words,
+                1,
+                "an element without a name",
+                "expected `element NAME COUNT`",
+            ));
         }
-        let count = str::from_utf8(words.get(2)).ok().and_then(|word| word.parse().ok());
+        let count = str::from_utf8(words.get(2))
+            .ok()
+            .and_then(|word| word.parse().ok());
         let Some(count) = count else {
             let message = format!("{} is not a number of elements", words.quoted(2));
             return Err(self.wrong(words, 2, message, "expected `element NAME COUNT`"));
         };
-        Ok(Element { name: words.text(1), count, properties: Vec::new(), span: words.line() })
+        Ok(Element {
+            name: words.text(1),
+            count,
+            properties: Vec::new(),
+            span: words.line(),
+        })
     }
 
     fn property(&self, words: &Words, element: Option<&mut Element>) -> Result<()> {
         let Some(element) = element else {
-            return Err(self.wrong(words, 0, "a property before any element", "expected `element NAME COUNT` first"));
+            return Err(self.wrong(
+                words,
+                0,
+                "a property before any element",
+                "expected `element NAME COUNT` first",
+            ));
         };
         let (shape, name) = match words.get(1) {
-            b"list" => (Shape::List { count: self.count_type(words)?, item: self.scalar(words, 3)? }, 4),
+            b"list" => (
+                Shape::List {
+                    count: self.count_type(words)?,
+                    item: self.scalar(words, 3)?,
+                },
+                4,
+            ),
             _ => (Shape::One(self.scalar(words, 1)?), 2),
         };
         if words.get(name).is_empty() {
             let form = "expected `property TYPE NAME` or `property list TYPE TYPE NAME`";
             return Err(self.wrong(words, name, "a property without a name", form));
         }
-        element.properties.push(Property { name: words.text(name), shape });
+        element.properties.push(Property {
+            name: words.text(name),
+            shape,
+        });
         Ok(())
     }
 
@@ -214,7 +274,12 @@ impl<'a> Reader<'a> {
 
     fn unknown_keyword(&self, words: &Words) -> Error {
         let known = "expected one of element, property, comment, obj_info and end_header";
-        self.wrong(words, 0, format!("unknown header line {}", words.quoted(0)), known)
+        self.wrong(
+            words,
+            0,
+            format!("unknown header line {}", words.quoted(0)),
+            known,
+        )
     }
 
     fn wrong(&self, words: &Words, at: usize, message: impl Into<String>, note: &str) -> Error {

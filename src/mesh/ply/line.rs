@@ -14,9 +14,16 @@ pub(super) struct Lines<'a> {
 impl Lines<'_> {
     /// The lines of `content` from the byte `at` on.
     pub(super) fn new(content: &[u8], at: usize) -> Lines<'_> {
-        let first_end = content.iter().position(|byte| matches!(byte, b'\n' | b'\r'));
-        let is_lone_cr = first_end.is_some_and(|at| content[at] == b'\r' && content.get(at + 1) != Some(&b'\n'));
-        Lines { content, at, end: if is_lone_cr { b'\r' } else { b'\n' } }
+        let first_end = content
+            .iter()
+            .position(|byte| matches!(byte, b'\n' | b'\r'));
+        let is_lone_cr =
+            first_end.is_some_and(|at| content[at] == b'\r' && content.get(at + 1) != Some(&b'\n'));
+        Lines {
+            content,
+            at,
+            end: if is_lone_cr { b'\r' } else { b'\n' },
+        }
     }
 
     /// Where the next line begins.
@@ -30,7 +37,9 @@ impl Iterator for Lines<'_> {
 
     /// The next complete line: the values begin after exactly one end of line, whatever byte follows.
     fn next(&mut self) -> Option<Range<usize>> {
-        let length = self.content[self.at..].iter().position(|byte| *byte == self.end)?;
+        let length = self.content[self.at..]
+            .iter()
+            .position(|byte| *byte == self.end)?;
         let start = self.at;
         self.at += length + 1;
         Some(start..start + length)
@@ -53,14 +62,26 @@ impl<'a> Words<'a> {
         let mut spans = Vec::with_capacity(Self::MOST);
         let mut at = line.start;
         while spans.len() < Self::MOST {
-            let Some(blanks) = content[at..line.end].iter().position(|byte| !byte.is_ascii_whitespace()) else { break };
+            let Some(blanks) = content[at..line.end]
+                .iter()
+                .position(|byte| !byte.is_ascii_whitespace())
+            else {
+                break;
+            };
             let start = at + blanks;
             let rest = &content[start..line.end];
-            let length = rest.iter().position(u8::is_ascii_whitespace).unwrap_or(rest.len());
+            let length = rest
+                .iter()
+                .position(u8::is_ascii_whitespace)
+                .unwrap_or(rest.len());
             at = start + length;
             spans.push(start..at);
         }
-        Words { content, line, spans }
+        Words {
+            content,
+            line,
+            spans,
+        }
     }
 
     /// The whole line.
@@ -70,7 +91,9 @@ impl<'a> Words<'a> {
 
     /// The word `at`, empty beyond the last one.
     pub(super) fn get(&self, at: usize) -> &'a [u8] {
-        self.spans.get(at).map_or(b"", |span| &self.content[span.clone()])
+        self.spans
+            .get(at)
+            .map_or(b"", |span| &self.content[span.clone()])
     }
 
     /// Where the word `at` is, or should be.

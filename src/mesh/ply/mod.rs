@@ -30,7 +30,8 @@ use crate::input::{Budget, Storage, gzip};
 
 /// Reads the bytes of a PLY file, compressed or not; `path` is for messages only.
 pub(super) fn parse_any(path: &Path, bytes: &[u8], budget: &Budget) -> Result<Loaded> {
-    read_plain(path, &Storage::Memory(bytes), budget).map_or_else(|| parse_odd(path, bytes, budget), Ok)
+    read_plain(path, &Storage::Memory(bytes), budget)
+        .map_or_else(|| parse_odd(path, bytes, budget), Ok)
 }
 
 /// The mesh in `storage`, compressed or not, if it is a plain PLY file: the quick way, which has no messages.
@@ -47,8 +48,11 @@ pub(super) fn read_plain(path: &Path, storage: &Storage, budget: &Budget) -> Opt
 pub(super) fn parse_odd(path: &Path, bytes: &[u8], budget: &Budget) -> Result<Loaded> {
     gzip::parsed(path, bytes, budget, |content| {
         // A compressed file may be plain, if not as a stream.
-        let plain = gzip::is_in(&Storage::Memory(bytes)).then(|| plain::read(path, &Storage::Memory(content)));
-        plain.flatten().map_or_else(|| parse(path, content, budget), Ok)
+        let plain = gzip::is_in(&Storage::Memory(bytes))
+            .then(|| plain::read(path, &Storage::Memory(content)));
+        plain
+            .flatten()
+            .map_or_else(|| parse(path, content, budget), Ok)
     })
 }
 
@@ -56,10 +60,15 @@ pub(super) fn parse_odd(path: &Path, bytes: &[u8], budget: &Budget) -> Result<Lo
 pub(super) fn parse_with_uv(path: &Path, bytes: &[u8], budget: &Budget) -> Result<Loaded> {
     gzip::parsed(path, bytes, budget, |content| {
         let header = Header::parse(path, content)?;
-        if header.elements.iter().any(|element| element.name == "vertex" && names_of_uv(element).is_some()) {
+        if header
+            .elements
+            .iter()
+            .any(|element| element.name == "vertex" && names_of_uv(element).is_some())
+        {
             return read(path, content, header, true, budget);
         }
-        plain::read(path, &Storage::Memory(content)).map_or_else(|| read(path, content, header, false, budget), Ok)
+        plain::read(path, &Storage::Memory(content))
+            .map_or_else(|| read(path, content, header, false, budget), Ok)
     })
 }
 
@@ -67,16 +76,36 @@ fn parse(path: &Path, content: &[u8], budget: &Budget) -> Result<Loaded> {
     read(path, content, Header::parse(path, content)?, false, budget)
 }
 
-fn read(path: &Path, content: &[u8], header: Header, with_uv: bool, budget: &Budget) -> Result<Loaded> {
+fn read(
+    path: &Path,
+    content: &[u8],
+    header: Header,
+    with_uv: bool,
+    budget: &Budget,
+) -> Result<Loaded> {
     let start = header.size;
     let wanted = Wanted { with_uv, budget };
     match header.encoding {
-        Encoding::Ascii => body::read(path, content, Ascii::new(path, content, start), header, wanted),
-        Encoding::LittleEndian => {
-            body::read(path, content, Binary::<LittleEndian>::new(path, content, start), header, wanted)
-        }
-        Encoding::BigEndian => {
-            body::read(path, content, Binary::<BigEndian>::new(path, content, start), header, wanted)
-        }
+        Encoding::Ascii => body::read(
+            path,
+            content,
+            Ascii::new(path, content, start),
+            header,
+            wanted,
+        ),
+        Encoding::LittleEndian => body::read(
+            path,
+            content,
+            Binary::<LittleEndian>::new(path, content, start),
+            header,
+            wanted,
+        ),
+        Encoding::BigEndian => body::read(
+            path,
+            content,
+            Binary::<BigEndian>::new(path, content, start),
+            header,
+            wanted,
+        ),
     }
 }

@@ -14,7 +14,10 @@ pub(super) enum Step {
 }
 
 /// What to do with each property: what `wanted` says, or to skip it, many at once where that is possible.
-pub(super) fn plan(properties: &[Property], wanted: impl Fn(usize, Shape) -> Option<Step>) -> Vec<Step> {
+pub(super) fn plan(
+    properties: &[Property],
+    wanted: impl Fn(usize, Shape) -> Option<Step>,
+) -> Vec<Step> {
     let mut plan = Vec::new();
     for (at, property) in properties.iter().enumerate() {
         let step = wanted(at, property.shape).unwrap_or(match property.shape {
@@ -31,13 +34,16 @@ pub(super) fn plan(properties: &[Property], wanted: impl Fn(usize, Shape) -> Opt
 
 /// The values of one element when all its lists are empty.
 pub(super) fn least_run(element: &Element) -> Run {
-    element.properties.iter().fold(Run::default(), |run, property| {
-        let kind = match property.shape {
-            Shape::One(kind) => kind,
-            Shape::List { count, .. } => count,
-        };
-        run.plus(Run::of(kind, 1))
-    })
+    element
+        .properties
+        .iter()
+        .fold(Run::default(), |run, property| {
+            let kind = match property.shape {
+                Shape::One(kind) => kind,
+                Shape::List { count, .. } => count,
+            };
+            run.plus(Run::of(kind, 1))
+        })
 }
 
 /// Faces whose corners lie at the same place in each, as long as they have three.
@@ -65,7 +71,12 @@ impl Layout {
             _ => return None,
         };
         match list {
-            Step::Corners { count, item } => Some(Layout { lead, count, item, trail }),
+            Step::Corners { count, item } => Some(Layout {
+                lead,
+                count,
+                item,
+                trail,
+            }),
             _ => None,
         }
     }

@@ -29,14 +29,21 @@ impl<V: Values> Body<'_, V> {
             for step in &plan {
                 match *step {
                     Step::Corners { count, item } => {
-                        let length = self.length(count, item).map_err(|fault| self.error(fault, element, number))?;
+                        let length = self
+                            .length(count, item)
+                            .map_err(|fault| self.error(fault, element, number))?;
                         self.strip_list(element, number, (length, item), faces, &mut small)?;
                     }
-                    step => self.leave_out(step).map_err(|fault| self.error(fault, element, number))?,
+                    step => self
+                        .leave_out(step)
+                        .map_err(|fault| self.error(fault, element, number))?,
                 }
             }
         }
-        self.warnings.extend(self.values.warning(small, "strip of fewer than 3 corners, left out"));
+        self.warnings.extend(
+            self.values
+                .warning(small, "strip of fewer than 3 corners, left out"),
+        );
         Ok(())
     }
 
@@ -51,10 +58,16 @@ impl<V: Values> Body<'_, V> {
     ) -> Result<()> {
         let mut strip = Strip::default();
         for _ in 0..length {
-            let index = self.values.integer(item).map_err(|fault| self.error(fault, element, number))?;
+            let index = self
+                .values
+                .integer(item)
+                .map_err(|fault| self.error(fault, element, number))?;
             if index != END {
                 let corner = self.existing(index, element, number, faces)?;
-                strip.push(corner).into_iter().for_each(|triangle| faces.push_triangle(triangle));
+                strip
+                    .push(corner)
+                    .into_iter()
+                    .for_each(|triangle| faces.push_triangle(triangle));
             } else if std::mem::take(&mut strip).is_small() {
                 small.add(self.values.last());
             }

@@ -26,7 +26,11 @@ pub(super) enum Fault {
 pub(super) fn whole(value: f64) -> Result<i64, Fault> {
     /// Below it every `f64` without a fraction is an `i64`; NaN is not below it.
     const LIMIT: f64 = 9_223_372_036_854_775_808.0;
-    if value.abs() < LIMIT && value.fract() == 0.0 { Ok(value as i64) } else { Err(Fault::NotAnIndex(value)) }
+    if value.abs() < LIMIT && value.fract() == 0.0 {
+        Ok(value as i64)
+    } else {
+        Err(Fault::NotAnIndex(value))
+    }
 }
 
 /// Values in a row: how many, and the bytes that they take in a binary file.
@@ -40,16 +44,25 @@ impl Run {
     /// `values` numbers of one type.
     #[inline]
     pub(super) fn of(kind: Scalar, values: u64) -> Run {
-        Run { values, bytes: values.saturating_mul(kind.size() as u64) }
+        Run {
+            values,
+            bytes: values.saturating_mul(kind.size() as u64),
+        }
     }
 
     pub(super) fn plus(self, other: Run) -> Run {
         let values = self.values.saturating_add(other.values);
-        Run { values, bytes: self.bytes.saturating_add(other.bytes) }
+        Run {
+            values,
+            bytes: self.bytes.saturating_add(other.bytes),
+        }
     }
 
     pub(super) fn times(self, count: u64) -> Run {
-        Run { values: self.values.saturating_mul(count), bytes: self.bytes.saturating_mul(count) }
+        Run {
+            values: self.values.saturating_mul(count),
+            bytes: self.bytes.saturating_mul(count),
+        }
     }
 }
 
@@ -87,7 +100,13 @@ pub(super) trait Values: Clone {
 
     /// Reads `count` points at `offsets` in records of `stride` bytes; `None`, and nothing read, where that
     /// is no faster than value by value.
-    fn points(&mut self, _count: u64, _stride: usize, _offsets: [usize; 3], _kind: Scalar) -> Option<Vec<Point>> {
+    fn points(
+        &mut self,
+        _count: u64,
+        _stride: usize,
+        _offsets: [usize; 3],
+        _kind: Scalar,
+    ) -> Option<Vec<Point>> {
         None
     }
 

@@ -6,7 +6,8 @@ use crate::mesh::{Loaded, MeshFormat};
 
 const ASCII: &[u8] = b"ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n\
     element face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n.5 .5 0\n1 1 0\n3 0 1 2\n5 0 1 3 4 2\n";
-const BINARY: &[u8] = b"ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty uchar x\nproperty uchar y\n\
+const BINARY: &[u8] =
+    b"ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty uchar x\nproperty uchar y\n\
     property uchar z\nelement face 2\nproperty list uchar uchar vertex_indices\nend_header\n\
     \x00\x00\x00\x01\x00\x00\x00\x01\x00\x03\x00\x01\x02\x06\x00\x01\x00\x02\x01\x02";
 const ASCII_UV: &[u8] = b"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float u\nproperty float y\nproperty float z\n\
@@ -18,9 +19,19 @@ const OBJ: &[u8] =
 fn check(bytes: &[u8], result: Result<Loaded>) {
     if let Ok(Loaded { mesh, .. }) = result {
         assert!(mesh.vertices.len() <= bytes.len() && mesh.triangles.len() <= bytes.len());
-        assert!(mesh.vertices.capacity() <= bytes.len() && mesh.triangles.capacity() <= bytes.len());
-        assert!(mesh.uv.is_none_or(|uv| uv.len() == mesh.triangles.len() && uv.capacity() <= bytes.len()));
-        assert!(mesh.triangles.iter().flatten().all(|corner| (*corner as usize) < mesh.vertices.len()));
+        assert!(
+            mesh.vertices.capacity() <= bytes.len() && mesh.triangles.capacity() <= bytes.len()
+        );
+        assert!(
+            mesh.uv
+                .is_none_or(|uv| uv.len() == mesh.triangles.len() && uv.capacity() <= bytes.len())
+        );
+        assert!(
+            mesh.triangles
+                .iter()
+                .flatten()
+                .all(|corner| (*corner as usize) < mesh.vertices.len())
+        );
     }
 }
 

@@ -56,7 +56,12 @@ fn triangles(result: Result<Loaded>) -> Vec<[u32; 3]> {
 /// The vertices of a file, which may have no faces.
 fn vertices(result: Result<Loaded>) -> Vec<[f64; 3]> {
     let loaded = result.unwrap_or_else(|error| panic!("{error}"));
-    loaded.mesh.vertices.into_iter().map(|point| point.to_array()).collect()
+    loaded
+        .mesh
+        .vertices
+        .into_iter()
+        .map(|point| point.to_array())
+        .collect()
 }
 
 fn warnings(result: Result<Loaded>) -> Vec<String> {

@@ -9,7 +9,10 @@ use crate::mesh::TriangleMesh;
 use crate::mesh::polygon::{Clipper, triangulate};
 
 fn flat(outline: &[[f64; 2]]) -> Vec<Point> {
-    outline.iter().map(|[x, y]| Point::new(*x, *y, 0.0)).collect()
+    outline
+        .iter()
+        .map(|[x, y]| Point::new(*x, *y, 0.0))
+        .collect()
 }
 
 fn cut_points(vertices: &[Point]) -> Result<Vec<[u32; 3]>> {
@@ -35,14 +38,23 @@ fn area([a, b, c]: [u32; 3], vertices: &[Point]) -> f64 {
 }
 
 fn outline_area(vertices: &[Point]) -> f64 {
-    fan(vertices.len() as u32).into_iter().map(|triangle| area(triangle, vertices)).sum()
+    fan(vertices.len() as u32)
+        .into_iter()
+        .map(|triangle| area(triangle, vertices))
+        .sum()
 }
 
 /// No triangle lies outside of the outline: then the areas without their signs would add up to more.
 fn assert_covers(triangles: &[[u32; 3]], vertices: &[Point]) {
-    let sum: f64 = triangles.iter().map(|triangle| area(*triangle, vertices).abs()).sum();
+    let sum: f64 = triangles
+        .iter()
+        .map(|triangle| area(*triangle, vertices).abs())
+        .sum();
     let expected = outline_area(vertices).abs();
-    assert!((sum - expected).abs() <= 1e-9 * expected, "{sum} instead of {expected}");
+    assert!(
+        (sum - expected).abs() <= 1e-9 * expected,
+        "{sum} instead of {expected}"
+    );
 }
 
 fn covers(outline: &[[f64; 2]]) {
@@ -51,17 +63,34 @@ fn covers(outline: &[[f64; 2]]) {
 
 #[test]
 fn cuts_convex_outlines_as_fans() {
-    let octagon: Vec<_> = (0..8).map(|k| f64::from(k) * TAU / 8.0).map(|angle| [angle.cos(), angle.sin()]).collect();
+    let octagon: Vec<_> = (0..8)
+        .map(|k| f64::from(k) * TAU / 8.0)
+        .map(|angle| [angle.cos(), angle.sin()])
+        .collect();
     assert_eq!(cut(&octagon), fan(8));
     let reversed: Vec<_> = octagon.iter().rev().copied().collect();
     assert_eq!(cut(&reversed), fan(8));
     // Corners within the sides, and one twice.
-    assert_eq!(cut(&[[0., 0.], [1., 0.], [2., 0.], [2., 0.], [2., 2.], [0., 2.], [0., 1.]]), fan(7));
+    assert_eq!(
+        cut(&[
+            [0., 0.],
+            [1., 0.],
+            [2., 0.],
+            [2., 0.],
+            [2., 2.],
+            [0., 2.],
+            [0., 1.]
+        ]),
+        fan(7)
+    );
 }
 
 #[test]
 fn never_looks_at_triangles_and_quads() {
-    assert_eq!(cut(&[[0., 0.], [2., 0.], [0.5, 0.5], [0., 2.]]), [[0, 1, 2], [0, 2, 3]]);
+    assert_eq!(
+        cut(&[[0., 0.], [2., 0.], [0.5, 0.5], [0., 2.]]),
+        [[0, 1, 2], [0, 2, 3]]
+    );
     assert_eq!(cut(&[[0., 0.], [0., 0.], [0., 0.]]), [[0, 1, 2]]);
 }
 
@@ -81,9 +110,30 @@ fn cuts_ears_in_the_documented_order() {
 fn covers_concave_outlines() {
     covers(&[[0., 0.], [2., 0.], [2., 1.], [1., 1.], [1., 2.], [0., 2.]]);
     // With corners within the sides.
-    covers(&[[0., 0.], [1., 0.], [2., 0.], [2., 1.], [1.5, 1.], [1., 1.], [1., 2.], [0., 2.], [0., 1.]]);
+    covers(&[
+        [0., 0.],
+        [1., 0.],
+        [2., 0.],
+        [2., 1.],
+        [1.5, 1.],
+        [1., 1.],
+        [1., 2.],
+        [0., 2.],
+        [0., 1.],
+    ]);
     // A square with a square hole, joined by a bridge.
-    let hole = [[0., 0.], [4., 0.], [4., 4.], [0., 4.], [0., 0.], [1., 1.], [1., 3.], [3., 3.], [3., 1.], [1., 1.]];
+    let hole = [
+        [0., 0.],
+        [4., 0.],
+        [4., 4.],
+        [0., 4.],
+        [0., 0.],
+        [1., 1.],
+        [1., 3.],
+        [3., 3.],
+        [3., 1.],
+        [1., 1.],
+    ];
     covers(&hole);
 }
 
@@ -103,18 +153,40 @@ fn does_not_depend_on_the_direction_of_the_plane() {
 
 #[test]
 fn ends_on_every_kind_of_nonsense() {
-    let star: Vec<_> = (0..5).map(|k| f64::from(k) * TAU * 2.0 / 5.0).map(|angle| [angle.cos(), angle.sin()]).collect();
-    assert_ne!(cut(&star), fan(5), "a pentagram turns left everywhere, but twice around");
+    let star: Vec<_> = (0..5)
+        .map(|k| f64::from(k) * TAU * 2.0 / 5.0)
+        .map(|angle| [angle.cos(), angle.sin()])
+        .collect();
+    assert_ne!(
+        cut(&star),
+        fan(5),
+        "a pentagram turns left everywhere, but twice around"
+    );
     cut(&[[1., 1.]; 7]);
     cut(&[[0., 0.], [1., 0.], [2., 0.], [1., 0.], [3., 0.], [0.5, 0.]]);
     cut(&[[0., 0.], [1., 1.], [1., 0.], [0., 1.], [0., 0.5]]);
-    assert_eq!(cut(&[[0., 0.], [1., 0.], [f64::NAN, 0.], [0., 1.], [0., 2.]]), fan(5));
-    assert_eq!(cut(&[[0., 0.], [1e308, 0.], [1e308, 1e308], [0.5, 0.5], [0., 1e308]]), fan(5));
+    assert_eq!(
+        cut(&[[0., 0.], [1., 0.], [f64::NAN, 0.], [0., 1.], [0., 2.]]),
+        fan(5)
+    );
+    assert_eq!(
+        cut(&[
+            [0., 0.],
+            [1e308, 0.],
+            [1e308, 1e308],
+            [0.5, 0.5],
+            [0., 1e308]
+        ]),
+        fan(5)
+    );
 }
 
 fn star(corners: usize, radius: impl Fn(usize) -> f64) -> Vec<Point> {
     let at = |k: usize| (k as f64 * TAU / corners as f64, radius(k));
-    (0..corners).map(at).map(|(angle, radius)| Point::new(radius * angle.cos(), radius * angle.sin(), 0.0)).collect()
+    (0..corners)
+        .map(at)
+        .map(|(angle, radius)| Point::new(radius * angle.cos(), radius * angle.sin(), 0.0))
+        .collect()
 }
 
 /// A band that winds inwards: hard for a search for ears, since few corners can be cut at a time.
@@ -125,30 +197,45 @@ fn spiral(corners: usize) -> Vec<Point> {
         let radius = 1.0 + 0.2 * angle + width;
         Point::new(radius * angle.cos(), radius * angle.sin(), 0.0)
     };
-    (0..half).map(|k| at(k, 0.0)).chain((0..half).rev().map(|k| at(k, 0.6))).collect()
+    (0..half)
+        .map(|k| at(k, 0.0))
+        .chain((0..half).rev().map(|k| at(k, 0.6)))
+        .collect()
 }
 
 #[test]
 fn cuts_large_outlines_in_a_moment() {
-    for vertices in
-        [spiral(10_000), star(10_000, |k| [1.0, 0.2][k % 2]), star(10_000, |k| 1.0 + (k as f64 * 0.37).sin() / 2.0)]
-    {
+    for vertices in [
+        spiral(10_000),
+        star(10_000, |k| [1.0, 0.2][k % 2]),
+        star(10_000, |k| 1.0 + (k as f64 * 0.37).sin() / 2.0),
+    ] {
         assert_covers(&cut_points(&vertices).expect("simple outlines"), &vertices);
     }
 }
 
 #[test]
 fn refuses_large_outlines_that_are_not_convex() {
-    let message = |vertices: &[Point]| cut_points(vertices).expect_err("too many corners").to_string();
+    let message = |vertices: &[Point]| {
+        cut_points(vertices)
+            .expect_err("too many corners")
+            .to_string()
+    };
     let dented = star(10_001, |k| [1.0, 0.9][usize::from(k == 7)]);
-    let expected = "a face of 10001 corners that is not convex\n   = at most 10000 corners are supported";
+    let expected =
+        "a face of 10001 corners that is not convex\n   = at most 10000 corners are supported";
     assert_eq!(message(&dented), expected);
-    assert_eq!(cut_points(&star(10_001, |_| 1.0)).map(|triangles| triangles.len()), Ok(9_999));
+    assert_eq!(
+        cut_points(&star(10_001, |_| 1.0)).map(|triangles| triangles.len()),
+        Ok(9_999)
+    );
 }
 
 fn mesh(name: &str) -> TriangleMesh {
     let path = format!("{}/tests/meshes/{name}", env!("CARGO_MANIFEST_DIR"));
-    obj(std::fs::read(path).expect("part of the repository")).expect("a good mesh").mesh
+    obj(std::fs::read(path).expect("part of the repository"))
+        .expect("a good mesh")
+        .mesh
 }
 
 #[test]
@@ -165,7 +252,11 @@ fn covers_outlines_that_other_programs_wrote() {
 fn doubled_area(mesh: &TriangleMesh) -> f64 {
     let corners = |triangle: &[u32; 3]| triangle.map(|at| mesh.vertices[at as usize]);
     let normal = |[a, b, c]: [Point; 3]| (b - a).cross(c - a);
-    mesh.triangles.iter().map(|triangle| normal(corners(triangle))).map(|normal| normal.dot(normal).sqrt()).sum()
+    mesh.triangles
+        .iter()
+        .map(|triangle| normal(corners(triangle)))
+        .map(|normal| normal.dot(normal).sqrt())
+        .sum()
 }
 
 proptest! {

@@ -29,7 +29,13 @@ impl<'a> Source<'a> {
     }
 
     /// `keyword` takes `needed` numbers, and after `count` of them comes something else.
-    pub(super) fn too_few(&self, keyword: Keyword, needed: usize, count: usize, input: &[u8]) -> Error {
+    pub(super) fn too_few(
+        &self,
+        keyword: Keyword,
+        needed: usize,
+        count: usize,
+        input: &[u8],
+    ) -> Error {
         let name = keyword.name;
         let takes = format!("`{name}` takes {needed} numbers");
         match Token::next(input).0 {
@@ -47,7 +53,8 @@ impl<'a> Source<'a> {
         let name = keyword.name;
         let (token, at) = Token::next(input);
         let message = format!("{} is one argument too many for `{name}`", token.describe());
-        self.error(self.first(at, token.length()), message).note(format!("`{name}` takes {needed} numbers"))
+        self.error(self.first(at, token.length()), message)
+            .note(format!("`{name}` takes {needed} numbers"))
     }
 
     /// Something else than the `argument` that `keyword` takes comes next.
@@ -64,7 +71,10 @@ impl<'a> Source<'a> {
 
     /// Something else than the string that `keyword` takes comes next.
     pub(super) fn no_string(&self, keyword: Keyword, input: &[u8]) -> Error {
-        in_quotes(self.no_argument(keyword, "a string in quotes", input), Token::next(input).0)
+        in_quotes(
+            self.no_argument(keyword, "a string in quotes", input),
+            Token::next(input).0,
+        )
     }
 
     /// The string at `input` should have been closed on its line.
@@ -76,7 +86,8 @@ impl<'a> Source<'a> {
     /// The bracket at `open` should have been closed before `input`.
     pub(super) fn unclosed(&self, open: &[u8], input: &[u8]) -> Error {
         let note = format!("expected `]` {}", self.before(input));
-        self.error(self.first(open, 1), "this `[` is not closed").note(note)
+        self.error(self.first(open, 1), "this `[` is not closed")
+            .note(note)
     }
 
     /// In the array that begins at `open`, `input` follows `values`.
@@ -90,13 +101,19 @@ impl<'a> Source<'a> {
         };
         match token {
             Token::End | Token::Keyword(_) => return self.unclosed(open, input),
-            Token::Quoted(inside) if Declaration::is_like(inside) => return self.unclosed(open, input),
+            Token::Quoted(inside) if Declaration::is_like(inside) => {
+                return self.unclosed(open, input);
+            }
             Token::Word(_) => return in_quotes(self.found(input, one), token),
             _ => {}
         }
         let message = format!("found {} in {kind}", token.describe());
-        let note = format!("the array begins at {}: is its `]` missing?", self.place(open));
-        self.error(self.first(at, token.length()), message).note(note)
+        let note = format!(
+            "the array begins at {}: is its `]` missing?",
+            self.place(open)
+        );
+        self.error(self.first(at, token.length()), message)
+            .note(note)
     }
 
     /// What follows `declared` is no value.
@@ -104,8 +121,12 @@ impl<'a> Source<'a> {
         let token = Token::next(input).0;
         match token {
             Token::End | Token::Keyword(_) | Token::Quoted(_) => {
-                let message = format!("the parameter `{}` has no value", shorten(declared.name.as_bytes()));
-                self.error(declared.span.clone(), message).note(format!("expected a value {}", self.before(input)))
+                let message = format!(
+                    "the parameter `{}` has no value",
+                    shorten(declared.name.as_bytes())
+                );
+                self.error(declared.span.clone(), message)
+                    .note(format!("expected a value {}", self.before(input)))
             }
             _ => in_quotes(self.found(input, "a value"), token),
         }
@@ -115,7 +136,10 @@ impl<'a> Source<'a> {
     pub(super) fn second_value(&self, declared: &Declaration, input: &[u8]) -> Error {
         let error = self.found(input, "a parameter or a directive");
         let declaration = format!("{} {}", declared.type_name, declared.name);
-        error.note(format!("several values need brackets: `\"{}\" [...]`", shorten(declaration.as_bytes())))
+        error.note(format!(
+            "several values need brackets: `\"{}\" [...]`",
+            shorten(declaration.as_bytes())
+        ))
     }
 
     /// The declaration of a parameter is not a type and a name.
@@ -132,7 +156,9 @@ impl<'a> Source<'a> {
     pub(super) fn no_directive(&self, previous: Option<&str>, input: &[u8]) -> Error {
         let (token, at) = Token::next(input);
         match token {
-            Token::Word(word) if is_text(word) && !looks_numeric(word) => self.unknown_directive(word, at),
+            Token::Word(word) if is_text(word) && !looks_numeric(word) => {
+                self.unknown_directive(word, at)
+            }
             Token::Quoted(_) if token.length() == 1 => self.unclosed_string(at),
             Token::Close => {
                 let error = self.error(self.first(at, 1), "this `]` closes nothing");
@@ -142,7 +168,9 @@ impl<'a> Source<'a> {
                 let error = self.found(input, "a directive");
                 match previous {
                     Some(name) => error.note(format!("`{name}` before it takes no more arguments")),
-                    None => error.note("a scene begins with a directive such as `LookAt` or `Camera`"),
+                    None => {
+                        error.note("a scene begins with a directive such as `LookAt` or `Camera`")
+                    }
                 }
             }
         }
@@ -150,7 +178,10 @@ impl<'a> Source<'a> {
 
     fn unknown_directive(&self, word: &[u8], at: &[u8]) -> Error {
         let shown = shorten(word);
-        let error = self.error(self.first(at, word.len()), format!("unknown directive `{shown}`"));
+        let error = self.error(
+            self.first(at, word.len()),
+            format!("unknown directive `{shown}`"),
+        );
         match spelling::closest(&String::from_utf8_lossy(word), KEYWORDS.into_iter()) {
             Some(keyword) => error.note(format!("did you mean `{keyword}`?")),
             None => error.note("expected a directive such as `Shape` or `Translate`"),
@@ -169,14 +200,19 @@ fn follow(count: usize) -> String {
 
 /// Whether whoever typed `word` seems to have meant a number.
 fn looks_numeric(word: &[u8]) -> bool {
-    let digits = word.strip_prefix(b"-").or(word.strip_prefix(b"+")).unwrap_or(word);
+    let digits = word
+        .strip_prefix(b"-")
+        .or(word.strip_prefix(b"+"))
+        .unwrap_or(word);
     let digits = digits.strip_prefix(b".").unwrap_or(digits);
     digits.first().is_some_and(u8::is_ascii_digit)
 }
 
 /// `error`, with advice on the bare word that it is about.
 fn in_quotes(error: Error, token: Token) -> Error {
-    let Token::Word(word) = token else { return error };
+    let Token::Word(word) = token else {
+        return error;
+    };
     let shown = shorten(word);
     match word.to_ascii_lowercase().as_slice() {
         lower @ (b"true" | b"false") if word != lower => {

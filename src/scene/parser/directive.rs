@@ -12,15 +12,32 @@ use super::value::Keep;
 
 impl<'a> Source<'a> {
     /// The directive that `input` begins with; `previous` is the keyword of the one before it.
-    pub(super) fn directive(&self, previous: Option<&str>, input: &'a [u8]) -> Parsed<'a, (&'a str, Directive<'a>)> {
-        let known = word(input).ok().and_then(|(rest, word)| Some((rest, keyword::number(word)?)));
+    pub(super) fn directive(
+        &self,
+        previous: Option<&str>,
+        input: &'a [u8],
+    ) -> Parsed<'a, (&'a str, Directive<'a>)> {
+        let known = word(input)
+            .ok()
+            .and_then(|(rest, word)| Some((rest, keyword::number(word)?)));
         let Some((rest, number)) = known else {
             return self.private(previous, input);
         };
         let (keyword, name) = (self.span(input, rest), keyword::KEYWORDS[number]);
         let (rest, statement) = self.statement(Keyword { name, at: input }, rest)?;
         let span = self.span(input, rest);
-        Ok((rest, (name, Directive { span, keyword, keyword_number: Some(number), statement })))
+        Ok((
+            rest,
+            (
+                name,
+                Directive {
+                    span,
+                    keyword,
+                    keyword_number: Some(number),
+                    statement,
+                },
+            ),
+        ))
     }
 
     /// What follows `keyword`.
@@ -43,24 +60,38 @@ impl<'a> Source<'a> {
             "LookAt" => map(|i| self.fixed(keyword, i), S::LookAt).parse(input),
             "Transform" => map(|i| self.fixed(keyword, i), S::Transform).parse(input),
             "ConcatTransform" => map(|i| self.fixed(keyword, i), S::ConcatTransform).parse(input),
-            "CoordinateSystem" => map(|i| self.string(keyword, i), S::CoordinateSystem).parse(input),
-            "CoordSysTransform" => map(|i| self.string(keyword, i), S::CoordSysTransform).parse(input),
+            "CoordinateSystem" => {
+                map(|i| self.string(keyword, i), S::CoordinateSystem).parse(input)
+            }
+            "CoordSysTransform" => {
+                map(|i| self.string(keyword, i), S::CoordSysTransform).parse(input)
+            }
             "Include" => map(|i| self.string(keyword, i), S::Include).parse(input),
             "Import" => map(|i| self.string(keyword, i), S::Import).parse(input),
             "ObjectBegin" => map(|i| self.string(keyword, i), S::ObjectBegin).parse(input),
             "ObjectInstance" => map(|i| self.string(keyword, i), S::ObjectInstance).parse(input),
-            "Material" => {
-                map((|i| self.string(keyword, i), |i| self.parameters(Keep::Nothing, i)), |(name, _)| S::Material(name))
-                    .parse(input)
+            "Material" => map(
+                (
+                    |i| self.string(keyword, i),
+                    |i| self.parameters(Keep::Nothing, i),
+                ),
+                |(name, _)| S::Material(name),
+            )
+            .parse(input),
+            "MakeNamedMaterial" => {
+                map(|i| self.entity(keyword, Keep::All, i), S::MakeNamedMaterial).parse(input)
             }
-            "MakeNamedMaterial" => map(|i| self.entity(keyword, Keep::All, i), S::MakeNamedMaterial).parse(input),
             "NamedMaterial" => map(|i| self.string(keyword, i), S::NamedMaterial).parse(input),
             "Camera" => map(|i| self.entity(keyword, Keep::All, i), S::Camera).parse(input),
             "Film" => map(|i| self.entity(keyword, Keep::All, i), S::Film).parse(input),
-            "Accelerator" => map(|i| self.entity(keyword, Keep::All, i), S::Accelerator).parse(input),
+            "Accelerator" => {
+                map(|i| self.entity(keyword, Keep::All, i), S::Accelerator).parse(input)
+            }
             "Shape" => map(|i| self.entity(keyword, Keep::All, i), S::Shape).parse(input),
             "Attribute" => map(|i| self.entity(keyword, Keep::All, i), S::Attribute).parse(input),
-            "ActiveTransform" => map(|i| self.active_transform(keyword, i), S::ActiveTransform).parse(input),
+            "ActiveTransform" => {
+                map(|i| self.active_transform(keyword, i), S::ActiveTransform).parse(input)
+            }
             name => value(S::Ignored(name), |i| self.ignored(keyword, i)).parse(input),
         }
     }
@@ -71,7 +102,9 @@ impl<'a> Source<'a> {
         let parameters = |i| self.parameters(Keep::Nothing, i);
         match keyword.name {
             "ColorSpace" => value((), string).parse(input),
-            "MediumInterface" => value((), (string, opt(preceded(blanks, |i| self.text(i))))).parse(input),
+            "MediumInterface" => {
+                value((), (string, opt(preceded(blanks, |i| self.text(i))))).parse(input)
+            }
             "Option" => self.option(keyword, input),
             "Texture" => value((), (string, string, string, parameters)).parse(input),
             _ => value((), (string, parameters)).parse(input),
@@ -79,7 +112,11 @@ impl<'a> Source<'a> {
     }
 
     /// The bare word that `ActiveTransform` takes.
-    fn active_transform(&self, keyword: Keyword<'a>, input: &'a [u8]) -> Parsed<'a, ActiveTransform> {
+    fn active_transform(
+        &self,
+        keyword: Keyword<'a>,
+        input: &'a [u8],
+    ) -> Parsed<'a, ActiveTransform> {
         let (rest, word) = preceded(blanks, opt(word)).parse(input)?;
         match word {
             Some(b"StartTime") => Ok((rest, ActiveTransform::StartTime)),

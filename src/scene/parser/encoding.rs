@@ -29,7 +29,9 @@ fn compressed(source: &Source) -> Error {
 }
 
 fn utf16(source: &Source) -> Error {
-    source.file_error("this file is UTF-16 text").note("expected ASCII or UTF-8: save it as UTF-8")
+    source
+        .file_error("this file is UTF-16 text")
+        .note("expected ASCII or UTF-8: save it as UTF-8")
 }
 
 fn pointer(source: &Source) -> Error {
@@ -39,5 +41,7 @@ fn pointer(source: &Source) -> Error {
 }
 
 fn binary(source: &Source) -> Error {
-    source.file_error("this is a binary file").note("expected the text of a PBRT scene")
+    source
+        .file_error("this is a binary file")
+        .note("expected the text of a PBRT scene")
 }

@@ -59,7 +59,9 @@ pub(super) struct Keyword<'a> {
 
 /// The place of the keyword that `word` is.
 pub(super) fn number(word: &[u8]) -> Option<usize> {
-    KEYWORDS.binary_search_by(|keyword| keyword.as_bytes().cmp(word)).ok()
+    KEYWORDS
+        .binary_search_by(|keyword| keyword.as_bytes().cmp(word))
+        .ok()
 }
 
 /// The keyword that `word` is.

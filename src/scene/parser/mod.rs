@@ -26,7 +26,9 @@ pub use self::keyword::KEYWORDS;
 pub use self::parameter::NUMBER_TYPES;
 use self::source::{Fault, Source};
 pub(super) use self::source::{Piece, locate};
-pub use self::statement::{ActiveTransform, Directive, Entity, Parameter, Span, Statement, Text, Values};
+pub use self::statement::{
+    ActiveTransform, Directive, Entity, Parameter, Span, Statement, Text, Values,
+};
 use self::token::{Token, blanks, word};
 pub use self::value::number_in;
 use crate::error::{Error, Result};
@@ -114,12 +116,22 @@ impl<'a> Directives<'a> {
             Ok(text) => (text, None),
             Err(error) => (&[][..], Some(error)),
         };
-        Directives { source, rest, unreadable, previous: None }
+        Directives {
+            source,
+            rest,
+            unreadable,
+            previous: None,
+        }
     }
 
     /// The directives of a text that is put together from `pieces`, which errors name.
     pub(super) fn of_pieces(pieces: Vec<Piece<'a>>, text: &'a [u8]) -> Directives<'a> {
-        Directives { source: Source::of_pieces(pieces, text), rest: text, unreadable: None, previous: None }
+        Directives {
+            source: Source::of_pieces(pieces, text),
+            rest: text,
+            unreadable: None,
+            previous: None,
+        }
     }
 
     /// Where the next directive begins, or would, in the text.
@@ -140,7 +152,10 @@ impl<'a> Directives<'a> {
     fn directive(&mut self) -> Result<Option<Directive<'a>>> {
         let parsed = blanks(self.rest).and_then(|(rest, ())| match rest {
             [] => Ok((rest, None)),
-            _ => self.source.directive(self.previous, rest).map(|(rest, parsed)| (rest, Some(parsed))),
+            _ => self
+                .source
+                .directive(self.previous, rest)
+                .map(|(rest, parsed)| (rest, Some(parsed))),
         });
         match parsed {
             Ok((rest, parsed)) => {
@@ -148,7 +163,9 @@ impl<'a> Directives<'a> {
                 self.previous = parsed.as_ref().map(|(name, _)| *name);
                 Ok(parsed.map(|(_, directive)| directive))
             }
-            Err(nom::Err::Failure(Fault::Wrong(error)) | nom::Err::Error(Fault::Wrong(error))) => Err(error),
+            Err(nom::Err::Failure(Fault::Wrong(error)) | nom::Err::Error(Fault::Wrong(error))) => {
+                Err(error)
+            }
             // The grammar turns a mismatch into a message where it is expected; this is for the one forgotten.
             Err(_) => Err(self.source.no_directive(self.previous, self.rest)),
         }

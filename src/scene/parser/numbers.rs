@@ -15,7 +15,9 @@ const BLOCK: usize = 1 << 18;
 /// Numbers and what separates them, as many as there are.
 pub(super) fn numbers(input: &[u8], keep: Keep) -> Parsed<'_, Vec<f64>> {
     match keep {
-        Keep::All if input.len() > BLOCK => in_blocks(input, BLOCK).map_or_else(|| in_order(input, keep), Ok),
+        Keep::All if input.len() > BLOCK => {
+            in_blocks(input, BLOCK).map_or_else(|| in_order(input, keep), Ok)
+        }
         _ => in_order(input, keep),
     }
 }
@@ -36,7 +38,11 @@ fn in_order(input: &[u8], keep: Keep) -> Parsed<'_, Vec<f64>> {
 #[inline]
 fn leading(input: &[u8]) -> Option<(f64, usize)> {
     match decimal::leading(input) {
-        Some((value, length)) if input.get(length).is_some_and(|byte| !is_word(*byte) && *byte != b'#') => {
+        Some((value, length))
+            if input
+                .get(length)
+                .is_some_and(|byte| !is_word(*byte) && *byte != b'#') =>
+        {
             Some((value, length))
         }
         _ => {
@@ -49,9 +55,13 @@ fn leading(input: &[u8]) -> Option<(f64, usize)> {
 /// The numbers before the next bracket or quote, by all threads; `None` where they are few, or something else is among them.
 fn in_blocks(input: &[u8], size: usize) -> Option<(&[u8], Vec<f64>)> {
     // After a comment there may be more of them.
-    let (plain, rest) = input.split_at(end(input).filter(|end| *end > size && input[*end] != b'#')?);
+    let (plain, rest) =
+        input.split_at(end(input).filter(|end| *end > size && input[*end] != b'#')?);
     let blocks = cut(plain, size);
-    let counts: Vec<usize> = blocks.par_iter().map(|block| count_words(&plain[block.clone()])).collect();
+    let counts: Vec<usize> = blocks
+        .par_iter()
+        .map(|block| count_words(&plain[block.clone()]))
+        .collect();
     let mut values = vec![0.0; counts.iter().sum()];
     let mut rest_of_values = values.as_mut_slice();
     let mut tasks = Vec::with_capacity(blocks.len());
@@ -60,7 +70,9 @@ fn in_blocks(input: &[u8], size: usize) -> Option<(&[u8], Vec<f64>)> {
         tasks.push((&plain[block], places));
         rest_of_values = others;
     }
-    tasks.into_par_iter().try_for_each(|(text, places)| fill(text, places))?;
+    tasks
+        .into_par_iter()
+        .try_for_each(|(text, places)| fill(text, places))?;
     Some((rest, values))
 }
 
@@ -70,7 +82,8 @@ fn end(input: &[u8]) -> Option<usize> {
     let is_end = |byte: &u8| matches!(byte, b'"' | b'[' | b']' | b'#');
     // Without a way out of the middle, the inner loop looks at many bytes in one instruction.
     let mut blocks = input.chunks(AT_ONCE);
-    let block = blocks.position(|block| block.iter().fold(false, |found, byte| found | is_end(byte)))?;
+    let block =
+        blocks.position(|block| block.iter().fold(false, |found, byte| found | is_end(byte)))?;
     let start = block * AT_ONCE;
     input[start..].iter().position(is_end).map(|at| start + at)
 }
@@ -81,8 +94,14 @@ fn cut(text: &[u8], size: usize) -> Vec<Range<usize>> {
     let mut start = 0;
     while start < text.len() {
         let near = text.len().min(start + size);
-        let gap = text[near..].iter().position(|byte| !is_word(*byte)).map_or(text.len(), |at| near + at);
-        let end = text[gap..].iter().position(|byte| is_word(*byte)).map_or(text.len(), |at| gap + at);
+        let gap = text[near..]
+            .iter()
+            .position(|byte| !is_word(*byte))
+            .map_or(text.len(), |at| near + at);
+        let end = text[gap..]
+            .iter()
+            .position(|byte| is_word(*byte))
+            .map_or(text.len(), |at| gap + at);
         blocks.push(start..end);
         start = end;
     }
@@ -94,12 +113,16 @@ fn count_words(text: &[u8]) -> usize {
     /// As many as the sum of ones that a byte holds, so that many bytes are looked at in one instruction.
     const AT_ONCE: usize = u8::MAX as usize;
     let followed = &text[..text.len().saturating_sub(1)];
-    let ends = followed.chunks(AT_ONCE).zip(text[text.len().min(1)..].chunks(AT_ONCE));
+    let ends = followed
+        .chunks(AT_ONCE)
+        .zip(text[text.len().min(1)..].chunks(AT_ONCE));
     let count = |(bytes, next): (&[u8], &[u8])| {
-        let is_end = |(byte, next): (&u8, &u8)| u8::from(!is_separator(*byte) & is_separator(*next));
+        let is_end =
+            |(byte, next): (&u8, &u8)| u8::from(!is_separator(*byte) & is_separator(*next));
         usize::from(bytes.iter().zip(next).map(is_end).sum::<u8>())
     };
-    ends.map(count).sum::<usize>() + usize::from(text.last().is_some_and(|byte| !is_separator(*byte)))
+    ends.map(count).sum::<usize>()
+        + usize::from(text.last().is_some_and(|byte| !is_separator(*byte)))
 }
 
 /// What is not in a word, apart from brackets, quotes and comments.
@@ -146,9 +169,20 @@ mod tests {
     #[test]
     fn separators_are_what_words_end_with() {
         for byte in 0..=u8::MAX {
-            assert_eq!(is_separator(byte), !is_word(byte) && !matches!(byte, b'"' | b'[' | b']' | b'#'), "{byte}");
+            assert_eq!(
+                is_separator(byte),
+                !is_word(byte) && !matches!(byte, b'"' | b'[' | b']' | b'#'),
+                "{byte}"
+            );
         }
-        for (text, words) in [("", 0), ("1", 1), (" ", 0), ("1 ", 1), (" 1,,2", 2), ("1 2 3\n", 3)] {
+        for (text, words) in [
+            ("", 0),
+            ("1", 1),
+            (" ", 0),
+            ("1 ", 1),
+            (" 1,,2", 2),
+            ("1 2 3\n", 3),
+        ] {
             assert_eq!(count_words(text.as_bytes()), words, "{text:?}");
         }
         assert_eq!(count_words("1 ".repeat(1000).as_bytes()), 1000);
@@ -158,12 +192,19 @@ mod tests {
     fn blocks_are_used_where_they_can() {
         let text = b"1 2.5,3\n-4   5] 6";
         for size in 1..14 {
-            assert_eq!(in_blocks(text, size), Some((&b"] 6"[..], vec![1.0, 2.5, 3.0, -4.0, 5.0])));
+            assert_eq!(
+                in_blocks(text, size),
+                Some((&b"] 6"[..], vec![1.0, 2.5, 3.0, -4.0, 5.0]))
+            );
         }
         assert_eq!(in_blocks(text, 14), None, "few");
         assert_eq!(in_blocks(b"1 2 3 x 4 5]", 2), None, "not all numbers");
         assert_eq!(in_blocks(b"1 2 3 4 5", 2), None, "no end");
-        assert_eq!(in_blocks(b"1 2 3 4 # and\n 5]", 2), None, "more after a comment");
+        assert_eq!(
+            in_blocks(b"1 2 3 4 # and\n 5]", 2),
+            None,
+            "more after a comment"
+        );
         let long = format!("{}]", "0.25 ".repeat(BLOCK));
         let (rest, values) = numbers(long.as_bytes(), Keep::All).expect("numbers");
         assert!(rest == b"]" && values.len() == BLOCK && values.iter().all(|value| *value == 0.25));

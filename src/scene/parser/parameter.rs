@@ -22,8 +22,19 @@ pub(super) struct Declaration<'a> {
 }
 
 /// The types whose values are numbers, in every version of pbrt.
-pub const NUMBER_TYPES: [&str; 11] =
-    ["float", "integer", "normal", "normal3", "point", "point2", "point3", "vector", "vector2", "vector3", "blackbody"];
+pub const NUMBER_TYPES: [&str; 11] = [
+    "float",
+    "integer",
+    "normal",
+    "normal3",
+    "point",
+    "point2",
+    "point3",
+    "vector",
+    "vector2",
+    "vector3",
+    "blackbody",
+];
 
 impl Declaration<'_> {
     /// Whether `text` cannot be the value of this parameter, being the declaration of another.
@@ -33,8 +44,15 @@ impl Declaration<'_> {
 
     /// Whether the string whose quote is followed by `inside` is made like a declaration.
     pub(super) fn is_like(inside: &[u8]) -> bool {
-        let end = inside.iter().position(|byte| matches!(byte, b'"' | b'\n' | b'\r')).unwrap_or(inside.len());
-        inside[..end].split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()).count() == 2
+        let end = inside
+            .iter()
+            .position(|byte| matches!(byte, b'"' | b'\n' | b'\r'))
+            .unwrap_or(inside.len());
+        inside[..end]
+            .split(u8::is_ascii_whitespace)
+            .filter(|word| !word.is_empty())
+            .count()
+            == 2
     }
 }
 
@@ -48,14 +66,22 @@ fn two_words<'a>(text: &Cow<'a, str>) -> (Cow<'a, str>, Cow<'a, str>) {
         }
         Cow::Owned(text) => {
             let (first, second) = two_words(&Cow::Borrowed(text.as_str()));
-            (Cow::Owned(first.into_owned()), Cow::Owned(second.into_owned()))
+            (
+                Cow::Owned(first.into_owned()),
+                Cow::Owned(second.into_owned()),
+            )
         }
     }
 }
 
 impl<'a> Source<'a> {
     /// `"name" parameters`, the arguments of most directives.
-    pub(super) fn entity(&self, keyword: Keyword<'a>, keep: Keep, input: &'a [u8]) -> Parsed<'a, Entity<'a>> {
+    pub(super) fn entity(
+        &self,
+        keyword: Keyword<'a>,
+        keep: Keep,
+        input: &'a [u8],
+    ) -> Parsed<'a, Entity<'a>> {
         let (rest, name) = self.string(keyword, input)?;
         let (rest, parameters) = self.parameters(keep, rest)?;
         Ok((rest, Entity { name, parameters }))
@@ -94,11 +120,27 @@ impl<'a> Source<'a> {
         if first.first() != Some(&b'[') && matches!(values, Values::Numbers(_)) {
             (rest, ()) = commas(rest)?;
         }
-        if matches!(Token::next(rest).0, Token::Number(_) | Token::Open | Token::Word(b"true" | b"false")) {
+        if matches!(
+            Token::next(rest).0,
+            Token::Number(_) | Token::Open | Token::Word(b"true" | b"false")
+        ) {
             return wrong(self.second_value(&declared, rest));
         }
-        let Declaration { type_name, name, span } = declared;
-        Ok((rest, Parameter { type_name, name, span, values, values_span: self.span(first, rest) }))
+        let Declaration {
+            type_name,
+            name,
+            span,
+        } = declared;
+        Ok((
+            rest,
+            Parameter {
+                type_name,
+                name,
+                span,
+                values,
+                values_span: self.span(first, rest),
+            },
+        ))
     }
 
     fn declaration(&self, text: Text<'a>) -> Result<Declaration<'a>> {
@@ -106,7 +148,11 @@ impl<'a> Source<'a> {
         if name.is_empty() {
             return Err(self.half_declaration(text.span, &type_name));
         }
-        Ok(Declaration { type_name, name, span: text.span })
+        Ok(Declaration {
+            type_name,
+            name,
+            span: text.span,
+        })
     }
 
     /// `"name" value` or `"type name" value`: the one parameter of `Option`.
@@ -114,7 +160,15 @@ impl<'a> Source<'a> {
         let (rest, text) = self.string(keyword, input)?;
         let (type_name, name) = two_words(&text.text);
         let (rest, ()) = blanks(rest)?;
-        let (rest, _) = self.values(&Declaration { type_name, name, span: text.span }, Keep::Nothing, rest)?;
+        let (rest, _) = self.values(
+            &Declaration {
+                type_name,
+                name,
+                span: text.span,
+            },
+            Keep::Nothing,
+            rest,
+        )?;
         Ok((rest, ()))
     }
 }

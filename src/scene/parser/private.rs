@@ -9,21 +9,44 @@ use crate::scene::spelling;
 /// The name of a directive, if `word` looks like one: a capital letter, then letters, digits and `_`.
 fn name_of(word: &[u8]) -> Option<&str> {
     let (first, others) = word.split_first()?;
-    let looks_so =
-        first.is_ascii_uppercase() && others.iter().all(|byte| byte.is_ascii_alphanumeric() || *byte == b'_');
-    if looks_so { std::str::from_utf8(word).ok() } else { None }
+    let looks_so = first.is_ascii_uppercase()
+        && others
+            .iter()
+            .all(|byte| byte.is_ascii_alphanumeric() || *byte == b'_');
+    if looks_so {
+        std::str::from_utf8(word).ok()
+    } else {
+        None
+    }
 }
 
 impl<'a> Source<'a> {
     /// An unknown directive, to be skipped. A misspelt known one is an error: geometry might be lost with it.
-    pub(super) fn private(&self, previous: Option<&str>, input: &'a [u8]) -> Parsed<'a, (&'a str, Directive<'a>)> {
-        let named = word(input).ok().and_then(|(rest, word)| Some((rest, name_of(word)?)));
+    pub(super) fn private(
+        &self,
+        previous: Option<&str>,
+        input: &'a [u8],
+    ) -> Parsed<'a, (&'a str, Directive<'a>)> {
+        let named = word(input)
+            .ok()
+            .and_then(|(rest, word)| Some((rest, name_of(word)?)));
         match named {
             Some((rest, name)) if spelling::closest(name, KEYWORDS.into_iter()).is_none() => {
                 let keyword = self.span(input, rest);
                 let (rest, ()) = self.arguments(rest)?;
                 let (span, statement) = (self.span(input, rest), Statement::Private(name));
-                Ok((rest, (name, Directive { span, keyword, keyword_number: None, statement })))
+                Ok((
+                    rest,
+                    (
+                        name,
+                        Directive {
+                            span,
+                            keyword,
+                            keyword_number: None,
+                            statement,
+                        },
+                    ),
+                ))
             }
             _ => wrong(self.no_directive(previous, input)),
         }
@@ -62,7 +85,16 @@ mod tests {
         for name in ["A", "Mesh", "RenderPass_2", "USDStage"] {
             assert_eq!(name_of(name.as_bytes()), Some(name));
         }
-        for word in ["", "mesh", "_Mesh", "2Mesh", "Me-sh", "Mesh:", "\u{c4}rger", "Gr\u{fc}n"] {
+        for word in [
+            "",
+            "mesh",
+            "_Mesh",
+            "2Mesh",
+            "Me-sh",
+            "Mesh:",
+            "\u{c4}rger",
+            "Gr\u{fc}n",
+        ] {
             assert_eq!(name_of(word.as_bytes()), None, "{word}");
         }
     }

@@ -31,9 +31,15 @@ pub(in crate::scene) fn locate(pieces: &[Piece], span: &Span) -> Option<SourceLo
     let after = pieces.partition_point(|piece| piece.start <= span.start);
     let piece = &pieces[after.checked_sub(1)?];
     // Beyond the end of the piece there is a file that the span is not in.
-    let end = pieces.get(after).map_or(span.end, |next| span.end.min(next.start));
+    let end = pieces
+        .get(after)
+        .map_or(span.end, |next| span.end.min(next.start));
     let moved = |at: usize| at - piece.start + piece.offset;
-    Some(SourceLocation::text(piece.path, piece.file, moved(span.start)..moved(end)))
+    Some(SourceLocation::text(
+        piece.path,
+        piece.file,
+        moved(span.start)..moved(end),
+    ))
 }
 
 /// What a nom parser of the grammar makes of its input.
@@ -77,16 +83,27 @@ pub(super) fn mismatch<'a, T>() -> Parsed<'a, T> {
 
 impl<'a> Source<'a> {
     pub(super) fn new(path: &Path, bytes: &'a [u8]) -> Source<'a> {
-        Source { path: path.to_path_buf(), bytes, pieces: Vec::new() }
+        Source {
+            path: path.to_path_buf(),
+            bytes,
+            pieces: Vec::new(),
+        }
     }
 
     pub(super) fn of_pieces(pieces: Vec<Piece<'a>>, bytes: &'a [u8]) -> Source<'a> {
-        let path = pieces.last().map_or(PathBuf::new(), |piece| piece.path.to_path_buf());
-        Source { path, bytes, pieces }
+        let path = pieces
+            .last()
+            .map_or(PathBuf::new(), |piece| piece.path.to_path_buf());
+        Source {
+            path,
+            bytes,
+            pieces,
+        }
     }
 
     fn location(&self, span: Span) -> SourceLocation {
-        locate(&self.pieces, &span).unwrap_or_else(|| SourceLocation::text(&self.path, self.bytes, span))
+        locate(&self.pieces, &span)
+            .unwrap_or_else(|| SourceLocation::text(&self.path, self.bytes, span))
     }
 
     /// The bytes from where `from` begins to where `to` begins; both are suffixes of the text.

@@ -125,7 +125,10 @@ impl<'a> Text<'a> {
                 Ok(text) => (Cow::Owned(text), None),
                 Err(error) => {
                     let bytes = error.into_bytes();
-                    (Cow::Owned(String::from_utf8_lossy(&bytes).into_owned()), Some(bytes.into()))
+                    (
+                        Cow::Owned(String::from_utf8_lossy(&bytes).into_owned()),
+                        Some(bytes.into()),
+                    )
                 }
             },
         };
@@ -142,7 +145,11 @@ impl<'a> Text<'a> {
 
     /// A copy that outlives the file.
     fn to_owned(&self) -> Text<'static> {
-        Text { text: Cow::Owned(self.text.clone().into_owned()), span: self.span.clone(), raw: self.raw.clone() }
+        Text {
+            text: Cow::Owned(self.text.clone().into_owned()),
+            span: self.span.clone(),
+            raw: self.raw.clone(),
+        }
     }
 }
 

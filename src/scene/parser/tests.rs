@@ -16,7 +16,10 @@ fn parse(source: &[u8]) -> Result<Vec<Directive<'_>>> {
 
 fn statements(source: &str) -> Vec<Statement<'_>> {
     let directives = parse(source.as_bytes()).unwrap_or_else(|error| panic!("{error}"));
-    directives.into_iter().map(|directive| directive.statement).collect()
+    directives
+        .into_iter()
+        .map(|directive| directive.statement)
+        .collect()
 }
 
 /// The one statement of `source`.

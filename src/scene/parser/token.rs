@@ -213,8 +213,11 @@ impl<'a> Source<'a> {
     fn unknown_escape(&self, after: &[u8], backslash: &[u8]) -> Error {
         let letter = String::from_utf8_lossy(&after[..after.len().min(4)]);
         let letter: String = letter.chars().take(1).collect();
-        self.error(self.first(backslash, 1 + letter.len()), format!("unknown escape `\\{letter}` in a string"))
-            .note("write `\\\\` for a backslash; paths take `/` on every system")
+        self.error(
+            self.first(backslash, 1 + letter.len()),
+            format!("unknown escape `\\{letter}` in a string"),
+        )
+        .note("write `\\\\` for a backslash; paths take `/` on every system")
     }
 }
 

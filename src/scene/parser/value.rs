@@ -79,9 +79,17 @@ fn several<'a, T>(
 
 impl<'a> Source<'a> {
     /// The values of the parameter `declared`, before which there are no blanks.
-    pub(super) fn values(&self, declared: &Declaration, keep: Keep, input: &'a [u8]) -> Parsed<'a, Values<'a>> {
-        let (rest, values) =
-            alt((|input| self.array(keep, input), |input| self.single(declared, input))).parse(input)?;
+    pub(super) fn values(
+        &self,
+        declared: &Declaration,
+        keep: Keep,
+        input: &'a [u8],
+    ) -> Parsed<'a, Values<'a>> {
+        let (rest, values) = alt((
+            |input| self.array(keep, input),
+            |input| self.single(declared, input),
+        ))
+        .parse(input)?;
         match values {
             Values::Strings(texts) if declared.type_name == "bool" => {
                 Ok((rest, Values::Booleans(self.booleans(&texts)?)))
@@ -92,7 +100,10 @@ impl<'a> Source<'a> {
 
     /// One value without brackets.
     fn single(&self, declared: &Declaration, input: &'a [u8]) -> Parsed<'a, Values<'a>> {
-        let string = verify(|input| self.text(input), |text: &Text| !declared.is_followed_by_another(&text.text));
+        let string = verify(
+            |input| self.text(input),
+            |text: &Text| !declared.is_followed_by_another(&text.text),
+        );
         let value = alt((
             map(number, |value| Values::Numbers(vec![value])),
             map(string, |text| Values::Strings(vec![text])),
@@ -134,15 +145,24 @@ impl<'a> Source<'a> {
             "true" => Ok(true),
             "false" => Ok(false),
             other => {
-                let message = format!("found the string \"{}\" where a boolean is expected", shorten(other.as_bytes()));
-                Err(self.error(text.span.clone(), message).note("expected `true` or `false`"))
+                let message = format!(
+                    "found the string \"{}\" where a boolean is expected",
+                    shorten(other.as_bytes())
+                );
+                Err(self
+                    .error(text.span.clone(), message)
+                    .note("expected `true` or `false`"))
             }
         };
         texts.iter().map(boolean).collect()
     }
 
     /// `N` numbers, with or without brackets, that `keyword` takes.
-    pub(super) fn fixed<const N: usize>(&self, keyword: Keyword<'a>, input: &'a [u8]) -> Parsed<'a, [f64; N]> {
+    pub(super) fn fixed<const N: usize>(
+        &self,
+        keyword: Keyword<'a>,
+        input: &'a [u8],
+    ) -> Parsed<'a, [f64; N]> {
         let (open, ()) = blanks(input)?;
         let in_brackets = open.first() == Some(&b'[');
         let mut rest = if in_brackets { &open[1..] } else { open };
@@ -151,7 +171,9 @@ impl<'a> Source<'a> {
             let (next, ()) = separators(rest)?;
             match number(next) {
                 Ok((after, parsed)) => (rest, *value) = (after, parsed),
-                Err(_) if in_brackets && is_end_of_directive(next) => return wrong(self.unclosed(open, next)),
+                Err(_) if in_brackets && is_end_of_directive(next) => {
+                    return wrong(self.unclosed(open, next));
+                }
                 Err(_) => return wrong(self.too_few(keyword, N, count, next)),
             }
         }

@@ -20,12 +20,24 @@ pub(super) struct Intrinsics {
 }
 
 impl Intrinsics {
-    pub(super) fn new(k: &[[f64; 3]; 3], resolution: Option<[u32; 2]>) -> Result<Intrinsics, Refusal> {
+    pub(super) fn new(
+        k: &[[f64; 3]; 3],
+        resolution: Option<[u32; 2]>,
+    ) -> Result<Intrinsics, Refusal> {
         let [[fx, skew, cx], [zero, fy, cy], last] = *k;
-        let is_pinhole = fx > 0.0 && fy > 0.0 && fx.is_finite() && fy.is_finite() && cx.is_finite() && cy.is_finite();
+        let is_pinhole = fx > 0.0
+            && fy > 0.0
+            && fx.is_finite()
+            && fy.is_finite()
+            && cx.is_finite()
+            && cy.is_finite();
         if !is_pinhole || zero != 0.0 || last != [0.0, 0.0, 1.0] {
-            let expected = "[[fx, 0, cx], [0, fy, cy], [0, 0, 1]] with fx and fy above 0, in pixels";
-            return Err(("a matrix `K` that is none of a pinhole".to_owned(), expected.to_owned()));
+            let expected =
+                "[[fx, 0, cx], [0, fy, cy], [0, 0, 1]] with fx and fy above 0, in pixels";
+            return Err((
+                "a matrix `K` that is none of a pinhole".to_owned(),
+                expected.to_owned(),
+            ));
         }
         if skew != 0.0 {
             let expected = "0 in its place: pixels are rectangles here; rectify the images first";
@@ -42,7 +54,11 @@ impl Intrinsics {
                 format!("two numbers from 1 to {most}"),
             ));
         }
-        Ok(Intrinsics { focal_length: [fx, fy], principal_point: [cx, cy], resolution })
+        Ok(Intrinsics {
+            focal_length: [fx, fy],
+            principal_point: [cx, cy],
+            resolution,
+        })
     }
 
     /// The film of the image: all of it, unless it is as large as the scene's.
@@ -51,7 +67,11 @@ impl Intrinsics {
         if resolution == of_scene.resolution {
             return of_scene.clone();
         }
-        Film { resolution, crop: PixelBounds::of_film(resolution[0], resolution[1]), ..of_scene.clone() }
+        Film {
+            resolution,
+            crop: PixelBounds::of_film(resolution[0], resolution[1]),
+            ..of_scene.clone()
+        }
     }
 
     /// The camera whose pixels look where those of `K` do.
@@ -62,8 +82,18 @@ impl Intrinsics {
         // The film begins half a pixel before the first centre. Rows go down, and y goes up.
         let column = |edge: f64| (edge - 0.5 - cx) / fx;
         let row = |edge: f64| -((edge - 0.5 - cy) / fy);
-        let screen_window = ScreenWindow { x0: column(0.0), x1: column(width), y0: row(height), y1: row(0.0) };
-        Camera { world_from_camera, projection: Projection::Perspective { tangent: 1.0 }, screen_window, resolution }
+        let screen_window = ScreenWindow {
+            x0: column(0.0),
+            x1: column(width),
+            y0: row(height),
+            y1: row(0.0),
+        };
+        Camera {
+            world_from_camera,
+            projection: Projection::Perspective { tangent: 1.0 },
+            screen_window,
+            resolution,
+        }
     }
 }
 
@@ -78,12 +108,21 @@ pub(super) fn camera_from_world(r: &[[f64; 3]; 3], t: &[f64; 3]) -> Result<Trans
         let off = (rows[i].dot(rows[j]) - expected).abs();
         off.is_nan() || off > TOLERANCE
     };
-    let is_rotation = !(0..3).any(|i| (0..3).any(|j| is_off(i, j))) && rows[0].cross(rows[1]).dot(rows[2]) > 0.0;
+    let is_rotation =
+        !(0..3).any(|i| (0..3).any(|j| is_off(i, j))) && rows[0].cross(rows[1]).dot(rows[2]) > 0.0;
     if !is_rotation || !t.iter().all(|x| x.is_finite()) {
         let expected = "`R` to turn the world to the camera (rows of length 1, at right angles, determinant 1) and `t` to be finite";
-        return Err(("no rotation and translation".to_owned(), expected.to_owned()));
+        return Err((
+            "no rotation and translation".to_owned(),
+            expected.to_owned(),
+        ));
     }
     let row = |i: usize, sign: f64| [sign * r[i][0], sign * r[i][1], sign * r[i][2], sign * t[i]];
-    let matrix = Matrix { rows: [row(0, 1.0), row(1, -1.0), row(2, 1.0)] };
-    Ok(Transform { matrix, inverse: matrix.inverse() })
+    let matrix = Matrix {
+        rows: [row(0, 1.0), row(1, -1.0), row(2, 1.0)],
+    };
+    Ok(Transform {
+        matrix,
+        inverse: matrix.inverse(),
+    })
 }

@@ -89,7 +89,8 @@ pub fn parse_poses(path: &Path, bytes: &[u8]) -> Result<Vec<Pose>> {
         Error::bad_input(diagnostic)
     };
     if entries.is_empty() || entries.len() > MAX_POSES {
-        return Err(refuse(format!("a list of {} cameras", entries.len())).note(format!("expected 1 to {MAX_POSES}")));
+        return Err(refuse(format!("a list of {} cameras", entries.len()))
+            .note(format!("expected 1 to {MAX_POSES}")));
     }
     let mut names = HashSet::new();
     let mut poses = Vec::with_capacity(entries.len());
@@ -98,20 +99,26 @@ pub fn parse_poses(path: &Path, bytes: &[u8]) -> Result<Vec<Pose>> {
         let name = entry.name.clone().unwrap_or_else(|| number.to_string());
         let pose = check_name(&name).and_then(|()| entry.pose(name.clone()));
         let pose = pose.map_err(|(found, expected)| {
-            refuse(format!("camera {number} of the list, `{name}`: {found}")).note(format!("expected {expected}"))
+            refuse(format!("camera {number} of the list, `{name}`: {found}"))
+                .note(format!("expected {expected}"))
         })?;
         if !names.insert(pose.name.clone()) {
-            return Err(refuse(format!("two cameras are called `{name}`")).note("expected a name of its own for each"));
+            return Err(refuse(format!("two cameras are called `{name}`"))
+                .note("expected a name of its own for each"));
         }
         poses.push(pose);
     }
     Ok(poses)
 }
 
-fn entries(bytes: &[u8]) -> std::result::Result<Vec<Entry>, serde_path_to_error::Error<serde_json::Error>> {
+fn entries(
+    bytes: &[u8],
+) -> std::result::Result<Vec<Entry>, serde_path_to_error::Error<serde_json::Error>> {
     let mut json = serde_json::Deserializer::from_slice(bytes);
     let mut track = serde_path_to_error::Track::new();
-    let entries = Vec::<Entry>::deserialize(serde_path_to_error::Deserializer::new(&mut json, &mut track));
+    let entries = Vec::<Entry>::deserialize(serde_path_to_error::Deserializer::new(
+        &mut json, &mut track,
+    ));
     let entries = entries.and_then(|entries| json.end().map(|()| entries));
     entries.map_err(|error| serde_path_to_error::Error::new(track.path(), error))
 }
@@ -120,7 +127,9 @@ fn entries(bytes: &[u8]) -> std::result::Result<Vec<Entry>, serde_path_to_error:
 fn in_words(path: &serde_path_to_error::Path) -> Option<String> {
     use serde_path_to_error::Segment;
     let mut segments = path.iter();
-    let Some(Segment::Seq { index }) = segments.next() else { return None };
+    let Some(Segment::Seq { index }) = segments.next() else {
+        return None;
+    };
     let camera = format!("camera {}", index + 1);
     match segments.next() {
         Some(Segment::Map { key }) => Some(format!("{camera}, `{}`", printable(key))),
@@ -137,8 +146,12 @@ fn form_of(path: &serde_path_to_error::Path) -> &'static str {
     });
     match key {
         Some("name") => "expected \"name\": \"a\"",
-        Some("lookat") => "expected \"lookat\": 9 numbers: [eye x, y, z, a point to look at, the direction upwards]",
-        Some("transform") => "expected \"transform\": 16 numbers as `Transform` takes them, column by column",
+        Some("lookat") => {
+            "expected \"lookat\": 9 numbers: [eye x, y, z, a point to look at, the direction upwards]"
+        }
+        Some("transform") => {
+            "expected \"transform\": 16 numbers as `Transform` takes them, column by column"
+        }
         Some("fov") => "expected \"fov\": degrees",
         Some("K") => "expected \"K\": [[fx, 0, cx], [0, fy, cy], [0, 0, 1]], in pixels",
         Some("R") => "expected \"R\": three rows of three numbers",
@@ -148,14 +161,21 @@ fn form_of(path: &serde_path_to_error::Path) -> &'static str {
     }
 }
 
-fn wrong_json(path: &Path, bytes: &[u8], error: serde_path_to_error::Error<serde_json::Error>) -> Error {
+fn wrong_json(
+    path: &Path,
+    bytes: &[u8],
+    error: serde_path_to_error::Error<serde_json::Error>,
+) -> Error {
     let (field, form) = (in_words(error.path()), form_of(error.path()));
     let error = error.into_inner();
     let line_start = match error.line().saturating_sub(1) {
         0 => 0,
-        lines => {
-            bytes.iter().enumerate().filter(|(_, byte)| **byte == b'\n').nth(lines - 1).map_or(0, |(at, _)| at + 1)
-        }
+        lines => bytes
+            .iter()
+            .enumerate()
+            .filter(|(_, byte)| **byte == b'\n')
+            .nth(lines - 1)
+            .map_or(0, |(at, _)| at + 1),
     };
     let at = (line_start + error.column().saturating_sub(1)).min(bytes.len());
     let place = format!(" at line {} column {}", error.line(), error.column());
@@ -170,9 +190,13 @@ type Refusal = (String, String);
 
 fn check_name(name: &str) -> std::result::Result<(), Refusal> {
     let is_bad = |c: char| is_command(c) || "/\\:*?\"<>|{}".contains(c);
-    if name.is_empty() || name.len() > MAX_NAME || name.starts_with('.') || name.chars().any(is_bad) {
+    if name.is_empty() || name.len() > MAX_NAME || name.starts_with('.') || name.chars().any(is_bad)
+    {
         let expected = format!("a part of a file name, of {MAX_NAME} bytes at most");
-        return Err(("the name cannot be part of a file name".to_owned(), expected));
+        return Err((
+            "the name cannot be part of a file name".to_owned(),
+            expected,
+        ));
     }
     Ok(())
 }
@@ -180,17 +204,23 @@ fn check_name(name: &str) -> std::result::Result<(), Refusal> {
 impl Entry {
     fn pose(self, name: String) -> std::result::Result<Pose, Refusal> {
         let refusal = |found: &str, expected: &str| (found.to_owned(), expected.to_owned());
-        let (camera_from_world, lens) = match (self.lookat, self.transform, self.k, self.r, self.t) {
+        let (camera_from_world, lens) = match (self.lookat, self.transform, self.k, self.r, self.t)
+        {
             (Some(numbers), None, None, None, None) => (look_at(&numbers)?, self.lens_of_scene()?),
             (None, Some(numbers), None, None, None) => {
                 let transform = Transform::from_column_major(&numbers);
-                let expected =
-                    "16 numbers as `Transform` takes them, of which the 4th, 8th and 12th are 0 and the last is not";
-                (transform.ok_or_else(|| refusal("a transform that is not affine", expected))?, self.lens_of_scene()?)
+                let expected = "16 numbers as `Transform` takes them, of which the 4th, 8th and 12th are 0 and the last is not";
+                (
+                    transform.ok_or_else(|| refusal("a transform that is not affine", expected))?,
+                    self.lens_of_scene()?,
+                )
             }
             (None, None, Some(k), Some(r), Some(t)) => {
                 if self.fov.is_some() {
-                    return Err(refusal("both `fov` and `K`", "`K` alone: it decides the field of view"));
+                    return Err(refusal(
+                        "both `fov` and `K`",
+                        "`K` alone: it decides the field of view",
+                    ));
                 }
                 (
                     intrinsics::camera_from_world(&r, &t.map(|Scalar(number)| number))?,
@@ -205,20 +235,29 @@ impl Entry {
             }
         };
         if !camera_from_world.inverse.is_finite() {
-            return Err(refusal("a matrix without a finite inverse", "a place in the world"));
+            return Err(refusal(
+                "a matrix without a finite inverse",
+                "a place in the world",
+            ));
         }
-        Ok(Pose { name, camera_from_world, lens })
+        Ok(Pose {
+            name,
+            camera_from_world,
+            lens,
+        })
     }
 
     fn lens_of_scene(&self) -> std::result::Result<Lens, Refusal> {
         if self.resolution.is_some() {
-            let expected = "it beside `K` alone; else the film is the scene's, or as --resolution says";
+            let expected =
+                "it beside `K` alone; else the film is the scene's, or as --resolution says";
             return Err(("a `resolution`".to_owned(), expected.to_owned()));
         }
         match self.fov {
-            Some(fov) if !(fov > 0.0 && fov < 180.0) => {
-                Err((format!("a field of view of {fov} degrees"), "more than 0 and less than 180".to_owned()))
-            }
+            Some(fov) if !(fov > 0.0 && fov < 180.0) => Err((
+                format!("a field of view of {fov} degrees"),
+                "more than 0 and less than 180".to_owned(),
+            )),
             fov => Ok(Lens::OfScene { fov }),
         }
     }
@@ -226,7 +265,11 @@ impl Entry {
 
 fn look_at(numbers: &[f64; 9]) -> std::result::Result<Transform, Refusal> {
     let [ex, ey, ez, lx, ly, lz, ux, uy, uz] = *numbers;
-    let transform = Transform::look_at(Point::new(ex, ey, ez), Point::new(lx, ly, lz), Vector::new(ux, uy, uz));
+    let transform = Transform::look_at(
+        Point::new(ex, ey, ez),
+        Point::new(lx, ly, lz),
+        Vector::new(ux, uy, uz),
+    );
     // As a directive would have it, to the sign of zeros: it is multiplied to the transform that stands there.
     transform.map(|transform| Transform::IDENTITY.times(&transform)).ok_or_else(|| {
         let expected = "an eye, another point to look at, and a direction upwards that is not along the view";
@@ -246,9 +289,19 @@ impl Pose {
         match &self.lens {
             Lens::OfScene { fov } => {
                 let projection = fov.map_or(scene.camera.projection, Projection::perspective);
-                (Camera { world_from_camera, projection, ..scene.camera.clone() }, scene.film.clone())
+                (
+                    Camera {
+                        world_from_camera,
+                        projection,
+                        ..scene.camera.clone()
+                    },
+                    scene.film.clone(),
+                )
             }
-            Lens::Calibrated(intrinsics) => (intrinsics.camera(world_from_camera), intrinsics.film(&scene.film)),
+            Lens::Calibrated(intrinsics) => (
+                intrinsics.camera(world_from_camera),
+                intrinsics.film(&scene.film),
+            ),
         }
     }
 

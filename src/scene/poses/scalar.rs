@@ -37,7 +37,10 @@ impl<'de> Visitor<'de> for ScalarVisitor {
     fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Scalar, A::Error> {
         match (list.next_element()?, list.next_element::<f64>()?) {
             (Some(number), None) => Ok(Scalar(number)),
-            (found, _) => Err(Error::invalid_length(if found.is_some() { 2 } else { 0 }, &self)),
+            (found, _) => Err(Error::invalid_length(
+                if found.is_some() { 2 } else { 0 },
+                &self,
+            )),
         }
     }
 }

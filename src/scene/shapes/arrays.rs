@@ -12,13 +12,25 @@ use rayon::prelude::*;
 pub(super) fn vertices_of(parameters: &mut Parameters, mesh: &str) -> ShapeResult<Vec<Point>> {
     let Some(coordinates) = parameters.numbers("P", DeclaredType::POINT)? else {
         let error = parameters.missing("P", format!("{mesh} without vertices"));
-        return Err(ShapeRefusal::shape("without vertices", error.note("expected \"point3 P\" [ ... ]")));
+        return Err(ShapeRefusal::shape(
+            "without vertices",
+            error.note("expected \"point3 P\" [ ... ]"),
+        ));
     };
     if !coordinates.len().is_multiple_of(3) {
-        let message = format!("`P` has {} numbers, expected three a vertex", coordinates.len());
-        return Err(ShapeRefusal::shape("with parts of vertices", parameters.error_at("P", message)));
+        let message = format!(
+            "`P` has {} numbers, expected three a vertex",
+            coordinates.len()
+        );
+        return Err(ShapeRefusal::shape(
+            "with parts of vertices",
+            parameters.error_at("P", message),
+        ));
     }
-    Ok(coordinates.par_chunks_exact(3).map(|p| Point::new(p[0], p[1], p[2])).collect())
+    Ok(coordinates
+        .par_chunks_exact(3)
+        .map(|p| Point::new(p[0], p[1], p[2]))
+        .collect())
 }
 
 /// The faces of `indices`, N places among the vertices each, or `None` where the parameter is missing; `expected` says how
@@ -29,13 +41,19 @@ pub(super) fn faces_of<const N: usize>(
     expected: &str,
     warnings: &mut Warnings,
 ) -> ShapeResult<Option<Vec<[u32; N]>>> {
-    let Some(indices) = parameters.numbers("indices", DeclaredType::INTEGER)? else { return Ok(None) };
+    let Some(indices) = parameters.numbers("indices", DeclaredType::INTEGER)? else {
+        return Ok(None);
+    };
     let excess = indices.len() % N;
     if excess > 0 {
-        let message =
-            format!("`indices` has {} numbers, expected {expected}: the last {excess} are dropped", indices.len());
+        let message = format!(
+            "`indices` has {} numbers, expected {expected}: the last {excess} are dropped",
+            indices.len()
+        );
         let kind = format!("{} with excess indices", parameters.entity_name());
-        warnings.add(kind, || Diagnostic::new(message).at(parameters.place_of("indices")));
+        warnings.add(kind, || {
+            Diagnostic::new(message).at(parameters.place_of("indices"))
+        });
     }
     let indices = &indices[..indices.len() - excess];
     let is_wrong = |index: &f64| !is_index(*index, vertex_count);
@@ -48,7 +66,9 @@ pub(super) fn faces_of<const N: usize>(
             0 => "the mesh has no vertices".to_owned(),
             count => format!("expected an integer from 0 to {}", count - 1),
         };
-        let error = parameters.error_at_number("indices", place, message).note(expected);
+        let error = parameters
+            .error_at_number("indices", place, message)
+            .note(expected);
         return Err(ShapeRefusal::shape("with indices out of range", error));
     }
     let face = |corners: &[f64]| std::array::from_fn(|k| corners[k] as u32);
@@ -63,15 +83,28 @@ pub(super) fn uv_of(
     warnings: &mut Warnings,
 ) -> Result<Option<Vec<[f32; 2]>>> {
     for name in ["uv", "st"] {
-        let Some(numbers) = parameters.numbers(name, DeclaredType::POINT2)? else { continue };
+        let Some(numbers) = parameters.numbers(name, DeclaredType::POINT2)? else {
+            continue;
+        };
         if numbers.len() != 2 * vertex_count {
             let (found, expected) = (numbers.len(), 2 * vertex_count);
-            let outcome = if found < expected { "they are ignored" } else { "the rest are dropped" };
-            let message = format!("`{name}` has {found} numbers, expected two a vertex: {expected}; {outcome}");
+            let outcome = if found < expected {
+                "they are ignored"
+            } else {
+                "the rest are dropped"
+            };
+            let message = format!(
+                "`{name}` has {found} numbers, expected two a vertex: {expected}; {outcome}"
+            );
             parameters.warn(name, message, warnings);
         }
         let numbers = numbers.get(..2 * vertex_count);
-        let uv = numbers.map(|numbers| numbers.par_chunks_exact(2).map(|uv| [uv[0] as f32, uv[1] as f32]).collect());
+        let uv = numbers.map(|numbers| {
+            numbers
+                .par_chunks_exact(2)
+                .map(|uv| [uv[0] as f32, uv[1] as f32])
+                .collect()
+        });
         return Ok(uv);
     }
     Ok(None)
@@ -93,7 +126,15 @@ mod tests {
         for index in [0.0, -0.0, 1.0, 4_294_967_295.0] {
             assert!(is_index(index, 1 << 32), "{index}");
         }
-        for index in [-1.0, 0.5, 1e300, 4_294_967_296.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for index in [
+            -1.0,
+            0.5,
+            1e300,
+            4_294_967_296.0,
+            f64::NAN,
+            f64::INFINITY,
+            f64::NEG_INFINITY,
+        ] {
             assert!(!is_index(index, usize::MAX), "{index}");
         }
         assert!(is_index(6.0, 7) && !is_index(7.0, 7) && !is_index(0.0, 0));

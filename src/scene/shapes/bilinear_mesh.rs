@@ -10,27 +10,42 @@ use rayon::prelude::*;
 
 impl ShapeTarget<'_> {
     /// Adds two triangles for each patch (rule R7): the same points where the patch is flat and convex, else near it.
-    pub(in crate::scene) fn add_bilinear_mesh(&mut self, parameters: &mut Parameters) -> ShapeResult<()> {
+    pub(in crate::scene) fn add_bilinear_mesh(
+        &mut self,
+        parameters: &mut Parameters,
+    ) -> ShapeResult<()> {
         parameters.ignore(&SURFACE);
         let vertices = vertices_of(parameters, "a bilinear mesh")?;
         let patches = match faces_of(parameters, vertices.len(), "four a patch", self.warnings)? {
             Some(patches) => patches,
             None if vertices.len() == 4 => vec![[0, 1, 2, 3]],
             None => {
-                let message = format!("a bilinear mesh of {} vertices without `indices`", vertices.len());
+                let message = format!(
+                    "a bilinear mesh of {} vertices without `indices`",
+                    vertices.len()
+                );
                 let error = parameters.missing("indices", message);
                 let error = error.note("only a single patch, of 4 vertices, needs none");
                 return Err(ShapeRefusal::shape("without indices", error));
             }
         };
-        let is_curved =
-            |patch: &[u32; 4]| !bilinear_patch::is_flat_and_convex(patch.map(|corner| vertices[corner as usize]));
+        let is_curved = |patch: &[u32; 4]| {
+            !bilinear_patch::is_flat_and_convex(patch.map(|corner| vertices[corner as usize]))
+        };
         if patches.par_iter().any(is_curved) {
-            let message = "bilinear patches that are not flat and convex are rendered as two triangles each";
+            let message =
+                "bilinear patches that are not flat and convex are rendered as two triangles each";
             let note = "for a closer surface, give it as a finer `trianglemesh`";
-            parameters.warn_at_name("curved patches", Diagnostic::new(message).note(note), self.warnings);
+            parameters.warn_at_name(
+                "curved patches",
+                Diagnostic::new(message).note(note),
+                self.warnings,
+            );
         }
-        let triangles: Vec<[[u32; 3]; 2]> = patches.par_iter().map(|patch| bilinear_patch::triangles(*patch)).collect();
+        let triangles: Vec<[[u32; 3]; 2]> = patches
+            .par_iter()
+            .map(|patch| bilinear_patch::triangles(*patch))
+            .collect();
         let triangles = triangles.into_flattened();
         let uv = match self.keeps_uv {
             true => Some(uv_of(parameters, vertices.len(), self.warnings)?),
@@ -40,6 +55,13 @@ impl ShapeTarget<'_> {
             Some(uv) => uv_of_corners(&triangles, &uv),
             None => vec![bilinear_patch::UV; triangles.len() / 2].into_flattened(),
         });
-        Ok(self.add_mesh(parameters, TriangleMesh { vertices, triangles, uv })?)
+        Ok(self.add_mesh(
+            parameters,
+            TriangleMesh {
+                vertices,
+                triangles,
+                uv,
+            },
+        )?)
     }
 }

@@ -22,7 +22,10 @@ impl ShapeTarget<'_> {
         let (mirror, z_min, z_max) = if is_negative {
             // pbrt clamps both to a range that ends before it begins: then no point lies beyond
             // them.
-            if let Some(name) = [("zmin", z_min), ("zmax", z_max)].iter().find_map(|(name, z)| z.map(|_| *name)) {
+            if let Some(name) = [("zmin", z_min), ("zmax", z_max)]
+                .iter()
+                .find_map(|(name, z)| z.map(|_| *name))
+            {
                 let message = "`zmin` and `zmax` are ignored, as in pbrt: the radius is below 0";
                 parameters.warn(name, message, self.warnings);
             }
@@ -38,7 +41,11 @@ impl ShapeTarget<'_> {
     pub(in crate::scene) fn add_cylinder(&mut self, parameters: &mut Parameters) -> Result<()> {
         let mut number = |name, default| number_or(parameters, name, default);
         let radius = number("radius", 1.0)?;
-        let cut = Cut::of_cylinder(number("zmin", -1.0)?, number("zmax", 1.0)?, number("phimax", 360.0)?);
+        let cut = Cut::of_cylinder(
+            number("zmin", -1.0)?,
+            number("zmax", 1.0)?,
+            number("phimax", 360.0)?,
+        );
         let mirror = (radius < 0.0).then_some([-1.0, -1.0, 1.0]);
         if mirror.is_some() {
             // In pbrt the normal is that of the mirrored point.
@@ -51,13 +58,25 @@ impl ShapeTarget<'_> {
     pub(in crate::scene) fn add_disk(&mut self, parameters: &mut Parameters) -> Result<()> {
         let mut number = |name, default| number_or(parameters, name, default);
         let radius = number("radius", 1.0)?;
-        let disk = Disk::new(number("height", 0.0)?, number("innerradius", 0.0)?, number("phimax", 360.0)?);
+        let disk = Disk::new(
+            number("height", 0.0)?,
+            number("innerradius", 0.0)?,
+            number("phimax", 360.0)?,
+        );
         let has_negative_radius = radius < 0.0;
         if has_negative_radius {
             // In pbrt dp/dv points the other way.
             self.turn_round();
         }
-        self.add_quadric(parameters, None, radius.abs(), Form::Disk(Disk { has_negative_radius, ..disk }))
+        self.add_quadric(
+            parameters,
+            None,
+            radius.abs(),
+            Form::Disk(Disk {
+                has_negative_radius,
+                ..disk
+            }),
+        )
     }
 
     /// Adds it under the current transform, after `mirror` has scaled its object space.
@@ -69,31 +88,57 @@ impl ShapeTarget<'_> {
         form: Form,
     ) -> Result<()> {
         if self.bounds_medium {
-            return self.shapes.leave_out(1).map_err(|error| too_many(parameters, error));
+            return self
+                .shapes
+                .leave_out(1)
+                .map_err(|error| too_many(parameters, error));
         }
-        let world_from_object =
-            mirror.map_or(self.world_from_object, |mirror| mirrored(&self.world_from_object, mirror));
-        let quadric = Quadric { world_from_object, radius, form };
+        let world_from_object = mirror.map_or(self.world_from_object, |mirror| {
+            mirrored(&self.world_from_object, mirror)
+        });
+        let quadric = Quadric {
+            world_from_object,
+            radius,
+            form,
+        };
         let name = parameters.entity_name();
         if !(radius > 0.0 && radius.is_finite()) {
-            parameters.warn("radius", format!("a {name} of radius {radius} is never hit"), self.warnings);
+            parameters.warn(
+                "radius",
+                format!("a {name} of radius {radius} is never hit"),
+                self.warnings,
+            );
         } else if !quadric.has_points() {
             let diagnostic = Diagnostic::new(format!("a {name} without points is never hit"));
             let note = "expected finite numbers, and an `innerradius` not above the radius";
-            parameters.warn_at_name(&format!("empty {name}"), diagnostic.note(note), self.warnings);
+            parameters.warn_at_name(
+                &format!("empty {name}"),
+                diagnostic.note(note),
+                self.warnings,
+            );
         } else if !quadric.can_be_hit() {
             let message = format!("a {name} under a singular or infinite transform is never hit");
-            parameters.warn_at_name(&format!("singular {name}"), Diagnostic::new(message), self.warnings);
+            parameters.warn_at_name(
+                &format!("singular {name}"),
+                Diagnostic::new(message),
+                self.warnings,
+            );
         }
         let transform = self.transforms.intern(&world_from_object, self.shapes);
-        let added = self.shapes.add_quadric(radius, form, transform, self.number);
+        let added = self
+            .shapes
+            .add_quadric(radius, form, transform, self.number);
         added.map_err(|error| too_many(parameters, error))
     }
 }
 
 /// The columns of the linear part times 1 or -1, which rounds nothing.
 fn mirrored(matrix: &Matrix, [x, y, z]: [f64; 3]) -> Matrix {
-    Matrix { rows: matrix.rows.map(|row| [row[0] * x, row[1] * y, row[2] * z, row[3]]) }
+    Matrix {
+        rows: matrix
+            .rows
+            .map(|row| [row[0] * x, row[1] * y, row[2] * z, row[3]]),
+    }
 }
 
 fn number_or(parameters: &mut Parameters, name: &'static str, default: f64) -> Result<f64> {

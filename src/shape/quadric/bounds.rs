@@ -27,7 +27,10 @@ impl Quadric {
             [(low - reach).next_down(), (high + reach).next_up()]
         });
         let corner = |end: usize| Point::new(ends[0][end], ends[1][end], ends[2][end]);
-        Bounds { low: corner(0), high: corner(1) }
+        Bounds {
+            low: corner(0),
+            high: corner(1),
+        }
     }
 
     /// How far the surface reaches from its axis, or from the middle of a sphere, along world axis `k`: |row| * radius, where the last
@@ -55,18 +58,29 @@ impl Quadric {
         };
         // Two roundings, either of which may be the wrong way.
         let (a, b) = (row[2] * low, row[2] * high);
-        [(row[3] + a.min(b).next_down()).next_down(), (row[3] + a.max(b).next_up()).next_up()]
+        [
+            (row[3] + a.min(b).next_down()).next_down(),
+            (row[3] + a.max(b).next_up()).next_up(),
+        ]
     }
 
     /// An ellipsoid that holds the surface, but for roundings: a cylinder is in one that is wider and longer by the root of 2.
     pub(crate) fn ellipsoid(&self) -> Ellipsoid {
-        let around = |height, semi_axes, farthest| Ellipsoid { height, semi_axes, farthest };
+        let around = |height, semi_axes, farthest| Ellipsoid {
+            height,
+            semi_axes,
+            farthest,
+        };
         match &self.form {
             Form::Sphere(_) => around(0.0, [1.0; 3], 0.0),
             Form::Cylinder(cut) => {
                 let half = (0.5 * cut.z_max - 0.5 * cut.z_min) / self.radius;
                 let semi_axes = [SQRT_2, SQRT_2, SQRT_2 * half];
-                around(0.5 * cut.z_min + 0.5 * cut.z_max, semi_axes, cut.z_min.abs().max(cut.z_max.abs()))
+                around(
+                    0.5 * cut.z_min + 0.5 * cut.z_max,
+                    semi_axes,
+                    cut.z_min.abs().max(cut.z_max.abs()),
+                )
             }
             Form::Disk(disk) => around(disk.height, [1.0, 1.0, 0.0], disk.height.abs()),
         }
@@ -141,11 +155,20 @@ mod tests {
     #[test]
     fn boxes_are_hardly_larger() {
         let half = Form::Cylinder(Cut::of_cylinder(1.0, 3.0, 180.0));
-        let quadric = |form| Quadric { world_from_object: Matrix::scale([2.0, -1.0, 4.0]), radius: 1.5, form };
-        let is_near = |bounds: Bounds, low: [f64; 3], high: [f64; 3]| {
-            (bounds.low - Point::from(low)).largest() < 1e-14 && (bounds.high - Point::from(high)).largest() < 1e-14
+        let quadric = |form| Quadric {
+            world_from_object: Matrix::scale([2.0, -1.0, 4.0]),
+            radius: 1.5,
+            form,
         };
-        assert!(is_near(quadric(half).bounds(), [-3.0, -1.5, 4.0], [3.0, 1.5, 12.0]));
+        let is_near = |bounds: Bounds, low: [f64; 3], high: [f64; 3]| {
+            (bounds.low - Point::from(low)).largest() < 1e-14
+                && (bounds.high - Point::from(high)).largest() < 1e-14
+        };
+        assert!(is_near(
+            quadric(half).bounds(),
+            [-3.0, -1.5, 4.0],
+            [3.0, 1.5, 12.0]
+        ));
         assert!(is_near(
             quadric(Form::Disk(Disk::new(-2.0, 1.0, 360.0))).bounds(),
             [-3.0, -1.5, -8.0],
@@ -161,7 +184,11 @@ mod tests {
             radius: 2.0,
             form: Form::Cylinder(Cut::of_cylinder(-1.0, 7.0, 360.0)),
         };
-        let Ellipsoid { height, semi_axes, farthest } = cylinder.ellipsoid();
+        let Ellipsoid {
+            height,
+            semi_axes,
+            farthest,
+        } = cylinder.ellipsoid();
         assert_eq!((height, farthest), (3.0, 7.0));
         let [x, _, z] = semi_axes.map(|axis| 2.0 * axis);
         assert!(((2.0 / x).powi(2) + (4.0 / z).powi(2) - 1.0).abs() < 1e-15);

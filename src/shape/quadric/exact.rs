@@ -22,16 +22,19 @@ impl Quadric {
         let space = ScaledSpace::new(self, ray);
         let (o, d) = (&space.origin, &space.direction);
         let first = |roots: Option<[Root; 2]>, is_there: &dyn Fn(&Root) -> bool| {
-            roots?.into_iter().find(|t| t.sign() == Ordering::Greater && is_there(t))
+            roots?
+                .into_iter()
+                .find(|t| t.sign() == Ordering::Greater && is_there(t))
         };
         match &self.form {
             Form::Sphere(cut) => {
                 let is_there = |t: &Root| cut.as_ref().is_none_or(|cut| space.is_there(t, cut));
                 first(space.distances_from_middle(o, d, self.radius), &is_there)
             }
-            Form::Cylinder(cut) => {
-                first(space.distances_from_middle(&across(o), &across(d), self.radius), &|t| space.is_there(t, cut))
-            }
+            Form::Cylinder(cut) => first(
+                space.distances_from_middle(&across(o), &across(d), self.radius),
+                &|t| space.is_there(t, cut),
+            ),
             Form::Disk(disk) => space.crossing(disk, self.radius),
         }
     }
@@ -64,13 +67,26 @@ impl ScaledSpace {
         let origin = ExactVector::from(ray.origin).minus(&centre);
         let direction = ExactVector::from(ray.direction);
         let apply = |v: &ExactVector| ExactVector::new([0, 1, 2].map(|k| adjugate[k].dot(v)));
-        ScaledSpace { origin: apply(&origin), direction: apply(&direction), determinant }
+        ScaledSpace {
+            origin: apply(&origin),
+            direction: apply(&direction),
+            determinant,
+        }
     }
 
     /// The t with |o + t d| = R, the smaller one first; `None` where there is none, or d is 0.
-    fn distances_from_middle(&self, o: &ExactVector, d: &ExactVector, radius: f64) -> Option<[Root; 2]> {
+    fn distances_from_middle(
+        &self,
+        o: &ExactVector,
+        d: &ExactVector,
+        radius: f64,
+    ) -> Option<[Root; 2]> {
         let [a, b, c] = self.equation(o, d, radius);
-        if a.is_zero() { None } else { Root::of_quadratic(&a, &b, &c) }
+        if a.is_zero() {
+            None
+        } else {
+            Root::of_quadratic(&a, &b, &c)
+        }
     }
 
     /// The a, b and c of the equation a t^2 + 2 b t + c = 0 for these t.
@@ -81,15 +97,23 @@ impl ScaledSpace {
 
     /// Whether the cut leaves the point at `t`.
     fn is_there(&self, t: &Root, cut: &Cut) -> bool {
-        cut.holds(|plane| Some(self.side(t, plane))).expect("every side is known")
+        cut.holds(|plane| Some(self.side(t, plane)))
+            .expect("every side is known")
     }
 
     /// On which side of `plane` the point at `t` is. A determinant below 0 turns every sign round.
     fn side(&self, t: &Root, plane: &Plane) -> Ordering {
         let normal = ExactVector::from(plane.normal);
         let offset = &Dyadic::from(plane.offset) * &self.determinant;
-        let sign = t.sign_of_linear(&(&normal.dot(&self.origin) - &offset), &normal.dot(&self.direction));
-        if self.determinant.sign() == Ordering::Less { sign.reverse() } else { sign }
+        let sign = t.sign_of_linear(
+            &(&normal.dot(&self.origin) - &offset),
+            &normal.dot(&self.direction),
+        );
+        if self.determinant.sign() == Ordering::Less {
+            sign.reverse()
+        } else {
+            sign
+        }
     }
 
     /// Where the ray crosses the plane of `disk`, if that is ahead and there.
@@ -100,7 +124,9 @@ impl ScaledSpace {
         }
         let rise = &(&Dyadic::from(disk.height) * &self.determinant) - &self.origin[2];
         // The point times the slope, and what its distance from the axis is times the slope.
-        let point = across(&self.origin).times(slope).plus(&across(&self.direction).times(&rise));
+        let point = across(&self.origin)
+            .times(slope)
+            .plus(&across(&self.direction).times(&rise));
         let distance = point.dot(&point);
         let from_axis = |limit: f64| {
             let limit = &(&Dyadic::from(limit) * &self.determinant) * slope;

@@ -47,7 +47,9 @@ pub enum Form {
 impl Quadric {
     /// Whether any ray can hit it (rules E2, E5 and E6).
     pub fn can_be_hit(&self) -> bool {
-        self.extent().is_some() && self.world_from_object.is_finite() && !self.world_from_object.is_singular()
+        self.extent().is_some()
+            && self.world_from_object.is_finite()
+            && !self.world_from_object.is_singular()
     }
 
     /// The largest absolute coordinates in object space; `None` where no ray can hit it, whatever its transform.
@@ -76,7 +78,11 @@ impl Quadric {
             Form::Sphere(_) => Form::Sphere(None),
             Form::Cylinder(_) => Form::Cylinder(Cut::of_cylinder(f64::MIN, f64::MAX, 360.0)),
             Form::Disk(disk) => {
-                return Quadric { radius: f64::MAX, form: Form::Disk(Disk::new(disk.height, 0.0, 360.0)), ..*self };
+                return Quadric {
+                    radius: f64::MAX,
+                    form: Form::Disk(Disk::new(disk.height, 0.0, 360.0)),
+                    ..*self
+                };
             }
         };
         Quadric { form, ..*self }
@@ -91,7 +97,9 @@ impl Quadric {
 /// The largest power of two up to the largest absolute value of `numbers`; 1 where that is 0 or not finite, the least normal
 /// number where it is subnormal.
 fn power_of_two_near_largest<'a>(numbers: impl IntoIterator<Item = &'a f64>) -> f64 {
-    let largest = numbers.into_iter().fold(0.0f64, |max, number| max.max(number.abs()));
+    let largest = numbers
+        .into_iter()
+        .fold(0.0f64, |max, number| max.max(number.abs()));
     if largest == 0.0 || !largest.is_finite() {
         return 1.0;
     }

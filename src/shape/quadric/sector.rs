@@ -18,7 +18,11 @@ impl Sector {
     pub fn new(phi_max: f64) -> Option<Sector> {
         let degrees = phi_max.clamp(0.0, 360.0);
         let (sine, cosine) = (degrees::sine, degrees::cosine);
-        (degrees < 360.0).then(|| Sector { degrees, sine: sine(degrees), cosine: cosine(degrees) })
+        (degrees < 360.0).then(|| Sector {
+            degrees,
+            sine: sine(degrees),
+            cosine: cosine(degrees),
+        })
     }
 
     /// Whether the point is there of which `beyond` tells whether `normal . q` is not less than an offset, as far as that is
@@ -36,7 +40,11 @@ impl Sector {
         // At 180 degrees both conditions are y >= 0.
         let within = both(first_half, before_end);
         // Where the sine is 0, `x sin m - y cos m` is -y: 0 at an angle of 180 degrees too.
-        if self.is_narrow() { both(within, beyond([1.0, 0.0, 0.0], 0.0)) } else { within }
+        if self.is_narrow() {
+            both(within, beyond([1.0, 0.0, 0.0], 0.0))
+        } else {
+            within
+        }
     }
 
     /// Whether the sine of the end is 0 for some test of the surface, in `f64` or `f32`, though the
@@ -66,7 +74,9 @@ mod tests {
     use super::*;
 
     fn holds(sector: &Sector, x: f64, y: f64) -> bool {
-        sector.holds(|normal, offset| Some(normal[0] * x + normal[1] * y >= offset)).unwrap()
+        sector
+            .holds(|normal, offset| Some(normal[0] * x + normal[1] * y >= offset))
+            .unwrap()
     }
 
     /// Points whose angles are known without a sine: those of the axes and the diagonals, and some
@@ -88,11 +98,20 @@ mod tests {
         ];
         let around = |degrees: f64| [degrees.next_down(), degrees, degrees.next_up()];
         let ends = [90.0, 180.0, 270.0, 360.0].into_iter().flat_map(around);
-        let small = [0.0, 5e-324, 1e-322, 1.4e-322, 1.5e-322, 1e-320, 1e-307, 1e-300, 1e-46, 1e-40, 1e-9, 44.9, 45.1];
+        let small = [
+            0.0, 5e-324, 1e-322, 1.4e-322, 1.5e-322, 1e-320, 1e-307, 1e-300, 1e-46, 1e-40, 1e-9,
+            44.9, 45.1,
+        ];
         for degrees in ends.chain(small) {
-            let Some(sector) = Sector::new(degrees) else { continue };
+            let Some(sector) = Sector::new(degrees) else {
+                continue;
+            };
             for ([x, y], angle) in points {
-                assert_eq!(holds(&sector, x, y), angle <= degrees, "{x} {y} of {degrees} degrees");
+                assert_eq!(
+                    holds(&sector, x, y),
+                    angle <= degrees,
+                    "{x} {y} of {degrees} degrees"
+                );
             }
             assert!(holds(&sector, 0.0, 0.0), "the axis, {degrees} degrees");
         }
@@ -100,10 +119,15 @@ mod tests {
 
     #[test]
     fn what_is_out_of_range_is_clamped() {
-        assert_eq!([360.0, 400.0, f64::INFINITY, f64::NAN].map(Sector::new), [None; 4]);
+        assert_eq!(
+            [360.0, 400.0, f64::INFINITY, f64::NAN].map(Sector::new),
+            [None; 4]
+        );
         for degrees in [-0.0, -5.0, f64::NEG_INFINITY] {
             let sector = Sector::new(degrees).unwrap();
-            assert!(holds(&sector, 1.0, 0.0) && !holds(&sector, -1.0, 0.0) && !holds(&sector, 1.0, 1.0));
+            assert!(
+                holds(&sector, 1.0, 0.0) && !holds(&sector, -1.0, 0.0) && !holds(&sector, 1.0, 1.0)
+            );
         }
     }
 }

@@ -38,7 +38,9 @@ impl SingleQuadric<'_> {
         let (o, d) = (self.apply(origin), self.apply(direction));
         match &self.quadric.form {
             Form::Sphere(cut) => self.meet(o, d, |t| {
-                cut.is_none_or(|cut| cut.holds(|plane| self.side(&self.point(o, d, t), plane)) == Some(true))
+                cut.is_none_or(|cut| {
+                    cut.holds(|plane| self.side(&self.point(o, d, t), plane)) == Some(true)
+                })
             }),
             Form::Cylinder(cut) => self.meet([o[0], o[1], 0.0], [d[0], d[1], 0.0], |t| {
                 cut.holds(|plane| self.side(&self.point(o, d, t), plane)) == Some(true)
@@ -57,9 +59,14 @@ impl SingleQuadric<'_> {
             return None;
         }
         let root = discriminant.sqrt();
-        let (nearer, farther) =
-            if b < 0.0 { (c / (root - b), (root - b) / a) } else { ((-b - root) / a, -c / (b + root)) };
-        [nearer, farther].into_iter().find(|t| *t > 0.0 && is_there(*t))
+        let (nearer, farther) = if b < 0.0 {
+            (c / (root - b), (root - b) / a)
+        } else {
+            ((-b - root) / a, -c / (b + root))
+        };
+        [nearer, farther]
+            .into_iter()
+            .find(|t| *t > 0.0 && is_there(*t))
     }
 
     /// Where the ray crosses the plane of `disk`, if that is ahead and there.
@@ -71,7 +78,9 @@ impl SingleQuadric<'_> {
             let limit = limit as f32 * self.determinant;
             distance.partial_cmp(&(limit * limit))
         };
-        let is_there = disk.holds(self.quadric.radius, from_axis, |plane| self.side(&point, plane));
+        let is_there = disk.holds(self.quadric.radius, from_axis, |plane| {
+            self.side(&point, plane)
+        });
         (t > 0.0 && is_there == Some(true)).then_some(t)
     }
 

@@ -20,21 +20,33 @@ impl UnitSpace {
     /// That of a quadric that [can be hit](Quadric::can_be_hit).
     pub(in crate::shape) fn new(quadric: &Quadric) -> UnitSpace {
         let (m, scale) = (&quadric.world_from_object, quadric.scale());
-        let scaled = Matrix { rows: m.rows.map(|[x, y, z, _]| [x / scale, y / scale, z / scale, 0.0]) };
+        let scaled = Matrix {
+            rows: m
+                .rows
+                .map(|[x, y, z, _]| [x / scale, y / scale, z / scale, 0.0]),
+        };
         let object_from_scaled_world = scaled.inverse();
-        UnitSpace { quadric: *quadric, centre: m.column(3).into(), scale, object_from_scaled_world }
+        UnitSpace {
+            quadric: *quadric,
+            centre: m.column(3).into(),
+            scale,
+            object_from_scaled_world,
+        }
     }
 
     /// The point of `ray` at `t`.
     pub(in crate::shape) fn point(&self, ray: &Ray, t: f64) -> Vector {
         let from_centre = ray.origin - self.centre;
         let direction = ray.direction * t;
-        self.vector(Vector::from([0, 1, 2].map(|k| from_centre[k] + direction[k])))
+        self.vector(Vector::from(
+            [0, 1, 2].map(|k| from_centre[k] + direction[k]),
+        ))
     }
 
     fn vector(&self, v: Vector) -> Vector {
         let v = v * (1.0 / self.scale);
-        let component = |row: [f64; 4]| ((row[0] * v.x + row[1] * v.y) + row[2] * v.z) / self.quadric.radius;
+        let component =
+            |row: [f64; 4]| ((row[0] * v.x + row[1] * v.y) + row[2] * v.z) / self.quadric.radius;
         Vector::from(self.object_from_scaled_world.rows.map(component))
     }
 
@@ -44,7 +56,10 @@ impl UnitSpace {
             Form::Cylinder(_) => Vector::new(v.x, v.y, 0.0),
             Form::Sphere(_) | Form::Disk(_) => v,
         };
-        let (origin, direction) = (weigh(self.point(ray, 0.0)), weigh(self.vector(ray.direction)));
+        let (origin, direction) = (
+            weigh(self.point(ray, 0.0)),
+            weigh(self.vector(ray.direction)),
+        );
         -origin.dot(direction) / direction.dot(direction)
     }
 
@@ -56,7 +71,8 @@ impl UnitSpace {
             Form::Cylinder(_) => Vector::new(point.x, point.y, 0.0),
             Form::Disk(_) => Vector::new(0.0, 0.0, 1.0),
         };
-        let [x, y, z] = [0, 1, 2].map(|k| Vector::from(self.object_from_scaled_world.column(k)).dot(gradient));
+        let [x, y, z] =
+            [0, 1, 2].map(|k| Vector::from(self.object_from_scaled_world.column(k)).dot(gradient));
         let normal = Vector::new(x, y, z);
         match normal.largest() {
             0.0 => Vector::default(),
@@ -78,18 +94,29 @@ impl UnitSpace {
                 let angle = libm::atan2(from_axis, point.z);
                 let [z_min, z_max] = cut.map_or([-radius, radius], |cut| [cut.z_min, cut.z_max]);
                 let [first, last] = [z_min, z_max].map(|z| angle_from_axis(z, radius));
-                (cut.and_then(|cut| cut.sector), part(angle - first, last - first))
+                (
+                    cut.and_then(|cut| cut.sector),
+                    part(angle - first, last - first),
+                )
             }
-            Form::Cylinder(cut) => (cut.sector, part(point.z * radius - cut.z_min, cut.z_max - cut.z_min)),
+            Form::Cylinder(cut) => (
+                cut.sector,
+                part(point.z * radius - cut.z_min, cut.z_max - cut.z_min),
+            ),
             Form::Disk(disk) => (disk.sector, disk.v_at(from_axis, radius)),
         };
-        [part_of_turn(point, sector.map_or(360.0, |sector| sector.degrees)), v]
+        [
+            part_of_turn(point, sector.map_or(360.0, |sector| sector.degrees)),
+            v,
+        ]
     }
 }
 
 /// The angle between the z axis and the points of a sphere with this z, in radians.
 fn angle_from_axis(z: f64, radius: f64) -> f64 {
-    let from_axis = ((radius - z) / radius * ((radius + z) / radius)).max(0.0).sqrt();
+    let from_axis = ((radius - z) / radius * ((radius + z) / radius))
+        .max(0.0)
+        .sqrt();
     libm::atan2(from_axis, z / radius)
 }
 
@@ -98,12 +125,20 @@ fn part_of_turn(point: Vector, degrees: f64) -> f64 {
     let angle = libm::atan2(point.y, point.x).to_degrees();
     let angle = if angle < 0.0 { angle + 360.0 } else { angle };
     let is_before_0 = angle - degrees > 360.0 - angle;
-    if is_before_0 { 0.0 } else { part(angle, degrees) }
+    if is_before_0 {
+        0.0
+    } else {
+        part(angle, degrees)
+    }
 }
 
 /// `way / whole`, from 0 to 1.
 fn part(way: f64, whole: f64) -> f64 {
-    if whole == 0.0 { 0.0 } else { (way / whole).clamp(0.0, 1.0) }
+    if whole == 0.0 {
+        0.0
+    } else {
+        (way / whole).clamp(0.0, 1.0)
+    }
 }
 
 #[cfg(test)]
@@ -112,7 +147,11 @@ mod tests {
     use crate::shape::{Cut, Disk};
 
     fn space(radius: f64, form: Form) -> UnitSpace {
-        UnitSpace::new(&Quadric { world_from_object: Matrix::IDENTITY, radius, form })
+        UnitSpace::new(&Quadric {
+            world_from_object: Matrix::IDENTITY,
+            radius,
+            form,
+        })
     }
 
     #[track_caller]
@@ -138,7 +177,11 @@ mod tests {
         assert_uv(&part, [0.0, 2.0, 0.0], [0.5, 0.0]);
         assert_uv(&part, [0.0, 3f64.sqrt(), 1.0], [0.5, 1.0]);
         // A little beyond the ends, as by roundings.
-        assert_uv(&part, [2.0, -1e-16, 1e-9], [0.0, 1e-9 / 2.0 / (std::f64::consts::PI / 6.0)]);
+        assert_uv(
+            &part,
+            [2.0, -1e-16, 1e-9],
+            [0.0, 1e-9 / 2.0 / (std::f64::consts::PI / 6.0)],
+        );
         assert_uv(&part, [-2.0, -1e-16, 0.0], [1.0, 0.0]);
     }
 
@@ -147,38 +190,73 @@ mod tests {
         let cap = space(1.0, Form::Sphere(Cut::new(1.0, 1.0 - 1e-12, 1.0, 360.0)));
         let half = (2e-12f64).sqrt() / 2.0;
         let [_, v] = cap.uv(Vector::new(half, 0.0, (1.0 - half * half).sqrt()));
-        assert!((v - 0.5).abs() < 1e-4, "{v}: the radius of this cap is known to four digits");
+        assert!(
+            (v - 0.5).abs() < 1e-4,
+            "{v}: the radius of this cap is known to four digits"
+        );
     }
 
     #[test]
     fn cylinders_count_from_zmin_and_disks_from_the_rim() {
         let cylinder = space(2.0, Form::Cylinder(Cut::of_cylinder(3.0, -1.0, 90.0)));
         assert_uv(&cylinder, [2f64.sqrt(), 2f64.sqrt(), 2.0], [0.5, 0.75]);
-        assert_uv(&space(2.0, Form::Cylinder(Cut::of_cylinder(1.0, 1.0, 360.0))), [0.0, 2.0, 1.0], [0.25, 0.0]);
+        assert_uv(
+            &space(2.0, Form::Cylinder(Cut::of_cylinder(1.0, 1.0, 360.0))),
+            [0.0, 2.0, 1.0],
+            [0.25, 0.0],
+        );
         let disk = space(2.0, Form::Disk(Disk::new(5.0, 0.5, 360.0)));
         assert_uv(&disk, [0.0, 2.0, 5.0], [0.25, 0.0]);
         assert_uv(&disk, [-0.5, 0.0, 5.0], [0.5, 1.0]);
         assert_uv(&disk, [0.0, -1.25, 5.0], [0.75, 0.5]);
-        assert_uv(&space(2.0, Form::Disk(Disk::new(5.0, 0.0, 360.0))), [0.0, 0.0, 5.0], [0.0, 1.0]);
-        assert_uv(&space(2.0, Form::Disk(Disk::new(5.0, 2.0, 0.0))), [2.0, 0.0, 5.0], [0.0, 0.0]);
+        assert_uv(
+            &space(2.0, Form::Disk(Disk::new(5.0, 0.0, 360.0))),
+            [0.0, 0.0, 5.0],
+            [0.0, 1.0],
+        );
+        assert_uv(
+            &space(2.0, Form::Disk(Disk::new(5.0, 2.0, 0.0))),
+            [2.0, 0.0, 5.0],
+            [0.0, 0.0],
+        );
     }
 
     #[test]
     fn normals_are_those_of_the_transposed_inverse() {
-        let world_from_object = Matrix::translate([5.0, 6.0, 7.0]).times(&Matrix::scale([2.0, 1.0, -1.0]));
+        let world_from_object =
+            Matrix::translate([5.0, 6.0, 7.0]).times(&Matrix::scale([2.0, 1.0, -1.0]));
         for exponent in [-900, 0, 900] {
             let size = |x: f64| crate::exact::times_power_of_two(x, exponent);
-            let world_from_object = Matrix { rows: world_from_object.rows.map(|row| row.map(size)) };
-            let at = |form| UnitSpace::new(&Quadric { world_from_object, radius: 3.0, form });
+            let world_from_object = Matrix {
+                rows: world_from_object.rows.map(|row| row.map(size)),
+            };
+            let at = |form| {
+                UnitSpace::new(&Quadric {
+                    world_from_object,
+                    radius: 3.0,
+                    form,
+                })
+            };
             // The plane x/2 + y = sqrt 2 r is tangent where both terms are equal.
             let half = 0.5f64.sqrt();
             let expected = Vector::new(0.5, 1.0, 0.0).normalized();
-            for form in [Form::Sphere(None), Form::Cylinder(Cut::of_cylinder(-1.0, 1.0, 360.0))] {
+            for form in [
+                Form::Sphere(None),
+                Form::Cylinder(Cut::of_cylinder(-1.0, 1.0, 360.0)),
+            ] {
                 let normal = at(form).normal(Vector::new(half, half, 0.0));
-                assert!((0..3).all(|k| (normal[k] - expected[k]).abs() < 1e-15), "{form:?}: {normal:?}");
+                assert!(
+                    (0..3).all(|k| (normal[k] - expected[k]).abs() < 1e-15),
+                    "{form:?}: {normal:?}"
+                );
             }
-            let disk = at(Form::Disk(Disk::new(0.0, 0.0, 360.0))).normal(Vector::new(0.5, 0.0, 0.0));
-            assert_eq!(disk, Vector::new(0.0, 0.0, -1.0), "it points the way that the z axis does");
+            let disk =
+                at(Form::Disk(Disk::new(0.0, 0.0, 360.0))).normal(Vector::new(0.5, 0.0, 0.0));
+            assert_eq!(
+                disk,
+                Vector::new(0.0, 0.0, -1.0),
+                "it points the way that the z axis does"
+            );
         }
     }
 }

@@ -27,19 +27,31 @@ struct UvRun {
 
 impl Attributes {
     pub(super) fn bytes(&self) -> usize {
-        size_of_val(self) + size_of_val(&self.turned[..]) + size_of_val(&self.uv[..]) + size_of_val(&self.uv_runs[..])
+        size_of_val(self)
+            + size_of_val(&self.turned[..])
+            + size_of_val(&self.uv[..])
+            + size_of_val(&self.uv_runs[..])
     }
 
     pub(super) fn digest(&self, digester: &mut Digester) {
         digester.list(&self.turned, |shape| [(*shape).into()]);
-        digester.list(&self.uv, |corners| corners.map(|[u, v]| u64::from(u.to_bits()) << 32 | u64::from(v.to_bits())));
-        digester.list(&self.uv_runs, |run| [run.first_triangle.into(), run.first_uv as u64]);
+        digester.list(&self.uv, |corners| {
+            corners.map(|[u, v]| u64::from(u.to_bits()) << 32 | u64::from(v.to_bits()))
+        });
+        digester.list(&self.uv_runs, |run| {
+            [run.first_triangle.into(), run.first_uv as u64]
+        });
     }
 
     fn uv_of(&self, triangle: u32) -> Option<&CornerUv> {
-        let next = self.uv_runs.partition_point(|run| run.first_triangle <= triangle);
+        let next = self
+            .uv_runs
+            .partition_point(|run| run.first_triangle <= triangle);
         let run = &self.uv_runs[next.checked_sub(1)?];
-        let end = self.uv_runs.get(next).map_or(self.uv.len(), |next| next.first_uv);
+        let end = self
+            .uv_runs
+            .get(next)
+            .map_or(self.uv.len(), |next| next.first_uv);
         self.uv[run.first_uv..end].get((triangle - run.first_triangle) as usize)
     }
 }
@@ -55,11 +67,19 @@ impl Shapes {
 
     /// Gives coordinates to the triangles of the mesh that was added last: as many as it has.
     pub fn add_uv(&mut self, mut uv: Vec<CornerUv>) {
-        let Some(first_triangle) = self.triangles.len().checked_sub(uv.len()).filter(|_| !uv.is_empty()) else {
+        let Some(first_triangle) = self
+            .triangles
+            .len()
+            .checked_sub(uv.len())
+            .filter(|_| !uv.is_empty())
+        else {
             return;
         };
         let attributes = self.attributes.get_or_insert_default();
-        attributes.uv_runs.push(UvRun { first_triangle: first_triangle as u32, first_uv: attributes.uv.len() });
+        attributes.uv_runs.push(UvRun {
+            first_triangle: first_triangle as u32,
+            first_uv: attributes.uv.len(),
+        });
         if attributes.uv.is_empty() {
             attributes.uv = uv;
         } else {
@@ -69,15 +89,25 @@ impl Shapes {
 
     /// Whether the normals of a primitive are those of its shape, turned round.
     pub(in crate::shape) fn turns_normal_of(&self, placed: Placed) -> bool {
-        let shapes = placed.instance().map_or(self, |instance| self.object_of(instance).shapes());
-        let turned = shapes.attributes.as_ref().map_or(&[][..], |attributes| &attributes.turned);
+        let shapes = placed
+            .instance()
+            .map_or(self, |instance| self.object_of(instance).shapes());
+        let turned = shapes
+            .attributes
+            .as_ref()
+            .map_or(&[][..], |attributes| &attributes.turned);
         !turned.is_empty() && turned.binary_search(&self.shape_number(placed)).is_ok()
     }
 
     /// The coordinates at the corners of a triangle, where its mesh has any.
     pub(in crate::shape) fn uv_of(&self, placed: Placed) -> Option<&CornerUv> {
-        let shapes = placed.instance().map_or(self, |instance| self.object_of(instance).shapes());
-        shapes.attributes.as_ref()?.uv_of(placed.primitive().index() as u32)
+        let shapes = placed
+            .instance()
+            .map_or(self, |instance| self.object_of(instance).shapes());
+        shapes
+            .attributes
+            .as_ref()?
+            .uv_of(placed.primitive().index() as u32)
     }
 }
 
@@ -88,23 +118,48 @@ mod tests {
     use crate::shape::Primitive;
 
     fn add_triangles(shapes: &mut Shapes, count: usize, shape: u32) {
-        shapes.add_mesh(vec![Point::default(); 3], vec![[0, 1, 2]; count], &Matrix::IDENTITY, shape).unwrap();
+        shapes
+            .add_mesh(
+                vec![Point::default(); 3],
+                vec![[0, 1, 2]; count],
+                &Matrix::IDENTITY,
+                shape,
+            )
+            .unwrap();
     }
 
     #[test]
     fn triangles_have_the_coordinates_of_their_mesh() {
         let (mut shapes, plain) = (Shapes::default(), size_of::<Attributes>());
-        let uv = |first: u8, count: u8| (first..first + count).map(|k| [[k.into(); 2]; 3]).collect::<Vec<CornerUv>>();
+        let uv = |first: u8, count: u8| {
+            (first..first + count)
+                .map(|k| [[k.into(); 2]; 3])
+                .collect::<Vec<CornerUv>>()
+        };
         add_triangles(&mut shapes, 2, 1);
         let bytes = shapes.bytes();
-        assert!(shapes.uv_of(Placed::alone(Primitive::triangle(0))).is_none() && shapes.attributes.is_none());
-        for (count, shape, coordinates) in [(2, 2, uv(1, 2)), (1, 3, Vec::new()), (0, 4, Vec::new()), (1, 5, uv(3, 1))]
-        {
+        assert!(
+            shapes
+                .uv_of(Placed::alone(Primitive::triangle(0)))
+                .is_none()
+                && shapes.attributes.is_none()
+        );
+        for (count, shape, coordinates) in [
+            (2, 2, uv(1, 2)),
+            (1, 3, Vec::new()),
+            (0, 4, Vec::new()),
+            (1, 5, uv(3, 1)),
+        ] {
             add_triangles(&mut shapes, count, shape);
             shapes.add_uv(coordinates);
         }
-        let found: Vec<Option<f32>> =
-            (0..6).map(|k| shapes.uv_of(Placed::alone(Primitive::triangle(k))).map(|uv| uv[0][0])).collect();
+        let found: Vec<Option<f32>> = (0..6)
+            .map(|k| {
+                shapes
+                    .uv_of(Placed::alone(Primitive::triangle(k)))
+                    .map(|uv| uv[0][0])
+            })
+            .collect();
         assert_eq!(found, [None, None, Some(1.0), Some(2.0), None, Some(3.0)]);
         assert!(shapes.bytes() >= bytes + plain + 3 * size_of::<CornerUv>());
     }
@@ -113,7 +168,9 @@ mod tests {
     fn normals_are_turned_by_shape() {
         let mut object = Shapes::default();
         for shape in 1..4 {
-            object.add_object_mesh(vec![Point::default(); 3], vec![[0, 1, 2]], 0, shape).unwrap();
+            object
+                .add_object_mesh(vec![Point::default(); 3], vec![[0, 1, 2]], 0, shape)
+                .unwrap();
         }
         object.turn_normals(2);
         let mut shapes = Shapes::default();
@@ -121,7 +178,10 @@ mod tests {
         shapes.add_instance(number, Matrix::IDENTITY).unwrap();
         add_triangles(&mut shapes, 1, 7);
         shapes.turn_normals(7);
-        let turned: Vec<bool> = shapes.all().map(|placed| shapes.turns_normal_of(placed)).collect();
+        let turned: Vec<bool> = shapes
+            .all()
+            .map(|placed| shapes.turns_normal_of(placed))
+            .collect();
         assert_eq!(turned, [true, false, true, false]);
     }
 }

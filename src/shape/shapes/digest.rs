@@ -8,14 +8,25 @@ impl Shapes {
     /// Takes in everything that a picture of the geometry depends on.
     pub fn digest(&self, digester: &mut Digester) {
         digester.list(&self.vertices, |vertex| vertex.to_array().map(f64::to_bits));
-        digester.list(&self.triangles, |[a, b, c]| [u64::from(*a) << 32 | u64::from(*b), u64::from(*c)]);
+        digester.list(&self.triangles, |[a, b, c]| {
+            [u64::from(*a) << 32 | u64::from(*b), u64::from(*c)]
+        });
         digester.list(&self.meshes, |run| {
             let [alone, instanced] = words_of(run.first_number);
             let transform = run.transform.map_or(u64::MAX, u64::from);
-            [run.first_triangle.into(), alone, instanced, run.shape.into(), transform]
+            [
+                run.first_triangle.into(),
+                alone,
+                instanced,
+                run.shape.into(),
+                transform,
+            ]
         });
         digester.list(&self.spheres, |sphere| {
-            [sphere.radius.to_bits(), u64::from(sphere.transform) << 32 | u64::from(sphere.shape)]
+            [
+                sphere.radius.to_bits(),
+                u64::from(sphere.transform) << 32 | u64::from(sphere.shape),
+            ]
         });
         digester.list(&self.sphere_runs, |run| {
             let [alone, instanced] = words_of(run.first_number);
@@ -24,9 +35,13 @@ impl Shapes {
         digester.list(&self.forms, |(sphere, form)| words_of_form(*sphere, form));
         digester.list(&self.transforms, |transform| transform.bits());
         digester.word(self.attributes.is_some().into());
-        self.attributes.iter().for_each(|attributes| attributes.digest(digester));
+        self.attributes
+            .iter()
+            .for_each(|attributes| attributes.digest(digester));
         digester.word(self.objects.len() as u64);
-        self.objects.iter().for_each(|object| object.shapes().digest(digester));
+        self.objects
+            .iter()
+            .for_each(|object| object.shapes().digest(digester));
         digester.list(&self.instances, |instance| {
             let mut words = [instance.object.into(); 14];
             words[1] = instance.first_number;
@@ -44,14 +59,35 @@ fn words_of(number: FirstNumber) -> [u64; 2] {
 fn words_of_form(place: u32, form: &Form) -> [u64; 4] {
     let words = |kind: u64, a: f64, b: f64, sector: Option<Sector>| {
         let degrees = sector.map_or(360.0, |sector| sector.degrees);
-        [u64::from(place) << 32 | kind, a.to_bits(), b.to_bits(), degrees.to_bits()]
+        [
+            u64::from(place) << 32 | kind,
+            a.to_bits(),
+            b.to_bits(),
+            degrees.to_bits(),
+        ]
     };
     match form {
         Form::Sphere(None) => words(0, 0.0, 0.0, None),
-        Form::Sphere(Some(Cut { z_min, z_max, sector })) => words(1, *z_min, *z_max, *sector),
-        Form::Cylinder(Cut { z_min, z_max, sector }) => words(2, *z_min, *z_max, *sector),
-        Form::Disk(Disk { height, inner_radius, sector, has_negative_radius }) => {
-            words(3 + u64::from(*has_negative_radius), *height, *inner_radius, *sector)
-        }
+        Form::Sphere(Some(Cut {
+            z_min,
+            z_max,
+            sector,
+        })) => words(1, *z_min, *z_max, *sector),
+        Form::Cylinder(Cut {
+            z_min,
+            z_max,
+            sector,
+        }) => words(2, *z_min, *z_max, *sector),
+        Form::Disk(Disk {
+            height,
+            inner_radius,
+            sector,
+            has_negative_radius,
+        }) => words(
+            3 + u64::from(*has_negative_radius),
+            *height,
+            *inner_radius,
+            *sector,
+        ),
     }
 }

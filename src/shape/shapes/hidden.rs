@@ -7,16 +7,34 @@ use std::collections::HashSet;
 impl Shapes {
     /// Sees to it that no ray meets what is stored for the `Shape` statements `hidden`, in objects too; its numbers stay.
     pub fn hide(&mut self, hidden: &HashSet<u32>) {
-        let ends = self.meshes.iter().skip(1).map(|run| run.first_triangle as usize).chain([self.triangles.len()]);
-        let runs = self.meshes.iter().zip(ends).filter(|(run, _)| hidden.contains(&run.shape));
-        let triangles: Vec<_> = runs.map(|(run, end)| run.first_triangle as usize..end).collect();
+        let ends = self
+            .meshes
+            .iter()
+            .skip(1)
+            .map(|run| run.first_triangle as usize)
+            .chain([self.triangles.len()]);
+        let runs = self
+            .meshes
+            .iter()
+            .zip(ends)
+            .filter(|(run, _)| hidden.contains(&run.shape));
+        let triangles: Vec<_> = runs
+            .map(|(run, end)| run.first_triangle as usize..end)
+            .collect();
         // A triangle without a finite vertex is never hit (rule E1), nor is a quadric without a radius (E2).
         if !triangles.is_empty() {
             let nowhere = self.vertices.len() as u32;
             self.vertices.push(Point::new(f64::NAN, f64::NAN, f64::NAN));
-            triangles.into_iter().for_each(|range| self.triangles[range].fill([nowhere; 3]));
+            triangles
+                .into_iter()
+                .for_each(|range| self.triangles[range].fill([nowhere; 3]));
         }
-        self.spheres.iter_mut().filter(|sphere| hidden.contains(&sphere.shape)).for_each(|s| s.radius = f64::NAN);
-        self.objects.iter_mut().for_each(|object| object.shapes_mut().hide(hidden));
+        self.spheres
+            .iter_mut()
+            .filter(|sphere| hidden.contains(&sphere.shape))
+            .for_each(|s| s.radius = f64::NAN);
+        self.objects
+            .iter_mut()
+            .for_each(|object| object.shapes_mut().hide(hidden));
     }
 }

@@ -16,7 +16,11 @@ impl Shapes {
     }
 
     /// Adds an instance of an object that was added; its primitives are numbered next.
-    pub fn add_instance(&mut self, object: usize, world_from_instance: Matrix) -> Result<(), CapacityError> {
+    pub fn add_instance(
+        &mut self,
+        object: usize,
+        world_from_instance: Matrix,
+    ) -> Result<(), CapacityError> {
         self.push_instance(object as u32, world_from_instance)?;
         self.instanced += self.objects[object].shapes().number_count();
         Ok(())
@@ -24,18 +28,32 @@ impl Shapes {
 
     /// Adds an instance of an object that is still to come; returns its number for [`Shapes::define_instances`],
     /// which has to follow.
-    pub fn add_undefined_instance(&mut self, world_from_instance: Matrix) -> Result<usize, CapacityError> {
+    pub fn add_undefined_instance(
+        &mut self,
+        world_from_instance: Matrix,
+    ) -> Result<usize, CapacityError> {
         self.push_instance(UNDEFINED, world_from_instance)?;
         self.ends_run = true;
         Ok(self.instances.len() - 1)
     }
 
-    fn push_instance(&mut self, object: u32, world_from_instance: Matrix) -> Result<(), CapacityError> {
+    fn push_instance(
+        &mut self,
+        object: u32,
+        world_from_instance: Matrix,
+    ) -> Result<(), CapacityError> {
         if self.instances.len() == Placed::MAX_INSTANCES {
-            return Err(CapacityError { what: "instances", limit: Placed::MAX_INSTANCES as u64 });
+            return Err(CapacityError {
+                what: "instances",
+                limit: Placed::MAX_INSTANCES as u64,
+            });
         }
         let first_number = self.instanced + self.number_count();
-        self.instances.push(Instance { world_from_instance, first_number, object });
+        self.instances.push(Instance {
+            world_from_instance,
+            first_number,
+            object,
+        });
         Ok(())
     }
 
@@ -60,9 +78,11 @@ impl Shapes {
             self.instances[instance].first_number = alone[instance] + before[instance];
             before[instance + 1] = before[instance] + self.numbers_in(instance);
         }
-        let instances_before = |run: &FirstNumber| alone.partition_point(|alone| *alone <= u64::from(run.alone));
+        let instances_before =
+            |run: &FirstNumber| alone.partition_point(|alone| *alone <= u64::from(run.alone));
         let of_meshes = self.meshes.iter_mut().map(|run| &mut run.first_number);
-        for number in of_meshes.chain(self.sphere_runs.iter_mut().map(|run| &mut run.first_number)) {
+        for number in of_meshes.chain(self.sphere_runs.iter_mut().map(|run| &mut run.first_number))
+        {
             number.instanced = before[instances_before(number)];
         }
         self.instanced = before[self.instances.len()];
@@ -93,7 +113,10 @@ impl Shapes {
     /// The object of an instance where the instance places it.
     #[inline]
     pub fn pose(&self, instance: usize) -> Pose<'_> {
-        Pose::new(self.object_of(instance).shapes(), self.instances[instance].world_from_instance)
+        Pose::new(
+            self.object_of(instance).shapes(),
+            self.instances[instance].world_from_instance,
+        )
     }
 
     /// Primitive numbers in use, each primitive as often as there are instances of it: triangles and quadrics, and

@@ -110,12 +110,18 @@ impl Broken {
     /// What [`Shapes::add_mesh`] would tell.
     pub fn of(vertices: &[Point], world_from_object: &Matrix) -> Broken {
         let count = |vertex: &Point| Broken::between(vertex, &world_from_object.apply(*vertex));
-        vertices.par_iter().map(count).reduce(Broken::default, Broken::plus)
+        vertices
+            .par_iter()
+            .map(count)
+            .reduce(Broken::default, Broken::plus)
     }
 
     fn between(in_object_space: &Point, in_world_space: &Point) -> Broken {
         let count = |vertex: &Point| usize::from(!vertex.is_finite());
-        Broken { in_object_space: count(in_object_space), in_world_space: count(in_world_space) }
+        Broken {
+            in_object_space: count(in_object_space),
+            in_world_space: count(in_world_space),
+        }
     }
 
     fn plus(self, other: Broken) -> Broken {
@@ -164,10 +170,17 @@ impl Shapes {
         self.push_mesh(vertices, triangles, shape, Some(transform))
     }
 
-    fn check_room_for_mesh(&self, vertices: &[Point], triangles: &[[u32; 3]]) -> Result<(), CapacityError> {
+    fn check_room_for_mesh(
+        &self,
+        vertices: &[Point],
+        triangles: &[[u32; 3]],
+    ) -> Result<(), CapacityError> {
         self.check_room(self.triangles.len() + triangles.len(), "triangles")?;
         match self.vertices.len() + vertices.len() {
-            total if total > u32::MAX as usize => Err(CapacityError { what: "vertices", limit: u32::MAX.into() }),
+            total if total > u32::MAX as usize => Err(CapacityError {
+                what: "vertices",
+                limit: u32::MAX.into(),
+            }),
             _ => Ok(()),
         }
     }
@@ -182,14 +195,21 @@ impl Shapes {
         let first_number = self.next_number(triangles.len())?;
         if !triangles.is_empty() {
             let first_triangle = self.triangles.len() as u32;
-            self.meshes.push(MeshRun { first_triangle, first_number, shape, transform });
+            self.meshes.push(MeshRun {
+                first_triangle,
+                first_number,
+                shape,
+                transform,
+            });
         }
         if self.vertices.is_empty() && self.triangles.is_empty() {
             // The first mesh is often the only one: take it over as it is.
             (self.vertices, self.triangles) = (vertices, triangles);
         } else {
             let base = self.vertices.len() as u32;
-            triangles.par_iter_mut().for_each(|corners| *corners = corners.map(|corner| corner + base));
+            triangles
+                .par_iter_mut()
+                .for_each(|corners| *corners = corners.map(|corner| corner + base));
             self.vertices.append(&mut vertices);
             self.triangles.append(&mut triangles);
         }
@@ -208,21 +228,35 @@ impl Shapes {
     }
 
     /// Appends a sphere, a cylinder or a disk, as [`Shapes::add_sphere`] does.
-    pub fn add_quadric(&mut self, radius: f64, form: Form, transform: u32, shape: u32) -> Result<(), CapacityError> {
+    pub fn add_quadric(
+        &mut self,
+        radius: f64,
+        form: Form,
+        transform: u32,
+        shape: u32,
+    ) -> Result<(), CapacityError> {
         self.check_room(self.spheres.len() + 1, "spheres")?;
         let first_number = self.next_number(1)?;
         let first_sphere = self.spheres.len() as u32;
         let follows = !std::mem::take(&mut self.ends_run)
             && self.sphere_runs.last().is_some_and(|run| {
-                run.first_number.in_all() + u64::from(first_sphere - run.first_sphere) == first_number.in_all()
+                run.first_number.in_all() + u64::from(first_sphere - run.first_sphere)
+                    == first_number.in_all()
             });
         if !follows {
-            self.sphere_runs.push(SphereRun { first_sphere, first_number });
+            self.sphere_runs.push(SphereRun {
+                first_sphere,
+                first_number,
+            });
         }
         if form != Form::Sphere(None) {
             self.forms.push((first_sphere, form));
         }
-        self.spheres.push(StoredSphere { radius, transform, shape });
+        self.spheres.push(StoredSphere {
+            radius,
+            transform,
+            shape,
+        });
         Ok(())
     }
 
@@ -234,7 +268,11 @@ impl Shapes {
 
     fn check_room(&self, count: usize, what: &'static str) -> Result<(), CapacityError> {
         let limit = Primitive::MAX_COUNT as u64;
-        if count as u64 > limit { Err(CapacityError { what, limit }) } else { Ok(()) }
+        if count as u64 > limit {
+            Err(CapacityError { what, limit })
+        } else {
+            Ok(())
+        }
     }
 
     /// The number of the next primitive that is in no instance, where `more` are to come. `prim` channels count from 1, in 32
@@ -243,9 +281,15 @@ impl Shapes {
         let next = self.number_count();
         let limit = u64::from(u32::MAX - 1);
         if next + more as u64 > limit {
-            return Err(CapacityError { what: "primitives", limit });
+            return Err(CapacityError {
+                what: "primitives",
+                limit,
+            });
         }
-        Ok(FirstNumber { alone: next as u32, instanced: self.instanced })
+        Ok(FirstNumber {
+            alone: next as u32,
+            instanced: self.instanced,
+        })
     }
 
     /// Passes over the numbers of the next `count` primitives that are in no instance: those of a surface that rays
@@ -278,12 +322,22 @@ impl Shapes {
 
     /// Triangles, those of an object once.
     pub fn stored_triangles(&self) -> usize {
-        self.triangles.len() + self.objects.iter().map(|object| object.shapes().triangles.len()).sum::<usize>()
+        self.triangles.len()
+            + self
+                .objects
+                .iter()
+                .map(|object| object.shapes().triangles.len())
+                .sum::<usize>()
     }
 
     /// Spheres, cylinders and disks, those of an object once.
     pub fn stored_spheres(&self) -> usize {
-        self.spheres.len() + self.objects.iter().map(|object| object.shapes().spheres.len()).sum::<usize>()
+        self.spheres.len()
+            + self
+                .objects
+                .iter()
+                .map(|object| object.shapes().spheres.len())
+                .sum::<usize>()
     }
 
     /// Bytes that the geometry takes.
@@ -296,8 +350,15 @@ impl Shapes {
             + size_of_val(&self.forms[..])
             + size_of_val(&self.transforms[..])
             + size_of_val(&self.instances[..])
-            + self.attributes.as_ref().map_or(0, |attributes| attributes.bytes())
-            + self.objects.iter().map(|object| size_of::<Object>() + object.shapes().bytes()).sum::<usize>()
+            + self
+                .attributes
+                .as_ref()
+                .map_or(0, |attributes| attributes.bytes())
+            + self
+                .objects
+                .iter()
+                .map(|object| size_of::<Object>() + object.shapes().bytes())
+                .sum::<usize>()
     }
 
     /// All vertices that are in no instance, in world space, used or not; of an object's shapes, in the space of their files.
@@ -327,7 +388,9 @@ impl Shapes {
     /// Sphere, cylinder or disk `index` of the store.
     pub fn sphere(&self, index: usize) -> Quadric {
         let stored = &self.spheres[index];
-        let place = self.forms.binary_search_by_key(&index, |(sphere, _)| *sphere as usize);
+        let place = self
+            .forms
+            .binary_search_by_key(&index, |(sphere, _)| *sphere as usize);
         Quadric {
             world_from_object: self.transforms[stored.transform as usize],
             radius: stored.radius,
@@ -363,7 +426,10 @@ impl Shapes {
         if let [mesh] = &self.meshes[..] {
             return mesh;
         }
-        &self.meshes[self.meshes.partition_point(|run| run.first_triangle <= triangle) - 1]
+        &self.meshes[self
+            .meshes
+            .partition_point(|run| run.first_triangle <= triangle)
+            - 1]
     }
 }
 
@@ -374,14 +440,26 @@ mod tests {
 
     fn two_triangles() -> (Vec<Point>, Vec<[u32; 3]>) {
         let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
-        (corners.map(|(x, y)| Point::new(x, y, 0.0)).to_vec(), vec![[0, 1, 2], [0, 2, 3]])
+        (
+            corners.map(|(x, y)| Point::new(x, y, 0.0)).to_vec(),
+            vec![[0, 1, 2], [0, 2, 3]],
+        )
     }
 
     #[test]
     fn vertices_that_break_on_the_way_are_counted() {
-        let vertices = [1.0, 1e200, f64::NAN, f64::INFINITY].map(|x| Point::new(x, 0.0, 0.0)).to_vec();
-        let moved = Shapes::default().add_mesh(vertices, Vec::new(), &Matrix::scale([1e200, 1.0, 1.0]), 1);
-        assert_eq!(moved, Ok(Broken { in_object_space: 2, in_world_space: 3 }));
+        let vertices = [1.0, 1e200, f64::NAN, f64::INFINITY]
+            .map(|x| Point::new(x, 0.0, 0.0))
+            .to_vec();
+        let moved =
+            Shapes::default().add_mesh(vertices, Vec::new(), &Matrix::scale([1e200, 1.0, 1.0]), 1);
+        assert_eq!(
+            moved,
+            Ok(Broken {
+                in_object_space: 2,
+                in_world_space: 3
+            })
+        );
     }
 
     #[test]
@@ -390,18 +468,33 @@ mod tests {
         let transform = shapes.add_transform(Matrix::IDENTITY);
         let (vertices, triangles) = two_triangles();
         shapes.add_sphere(1.0, None, transform, 1).unwrap();
-        shapes.add_mesh(vertices.clone(), triangles.clone(), &Matrix::IDENTITY, 2).unwrap();
+        shapes
+            .add_mesh(vertices.clone(), triangles.clone(), &Matrix::IDENTITY, 2)
+            .unwrap();
         shapes.add_sphere(2.0, None, transform, 4).unwrap();
         shapes.add_sphere(3.0, None, transform, 5).unwrap();
-        shapes.add_mesh(Vec::new(), Vec::new(), &Matrix::IDENTITY, 6).unwrap();
-        shapes.add_mesh(vertices, triangles, &Matrix::translate([0.0, 0.0, 9.0]), 7).unwrap();
+        shapes
+            .add_mesh(Vec::new(), Vec::new(), &Matrix::IDENTITY, 6)
+            .unwrap();
+        shapes
+            .add_mesh(vertices, triangles, &Matrix::translate([0.0, 0.0, 9.0]), 7)
+            .unwrap();
 
-        let (sphere, triangle) =
-            (|index| Placed::alone(Primitive::sphere(index)), |index| Placed::alone(Primitive::triangle(index)));
-        let spheres = (0..3).map(sphere).map(|p| (shapes.number(p), shapes.shape_number(p)));
+        let (sphere, triangle) = (
+            |index| Placed::alone(Primitive::sphere(index)),
+            |index| Placed::alone(Primitive::triangle(index)),
+        );
+        let spheres = (0..3)
+            .map(sphere)
+            .map(|p| (shapes.number(p), shapes.shape_number(p)));
         assert_eq!(spheres.collect::<Vec<_>>(), [(0, 1), (3, 4), (4, 5)]);
-        let triangles = (0..4).map(triangle).map(|p| (shapes.number(p), shapes.shape_number(p)));
-        assert_eq!(triangles.collect::<Vec<_>>(), [(1, 2), (2, 2), (5, 7), (6, 7)]);
+        let triangles = (0..4)
+            .map(triangle)
+            .map(|p| (shapes.number(p), shapes.shape_number(p)));
+        assert_eq!(
+            triangles.collect::<Vec<_>>(),
+            [(1, 2), (2, 2), (5, 7), (6, 7)]
+        );
         assert!(shapes.precedes(sphere(0), triangle(0)));
         assert!(!shapes.precedes(sphere(1), triangle(1)));
         assert_eq!(shapes.triangle(3).0[2], Point::new(0.0, 1.0, 9.0));

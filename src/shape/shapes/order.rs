@@ -12,7 +12,11 @@ impl Shapes {
         match placed.instance() {
             None => self.own_number(placed.primitive()).in_all(),
             Some(instance) => {
-                let within = self.object_of(instance).shapes().own_number(placed.primitive()).alone;
+                let within = self
+                    .object_of(instance)
+                    .shapes()
+                    .own_number(placed.primitive())
+                    .alone;
                 self.instances[instance].first_number() + u64::from(within)
             }
         }
@@ -25,7 +29,9 @@ impl Shapes {
         if !self.counts_within_instances() {
             return self.number(placed) as u32 + 1;
         }
-        let shapes = placed.instance().map_or(self, |instance| self.object_of(instance).shapes());
+        let shapes = placed
+            .instance()
+            .map_or(self, |instance| self.object_of(instance).shapes());
         shapes.own_number(placed.primitive()).alone + 1
     }
 
@@ -34,33 +40,50 @@ impl Shapes {
     fn own_number(&self, primitive: Primitive) -> FirstNumber {
         let index = primitive.index() as u32;
         let (first, place) = if primitive.is_sphere() {
-            let run = &self.sphere_runs[self.sphere_runs.partition_point(|run| run.first_sphere <= index) - 1];
+            let run = &self.sphere_runs[self
+                .sphere_runs
+                .partition_point(|run| run.first_sphere <= index)
+                - 1];
             (run.first_number, index - run.first_sphere)
         } else {
             let run = self.mesh_of(index);
             (run.first_number, index - run.first_triangle)
         };
-        FirstNumber { alone: first.alone + place, ..first }
+        FirstNumber {
+            alone: first.alone + place,
+            ..first
+        }
     }
 
     /// The triangles of the mesh that a triangle belongs to.
     pub(in crate::shape) fn mesh_around(&self, triangle: u32) -> Range<u32> {
-        let mesh = self.meshes.partition_point(|run| run.first_triangle <= triangle) - 1;
-        let end = self.meshes.get(mesh + 1).map_or(u32::MAX, |next| next.first_triangle);
+        let mesh = self
+            .meshes
+            .partition_point(|run| run.first_triangle <= triangle)
+            - 1;
+        let end = self
+            .meshes
+            .get(mesh + 1)
+            .map_or(u32::MAX, |next| next.first_triangle);
         self.meshes[mesh].first_triangle..end
     }
 
     /// The transform of the mesh of an object that a triangle belongs to.
     #[inline]
     pub(crate) fn transform_of_mesh(&self, triangle: u32) -> &Matrix {
-        let number = self.mesh_of(triangle).transform.expect("meshes of objects keep their transforms");
+        let number = self
+            .mesh_of(triangle)
+            .transform
+            .expect("meshes of objects keep their transforms");
         &self.transforms[number as usize]
     }
 
     /// The number of the `Shape` statement, from 1.
     #[inline]
     pub fn shape_number(&self, placed: Placed) -> u32 {
-        let shapes = placed.instance().map_or(self, |instance| self.object_of(instance).shapes());
+        let shapes = placed
+            .instance()
+            .map_or(self, |instance| self.object_of(instance).shapes());
         let primitive = placed.primitive();
         if primitive.is_sphere() {
             shapes.spheres[primitive.index()].shape

@@ -39,16 +39,26 @@ impl Triangle {
     fn seen_along(&self, ray: &Ray) -> Seen {
         let origin = ExactVector::from(ray.origin);
         let direction = ExactVector::from(ray.direction);
-        let [v0, v1, v2] = self.0.map(|corner| ExactVector::from(corner).minus(&origin));
+        let [v0, v1, v2] = self
+            .0
+            .map(|corner| ExactVector::from(corner).minus(&origin));
         let across = v1.cross(&v2);
-        let edges = [direction.dot(&across), direction.dot(&v2.cross(&v0)), direction.dot(&v0.cross(&v1))];
-        Seen { edges, height: v0.dot(&across) }
+        let edges = [
+            direction.dot(&across),
+            direction.dot(&v2.cross(&v0)),
+            direction.dot(&v0.cross(&v1)),
+        ];
+        Seen {
+            edges,
+            height: v0.dot(&across),
+        }
     }
 
     /// The `t` at which `ray` crosses the triangle, which it is known to do: n . (a - o) / (n . d) with n = ab x ac. This takes
     /// less than half of the work of [`Triangle::exact`].
     pub fn exact_t(&self, ray: &Ray) -> Root {
-        self.exact_crossing(ray).expect("the ray is known to cross it")
+        self.exact_crossing(ray)
+            .expect("the ray is known to cross it")
     }
 
     /// The `t` at which `ray` crosses the triangle's plane, if it does.

@@ -35,7 +35,11 @@ impl Triangle {
         let d = ray.ray.direction;
         let corners = self.0.map(|corner| corner - ray.ray.origin);
         let [v0, v1, v2] = corners;
-        let edges = [d.dot(v1.cross(v2)), d.dot(v2.cross(v0)), d.dot(v0.cross(v1))];
+        let edges = [
+            d.dot(v1.cross(v2)),
+            d.dot(v2.cross(v0)),
+            d.dot(v0.cross(v1)),
+        ];
         let error = edge_error(most_edge_terms(&corners, ray), ray);
         let mut side = side_of(&edges, &[error; 3]);
         if side == Side::Unsure {
@@ -79,7 +83,10 @@ impl Triangle {
             Approximation::within(normal.dot(v), error_of(PLANE_ERROR, terms, least))
         };
         let to_corner = a - ray.ray.origin;
-        [along(to_corner, may_underflow_below(to_corner.largest())), along(ray.ray.direction, ray.least)]
+        [
+            along(to_corner, may_underflow_below(to_corner.largest())),
+            along(ray.ray.direction, ray.least),
+        ]
     }
 }
 
@@ -88,7 +95,11 @@ impl Triangle {
 /// to the terms, which are then infinite, or NaN.
 #[inline]
 fn error_of(units: f64, terms: f64, least: f64) -> f64 {
-    if terms > least { units * terms } else { f64::INFINITY }
+    if terms > least {
+        units * terms
+    } else {
+        f64::INFINITY
+    }
 }
 
 /// More than the absolute terms of an edge function can add up to: no product of two coordinates is larger than the square
@@ -109,7 +120,9 @@ fn edge_error(terms: f64, ray: &FilterRay) -> f64 {
 #[cold]
 fn close_edge_errors(corners: &[Vector; 3], ray: &FilterRay) -> [f64; 3] {
     let [v0, v1, v2] = corners;
-    let error = |a: &Vector, b: &Vector| edge_error(ray.ray.direction.absolute().dot(a.absolute_cross(*b)), ray);
+    let error = |a: &Vector, b: &Vector| {
+        edge_error(ray.ray.direction.absolute().dot(a.absolute_cross(*b)), ray)
+    };
     [error(v1, v2), error(v2, v0), error(v0, v1)]
 }
 
@@ -118,10 +131,14 @@ fn close_edge_errors(corners: &[Vector; 3], ray: &FilterRay) -> [f64; 3] {
 fn side_of(edges: &[f64; 3], errors: &[f64; 3]) -> Side {
     let positive = [0, 1, 2].map(|k| edges[k] > errors[k]);
     let negative = [0, 1, 2].map(|k| edges[k] < -errors[k]);
-    let (any_positive, all_positive) =
-        (positive[0] | positive[1] | positive[2], positive[0] & positive[1] & positive[2]);
-    let (any_negative, all_negative) =
-        (negative[0] | negative[1] | negative[2], negative[0] & negative[1] & negative[2]);
+    let (any_positive, all_positive) = (
+        positive[0] | positive[1] | positive[2],
+        positive[0] & positive[1] & positive[2],
+    );
+    let (any_negative, all_negative) = (
+        negative[0] | negative[1] | negative[2],
+        negative[0] & negative[1] & negative[2],
+    );
     if any_positive & any_negative {
         Side::Outside
     } else if all_positive | all_negative {
@@ -164,11 +181,20 @@ mod tests {
     #[test]
     fn an_overflow_in_the_cross_product_is_noticed() {
         let (large, d) = (1.2e154, Vector::new(1e-50, 1e-20, 0.0));
-        let ray = FilterRay::new(&Ray { origin: Point::default(), direction: d });
-        let [v, w] = [Vector::new(0.0, large, -large), Vector::new(0.9 * large, large, large)];
+        let ray = FilterRay::new(&Ray {
+            origin: Point::default(),
+            direction: d,
+        });
+        let [v, w] = [
+            Vector::new(0.0, large, -large),
+            Vector::new(0.9 * large, large, large),
+        ];
         assert_eq!(d.dot(v.cross(w)), f64::INFINITY, "it is below 0 in truth");
         assert!(exact(d).dot(&exact(v).cross(&exact(w))).sign() == Ordering::Less);
-        assert_eq!(edge_error(most_edge_terms(&[v, w, w], &ray), &ray), f64::INFINITY);
+        assert_eq!(
+            edge_error(most_edge_terms(&[v, w, w], &ray), &ray),
+            f64::INFINITY
+        );
         assert_eq!(close_edge_errors(&[v, w, w], &ray)[2], f64::INFINITY);
     }
 

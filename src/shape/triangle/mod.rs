@@ -23,7 +23,8 @@ impl Triangle {
 
     /// Whether any ray can hit it: all corners finite, and an area that is not exactly 0 (rule E1).
     pub fn can_be_hit(&self) -> bool {
-        self.0.iter().all(|corner| corner.is_finite()) && (self.surely_has_area() || self.has_exact_area())
+        self.0.iter().all(|corner| corner.is_finite())
+            && (self.surely_has_area() || self.has_exact_area())
     }
 
     /// Whether plain arithmetic, without a branch, can tell that [it can be hit](Triangle::can_be_hit).
@@ -42,7 +43,8 @@ impl Triangle {
         // A component of the cross product is off by at most the roundings of two differences, one product and
         // one sum, 4U of its terms' absolute sum; 8U is ample. Below 1e-290 bits may be lost to underflow.
         // One without area that passed would not be hit either, only counted.
-        let surely_not_zero = |p: f64, q: f64| (p - q).abs() > 8.0 * U * (p.abs() + q.abs()) + 1e-290;
+        let surely_not_zero =
+            |p: f64, q: f64| (p - q).abs() > 8.0 * U * (p.abs() + q.abs()) + 1e-290;
         surely_not_zero(u.y * v.z, u.z * v.y)
             | surely_not_zero(u.z * v.x, u.x * v.z)
             | surely_not_zero(u.x * v.y, u.y * v.x)
@@ -61,7 +63,8 @@ impl Triangle {
     /// Whether both have the same corners, in whatever order: then every ray that hits one hits the other at the same
     /// `t`.
     pub fn coincides_with(&self, other: &Triangle) -> bool {
-        self.0.iter().all(|corner| other.0.contains(corner)) && other.0.iter().all(|corner| self.0.contains(corner))
+        self.0.iter().all(|corner| other.0.contains(corner))
+            && other.0.iter().all(|corner| self.0.contains(corner))
     }
 }
 
@@ -71,10 +74,17 @@ mod tests {
     use crate::geometry::{Ray, Vector};
     use crate::shape::{FilterRay, Verdict};
 
-    const RIGHT: Triangle = Triangle([Point::new(0.0, 0.0, 2.0), Point::new(4.0, 0.0, 2.0), Point::new(0.0, 4.0, 2.0)]);
+    const RIGHT: Triangle = Triangle([
+        Point::new(0.0, 0.0, 2.0),
+        Point::new(4.0, 0.0, 2.0),
+        Point::new(0.0, 4.0, 2.0),
+    ]);
 
     fn along_z(x: f64, y: f64) -> Ray {
-        Ray { origin: Point::new(x, y, 0.0), direction: Vector::new(0.0, 0.0, 0.5) }
+        Ray {
+            origin: Point::new(x, y, 0.0),
+            direction: Vector::new(0.0, 0.0, 0.5),
+        }
     }
 
     /// The exact `t`, with which the filter must not disagree.
@@ -85,7 +95,10 @@ mod tests {
         match (triangle.filter(&FilterRay::new(ray)), exact) {
             (Verdict::Miss, None) | (Verdict::Unsure, _) => {}
             (Verdict::Hit(filtered), Some(exact)) => {
-                assert!(filtered.low <= exact.high && exact.low <= filtered.high, "{filtered:?} is not {exact:?}");
+                assert!(
+                    filtered.low <= exact.high && exact.low <= filtered.high,
+                    "{filtered:?} is not {exact:?}"
+                );
             }
             (verdict, _) => panic!("{verdict:?} but {exact:?}"),
         }
@@ -94,7 +107,14 @@ mod tests {
 
     #[test]
     fn is_a_closed_set() {
-        for (x, y) in [(0.0, 0.0), (4.0, 0.0), (0.0, 4.0), (2.0, 2.0), (2.0, 0.0), (1.0, 1.0)] {
+        for (x, y) in [
+            (0.0, 0.0),
+            (4.0, 0.0),
+            (0.0, 4.0),
+            (2.0, 2.0),
+            (2.0, 0.0),
+            (1.0, 1.0),
+        ] {
             assert_eq!(intersect(&RIGHT, &along_z(x, y)), Some(4.0), "({x}, {y})");
         }
         for (x, y) in [(-1e-300, 0.0), (2.0, 2.0000000000000004), (5.0, -1.0)] {
@@ -105,16 +125,28 @@ mod tests {
     #[test]
     fn both_sides_count_and_the_way_back_does_not() {
         let [a, b, c] = RIGHT.0;
-        assert_eq!(intersect(&Triangle([a, c, b]), &along_z(1.0, 1.0)), Some(4.0));
-        let behind = Ray { origin: Point::new(1.0, 1.0, 3.0), ..along_z(1.0, 1.0) };
+        assert_eq!(
+            intersect(&Triangle([a, c, b]), &along_z(1.0, 1.0)),
+            Some(4.0)
+        );
+        let behind = Ray {
+            origin: Point::new(1.0, 1.0, 3.0),
+            ..along_z(1.0, 1.0)
+        };
         assert_eq!(intersect(&RIGHT, &behind), None);
-        let on_it = Ray { origin: Point::new(1.0, 1.0, 2.0), ..along_z(1.0, 1.0) };
+        let on_it = Ray {
+            origin: Point::new(1.0, 1.0, 2.0),
+            ..along_z(1.0, 1.0)
+        };
         assert_eq!(intersect(&RIGHT, &on_it), None);
     }
 
     #[test]
     fn a_ray_in_its_plane_misses() {
-        let ray = Ray { origin: Point::new(-1.0, 1.0, 2.0), direction: Vector::new(1.0, 0.0, 0.0) };
+        let ray = Ray {
+            origin: Point::new(-1.0, 1.0, 2.0),
+            direction: Vector::new(1.0, 0.0, 0.0),
+        };
         assert_eq!(intersect(&RIGHT, &ray), None);
     }
 
@@ -122,16 +154,32 @@ mod tests {
     fn knows_what_can_never_be_hit() {
         let point = |x: f64| Point::new(x, 3.0 * x, 7.0 * x);
         assert!(RIGHT.can_be_hit());
-        assert!(!Triangle([point(1.0), point(1.0), point(2.0)]).can_be_hit(), "two corners in one place");
-        assert!(!Triangle([point(1.0), point(2.0), point(4.0)]).can_be_hit(), "collinear");
+        assert!(
+            !Triangle([point(1.0), point(1.0), point(2.0)]).can_be_hit(),
+            "two corners in one place"
+        );
+        assert!(
+            !Triangle([point(1.0), point(2.0), point(4.0)]).can_be_hit(),
+            "collinear"
+        );
         // Exactly on a line, though no difference is exact.
         let large = 2f64.powi(53);
-        let line = [Point::new(-large, -3.0 * large, 0.0), Point::new(1.0, 3.0, 0.0), Point::new(3.0, 9.0, 0.0)];
+        let line = [
+            Point::new(-large, -3.0 * large, 0.0),
+            Point::new(1.0, 3.0, 0.0),
+            Point::new(3.0, 9.0, 0.0),
+        ];
         assert!(!Triangle(line).can_be_hit());
         let bent = Point::new(2.0, 6.0, f64::from_bits(14f64.to_bits() + 1));
-        assert!(Triangle([point(1.0), bent, point(4.0)]).can_be_hit(), "collinear but for one bit");
+        assert!(
+            Triangle([point(1.0), bent, point(4.0)]).can_be_hit(),
+            "collinear but for one bit"
+        );
         assert!(!Triangle([point(1.0), point(2.0), Point::new(0.0, f64::NAN, 0.0)]).can_be_hit());
         let tiny = |x: f64, y: f64| Point::new(x * 1e-310, y * 1e-310, 1e-310);
-        assert!(Triangle([tiny(0.0, 0.0), tiny(1.0, 0.0), tiny(0.0, 1.0)]).can_be_hit(), "products underflow");
+        assert!(
+            Triangle([tiny(0.0, 0.0), tiny(1.0, 0.0), tiny(0.0, 1.0)]).can_be_hit(),
+            "products underflow"
+        );
     }
 }

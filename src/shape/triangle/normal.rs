@@ -11,7 +11,9 @@ impl Triangle {
     /// The unit vector along (b - a) x (c - a), with corners a, b and c, off by 2^-40 at most: in `f64` where that can tell, else
     /// made exactly and rounded, so that slivers have normals, too. 0 for a triangle without area. The corners are finite.
     pub fn normal(&self) -> Vector {
-        self.quick_normal().or_else(|| self.exact_normal()).unwrap_or_default()
+        self.quick_normal()
+            .or_else(|| self.exact_normal())
+            .unwrap_or_default()
     }
 
     /// A component passes four roundings: those of both differences, of a product, and of their difference.
@@ -22,13 +24,17 @@ impl Triangle {
         let largest = normal.largest();
         // Within these its square neither overflows nor loses what counts, and no product has lost any.
         let in_range = largest > 1e-140 && terms.largest() < 1e140;
-        (in_range && 8.0 * U * (terms.x + terms.y + terms.z) <= CLOSE * largest).then(|| normal.normalized())
+        (in_range && 8.0 * U * (terms.x + terms.y + terms.z) <= CLOSE * largest)
+            .then(|| normal.normalized())
     }
 
     /// As [`Triangle::normal`], every component rounded but three times. `None` where it has no area.
     pub fn exact_normal(&self) -> Option<Vector> {
         let normal = self.exact_cross();
-        let largest = (0..3).map(|k| normal[k].clone().abs()).max().filter(|largest| !largest.is_zero())?;
+        let largest = (0..3)
+            .map(|k| normal[k].clone().abs())
+            .max()
+            .filter(|largest| !largest.is_zero())?;
         Some(Vector::from([0, 1, 2].map(|k| normal[k].quotient_to_f64(&largest))).normalized())
     }
 
@@ -45,7 +51,11 @@ mod tests {
     use crate::geometry::Point;
     use proptest::prelude::*;
 
-    const CORNERS: [Point; 3] = [Point::new(0.0, 0.0, 2.0), Point::new(4.0, 0.0, 2.0), Point::new(0.0, 4.0, 2.0)];
+    const CORNERS: [Point; 3] = [
+        Point::new(0.0, 0.0, 2.0),
+        Point::new(4.0, 0.0, 2.0),
+        Point::new(0.0, 4.0, 2.0),
+    ];
 
     #[test]
     fn is_that_of_a_right_hand() {
@@ -58,13 +68,29 @@ mod tests {
     #[test]
     fn slivers_and_all_sizes_have_one() {
         let point = |x: f64, last: f64| Point::new(x, 3.0 * x, last);
-        let sliver = Triangle([point(0.0, 0.0), point(1.0, 7.0), point(2.0, 14f64.next_up())]);
+        let sliver = Triangle([
+            point(0.0, 0.0),
+            point(1.0, 7.0),
+            point(2.0, 14f64.next_up()),
+        ]);
         assert!(sliver.quick_normal().is_none(), "collinear but for one bit");
         let (found, expected) = (sliver.normal(), Vector::new(3.0, -1.0, 0.0).normalized());
-        assert!((0..3).all(|k| (found[k] - expected[k]).abs() < 1e-15), "{found:?}");
+        assert!(
+            (0..3).all(|k| (found[k] - expected[k]).abs() < 1e-15),
+            "{found:?}"
+        );
         for exponent in [-1060, -300, 0, 300, 1000] {
-            let sized = |p: Point| Point::from(p.to_array().map(|x| crate::exact::times_power_of_two(x, exponent)));
-            assert_eq!(Triangle(CORNERS.map(sized)).normal(), Vector::new(0.0, 0.0, 1.0), "2^{exponent}");
+            let sized = |p: Point| {
+                Point::from(
+                    p.to_array()
+                        .map(|x| crate::exact::times_power_of_two(x, exponent)),
+                )
+            };
+            assert_eq!(
+                Triangle(CORNERS.map(sized)).normal(),
+                Vector::new(0.0, 0.0, 1.0),
+                "2^{exponent}"
+            );
         }
     }
 

@@ -14,7 +14,9 @@ impl Triangle {
     /// In `f64` (Moeller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997) where that can tell, else by exact
     /// arithmetic. Of a ray in the plane of the triangle they are those of the first corner.
     pub fn weights(&self, ray: &Ray) -> [f64; 3] {
-        let weights = self.quick_weights(ray).unwrap_or_else(|| self.exact_weights(ray));
+        let weights = self
+            .quick_weights(ray)
+            .unwrap_or_else(|| self.exact_weights(ray));
         let weights = weights.map(|weight| weight.max(0.0));
         let sum = (weights[0] + weights[1]) + weights[2];
         weights.map(|weight| weight / sum)
@@ -33,7 +35,11 @@ impl Triangle {
             + d.absolute().dot(from_a.absolute_cross(ab));
         let least = may_underflow_below(ab.largest().max(from_a.largest()).max(d.largest()));
         let is_close = 10.0 * U * terms <= CLOSE * determinant.abs();
-        (is_close && determinant.abs() > least && terms < f64::INFINITY).then_some([1.0 - of_b - of_c, of_b, of_c])
+        (is_close && determinant.abs() > least && terms < f64::INFINITY).then_some([
+            1.0 - of_b - of_c,
+            of_b,
+            of_c,
+        ])
     }
 
     fn exact_weights(&self, ray: &Ray) -> [f64; 3] {
@@ -53,12 +59,19 @@ mod tests {
     use proptest::prelude::*;
 
     fn towards(target: Point, origin: Point) -> Ray {
-        Ray { origin, direction: target - origin }
+        Ray {
+            origin,
+            direction: target - origin,
+        }
     }
 
     #[test]
     fn corners_and_edges_have_theirs() {
-        let corners = [Point::new(0.0, 0.0, 2.0), Point::new(4.0, 0.0, 2.0), Point::new(0.0, 4.0, 2.0)];
+        let corners = [
+            Point::new(0.0, 0.0, 2.0),
+            Point::new(4.0, 0.0, 2.0),
+            Point::new(0.0, 4.0, 2.0),
+        ];
         let triangle = Triangle(corners);
         for (x, y, expected) in [
             (0.0, 0.0, [1.0, 0.0, 0.0]),
@@ -67,12 +80,21 @@ mod tests {
             (2.0, 1.0, [0.25, 0.5, 0.25]),
             (8.0, 0.0, [0.0, 1.0, 0.0]),
         ] {
-            assert_eq!(triangle.weights(&towards(Point::new(x, y, 2.0), Point::new(x, y, 0.0))), expected);
+            assert_eq!(
+                triangle.weights(&towards(Point::new(x, y, 2.0), Point::new(x, y, 0.0))),
+                expected
+            );
         }
-        let in_plane = Ray { origin: Point::new(-1.0, 1.0, 2.0), direction: Vector::new(1.0, 0.0, 0.0) };
+        let in_plane = Ray {
+            origin: Point::new(-1.0, 1.0, 2.0),
+            direction: Vector::new(1.0, 0.0, 0.0),
+        };
         assert_eq!(triangle.weights(&in_plane), [1.0, 0.0, 0.0]);
         let sliver = Triangle([corners[0], corners[1], Point::new(2.0, 1e-300, 2.0)]);
-        let [a, b, c] = sliver.weights(&towards(Point::new(1.0, 0.0, 2.0), Point::new(1.0, 0.0, 0.0)));
+        let [a, b, c] = sliver.weights(&towards(
+            Point::new(1.0, 0.0, 2.0),
+            Point::new(1.0, 0.0, 0.0),
+        ));
         assert_eq!([a, b, c], [0.75, 0.25, 0.0]);
     }
 

@@ -46,7 +46,17 @@ impl<S: Solid> BHShape<f32, 3> for Shape<S> {
 impl<S: Solid> BvhCrate<'_, S> {
     pub(super) fn new(view: &View) -> BvhCrate<'_, S> {
         let solids = S::all_of(&view.geometry).into_iter().zip(0..);
-        BvhCrate { view, shapes: solids.map(|(solid, number)| Shape { solid, number, node: 0 }).collect(), tree: None }
+        BvhCrate {
+            view,
+            shapes: solids
+                .map(|(solid, number)| Shape {
+                    solid,
+                    number,
+                    node: 0,
+                })
+                .collect(),
+            tree: None,
+        }
     }
 }
 
@@ -57,7 +67,9 @@ fn closest_hit<S: Solid>(tree: &Bvh<f32, 3>, shapes: &[Shape<S>], ray: &Ray32) -
     let mut closest: Option<Hit> = None;
     for shape in tree.traverse_iterator(&Ray::new(origin, direction), shapes) {
         let t_max = closest.map_or(f32::INFINITY, |(t, _)| t);
-        let t = shape.solid.intersect(ray.origin.into(), ray.direction.into(), t_max);
+        let t = shape
+            .solid
+            .intersect(ray.origin.into(), ray.direction.into(), t_max);
         closest = t.map(|t| (t, shape.number)).or(closest);
     }
     closest
@@ -83,7 +95,9 @@ impl<S: Solid> Competitor for BvhCrate<'_, S> {
     fn trace(&self, _: usize, picture: &mut Picture) -> Duration {
         let tree = self.tree.as_ref().expect("built before it is traced");
         let start = Instant::now();
-        single_rays::trace(&self.view.rays, picture, |ray| closest_hit(tree, &self.shapes, ray));
+        single_rays::trace(&self.view.rays, picture, |ray| {
+            closest_hit(tree, &self.shapes, ray)
+        });
         start.elapsed()
     }
 }

@@ -15,15 +15,30 @@ use std::time::{Duration, Instant};
 const SAME: &[ChannelName] = &[ChannelName::Z, ChannelName::Prim];
 
 /// What an EXR file holds by default.
-const ALL: &[ChannelName] = &[ChannelName::Z, ChannelName::T, ChannelName::A, ChannelName::Id, ChannelName::Prim];
+const ALL: &[ChannelName] = &[
+    ChannelName::Z,
+    ChannelName::T,
+    ChannelName::A,
+    ChannelName::Id,
+    ChannelName::Prim,
+];
 
 /// Hit or miss.
 const HITS: &[ChannelName] = &[ChannelName::A];
 
 /// The ways to trace, and their names.
-const MODES: [(Precision, &[ChannelName]); 4] =
-    [(Precision::Exact, SAME), (Precision::Fast, SAME), (Precision::Exact, ALL), (Precision::Exact, HITS)];
-const MODE_NAMES: [&str; 4] = ["exact", "fast", "exact, five channels", "exact, hit or miss"];
+const MODES: [(Precision, &[ChannelName]); 4] = [
+    (Precision::Exact, SAME),
+    (Precision::Fast, SAME),
+    (Precision::Exact, ALL),
+    (Precision::Exact, HITS),
+];
+const MODE_NAMES: [&str; 4] = [
+    "exact",
+    "fast",
+    "exact, five channels",
+    "exact, hit or miss",
+];
 
 /// What feimos builds its tree over.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,7 +62,14 @@ pub(crate) struct Feimos<'a> {
 
 impl Feimos<'_> {
     pub(crate) fn new(view: &View, method: SplitMethod, over: Over, level: Level) -> Feimos<'_> {
-        Feimos { view, method, over, level, aggregate: None, images: RefCell::default() }
+        Feimos {
+            view,
+            method,
+            over,
+            level,
+            aggregate: None,
+            images: RefCell::default(),
+        }
     }
 
     fn window(&self) -> PixelBounds {
@@ -73,7 +95,9 @@ impl Competitor for Feimos<'_> {
         let View { shapes, camera, .. } = self.view;
         self.aggregate = Some(match self.over {
             Over::All => Aggregate::build(shapes, camera.anchor(), options, Progress::SILENT),
-            Over::Seen => Aggregate::build_for_view(shapes, camera, &self.window(), options, Progress::SILENT),
+            Over::Seen => {
+                Aggregate::build_for_view(shapes, camera, &self.window(), options, Progress::SILENT)
+            }
         });
     }
 
@@ -98,10 +122,16 @@ impl Competitor for Feimos<'_> {
         let aggregate = self.aggregate.as_ref().expect("built before it is traced");
         let View { shapes, camera, .. } = self.view;
         let mut images = self.images.borrow_mut();
-        let place = images.iter().position(|(held, _)| *held == channels).unwrap_or_else(|| {
-            images.push((channels, blank_image(camera, &options).expect("memory for the picture")));
-            images.len() - 1
-        });
+        let place = images
+            .iter()
+            .position(|(held, _)| *held == channels)
+            .unwrap_or_else(|| {
+                images.push((
+                    channels,
+                    blank_image(camera, &options).expect("memory for the picture"),
+                ));
+                images.len() - 1
+            });
         let image = &mut images[place].1;
         let start = Instant::now();
         render_into(image, camera, shapes, aggregate, &options, Progress::SILENT);
@@ -113,10 +143,17 @@ impl Competitor for Feimos<'_> {
 
 /// What an image knows of depths and primitives; of hits alone, 1 as the primitive.
 fn copy(image: &Image, picture: &mut Picture) {
-    if let (Some(depths), Some(primitives)) = (image.measures(ChannelName::Z), image.numbers(ChannelName::Prim)) {
+    if let (Some(depths), Some(primitives)) = (
+        image.measures(ChannelName::Z),
+        image.numbers(ChannelName::Prim),
+    ) {
         picture.depths.copy_from_slice(depths);
         picture.primitives.copy_from_slice(primitives);
     } else if let Some(hits) = image.measures(ChannelName::A) {
-        picture.primitives.iter_mut().zip(hits).for_each(|(primitive, &hit)| *primitive = hit as u32);
+        picture
+            .primitives
+            .iter_mut()
+            .zip(hits)
+            .for_each(|(primitive, &hit)| *primitive = hit as u32);
     }
 }

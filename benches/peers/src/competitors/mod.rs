@@ -21,14 +21,22 @@ use solid::{Ball, Solid, Triangle};
 
 /// All competitors for one view, in the order in which they run: feimos with the instructions of `level`, Embree with
 /// the threads and instructions of `device`.
-pub(crate) fn all<'a>(view: &'a View, level: Level, device: &'a Device) -> Vec<Box<dyn Competitor + 'a>> {
+pub(crate) fn all<'a>(
+    view: &'a View,
+    level: Level,
+    device: &'a Device,
+) -> Vec<Box<dyn Competitor + 'a>> {
     match view.geometry {
         Geometry::Triangles { .. } => of_solids::<Triangle>(view, level, device),
         Geometry::Spheres(_) => of_solids::<Ball>(view, level, device),
     }
 }
 
-fn of_solids<'a, S: Solid + 'a>(view: &'a View, level: Level, device: &'a Device) -> Vec<Box<dyn Competitor + 'a>> {
+fn of_solids<'a, S: Solid + 'a>(
+    view: &'a View,
+    level: Level,
+    device: &'a Device,
+) -> Vec<Box<dyn Competitor + 'a>> {
     let embree_input = embree::input(view);
     vec![
         Box::new(Feimos::new(view, SplitMethod::Sah, Over::All, level)),

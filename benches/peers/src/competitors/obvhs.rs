@@ -58,7 +58,12 @@ enum Tree {
 impl<S: Solid> Obvhs<'_, S> {
     pub(super) fn new(view: &View, width: Width) -> Obvhs<'_, S> {
         let solids = S::all_of(&view.geometry).into_iter().map(Bounded).collect();
-        Obvhs { view, width, solids, built: None }
+        Obvhs {
+            view,
+            width,
+            solids,
+            built: None,
+        }
     }
 }
 
@@ -76,7 +81,9 @@ impl<S: Solid> Built<S> {
     fn closest_hit(&self, ray: &Ray32) -> Option<Hit> {
         let ray = Ray::new_inf(ray.origin.into(), ray.direction.into());
         let intersect = |ray: &Ray, place: usize| {
-            self.ordered[place].intersect(ray.origin, ray.direction, ray.tmax).unwrap_or(f32::INFINITY)
+            self.ordered[place]
+                .intersect(ray.origin, ray.direction, ray.tmax)
+                .unwrap_or(f32::INFINITY)
         };
         let mut hit = RayHit::none();
         let is_hit = match &self.tree {
@@ -106,7 +113,11 @@ impl<S: Solid> Competitor for Obvhs<'_, S> {
             Width::Binary => Tree::Binary(build_bvh2(&self.solids, PARAMETERS, &mut core_time)),
             Width::Wide => Tree::Wide(build_cwbvh(&self.solids, PARAMETERS, &mut core_time)),
         };
-        let ordered = tree.order().iter().map(|&place| self.solids[place as usize].0).collect();
+        let ordered = tree
+            .order()
+            .iter()
+            .map(|&place| self.solids[place as usize].0)
+            .collect();
         self.built = Some(Built { tree, ordered });
     }
 

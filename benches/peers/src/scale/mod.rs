@@ -17,13 +17,17 @@ const NEEDED: u64 = 250;
 /// Prints a table for each split method; every measurement is a process of its own.
 pub(crate) fn run(options: &ScaleOptions) -> Result<()> {
     let folder = options.folder.clone().unwrap_or_else(std::env::temp_dir);
-    let folder = tempfile::Builder::new().prefix("feimos-peers-").tempdir_in(folder)?;
+    let folder = tempfile::Builder::new()
+        .prefix("feimos-peers-")
+        .tempdir_in(folder)?;
     let mut rows = vec![Vec::new(); options.accel.len()];
     for &millions in &options.millions {
         let triangles = millions * 1_000_000;
         let available = memory::available_bytes()?;
         if triangles * NEEDED > available {
-            eprintln!("peers: {millions} million triangles are left out: only {available} bytes of memory are free");
+            eprintln!(
+                "peers: {millions} million triangles are left out: only {available} bytes of memory are free"
+            );
             continue;
         }
         let mesh = folder.path().join(format!("sphere-{millions}.ply"));
@@ -35,17 +39,30 @@ pub(crate) fn run(options: &ScaleOptions) -> Result<()> {
         std::fs::remove_file(&mesh)?;
     }
     for (rows, accel) in rows.iter().zip(&options.accel) {
-        println!("### {accel}, {} threads, medians of {}\n\n{}", options.threads, options.runs, of_rows(rows));
+        println!(
+            "### {accel}, {} threads, medians of {}\n\n{}",
+            options.threads,
+            options.runs,
+            of_rows(rows)
+        );
     }
     Ok(())
 }
 
 fn phases_of(mesh: &Path, accel: &str, threads: usize) -> Result<Phases> {
     let mut command = Command::new(std::env::current_exe()?);
-    command.arg("phases").arg(mesh).args(["--accel", accel, "--threads", &threads.to_string()]);
+    command
+        .arg("phases")
+        .arg(mesh)
+        .args(["--accel", accel, "--threads", &threads.to_string()]);
     let output = command.stderr(std::process::Stdio::inherit()).output()?;
     if !output.status.success() {
-        return Err(format!("the process for {} ended with {}", mesh.display(), output.status).into());
+        return Err(format!(
+            "the process for {} ended with {}",
+            mesh.display(),
+            output.status
+        )
+        .into());
     }
     Ok(serde_json::from_slice(&output.stdout)?)
 }
@@ -56,11 +73,23 @@ fn row(runs: &[Phases]) -> String {
     let (triangles, pixels) = (runs[0].triangles, runs[0].pixels);
     let mut row = format!("| {} |", table::grouped(triangles));
     for (i, phase) in PHASES.iter().enumerate() {
-        let of_runs = |of: fn(&phases::Cost) -> f64| median(runs.iter().map(|run| of(&run.costs[i])).collect());
-        let (milliseconds, peak) = (of_runs(|cost| cost.milliseconds), of_runs(|cost| cost.peak_bytes as f64));
-        let per = if phase.is_per_pixel { pixels } else { triangles };
+        let of_runs = |of: fn(&phases::Cost) -> f64| {
+            median(runs.iter().map(|run| of(&run.costs[i])).collect())
+        };
+        let (milliseconds, peak) = (
+            of_runs(|cost| cost.milliseconds),
+            of_runs(|cost| cost.peak_bytes as f64),
+        );
+        let per = if phase.is_per_pixel {
+            pixels
+        } else {
+            triangles
+        };
         let (nanoseconds, bytes) = (milliseconds * 1e6 / per as f64, peak / triangles as f64);
-        row.push_str(&format!(" {} | {nanoseconds:.1} | {bytes:.0} |", table::milliseconds(milliseconds)));
+        row.push_str(&format!(
+            " {} | {nanoseconds:.1} | {bytes:.0} |",
+            table::milliseconds(milliseconds)
+        ));
     }
     row
 }
@@ -68,9 +97,20 @@ fn row(runs: &[Phases]) -> String {
 fn of_rows(rows: &[String]) -> String {
     let mut table = "| triangles |".to_owned();
     for phase in &PHASES {
-        let unit = if phase.is_per_pixel { "pixel" } else { "triangle" };
-        table.push_str(&format!(" {} ms | ns a {unit} | peak bytes a triangle |", phase.name));
+        let unit = if phase.is_per_pixel {
+            "pixel"
+        } else {
+            "triangle"
+        };
+        table.push_str(&format!(
+            " {} ms | ns a {unit} | peak bytes a triangle |",
+            phase.name
+        ));
     }
     let columns = 1 + 3 * PHASES.len();
-    format!("{table}\n|{}\n{}\n", "---|".repeat(columns), rows.join("\n"))
+    format!(
+        "{table}\n|{}\n{}\n",
+        "---|".repeat(columns),
+        rows.join("\n")
+    )
 }

@@ -20,10 +20,22 @@ pub(super) struct Phase {
 
 /// In their order.
 pub(super) const PHASES: [Phase; 4] = [
-    Phase { name: "load", is_per_pixel: false },
-    Phase { name: "build", is_per_pixel: false },
-    Phase { name: "trace", is_per_pixel: true },
-    Phase { name: "write", is_per_pixel: true },
+    Phase {
+        name: "load",
+        is_per_pixel: false,
+    },
+    Phase {
+        name: "build",
+        is_per_pixel: false,
+    },
+    Phase {
+        name: "trace",
+        is_per_pixel: true,
+    },
+    Phase {
+        name: "write",
+        is_per_pixel: true,
+    },
 ];
 
 /// The film.
@@ -48,28 +60,67 @@ pub(super) struct Cost {
 
 /// Renders a mesh by the way of `feimos render` and prints what each phase takes, as JSON.
 pub(crate) fn print_phases(options: &PhaseOptions) -> Result<()> {
-    let method: SplitMethod = options.accel.parse().map_err(|error| format!("{}: {error}", options.accel))?;
-    rayon::ThreadPoolBuilder::new().num_threads(options.threads).build_global()?;
+    let method: SplitMethod = options
+        .accel
+        .parse()
+        .map_err(|error| format!("{}: {error}", options.accel))?;
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(options.threads)
+        .build_global()?;
     let mut costs = Vec::new();
-    let load_options = LoadOptions { resolution: Some([SIDE, SIDE]), ..LoadOptions::default() };
-    let scene = measured(&mut costs, || load(&options.mesh, &load_options, Progress::SILENT))??;
+    let load_options = LoadOptions {
+        resolution: Some([SIDE, SIDE]),
+        ..LoadOptions::default()
+    };
+    let scene = measured(&mut costs, || {
+        load(&options.mesh, &load_options, Progress::SILENT)
+    })??;
     let (shapes, camera) = (&scene.shapes, &scene.camera);
-    let build = || Aggregate::build(shapes, camera.anchor(), BuildOptions::new(method), Progress::SILENT);
+    let build = || {
+        Aggregate::build(
+            shapes,
+            camera.anchor(),
+            BuildOptions::new(method),
+            Progress::SILENT,
+        )
+    };
     let aggregate = measured(&mut costs, build)?;
     let render_options = RenderOptions {
         data_window: scene.film.crop,
-        channels: vec![ChannelName::Z, ChannelName::T, ChannelName::A, ChannelName::Id, ChannelName::Prim],
+        channels: vec![
+            ChannelName::Z,
+            ChannelName::T,
+            ChannelName::A,
+            ChannelName::Id,
+            ChannelName::Prim,
+        ],
         miss: f32::INFINITY,
         counted: false,
         precision: Precision::Exact,
         level: Level::detect(),
     };
-    let rendering = measured(&mut costs, || render(camera, shapes, &aggregate, &render_options, Progress::SILENT))??;
+    let rendering = measured(&mut costs, || {
+        render(
+            camera,
+            shapes,
+            &aggregate,
+            &render_options,
+            Progress::SILENT,
+        )
+    })??;
     let folder = tempfile::tempdir()?;
     let file = folder.path().join("sphere.exr");
-    let write = || write_file(&file, Overwrite::No, |out| exr_file::write(&rendering.image, &Metadata::default(), out));
+    let write = || {
+        write_file(&file, Overwrite::No, |out| {
+            exr_file::write(&rendering.image, &Metadata::default(), out)
+        })
+    };
     measured(&mut costs, write)??;
-    let phases = Phases { triangles: shapes.triangle_count() as u64, pixels: u64::from(SIDE * SIDE), costs };
+    let phases = Phases {
+        triangles: shapes.triangle_count() as u64,
+        pixels: u64::from(SIDE * SIDE),
+        costs,
+    };
     println!("{}", serde_json::to_string(&phases)?);
     Ok(())
 }
@@ -79,6 +130,9 @@ fn measured<T>(costs: &mut Vec<Cost>, phase: impl FnOnce() -> T) -> Result<T> {
     let start = Instant::now();
     let result = phase();
     let milliseconds = start.elapsed().as_secs_f64() * 1e3;
-    costs.push(Cost { milliseconds, peak_bytes: memory::peak_bytes()? });
+    costs.push(Cost {
+        milliseconds,
+        peak_bytes: memory::peak_bytes()?,
+    });
     Ok(result)
 }

@@ -8,22 +8,35 @@ use feimos::scene::{LoadOptions, load};
 use std::path::{Path, PathBuf};
 
 fn path_of(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes").join(name)
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../scenes")
+        .join(name)
 }
 
 /// The scene in a file, on a square film of `side` pixels instead of its own where that is said.
 pub(super) fn of_file(name: &str, side: Option<u32>) -> Result<View> {
-    let options = LoadOptions { resolution: side.map(|side| [side, side]), ..LoadOptions::default() };
+    let options = LoadOptions {
+        resolution: side.map(|side| [side, side]),
+        ..LoadOptions::default()
+    };
     let scene = load(&path_of(name), &options, Progress::SILENT)?;
     View::new(scene.camera, scene.shapes)
 }
 
 /// From where A is seen, without perspective; 5 units of the world high.
 pub(super) fn orthographic() -> Result<View> {
-    let options = LoadOptions { resolution: Some([1024, 1024]), ..LoadOptions::default() };
+    let options = LoadOptions {
+        resolution: Some([1024, 1024]),
+        ..LoadOptions::default()
+    };
     let scene = load(&path_of("dragon.pbrt"), &options, Progress::SILENT)?;
     let mut camera = scene.camera;
     camera.projection = Projection::Orthographic;
-    camera.screen_window = ScreenWindow { x0: -2.5, x1: 2.5, y0: -2.5, y1: 2.5 };
+    camera.screen_window = ScreenWindow {
+        x0: -2.5,
+        x1: 2.5,
+        y0: -2.5,
+        y1: 2.5,
+    };
     View::new(camera, scene.shapes)
 }

@@ -14,19 +14,46 @@ const HEIGHT: f64 = 4.0;
 /// A million triangles on all sides of the eye; floor and ceiling are two triangles each, which cross its plane.
 pub(super) fn view() -> Result<View> {
     let mut hall = Hall::default();
-    let plain = Grid { columns: 1, rows: 1 };
+    let plain = Grid {
+        columns: 1,
+        rows: 1,
+    };
     for height in [0.0, HEIGHT] {
-        hall.add(plain, &Matrix::IDENTITY, |u, v| Point::new(HALF * (2.0 * u - 1.0), height, HALF * (2.0 * v - 1.0)))?;
+        hall.add(plain, &Matrix::IDENTITY, |u, v| {
+            Point::new(HALF * (2.0 * u - 1.0), height, HALF * (2.0 * v - 1.0))
+        })?;
     }
     for side in [-HALF, HALF] {
-        let wall = Grid { columns: 250, rows: 100 };
-        hall.add(wall, &Matrix::IDENTITY, |u, v| relief(u, v, |along, out| Point::new(along, v * HEIGHT, side - out)))?;
-        hall.add(wall, &Matrix::IDENTITY, |u, v| relief(u, v, |along, out| Point::new(side - out, v * HEIGHT, along)))?;
+        let wall = Grid {
+            columns: 250,
+            rows: 100,
+        };
+        hall.add(wall, &Matrix::IDENTITY, |u, v| {
+            relief(u, v, |along, out| Point::new(along, v * HEIGHT, side - out))
+        })?;
+        hall.add(wall, &Matrix::IDENTITY, |u, v| {
+            relief(u, v, |along, out| Point::new(side - out, v * HEIGHT, along))
+        })?;
     }
     for (x, z) in places() {
-        hall.add(Grid { columns: 48, rows: 100 }, &Matrix::translate([x, 0.0, z]), column)?;
-        let lying = Matrix::translate([x + 1.3, 0.35, z - 0.7]).times(&Matrix::scale([0.5, 0.35, 0.5]));
-        hall.add(Grid { columns: 96, rows: 64 }, &lying, bumpy_sphere)?;
+        hall.add(
+            Grid {
+                columns: 48,
+                rows: 100,
+            },
+            &Matrix::translate([x, 0.0, z]),
+            column,
+        )?;
+        let lying =
+            Matrix::translate([x + 1.3, 0.35, z - 0.7]).times(&Matrix::scale([0.5, 0.35, 0.5]));
+        hall.add(
+            Grid {
+                columns: 96,
+                rows: 64,
+            },
+            &lying,
+            bumpy_sphere,
+        )?;
     }
     let (eye, look) = (Point::new(0.2, 1.7, -0.4), Point::new(3.0, 1.4, 8.0));
     View::new(camera(eye, look, 75.0, [1280, 720]), hall.shapes)
@@ -39,10 +66,17 @@ struct Hall {
 }
 
 impl Hall {
-    fn add(&mut self, grid: Grid, world_from_object: &Matrix, place: impl Fn(f64, f64) -> Point) -> Result<()> {
+    fn add(
+        &mut self,
+        grid: Grid,
+        world_from_object: &Matrix,
+        place: impl Fn(f64, f64) -> Point,
+    ) -> Result<()> {
         self.meshes += 1;
         let (vertices, triangles) = (grid.vertices(place).collect(), grid.triangles().collect());
-        let added = self.shapes.add_mesh(vertices, triangles, world_from_object, self.meshes);
+        let added = self
+            .shapes
+            .add_mesh(vertices, triangles, world_from_object, self.meshes);
         added.map_err(|error| error.to_string())?;
         Ok(())
     }

@@ -78,7 +78,13 @@ mod tests {
     fn all_competitors_see_the_same() {
         let _alone = memory::MEASURED.lock();
         let device = Device::new(2, None).unwrap();
-        for name in [ViewName::Spheres, ViewName::Wall, ViewName::Terrain, ViewName::Interior, ViewName::Thumbnail] {
+        for name in [
+            ViewName::Spheres,
+            ViewName::Wall,
+            ViewName::Terrain,
+            ViewName::Interior,
+            ViewName::Thumbnail,
+        ] {
             let view = name.make().unwrap();
             let mut first: Option<Picture> = None;
             for mut competitor in competitors::all(&view, Level::detect(), &device) {
@@ -89,7 +95,10 @@ mod tests {
                 let differences = Differences::between(first, &picture);
                 let allowed = (view.width() * view.height()) as u64 / 1000;
                 let whom = format!("{} in {name:?}: {differences:?}", competitor.name());
-                assert!(differences.hits <= allowed && differences.primitives <= allowed, "{whom}");
+                assert!(
+                    differences.hits <= allowed && differences.primitives <= allowed,
+                    "{whom}"
+                );
             }
             assert!(first.unwrap().hits() > 0);
         }

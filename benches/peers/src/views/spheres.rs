@@ -20,5 +20,8 @@ pub(super) fn view() -> Result<View> {
         added.map_err(|error| error.to_string())?;
     }
     let eye = Point::new(1.1, 1.6, -3.4);
-    View::new(camera(eye, Point::new(0.0, 0.0, 0.0), 40.0, [1024, 1024]), shapes)
+    View::new(
+        camera(eye, Point::new(0.0, 0.0, 0.0), 40.0, [1024, 1024]),
+        shapes,
+    )
 }

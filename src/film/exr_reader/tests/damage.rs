@@ -12,7 +12,11 @@ fn files() -> Vec<Vec<u8>> {
     ];
     let pixels = 9 * 8;
     let file = |(compression, blocks)| {
-        let encoding = Encoding { compression, blocks, line_order: LineOrder::Increasing };
+        let encoding = Encoding {
+            compression,
+            blocks,
+            line_order: LineOrder::Increasing,
+        };
         let channels = ["A", "R", "Y", "Z", "id"].map(|name| match name {
             "R" | "Y" => (name, as_f16(&vec![0.5; pixels])),
             "id" => (name, FlatSamples::U32(vec![3; pixels])),
@@ -52,7 +56,10 @@ fn the_end_of_a_file_is_missed_without_reading_pixels() {
             assert!(!is_whole(&file[..end]).unwrap(), "{end} of {}", file.len());
         }
         for end in 0..table {
-            assert_eq!(is_whole(&file[..end]).unwrap_err().kind(), ErrorKind::BadInput);
+            assert_eq!(
+                is_whole(&file[..end]).unwrap_err().kind(),
+                ErrorKind::BadInput
+            );
         }
         // What was preallocated and never written holds zeros.
         let zeros = [&file[..table], &vec![0; file.len() - table]].concat();
@@ -75,7 +82,13 @@ fn changed_bytes_are_read_or_refused() {
 
 #[test]
 fn what_is_no_exr_is_refused() {
-    for bytes in [&b""[..], b"v", b"WorldBegin", b"\x89PNG\r\n\x1a\n", &[0; 4096]] {
+    for bytes in [
+        &b""[..],
+        b"v",
+        b"WorldBegin",
+        b"\x89PNG\r\n\x1a\n",
+        &[0; 4096],
+    ] {
         assert!(refused(bytes).contains("this is no OpenEXR file"));
     }
     refused(&[&MAGIC[..], &[2, 0, 0, 0]].concat());
@@ -88,15 +101,20 @@ fn a_chunk_that_was_never_written_is_missed() {
     let file = of_our_writer(&image);
     // The table, whose entries point behind it, in order: nothing else does.
     let entry = |at: usize| u64::from_le_bytes(file[at..at + 8].try_into().unwrap());
-    let table = (0..file.len() - 32)
-        .find(|at| (0..4).all(|row| entry(at + 8 * row) >= *at as u64 + 32) && entry(*at) == *at as u64 + 32);
+    let table = (0..file.len() - 32).find(|at| {
+        (0..4).all(|row| entry(at + 8 * row) >= *at as u64 + 32) && entry(*at) == *at as u64 + 32
+    });
     let table = table.expect("a table of four chunks");
     let mut missing = file.clone();
     missing[table + 16..table + 24].fill(0);
     refused(&missing);
     let mut twice = file.clone();
     twice.copy_within(table..table + 8, table + 8);
-    assert!(refused(&twice).contains("holds pixels that another one holds as well"), "{}", refused(&twice));
+    assert!(
+        refused(&twice).contains("holds pixels that another one holds as well"),
+        "{}",
+        refused(&twice)
+    );
     // What lies between the chunks is of no account.
     let mut moved = file.clone();
     let chunk = file[entry(table) as usize..entry(table + 8) as usize].to_vec();
@@ -108,8 +126,15 @@ fn a_chunk_that_was_never_written_is_missed() {
 #[test]
 fn nothing_is_taken_for_what_the_file_cannot_hold() {
     // A row of 2^24 pixels in 20 bytes.
-    let encoding = Encoding { compression: Compression::ZIP1, ..Encoding::UNCOMPRESSED };
-    let file = one_layer((1 << 16, 1), vec![("Z", FlatSamples::F32(vec![1.0; 1 << 16]))], encoding);
+    let encoding = Encoding {
+        compression: Compression::ZIP1,
+        ..Encoding::UNCOMPRESSED
+    };
+    let file = one_layer(
+        (1 << 16, 1),
+        vec![("Z", FlatSamples::F32(vec![1.0; 1 << 16]))],
+        encoding,
+    );
     read(&file).unwrap();
     let width = ((1 << 16) - 1i32).to_le_bytes();
     let mut wide = file.clone();
@@ -118,5 +143,9 @@ fn nothing_is_taken_for_what_the_file_cannot_hold() {
             wide[at..at + 4].copy_from_slice(&((1 << 24) - 1i32).to_le_bytes());
         }
     }
-    assert!(refused(&wide).contains("for 16777216 x 1 pixels"), "{}", refused(&wide));
+    assert!(
+        refused(&wide).contains("for 16777216 x 1 pixels"),
+        "{}",
+        refused(&wide)
+    );
 }

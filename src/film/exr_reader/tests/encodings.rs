@@ -4,15 +4,27 @@ use ChannelName::{A, Id, Instance, Prim, T, Z};
 /// Every way in which the crate writes without loss.
 fn encodings() -> Vec<Encoding> {
     let mut encodings = Vec::new();
-    for compression in
-        [Compression::Uncompressed, Compression::RLE, Compression::ZIP1, Compression::ZIP16, Compression::PIZ]
-    {
+    for compression in [
+        Compression::Uncompressed,
+        Compression::RLE,
+        Compression::ZIP1,
+        Compression::ZIP16,
+        Compression::PIZ,
+    ] {
         for line_order in [LineOrder::Increasing, LineOrder::Decreasing] {
-            encodings.push(Encoding { compression, blocks: Blocks::ScanLines, line_order });
+            encodings.push(Encoding {
+                compression,
+                blocks: Blocks::ScanLines,
+                line_order,
+            });
         }
         let line_order = LineOrder::Unspecified;
         for tile in [(1, 1), (7, 3), (64, 64)] {
-            encodings.push(Encoding { compression, blocks: Blocks::Tiles(tile.into()), line_order });
+            encodings.push(Encoding {
+                compression,
+                blocks: Blocks::Tiles(tile.into()),
+                line_order,
+            });
         }
     }
     encodings
@@ -20,14 +32,24 @@ fn encodings() -> Vec<Encoding> {
 
 #[test]
 fn our_own_files_come_back_to_the_last_bit() {
-    let crop = PixelBounds { x0: 17, x1: 60, y0: 130, y1: 271 };
-    for (film, window) in
-        [((70, 300), PixelBounds::of_film(70, 300)), ((70, 300), crop), ((1, 1), PixelBounds::of_film(1, 1))]
-    {
+    let crop = PixelBounds {
+        x0: 17,
+        x1: 60,
+        y0: 130,
+        y1: 271,
+    };
+    for (film, window) in [
+        ((70, 300), PixelBounds::of_film(70, 300)),
+        ((70, 300), crop),
+        ((1, 1), PixelBounds::of_film(1, 1)),
+    ] {
         let image = strange(film, window);
         assert_same(&image, &read(&of_our_writer(&image)).unwrap());
         for channel in &image.channels {
-            let one = Image { channels: vec![channel.clone()], ..image.clone() };
+            let one = Image {
+                channels: vec![channel.clone()],
+                ..image.clone()
+            };
             assert_same(&one, &read(&of_our_writer(&one)).unwrap());
         }
     }
@@ -42,7 +64,10 @@ fn all_encodings_read_alike() {
         false => FlatSamples::F32(image.measures(name).unwrap().to_vec()),
     };
     for encoding in encodings() {
-        let mut channels: Vec<_> = ChannelName::ALL.iter().map(|name| (name.as_str(), samples(*name))).collect();
+        let mut channels: Vec<_> = ChannelName::ALL
+            .iter()
+            .map(|name| (name.as_str(), samples(*name)))
+            .collect();
         // Channels of others lie before, between and after those that are read.
         channels.extend(["B", "R", "depth", "zz"].map(|name| (name, as_f16(&small(20 * 37)))));
         assert_same(&image, &read(&one_layer(size, channels, encoding)).unwrap());
@@ -52,13 +77,27 @@ fn all_encodings_read_alike() {
 #[test]
 fn encodings_for_colours_are_refused_but_for_one() {
     let file = |compression, samples| {
-        let encoding = Encoding { compression, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
+        let encoding = Encoding {
+            compression,
+            blocks: Blocks::ScanLines,
+            line_order: LineOrder::Increasing,
+        };
         one_layer((40, 40), vec![("Z", samples)], encoding)
     };
     for samples in [as_f16(&[0.5; 1600]), FlatSamples::F32(vec![0.5; 1600])] {
-        assert_eq!(read(&file(Compression::PXR24, samples)).unwrap().measures(Z), Some(&[0.5; 1600][..]));
+        assert_eq!(
+            read(&file(Compression::PXR24, samples))
+                .unwrap()
+                .measures(Z),
+            Some(&[0.5; 1600][..])
+        );
     }
-    for compression in [Compression::B44, Compression::B44A, Compression::DWAA(None), Compression::DWAB(None)] {
+    for compression in [
+        Compression::B44,
+        Compression::B44A,
+        Compression::DWAA(None),
+        Compression::DWAB(None),
+    ] {
         let message = refused(&file(compression, as_f16(&[0.5; 1600])));
         assert!(message.contains("which is not read"), "{message}");
     }
@@ -68,30 +107,51 @@ fn encodings_for_colours_are_refused_but_for_one() {
 fn any_type_is_read_where_it_holds_the_same_numbers() {
     let values = small(12);
     let all = ChannelName::ALL.map(ChannelName::as_str);
-    for to_samples in [as_f16, as_u32, |values: &[f32]| FlatSamples::F32(values.to_vec())] {
-        let channels = all.iter().map(|name| (*name, to_samples(&values))).collect();
+    for to_samples in [as_f16, as_u32, |values: &[f32]| {
+        FlatSamples::F32(values.to_vec())
+    }] {
+        let channels = all
+            .iter()
+            .map(|name| (*name, to_samples(&values)))
+            .collect();
         let image = read(&one_layer((4, 3), channels, Encoding::default())).unwrap();
         image.validate().unwrap();
-        [Z, T, A].iter().for_each(|name| assert_eq!(image.measures(*name), Some(&values[..])));
+        [Z, T, A]
+            .iter()
+            .for_each(|name| assert_eq!(image.measures(*name), Some(&values[..])));
         let numbers: Vec<u32> = values.iter().map(|value| *value as u32).collect();
-        [Id, Prim, Instance].iter().for_each(|name| assert_eq!(image.numbers(*name), Some(&numbers[..])));
+        [Id, Prim, Instance]
+            .iter()
+            .for_each(|name| assert_eq!(image.numbers(*name), Some(&numbers[..])));
     }
 }
 
 #[test]
 fn a_half_may_be_infinite() {
-    let file = one_layer((2, 1), vec![("Z", as_f16(&[f32::INFINITY, f32::NAN]))], Encoding::default());
+    let file = one_layer(
+        (2, 1),
+        vec![("Z", as_f16(&[f32::INFINITY, f32::NAN]))],
+        Encoding::default(),
+    );
     let image = read(&file).unwrap();
-    let [first, second] = image.measures(Z).unwrap() else { panic!("two pixels") };
+    let [first, second] = image.measures(Z).unwrap() else {
+        panic!("two pixels")
+    };
     assert!(*first == f32::INFINITY && second.is_nan());
 }
 
 #[test]
 fn numbers_that_do_not_fit_are_named_with_their_pixel() {
     let of = |name, value: FlatSamples| {
-        let FlatSamples::F32(value) = value else { panic!("a number") };
+        let FlatSamples::F32(value) = value else {
+            panic!("a number")
+        };
         let values = FlatSamples::F32([[1.0; 5], [1.0, 1.0, value[0], 1.0, 1.0]].concat());
-        refused(&one_layer((5, 2), vec![(name, values)], Encoding::default()))
+        refused(&one_layer(
+            (5, 2),
+            vec![(name, values)],
+            Encoding::default(),
+        ))
     };
     for value in [1.5, -1.0, f32::NAN, f32::INFINITY, 4_294_967_296.0] {
         let message = of("prim", FlatSamples::F32(vec![value]));
@@ -101,10 +161,18 @@ fn numbers_that_do_not_fit_are_named_with_their_pixel() {
         assert_eq!(message, expected);
     }
     let largest = 4_294_967_040.0;
-    let file = one_layer((1, 1), vec![("id", FlatSamples::F32(vec![largest]))], Encoding::default());
+    let file = one_layer(
+        (1, 1),
+        vec![("id", FlatSamples::F32(vec![largest]))],
+        Encoding::default(),
+    );
     assert_eq!(read(&file).unwrap().numbers(Id), Some(&[4_294_967_040][..]));
     for number in [(1 << 24) + 1, u32::MAX] {
-        let file = one_layer((1, 1), vec![("Z", FlatSamples::U32(vec![number]))], Encoding::default());
+        let file = one_layer(
+            (1, 1),
+            vec![("Z", FlatSamples::U32(vec![number]))],
+            Encoding::default(),
+        );
         assert!(refused(&file).contains(&format!("channel Z holds {number} in pixel (0, 0)")));
     }
 }
@@ -112,8 +180,17 @@ fn numbers_that_do_not_fit_are_named_with_their_pixel() {
 #[test]
 fn the_first_part_with_a_known_channel_is_read() {
     let mut layers = Vec::new();
-    for (name, channel, value) in [("a", "R", 1.0), ("b", "Z", 2.0), ("c", "Z", 3.0), ("d", "left.Z", 4.0)] {
-        let mut layer = layer((40, 40), vec![(channel, FlatSamples::F32(vec![value; 1600]))], Encoding::FAST_LOSSLESS);
+    for (name, channel, value) in [
+        ("a", "R", 1.0),
+        ("b", "Z", 2.0),
+        ("c", "Z", 3.0),
+        ("d", "left.Z", 4.0),
+    ] {
+        let mut layer = layer(
+            (40, 40),
+            vec![(channel, FlatSamples::F32(vec![value; 1600]))],
+            Encoding::FAST_LOSSLESS,
+        );
         layer.attributes.layer_name = Some(name.into());
         layers.push(layer);
     }
@@ -126,10 +203,17 @@ fn the_first_part_with_a_known_channel_is_read() {
 fn of_several_resolutions_the_largest_is_read() {
     use exr::math::RoundingMode;
     use exr::prelude::Levels;
-    let levels = [(6, 4), (3, 2), (1, 1)].map(|(width, height)| FlatSamples::F32(vec![width as f32; width * height]));
-    let levels = Levels::Mip { rounding_mode: RoundingMode::Down, level_data: levels.to_vec() };
+    let levels = [(6, 4), (3, 2), (1, 1)]
+        .map(|(width, height)| FlatSamples::F32(vec![width as f32; width * height]));
+    let levels = Levels::Mip {
+        rounding_mode: RoundingMode::Down,
+        level_data: levels.to_vec(),
+    };
     let channels = AnyChannels::sort([AnyChannel::new("Z", levels)].into_iter().collect());
-    let encoding = Encoding { blocks: Blocks::Tiles((2, 3).into()), ..Encoding::default() };
+    let encoding = Encoding {
+        blocks: Blocks::Tiles((2, 3).into()),
+        ..Encoding::default()
+    };
     let layer = Layer::new((6, 4), LayerAttributes::default(), encoding, channels);
     let file = written(&exr::prelude::Image::from_layer(layer));
     assert_eq!(read(&file).unwrap().measures(Z), Some(&[6.0; 24][..]));

@@ -9,8 +9,8 @@ use crate::error::ErrorKind;
 use crate::film::{ChannelName, PixelBounds, exr_file};
 use exr::image::write::layers::WritableLayers;
 use exr::prelude::{
-    AnyChannel, AnyChannels, Blocks, Compression, Encoding, FlatSamples, Layer, LayerAttributes, LineOrder,
-    WritableImage,
+    AnyChannel, AnyChannels, Blocks, Compression, Encoding, FlatSamples, Layer, LayerAttributes,
+    LineOrder, WritableImage,
 };
 
 /// Numbers that any type of channel can hold.
@@ -22,7 +22,12 @@ fn small(count: usize) -> Vec<f32> {
 }
 
 fn as_f16(values: &[f32]) -> FlatSamples {
-    FlatSamples::F16(values.iter().map(|value| exr::prelude::f16::from_f32(*value)).collect())
+    FlatSamples::F16(
+        values
+            .iter()
+            .map(|value| exr::prelude::f16::from_f32(*value))
+            .collect(),
+    )
 }
 
 fn as_u32(values: &[f32]) -> FlatSamples {
@@ -34,8 +39,16 @@ fn layer(
     channels: Vec<(&str, FlatSamples)>,
     encoding: Encoding,
 ) -> Layer<AnyChannels<FlatSamples>> {
-    let channels = channels.into_iter().map(|(name, samples)| AnyChannel::new(name, samples)).collect();
-    Layer::new(size, LayerAttributes::default(), encoding, AnyChannels::sort(channels))
+    let channels = channels
+        .into_iter()
+        .map(|(name, samples)| AnyChannel::new(name, samples))
+        .collect();
+    Layer::new(
+        size,
+        LayerAttributes::default(),
+        encoding,
+        AnyChannels::sort(channels),
+    )
 }
 
 /// The bytes of a file that the crate writes.
@@ -45,8 +58,14 @@ fn written<'a, L: WritableLayers<'a>>(image: &'a exr::prelude::Image<L>) -> Vec<
     file.into_inner()
 }
 
-fn one_layer(size: (usize, usize), channels: Vec<(&str, FlatSamples)>, encoding: Encoding) -> Vec<u8> {
-    written(&exr::prelude::Image::from_layer(layer(size, channels, encoding)))
+fn one_layer(
+    size: (usize, usize),
+    channels: Vec<(&str, FlatSamples)>,
+    encoding: Encoding,
+) -> Vec<u8> {
+    written(&exr::prelude::Image::from_layer(layer(
+        size, channels, encoding,
+    )))
 }
 
 fn read(bytes: &[u8]) -> Result<Image> {
@@ -58,30 +77,58 @@ fn refused(bytes: &[u8]) -> String {
     let error = read(bytes).expect_err("it is wrong");
     assert_eq!(error.kind(), ErrorKind::BadInput);
     let message = error.to_string();
-    assert!(message.starts_with("a.exr: ") && message.contains("\n   = expected"), "{message}");
+    assert!(
+        message.starts_with("a.exr: ") && message.contains("\n   = expected"),
+        "{message}"
+    );
     message
 }
 
 fn bits(image: &Image, name: ChannelName) -> Vec<u32> {
     let of_measures = |values: &[f32]| values.iter().map(|value| value.to_bits()).collect();
-    image.measures(name).map(of_measures).or_else(|| image.numbers(name).map(<[u32]>::to_vec)).expect("the channel")
+    image
+        .measures(name)
+        .map(of_measures)
+        .or_else(|| image.numbers(name).map(<[u32]>::to_vec))
+        .expect("the channel")
 }
 
 /// Asserts that two images are the same to the last bit.
 fn assert_same(expected: &Image, found: &Image) {
     found.validate().unwrap();
-    assert_eq!((expected.display_window, expected.data_window), (found.display_window, found.data_window));
+    assert_eq!(
+        (expected.display_window, expected.data_window),
+        (found.display_window, found.data_window)
+    );
     assert_eq!(expected.channels.len(), found.channels.len());
     for channel in &expected.channels {
-        assert!(bits(expected, channel.name) == bits(found, channel.name), "{}", channel.name.as_str());
+        assert!(
+            bits(expected, channel.name) == bits(found, channel.name),
+            "{}",
+            channel.name.as_str()
+        );
     }
 }
 
 /// An image with strange numbers in every channel.
 fn strange(film: (u32, u32), data_window: PixelBounds) -> Image {
-    let bits =
-        [0x7fc0_0000, 0xffff_ffff, 0x7f80_0000, 0xff80_0000, 0x8000_0000, 0, 1, 0x3f80_0001, 0x7f80_0001, 0x00ff_ffff];
-    let all: Vec<u32> = bits.into_iter().cycle().take(data_window.area() as usize).collect();
+    let bits = [
+        0x7fc0_0000,
+        0xffff_ffff,
+        0x7f80_0000,
+        0xff80_0000,
+        0x8000_0000,
+        0,
+        1,
+        0x3f80_0001,
+        0x7f80_0001,
+        0x00ff_ffff,
+    ];
+    let all: Vec<u32> = bits
+        .into_iter()
+        .cycle()
+        .take(data_window.area() as usize)
+        .collect();
     let channel = |(place, name): (usize, ChannelName)| {
         let mut bits = all.clone();
         bits.rotate_left(place % all.len());
@@ -91,8 +138,16 @@ fn strange(film: (u32, u32), data_window: PixelBounds) -> Image {
         };
         Channel { name, samples }
     };
-    let channels = ChannelName::ALL.into_iter().enumerate().map(channel).collect();
-    Image { display_window: film, data_window, channels }
+    let channels = ChannelName::ALL
+        .into_iter()
+        .enumerate()
+        .map(channel)
+        .collect();
+    Image {
+        display_window: film,
+        data_window,
+        channels,
+    }
 }
 
 fn of_our_writer(image: &Image) -> Vec<u8> {

@@ -33,8 +33,15 @@ impl Tally {
     pub(super) fn of(text: &[u8]) -> Tally {
         let triangles = |first: u8| first.wrapping_sub(b'2') & 7;
         let (ends, triangles_after) = count(text, triangles);
-        let triangles_first = text.first().map_or(0, |first| usize::from(triangles(*first)));
-        Tally { ends, triangles_after, triangles_first, is_open: text.last().is_some_and(|byte| *byte != b'\n') }
+        let triangles_first = text
+            .first()
+            .map_or(0, |first| usize::from(triangles(*first)));
+        Tally {
+            ends,
+            triangles_after,
+            triangles_first,
+            is_open: text.last().is_some_and(|byte| *byte != b'\n'),
+        }
     }
 
     pub(super) fn lines(&self) -> usize {
@@ -80,15 +87,22 @@ fn count(text: &[u8], value: impl Fn(u8) -> u8) -> (usize, usize) {
 /// The lines of the bytes `span` in blocks of about `size` bytes.
 pub(super) fn cut(storage: &Storage, span: Range<u64>, size: u64) -> Option<Vec<Block>> {
     let count = (span.end - span.start).div_ceil(size);
-    let blocks = (0..count).into_par_iter().map_init(Vec::new, |buffer, number| {
-        let start = span.start + number * size;
-        block(storage, &span, start..span.end.min(start + size), buffer)
-    });
+    let blocks = (0..count)
+        .into_par_iter()
+        .map_init(Vec::new, |buffer, number| {
+            let start = span.start + number * size;
+            block(storage, &span, start..span.end.min(start + size), buffer)
+        });
     blocks.collect()
 }
 
 /// The lines that begin within the bytes `near`, of the lines in `all`.
-fn block(storage: &Storage, all: &Range<u64>, near: Range<u64>, buffer: &mut Vec<u8>) -> Option<Block> {
+fn block(
+    storage: &Storage,
+    all: &Range<u64>,
+    near: Range<u64>,
+    buffer: &mut Vec<u8>,
+) -> Option<Block> {
     // One byte more in front tells whether a line begins at the first one.
     let from = near.start.max(all.start + 1) - 1;
     let to = all.end.min(near.end + HEAD);
@@ -97,13 +111,19 @@ fn block(storage: &Storage, all: &Range<u64>, near: Range<u64>, buffer: &mut Vec
         at if at == all.start => Some(0),
         at => {
             let before = (at - 1 - from) as usize;
-            let end = text[before..].iter().position(|byte| *byte == b'\n').map(|end| before + end + 1);
+            let end = text[before..]
+                .iter()
+                .position(|byte| *byte == b'\n')
+                .map(|end| before + end + 1);
             end.or((to == all.end).then_some(text.len()))
         }
     };
     let lines = line_at(near.start)?..line_at(near.end)?;
     let tally = Tally::of(&text[lines.clone()]);
-    Some(Block { span: from + lines.start as u64..from + lines.end as u64, tally })
+    Some(Block {
+        span: from + lines.start as u64..from + lines.end as u64,
+        tally,
+    })
 }
 
 impl Block {
@@ -114,13 +134,30 @@ impl Block {
         let length = line_start(text, lines)?;
         let (first, second) = text.split_at(length);
         let border = self.span.start + length as u64;
-        let first = Block { span: self.span.start..border, tally: Tally::of(first) };
-        Some((first, Block { span: border..self.span.end, tally: Tally::of(second) }))
+        let first = Block {
+            span: self.span.start..border,
+            tally: Tally::of(first),
+        };
+        Some((
+            first,
+            Block {
+                span: border..self.span.end,
+                tally: Tally::of(second),
+            },
+        ))
     }
 }
 
 /// Where the line `number`, from 0, begins in `text`.
 pub(super) fn line_start(text: &[u8], number: usize) -> Option<usize> {
-    let mut ends = text.iter().enumerate().filter(|(_, byte)| **byte == b'\n').map(|(at, _)| at + 1);
-    if number == 0 { Some(0) } else { ends.nth(number - 1) }
+    let mut ends = text
+        .iter()
+        .enumerate()
+        .filter(|(_, byte)| **byte == b'\n')
+        .map(|(at, _)| at + 1);
+    if number == 0 {
+        Some(0)
+    } else {
+        ends.nth(number - 1)
+    }
 }

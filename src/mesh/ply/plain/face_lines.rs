@@ -9,8 +9,18 @@ use crate::mesh::polygon::{self, Clipper};
 const MOST_CORNERS: usize = 9;
 
 /// Reads `text`, which must be lines of faces over `vertices` that make just as many triangles as there is place for.
-pub(super) fn read(text: &[u8], form: &Form, vertices: &[Point], triangles: &mut [[u32; 3]]) -> Option<()> {
-    let mut faces = FaceLines { lines: Lines::new(text), vertices, clipper: Clipper::default(), cut: Vec::new() };
+pub(super) fn read(
+    text: &[u8],
+    form: &Form,
+    vertices: &[Point],
+    triangles: &mut [[u32; 3]],
+) -> Option<()> {
+    let mut faces = FaceLines {
+        lines: Lines::new(text),
+        vertices,
+        clipper: Clipper::default(),
+        cut: Vec::new(),
+    };
     let mut places = triangles.iter_mut();
     let mut corners = [0; MOST_CORNERS];
     while !faces.lines.is_done() {

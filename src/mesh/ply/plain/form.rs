@@ -28,39 +28,67 @@ pub(super) struct VertexProperty {
 impl Form {
     /// The form of a file with this header, if it is plain.
     pub(super) fn of(header: &Header) -> Option<Form> {
-        let [vertex, face] = &header.elements[..] else { return None };
+        let [vertex, face] = &header.elements[..] else {
+            return None;
+        };
         if vertex.name != "vertex" || face.name != "face" {
             return None;
         }
         let (properties, layout) = (properties(vertex)?, layout(face)?);
-        Some(Form { vertices: count(vertex)?, faces: count(face)?, properties, layout })
+        Some(Form {
+            vertices: count(vertex)?,
+            faces: count(face)?,
+            properties,
+            layout,
+        })
     }
 }
 
 fn count(element: &Element) -> Option<usize> {
-    u32::try_from(element.count).ok().filter(|count| *count > 0).map(|count| count as usize)
+    u32::try_from(element.count)
+        .ok()
+        .filter(|count| *count > 0)
+        .map(|count| count as usize)
 }
 
 fn properties(vertex: &Element) -> Option<Vec<VertexProperty>> {
     let properties: Option<Vec<_>> = vertex.properties.iter().map(property).collect();
     let properties = properties?;
-    let times = |axis| properties.iter().filter(|property| property.axis == Some(axis)).count();
+    let times = |axis| {
+        properties
+            .iter()
+            .filter(|property| property.axis == Some(axis))
+            .count()
+    };
     (0..3).all(|axis| times(axis) == 1).then_some(properties)
 }
 
 fn property(property: &Property) -> Option<VertexProperty> {
-    let Shape::One(kind) = property.shape else { return None };
-    let axis = ["x", "y", "z"].iter().position(|name| *name == property.name);
+    let Shape::One(kind) = property.shape else {
+        return None;
+    };
+    let axis = ["x", "y", "z"]
+        .iter()
+        .position(|name| *name == property.name);
     let is_plain = axis.is_none() || !kind.is_integer();
     is_plain.then_some(VertexProperty { axis, kind })
 }
 
 fn layout(face: &Element) -> Option<Layout> {
-    let is_corners = |at: usize| matches!(face.properties[at].name.as_str(), "vertex_indices" | "vertex_index");
+    let is_corners = |at: usize| {
+        matches!(
+            face.properties[at].name.as_str(),
+            "vertex_indices" | "vertex_index"
+        )
+    };
     let plan = plan(&face.properties, |at, shape| match shape {
-        Shape::List { count, item } if is_corners(at) && item.is_integer() => Some(Step::Corners { count, item }),
+        Shape::List { count, item } if is_corners(at) && item.is_integer() => {
+            Some(Step::Corners { count, item })
+        }
         _ => None,
     });
-    let named = (0..face.properties.len()).filter(|at| is_corners(*at)).count();
+    let named = (0..face.properties.len())
+        .filter(|at| is_corners(*at))
+        .count();
     if named == 1 { Layout::of(&plan) } else { None }
 }

@@ -91,7 +91,11 @@ impl<'a> Lines<'a> {
     /// The bytes up to the next blank.
     #[inline]
     fn token(&mut self) -> &'a [u8] {
-        let length = self.rest.iter().position(|byte| *byte <= b' ').unwrap_or(self.rest.len());
+        let length = self
+            .rest
+            .iter()
+            .position(|byte| *byte <= b' ')
+            .unwrap_or(self.rest.len());
         let (token, rest) = self.rest.split_at(length);
         self.rest = rest;
         token

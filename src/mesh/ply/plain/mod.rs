@@ -41,7 +41,9 @@ pub(super) fn read(path: &Path, storage: &Storage) -> Option<Loaded> {
 
 fn read_in_blocks(path: &Path, storage: &Storage, block: u64) -> Option<Loaded> {
     let mut buffer = Vec::new();
-    let head = storage.piece(0..storage.size().min(HEAD), &mut buffer).ok()?;
+    let head = storage
+        .piece(0..storage.size().min(HEAD), &mut buffer)
+        .ok()?;
     let header = Header::parse(path, head).ok()?;
     let form = Form::of(&header)?;
     let start = header.size as u64;

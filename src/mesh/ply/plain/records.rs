@@ -11,11 +11,23 @@ use crate::mesh::ply::binary::ByteOrder;
 use crate::mesh::ply::header::Scalar;
 
 /// The mesh whose first vertex is at the byte `start` of `storage`.
-pub(super) fn read<Order: ByteOrder>(storage: &Storage, start: u64, form: &Form, block: u64) -> Option<TriangleMesh> {
-    let records = Records { storage, start, stride: vertex_stride(form), count: form.vertices, block };
+pub(super) fn read<Order: ByteOrder>(
+    storage: &Storage,
+    start: u64,
+    form: &Form,
+    block: u64,
+) -> Option<TriangleMesh> {
+    let records = Records {
+        storage,
+        start,
+        stride: vertex_stride(form),
+        count: form.vertices,
+        block,
+    };
     let faces_start = records.end()?;
     let corners = [4, 3].into_iter().find(|corners| {
-        let end = faces(storage, faces_start, form, *corners, block).and_then(|records| records.end());
+        let end =
+            faces(storage, faces_start, form, *corners, block).and_then(|records| records.end());
         end.is_some_and(|end| is_padding(storage, end))
     })?;
     let vertices = vertices::<Order>(&records, form)?;
@@ -28,7 +40,11 @@ pub(super) fn read<Order: ByteOrder>(storage: &Storage, start: u64, form: &Form,
         (4, Scalar::U32) => triangles::<Order, 4, 2>(&records, form, limit),
         _ => None,
     }?;
-    Some(TriangleMesh { vertices, triangles, uv: None })
+    Some(TriangleMesh {
+        vertices,
+        triangles,
+        uv: None,
+    })
 }
 
 /// Records of one size.
@@ -47,11 +63,16 @@ impl Records<'_> {
     /// The byte after the last one, if there is one.
     fn end(&self) -> Option<u64> {
         let size = (self.stride as u64).checked_mul(self.count as u64)?;
-        self.start.checked_add(size).filter(|end| *end <= self.storage.size())
+        self.start
+            .checked_add(size)
+            .filter(|end| *end <= self.storage.size())
     }
 
     /// Makes `N` values of each, which the file has room for, by `read`.
-    fn read<T, const N: usize>(&self, read: impl Fn(&[u8]) -> Option<[T; N]> + Sync) -> Option<Vec<T>>
+    fn read<T, const N: usize>(
+        &self,
+        read: impl Fn(&[u8]) -> Option<[T; N]> + Sync,
+    ) -> Option<Vec<T>>
     where
         T: Copy + Default + Send + Sync,
     {
@@ -61,8 +82,14 @@ impl Records<'_> {
         blocks.try_for_each_init(Vec::new, |buffer, (number, places)| {
             let start = self.start + (number * at_once) as u64 * self.stride as u64;
             let size = places.len() / N * self.stride;
-            let bytes = self.storage.piece(start..start + size as u64, buffer).ok()?;
-            for (record, places) in bytes.chunks_exact(self.stride).zip(places.chunks_exact_mut(N)) {
+            let bytes = self
+                .storage
+                .piece(start..start + size as u64, buffer)
+                .ok()?;
+            for (record, places) in bytes
+                .chunks_exact(self.stride)
+                .zip(places.chunks_exact_mut(N))
+            {
                 places.copy_from_slice(&read(record)?);
             }
             Some(())
@@ -72,7 +99,10 @@ impl Records<'_> {
 }
 
 fn vertex_stride(form: &Form) -> usize {
-    form.properties.iter().map(|property| property.kind.size()).sum()
+    form.properties
+        .iter()
+        .map(|property| property.kind.size())
+        .sum()
 }
 
 fn vertices<Order: ByteOrder>(records: &Records, form: &Form) -> Option<Vec<Point>> {
@@ -85,21 +115,47 @@ fn vertices<Order: ByteOrder>(records: &Records, form: &Form) -> Option<Vec<Poin
         offset += property.kind.size();
     }
     let [(x, kind), (y, _), (z, _)] = places;
-    let single = |record: &[u8], at| Some(f64::from(f32::from_le_bytes(value::<Order, 4>(record, at)?)));
+    let single = |record: &[u8], at| {
+        Some(f64::from(f32::from_le_bytes(value::<Order, 4>(
+            record, at,
+        )?)))
+    };
     let double = |record: &[u8], at| Some(f64::from_le_bytes(value::<Order, 8>(record, at)?));
     match kind {
         _ if places.iter().any(|(_, other)| *other != kind) => None,
-        Scalar::F32 => records.read(|r| Some([Point::new(single(r, x)?, single(r, y)?, single(r, z)?)])),
-        Scalar::F64 => records.read(|r| Some([Point::new(double(r, x)?, double(r, y)?, double(r, z)?)])),
+        Scalar::F32 => {
+            records.read(|r| Some([Point::new(single(r, x)?, single(r, y)?, single(r, z)?)]))
+        }
+        Scalar::F64 => {
+            records.read(|r| Some([Point::new(double(r, x)?, double(r, y)?, double(r, z)?)]))
+        }
         _ => None,
     }
 }
 
 /// The records of faces that have `corners` corners each, if that is possible.
-fn faces<'a>(storage: &'a Storage, start: u64, form: &Form, corners: usize, block: u64) -> Option<Records<'a>> {
-    let others = usize::try_from(form.layout.lead.bytes.checked_add(form.layout.trail.bytes)?).ok()?;
+fn faces<'a>(
+    storage: &'a Storage,
+    start: u64,
+    form: &Form,
+    corners: usize,
+    block: u64,
+) -> Option<Records<'a>> {
+    let others = usize::try_from(
+        form.layout
+            .lead
+            .bytes
+            .checked_add(form.layout.trail.bytes)?,
+    )
+    .ok()?;
     let list = form.layout.count.size() + corners * form.layout.item.size();
-    Some(Records { storage, start, stride: others.checked_add(list)?, count: form.faces, block })
+    Some(Records {
+        storage,
+        start,
+        stride: others.checked_add(list)?,
+        count: form.faces,
+        block,
+    })
 }
 
 /// The triangles of faces with `CORNERS` corners of 32 bits, all of them below `limit`.
@@ -135,6 +191,10 @@ fn value<Order: ByteOrder, const N: usize>(record: &[u8], at: usize) -> Option<[
 /// Whether a file may end at the byte `end`.
 fn is_padding(storage: &Storage, end: u64) -> bool {
     let mut buffer = Vec::new();
-    let rest = if storage.size() - end <= HEAD { storage.piece(end..storage.size(), &mut buffer).ok() } else { None };
+    let rest = if storage.size() - end <= HEAD {
+        storage.piece(end..storage.size(), &mut buffer).ok()
+    } else {
+        None
+    };
     rest.is_some_and(|rest| rest.iter().all(|byte| matches!(byte, b'\n' | b'\r' | 0)))
 }

@@ -21,23 +21,38 @@ pub(in crate::mesh::ply) fn read(path: &Path, stream: &mut Stream) -> Option<Loa
 }
 
 /// The mesh in `stream`, whose header is within the `first` bytes.
-pub(super) fn read_in_blocks(path: &Path, stream: &mut Stream, first: usize, block: usize) -> Option<Loaded> {
+pub(super) fn read_in_blocks(
+    path: &Path,
+    stream: &mut Stream,
+    first: usize,
+    block: usize,
+) -> Option<Loaded> {
     let mut text = Vec::with_capacity(first);
     let mut is_end = !fill(&mut text, &mut stream.content, first)?;
     let header = Header::parse(path, &text[..text.len().min(HEAD as usize)]).ok()?;
-    let form = Form::of(&header).filter(|form| header.encoding == Encoding::Ascii && form.layout.lead.values == 0)?;
+    let form = Form::of(&header)
+        .filter(|form| header.encoding == Encoding::Ascii && form.layout.lead.values == 0)?;
     text.drain(..header.size);
     let mut mesh = GrowingMesh::new(&form, stream.trusted_size);
     let mut next = Vec::with_capacity(text.capacity());
     while !is_end {
-        let whole_lines = text.iter().rposition(|byte| *byte == b'\n').map_or(0, |end| end + 1);
+        let whole_lines = text
+            .iter()
+            .rposition(|byte| *byte == b'\n')
+            .map_or(0, |end| end + 1);
         if whole_lines == 0 && text.len() > HEAD as usize {
             return None;
         }
         next.clear();
         next.extend_from_slice(&text[whole_lines..]);
         let (more, pushed) = rayon::join(
-            || fill(&mut next, &mut stream.content, block.max(2 * (text.len() - whole_lines))),
+            || {
+                fill(
+                    &mut next,
+                    &mut stream.content,
+                    block.max(2 * (text.len() - whole_lines)),
+                )
+            },
             || mesh.push(&text[..whole_lines]),
         );
         pushed?;
@@ -50,7 +65,10 @@ pub(super) fn read_in_blocks(path: &Path, stream: &mut Stream, first: usize, blo
 
 /// Reads until `text` has `size` bytes; whether there may be more. Nothing where the content is damaged.
 fn fill(text: &mut Vec<u8>, content: &mut (impl Read + ?Sized), size: usize) -> Option<bool> {
-    content.take((size - text.len()) as u64).read_to_end(text).ok()?;
+    content
+        .take((size - text.len()) as u64)
+        .read_to_end(text)
+        .ok()?;
     Some(text.len() == size)
 }
 
@@ -69,22 +87,34 @@ impl<'a> GrowingMesh<'a> {
     fn new(form: &'a Form, size: usize) -> GrowingMesh<'a> {
         let vertices = Vec::with_capacity(form.vertices.min(size / Self::SHORTEST[0]));
         let triangles = Vec::with_capacity(form.faces.min(size / Self::SHORTEST[1]));
-        GrowingMesh { form, vertices, faces: 0, triangles }
+        GrowingMesh {
+            form,
+            vertices,
+            faces: 0,
+            triangles,
+        }
     }
 
     /// Adds what is in `text`, which is whole lines.
     fn push(&mut self, text: &[u8]) -> Option<()> {
         let (lines, rest) = first_lines(text, self.form.vertices - self.vertices.len())?;
         let known = self.vertices.len();
-        self.vertices.resize(known + Tally::of(lines).lines(), Point::default());
+        self.vertices
+            .resize(known + Tally::of(lines).lines(), Point::default());
         vertex_lines::read(lines, &self.form.properties, &mut self.vertices[known..])?;
 
         let (lines, rest) = first_lines(rest, self.form.faces - self.faces)?;
         let tally = Tally::of(lines);
         let known = self.triangles.len();
         self.faces += tally.lines();
-        self.triangles.resize(known + tally.triangles(), Default::default());
-        face_lines::read(lines, self.form, &self.vertices, &mut self.triangles[known..])?;
+        self.triangles
+            .resize(known + tally.triangles(), Default::default());
+        face_lines::read(
+            lines,
+            self.form,
+            &self.vertices,
+            &mut self.triangles[known..],
+        )?;
 
         rest.iter().all(|byte| *byte <= b' ').then_some(())
     }
@@ -93,14 +123,23 @@ impl<'a> GrowingMesh<'a> {
     fn finish(mut self) -> Option<TriangleMesh> {
         self.triangles.shrink_to_fit();
         self.vertices.shrink_to_fit();
-        let is_complete = self.vertices.len() == self.form.vertices && self.faces == self.form.faces;
+        let is_complete =
+            self.vertices.len() == self.form.vertices && self.faces == self.form.faces;
         let is_complete = is_complete && u32::try_from(self.triangles.len()).is_ok();
-        is_complete.then_some(TriangleMesh { vertices: self.vertices, triangles: self.triangles, uv: None })
+        is_complete.then_some(TriangleMesh {
+            vertices: self.vertices,
+            triangles: self.triangles,
+            uv: None,
+        })
     }
 }
 
 /// The first lines of `text`, `most` at most, and what follows.
 fn first_lines(text: &[u8], most: usize) -> Option<(&[u8], &[u8])> {
-    let length = if Tally::of(text).lines() <= most { text.len() } else { line_start(text, most)? };
+    let length = if Tally::of(text).lines() <= most {
+        text.len()
+    } else {
+        line_start(text, most)?
+    };
     Some(text.split_at(length))
 }

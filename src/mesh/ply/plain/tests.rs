@@ -32,23 +32,38 @@ fn check(bytes: &[u8]) -> bool {
             assert_eq!(told(&Ok(loaded)), expected, "in blocks of {block} bytes");
         }
     }
-    assert!(times_read == 0 || times_read == 6, "the size of blocks has no influence");
+    assert!(
+        times_read == 0 || times_read == 6,
+        "the size of blocks has no influence"
+    );
     for block in [1, 30, 1 << 14] {
         if let Some(loaded) = read_as_stream(bytes, block) {
             assert_eq!(told(&Ok(loaded)), expected, "as a stream of {block} bytes");
         }
     }
-    assert_eq!(told(&ply::parse_any(path, bytes, &Budget::of_bytes(bytes.len()))), expected);
+    assert_eq!(
+        told(&ply::parse_any(path, bytes, &Budget::of_bytes(bytes.len()))),
+        expected
+    );
     times_read > 0
 }
 
 /// Reads `bytes` in blocks that begin to be small right after the header.
 fn read_as_stream(bytes: &[u8], block: usize) -> Option<Loaded> {
     let end = b"end_header";
-    let end = bytes.windows(end.len()).position(|window| window == end).map_or(0, |at| at + end.len());
-    let line_end = bytes[end..].iter().position(|byte| *byte == b'\n').map_or(0, |at| at + 1);
+    let end = bytes
+        .windows(end.len())
+        .position(|window| window == end)
+        .map_or(0, |at| at + end.len());
+    let line_end = bytes[end..]
+        .iter()
+        .position(|byte| *byte == b'\n')
+        .map_or(0, |at| at + 1);
     let first = end + line_end + block;
-    let mut stream = Stream { content: Box::new(bytes), trusted_size: bytes.len() };
+    let mut stream = Stream {
+        content: Box::new(bytes),
+        trusted_size: bytes.len(),
+    };
     super::stream::read_in_blocks(Path::new(PATH), &mut stream, first, block)
 }
 
@@ -67,24 +82,47 @@ fn header(encoding: &str, vertices: usize, faces: usize, kind: &str) -> String {
 }
 
 fn two_lines(vertices: &str, faces: &str) -> String {
-    header("ascii", vertices.lines().count(), faces.lines().count(), "float") + vertices + faces
+    header(
+        "ascii",
+        vertices.lines().count(),
+        faces.lines().count(),
+        "float",
+    ) + vertices
+        + faces
 }
 
 const VERTICES: &str = "0 0 9 0\n1 0 9 0\n1 1 9 0\n.5 .2 9 0\n0 1 9 0\n";
 
 #[test]
 fn plain_text_is_read() {
-    assert!(is_plain(&two_lines(VERTICES, "3 0 1 2\n4 0 1 2 3\n3 0 2 4\n")));
-    assert!(is_plain(&two_lines(VERTICES, "5 0 1 2 3 4\n3 0 1 2")), "a polygon, and no end of the last line");
-    assert!(is_plain(&two_lines(VERTICES, "3 0 1 2 \n3\t0  1 2\n").replace('\n', "\r\n")));
+    assert!(is_plain(&two_lines(
+        VERTICES,
+        "3 0 1 2\n4 0 1 2 3\n3 0 2 4\n"
+    )));
+    assert!(
+        is_plain(&two_lines(VERTICES, "5 0 1 2 3 4\n3 0 1 2")),
+        "a polygon, and no end of the last line"
+    );
+    assert!(is_plain(
+        &two_lines(VERTICES, "3 0 1 2 \n3\t0  1 2\n").replace('\n', "\r\n")
+    ));
     assert!(is_plain(&two_lines(
         "+1 -0 x 1e-3\n  nan\tinf 1 -1e999\n0.1234567890123456789 12345678.5 0 16777217\n",
         "3 0 +1 002\n"
     )));
-    assert!(is_plain(&(two_lines(VERTICES, "3 0 1 2\n") + "\n \t\n\n  ")));
-    assert!(is_plain(&two_lines(VERTICES, "3 0 1 2\n").replace("float", "double").replace("0 0 9", "0.1 3 9")));
+    assert!(is_plain(
+        &(two_lines(VERTICES, "3 0 1 2\n") + "\n \t\n\n  ")
+    ));
+    assert!(is_plain(
+        &two_lines(VERTICES, "3 0 1 2\n")
+            .replace("float", "double")
+            .replace("0 0 9", "0.1 3 9")
+    ));
     let more = two_lines(VERTICES, "3 0 1 2 7 x\n3 0 1 3 8 y\n");
-    assert!(is_plain(&more.replace("end_header", "property uchar red\nproperty uchar green\nend_header")));
+    assert!(is_plain(&more.replace(
+        "end_header",
+        "property uchar red\nproperty uchar green\nend_header"
+    )));
 }
 
 #[test]
@@ -102,8 +140,12 @@ fn odd_text_is_left_alone() {
         plain.replace(last, "3 0 1 4\n3 0 1 2\n"),
         plain.replace(last, "3 0 1 4\n\0\x0b\nx"),
         plain.replace(last, "10 0 1 2 3 4 0 1 2 3 4\n"),
-        plain.replace(last, "03 0 1 4\n").replace("3 0 1 2\n", "03 0 1 2\n"),
-        plain.replace(last, " 3 0 1 4\n").replace("1 1 9", "1 1 1 9"),
+        plain
+            .replace(last, "03 0 1 4\n")
+            .replace("3 0 1 2\n", "03 0 1 2\n"),
+        plain
+            .replace(last, " 3 0 1 4\n")
+            .replace("1 1 9", "1 1 1 9"),
         plain.replace(last, ""),
         plain.replace("1 1 9 0\n", "1 1 9 0\n\n"),
         plain.replace("1 1 9 0\n", "1 1 9 0 5\n"),
@@ -147,14 +189,19 @@ fn line_end() -> impl Strategy<Value = &'static str> {
 fn any_text() -> impl Strategy<Value = String> {
     let vertex = (number(), blank(), number(), blank(), number(), line_end());
     let vertex = vertex.prop_map(|(x, a, y, b, z, end)| format!("{x}{a}{y}{b}255 {z}{end}"));
-    let corners =
-        prop_oneof![12 => proptest::collection::vec(0..12_u32, 3..5), 1 => proptest::collection::vec(0..30_u32, 0..12)];
+    let corners = prop_oneof![12 => proptest::collection::vec(0..12_u32, 3..5), 1 => proptest::collection::vec(0..30_u32, 0..12)];
     let face = (corners, blank(), line_end()).prop_map(|(corners, blank, end)| {
-        let corners: String = corners.iter().map(|corner| format!("{blank}{corner}")).collect();
+        let corners: String = corners
+            .iter()
+            .map(|corner| format!("{blank}{corner}"))
+            .collect();
         format!("{}{corners}{end}", corners.split_whitespace().count())
     });
     let kind = prop_oneof![Just("float"), Just("double")];
-    let bodies = (proptest::collection::vec(vertex, 12..30), proptest::collection::vec(face, 1..20));
+    let bodies = (
+        proptest::collection::vec(vertex, 12..30),
+        proptest::collection::vec(face, 1..20),
+    );
     (bodies, kind).prop_map(|((vertices, faces), kind)| {
         header("ascii", vertices.len(), faces.len(), kind) + &vertices.concat() + &faces.concat()
     })
@@ -168,37 +215,44 @@ fn any_bytes() -> impl Strategy<Value = Vec<u8>> {
         proptest::collection::vec(face, 1..12)
     });
     let vertices = proptest::collection::vec(any::<[f32; 3]>(), 9..12);
-    (vertices, corners, any::<[bool; 2]>(), 0..4_usize).prop_map(|(vertices, faces, [is_big, is_double], padding)| {
-        let encoding = if is_big { "binary_big_endian" } else { "binary_little_endian" };
-        let kind = if is_double { "double" } else { "float" };
-        let mut bytes = header(encoding, vertices.len(), faces.len(), kind).into_bytes();
-        let mut push = |mut value: Vec<u8>| {
-            if is_big {
-                value.reverse();
+    (vertices, corners, any::<[bool; 2]>(), 0..4_usize).prop_map(
+        |(vertices, faces, [is_big, is_double], padding)| {
+            let encoding = if is_big {
+                "binary_big_endian"
+            } else {
+                "binary_little_endian"
+            };
+            let kind = if is_double { "double" } else { "float" };
+            let mut bytes = header(encoding, vertices.len(), faces.len(), kind).into_bytes();
+            let mut push = |mut value: Vec<u8>| {
+                if is_big {
+                    value.reverse();
+                }
+                bytes.extend(value);
+            };
+            for [x, y, z] in vertices {
+                let mut real = |value: f32| match is_double {
+                    true => push(f64::from(value).to_le_bytes().to_vec()),
+                    false => push(value.to_le_bytes().to_vec()),
+                };
+                real(x);
+                real(y);
+                push(vec![7]);
+                let mut real = |value: f32| match is_double {
+                    true => push(f64::from(value).to_le_bytes().to_vec()),
+                    false => push(value.to_le_bytes().to_vec()),
+                };
+                real(z);
             }
-            bytes.extend(value);
-        };
-        for [x, y, z] in vertices {
-            let mut real = |value: f32| match is_double {
-                true => push(f64::from(value).to_le_bytes().to_vec()),
-                false => push(value.to_le_bytes().to_vec()),
-            };
-            real(x);
-            real(y);
-            push(vec![7]);
-            let mut real = |value: f32| match is_double {
-                true => push(f64::from(value).to_le_bytes().to_vec()),
-                false => push(value.to_le_bytes().to_vec()),
-            };
-            real(z);
-        }
-        for face in faces {
-            push(vec![face.len() as u8]);
-            face.iter().for_each(|corner| push(corner.to_le_bytes().to_vec()));
-        }
-        bytes.extend([b"\n\r\0", &b"\0"[..], b"", b"x"][padding]);
-        bytes
-    })
+            for face in faces {
+                push(vec![face.len() as u8]);
+                face.iter()
+                    .for_each(|corner| push(corner.to_le_bytes().to_vec()));
+            }
+            bytes.extend([b"\n\r\0", &b"\0"[..], b"", b"x"][padding]);
+            bytes
+        },
+    )
 }
 
 proptest! {
@@ -260,13 +314,18 @@ fn compressed_files_are_read_as_a_stream() {
     let compressed = crate::mesh::tests::gzipped(text.as_bytes());
     let path = Path::new(PATH);
     let storage = Storage::Memory(&compressed);
-    let loaded =
-        gzip::stream(&storage, &Budget::default(), |stream| super::read_stream(path, stream)).expect("it is plain");
+    let loaded = gzip::stream(&storage, &Budget::default(), |stream| {
+        super::read_stream(path, stream)
+    })
+    .expect("it is plain");
     assert_eq!(told(&Ok(loaded)), slowly(text.as_bytes()));
     for length in 0..compressed.len() {
         let cut = Storage::Memory(&compressed[..length]);
         assert!(
-            gzip::stream(&cut, &Budget::default(), |stream| super::read_stream(path, stream)).is_none(),
+            gzip::stream(&cut, &Budget::default(), |stream| super::read_stream(
+                path, stream
+            ))
+            .is_none(),
             "cut off at {length}"
         );
     }

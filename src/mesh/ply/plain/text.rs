@@ -18,19 +18,42 @@ pub(super) fn read(storage: &Storage, start: u64, form: &Form, block: u64) -> Op
     }
     let span = start..end(storage, start)?;
     let blocks = cut(storage, span, block)?;
-    if blocks.iter().map(|block| block.tally.lines()).sum::<usize>() != form.vertices + form.faces {
+    if blocks
+        .iter()
+        .map(|block| block.tally.lines())
+        .sum::<usize>()
+        != form.vertices + form.faces
+    {
         return None;
     }
     let (vertex_blocks, face_blocks) = parted(storage, blocks, form.vertices)?;
     let room = room(&face_blocks, form)?;
 
     let mut vertices = defaults(form.vertices)?;
-    let read_vertices = |text: &[u8], points: &mut [Point]| vertex_lines::read(text, &form.properties, points);
-    fill(storage, &vertex_blocks, &mut vertices, |block| block.tally.lines(), read_vertices)?;
+    let read_vertices =
+        |text: &[u8], points: &mut [Point]| vertex_lines::read(text, &form.properties, points);
+    fill(
+        storage,
+        &vertex_blocks,
+        &mut vertices,
+        |block| block.tally.lines(),
+        read_vertices,
+    )?;
     let mut triangles = defaults(room)?;
-    let read_faces = |text: &[u8], places: &mut [[u32; 3]]| face_lines::read(text, form, &vertices, places);
-    fill(storage, &face_blocks, &mut triangles, |block| block.tally.triangles(), read_faces)?;
-    Some(TriangleMesh { vertices, triangles, uv: None })
+    let read_faces =
+        |text: &[u8], places: &mut [[u32; 3]]| face_lines::read(text, form, &vertices, places);
+    fill(
+        storage,
+        &face_blocks,
+        &mut triangles,
+        |block| block.tally.triangles(),
+        read_faces,
+    )?;
+    Some(TriangleMesh {
+        vertices,
+        triangles,
+        uv: None,
+    })
 }
 
 /// The end of the last line, without blanks and empty lines.
@@ -44,7 +67,11 @@ fn end(storage: &Storage, start: u64) -> Option<u64> {
 }
 
 /// The blocks of the first `vertices` lines, and those of the others.
-fn parted(storage: &Storage, mut blocks: Vec<Block>, vertices: usize) -> Option<(Vec<Block>, Vec<Block>)> {
+fn parted(
+    storage: &Storage,
+    mut blocks: Vec<Block>,
+    vertices: usize,
+) -> Option<(Vec<Block>, Vec<Block>)> {
     let mut before = 0;
     let border = blocks.iter().position(|block| {
         before += block.tally.lines();
@@ -65,7 +92,8 @@ fn room(blocks: &[Block], form: &Form) -> Option<usize> {
         (2 * corners) as u64 <= block.span.end - block.span.start
     };
     let triangles: usize = blocks.iter().map(|block| block.tally.triangles()).sum();
-    let is_possible = blocks.iter().all(holds) && triangles >= form.faces && u32::try_from(triangles).is_ok();
+    let is_possible =
+        blocks.iter().all(holds) && triangles >= form.faces && u32::try_from(triangles).is_ok();
     is_possible.then_some(triangles)
 }
 
@@ -84,8 +112,10 @@ fn fill<T: Send>(
         tasks.push((block.span.clone(), places));
         rest = others;
     }
-    tasks.into_par_iter().try_for_each_init(Vec::new, |buffer, (span, places)| {
-        let text = storage.piece(span, buffer).ok()?;
-        read(text, places)
-    })
+    tasks
+        .into_par_iter()
+        .try_for_each_init(Vec::new, |buffer, (span, places)| {
+            let text = storage.piece(span, buffer).ok()?;
+            read(text, places)
+        })
 }

@@ -12,7 +12,9 @@ pub(super) fn read(text: &[u8], properties: &[VertexProperty], points: &mut [Poi
         let mut point = [0.0; 3];
         for property in properties {
             match property.axis {
-                Some(axis) if property.kind == Scalar::F32 => point[axis] = f64::from(lines.real()? as f32),
+                Some(axis) if property.kind == Scalar::F32 => {
+                    point[axis] = f64::from(lines.real()? as f32)
+                }
                 Some(axis) => point[axis] = lines.real()?,
                 None => lines.skip()?,
             }

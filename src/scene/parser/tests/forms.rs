@@ -4,7 +4,9 @@ use super::super::keyword::KEYWORDS;
 use super::super::{ActiveTransform, Statement as S, Values};
 use super::{parameters, parse, statement, statements, values};
 
-const MATRIX: [f64; 16] = [1., 2., 3., 4., 5., 6., 7., 8., 9., 10., 11., 12., 13., 14., 15., 16.];
+const MATRIX: [f64; 16] = [
+    1., 2., 3., 4., 5., 6., 7., 8., 9., 10., 11., 12., 13., 14., 15., 16.,
+];
 const ROWS: &str = "1 2 3 4  5 6 7 8\n9 10 11 12  13 14 15 16";
 
 #[test]
@@ -40,17 +42,29 @@ fn fixed_numbers_with_and_without_brackets() {
     for (keyword, numbers, expected) in cases {
         assert_eq!(statement(&format!("{keyword} {numbers}")), expected);
         assert_eq!(statement(&format!("{keyword}[{numbers}]")), expected);
-        assert_eq!(statement(&format!("{keyword} [ {numbers} # note\n ]")), expected);
+        assert_eq!(
+            statement(&format!("{keyword} [ {numbers} # note\n ]")),
+            expected
+        );
     }
 }
 
 #[test]
 fn directives_with_a_string() {
-    for keyword in ["CoordinateSystem", "CoordSysTransform", "Include", "Import", "ObjectBegin", "ObjectInstance"] {
+    for keyword in [
+        "CoordinateSystem",
+        "CoordSysTransform",
+        "Include",
+        "Import",
+        "ObjectBegin",
+        "ObjectInstance",
+    ] {
         let source = format!("{keyword} \"a b\"");
         let text = match statement(&source) {
             S::CoordinateSystem(text) | S::CoordSysTransform(text) => text,
-            S::Include(text) | S::Import(text) | S::ObjectBegin(text) | S::ObjectInstance(text) => text,
+            S::Include(text) | S::Import(text) | S::ObjectBegin(text) | S::ObjectInstance(text) => {
+                text
+            }
             other => panic!("{other:?}"),
         };
         assert_eq!(text.text, "a b");
@@ -63,14 +77,24 @@ fn directives_with_parameters() {
     for keyword in ["Camera", "Film", "Accelerator", "Shape", "Attribute"] {
         let source = format!("{keyword} \"type\" \"float a\" 1 \"point3 P\" [0 1 2]");
         let entity = match statement(&source) {
-            S::Camera(entity) | S::Film(entity) | S::Accelerator(entity) | S::Shape(entity) => entity,
+            S::Camera(entity) | S::Film(entity) | S::Accelerator(entity) | S::Shape(entity) => {
+                entity
+            }
             S::Attribute(entity) => entity,
             other => panic!("{other:?}"),
         };
         assert_eq!(entity.name.text, "type");
-        let [a, p] = &entity.parameters[..] else { panic!("{entity:?}") };
-        assert_eq!((&*a.type_name, &*a.name, &a.values), ("float", "a", &Values::Numbers(vec![1.])));
-        assert_eq!((&*p.type_name, &*p.name, &p.values), ("point3", "P", &Values::Numbers(vec![0., 1., 2.])));
+        let [a, p] = &entity.parameters[..] else {
+            panic!("{entity:?}")
+        };
+        assert_eq!(
+            (&*a.type_name, &*a.name, &a.values),
+            ("float", "a", &Values::Numbers(vec![1.]))
+        );
+        assert_eq!(
+            (&*p.type_name, &*p.name, &p.values),
+            ("point3", "P", &Values::Numbers(vec![0., 1., 2.]))
+        );
         assert_eq!(&source[p.span.clone()], "\"point3 P\"");
         assert_eq!(&source[p.values_span.clone()], "[0 1 2]");
     }
@@ -78,9 +102,18 @@ fn directives_with_parameters() {
 
 #[test]
 fn active_transforms() {
-    assert_eq!(statement("ActiveTransform StartTime"), S::ActiveTransform(ActiveTransform::StartTime));
-    assert_eq!(statement("ActiveTransform EndTime"), S::ActiveTransform(ActiveTransform::EndTime));
-    assert_eq!(statement("ActiveTransform All"), S::ActiveTransform(ActiveTransform::All));
+    assert_eq!(
+        statement("ActiveTransform StartTime"),
+        S::ActiveTransform(ActiveTransform::StartTime)
+    );
+    assert_eq!(
+        statement("ActiveTransform EndTime"),
+        S::ActiveTransform(ActiveTransform::EndTime)
+    );
+    assert_eq!(
+        statement("ActiveTransform All"),
+        S::ActiveTransform(ActiveTransform::All)
+    );
 }
 
 #[test]
@@ -99,16 +132,31 @@ fn directives_without_influence() {
     ];
     for case in cases {
         let keyword = case.split(' ').next().expect("a word");
-        assert!(matches!(statement(case), S::Ignored(ignored) if ignored == keyword), "{case}");
+        assert!(
+            matches!(statement(case), S::Ignored(ignored) if ignored == keyword),
+            "{case}"
+        );
     }
 }
 
 #[test]
 fn every_keyword_takes_one_of_these_forms() {
-    let arguments =
-        ["", "1 2", "1 2 3", "1 2 3 4", "1 2 3 4 5 6 7 8 9", ROWS, "All", "\"a\"", "\"a\" 1", "\"a\" \"b\" \"c\""];
+    let arguments = [
+        "",
+        "1 2",
+        "1 2 3",
+        "1 2 3 4",
+        "1 2 3 4 5 6 7 8 9",
+        ROWS,
+        "All",
+        "\"a\"",
+        "\"a\" 1",
+        "\"a\" \"b\" \"c\"",
+    ];
     for keyword in KEYWORDS {
-        let takes = |arguments: &&str| parse(format!("{keyword} {arguments}").as_bytes()).is_ok_and(|d| d.len() == 1);
+        let takes = |arguments: &&str| {
+            parse(format!("{keyword} {arguments}").as_bytes()).is_ok_and(|d| d.len() == 1)
+        };
         assert!(arguments.iter().any(takes), "{keyword}");
     }
 }
@@ -118,33 +166,68 @@ fn spans_end_with_the_last_argument() {
     let source = "WorldBegin # here\n  Translate 1 2 3  # there\n Shape \"s\" \"float r\" 1 # end\nScale [1 1 1] \n";
     let directives = parse(source.as_bytes()).expect("directives");
     let text: Vec<&str> = directives.iter().map(|d| &source[d.span.clone()]).collect();
-    assert_eq!(text, ["WorldBegin", "Translate 1 2 3", "Shape \"s\" \"float r\" 1", "Scale [1 1 1]"]);
-    let keywords: Vec<&str> = directives.iter().map(|d| &source[d.keyword.clone()]).collect();
+    assert_eq!(
+        text,
+        [
+            "WorldBegin",
+            "Translate 1 2 3",
+            "Shape \"s\" \"float r\" 1",
+            "Scale [1 1 1]"
+        ]
+    );
+    let keywords: Vec<&str> = directives
+        .iter()
+        .map(|d| &source[d.keyword.clone()])
+        .collect();
     assert_eq!(keywords, ["WorldBegin", "Translate", "Shape", "Scale"]);
 }
 
 #[test]
 fn values_of_every_kind() {
     let strings = |source| match values(source) {
-        Values::Strings(texts) => texts.into_iter().map(|t| t.text.into_owned()).collect::<Vec<_>>(),
+        Values::Strings(texts) => texts
+            .into_iter()
+            .map(|t| t.text.into_owned())
+            .collect::<Vec<_>>(),
         other => panic!("{other:?}"),
     };
     assert_eq!(values("\"float r\" 1.5"), Values::Numbers(vec![1.5]));
-    assert_eq!(values("\"integer indices\" [0 1 2]"), Values::Numbers(vec![0., 1., 2.]));
-    assert_eq!(values("\"point P\"[0,1,2,]"), Values::Numbers(vec![0., 1., 2.]));
+    assert_eq!(
+        values("\"integer indices\" [0 1 2]"),
+        Values::Numbers(vec![0., 1., 2.])
+    );
+    assert_eq!(
+        values("\"point P\"[0,1,2,]"),
+        Values::Numbers(vec![0., 1., 2.])
+    );
     assert_eq!(strings("\"string filename\" \"a.ply\""), ["a.ply"]);
-    assert_eq!(strings("\"string filename\" [ \"a\"\"b\" , \"c\" ]"), ["a", "b", "c"]);
+    assert_eq!(
+        strings("\"string filename\" [ \"a\"\"b\" , \"c\" ]"),
+        ["a", "b", "c"]
+    );
     assert_eq!(strings("\"string s\" [ \"true\" ]"), ["true"]);
     assert_eq!(strings("\"string s\" \"float fov\""), ["float fov"]);
     assert_eq!(values("\"bool b\" true"), Values::Booleans(vec![true]));
-    assert_eq!(values("\"bool b\" [ true false ]"), Values::Booleans(vec![true, false]));
-    assert_eq!(values("\"bool b\" \"false\""), Values::Booleans(vec![false]));
-    assert_eq!(values("\"bool b\" [ \"true\" \"false\" ]"), Values::Booleans(vec![true, false]));
+    assert_eq!(
+        values("\"bool b\" [ true false ]"),
+        Values::Booleans(vec![true, false])
+    );
+    assert_eq!(
+        values("\"bool b\" \"false\""),
+        Values::Booleans(vec![false])
+    );
+    assert_eq!(
+        values("\"bool b\" [ \"true\" \"false\" ]"),
+        Values::Booleans(vec![true, false])
+    );
     assert_eq!(values("\"spectrum s\" [ ]"), Values::None);
     assert_eq!(values("\"spectrum s\" [ # nothing\n]"), Values::None);
 }
 
 #[test]
 fn a_name_may_occur_twice() {
-    assert_eq!(parameters("Shape \"s\" \"float r\" 1 \"float r\" 2").len(), 2);
+    assert_eq!(
+        parameters("Shape \"s\" \"float r\" 1 \"float r\" 2").len(),
+        2
+    );
 }

@@ -5,7 +5,9 @@ use super::message;
 /// The first line of an error and its notes, without the excerpt.
 fn brief(source: &str) -> String {
     let message = message(source);
-    let lines = message.lines().filter(|line| !line.contains(" | ") && !line.ends_with(" |"));
+    let lines = message
+        .lines()
+        .filter(|line| !line.contains(" | ") && !line.ends_with(" |"));
     lines.collect::<Vec<_>>().join("\n")
 }
 
@@ -26,7 +28,10 @@ fn unclosed_bracket() {
  2 |   \"point3 P\" [ 0 0 0 1
    |              ^
    = expected `]` before `Shape` at line 4, column 1";
-    assert_eq!(message("Shape \"trianglemesh\"\n  \"point3 P\" [ 0 0 0 1\n 2 3\nShape \"sphere\""), expected);
+    assert_eq!(
+        message("Shape \"trianglemesh\"\n  \"point3 P\" [ 0 0 0 1\n 2 3\nShape \"sphere\""),
+        expected
+    );
 }
 
 #[test]
@@ -47,7 +52,10 @@ fn too_few_numbers() {
  2 | Translate 1 2
    | ^^^^^^^^^
    = expected a number before `Shape` at line 3, column 1";
-    assert_eq!(message("WorldBegin\nTranslate 1 2\nShape \"sphere\""), expected);
+    assert_eq!(
+        message("WorldBegin\nTranslate 1 2\nShape \"sphere\""),
+        expected
+    );
 }
 
 #[test]
@@ -121,12 +129,30 @@ fn the_others_in_brief() {
             "Transform [1 0]",
             "1:1: `Transform` needs 16 numbers, but only 2 follow\n   = expected a number before `]` at line 1, column 15",
         ),
-        ("Scale [1 1 1", "1:7: this `[` is not closed\n   = expected `]` before the end of the file"),
-        ("Scale [1 1 1 1]", "1:14: the number `1` is one argument too many for `Scale`\n   = `Scale` takes 3 numbers"),
-        ("Scale 1, x, 1", "1:10: found `x` where a number is expected\n   = `Scale` takes 3 numbers"),
-        ("Scale 1 1 1 , ,1", "1:16: the number `1` is one argument too many for `Scale`\n   = `Scale` takes 3 numbers"),
-        ("\"abc", "1:1: this string is not closed\n   = a string ends with `\"` on the line where it begins"),
-        ("Scale 1 1.2.3 1", "1:9: found `1.2.3` where a number is expected\n   = `Scale` takes 3 numbers"),
+        (
+            "Scale [1 1 1",
+            "1:7: this `[` is not closed\n   = expected `]` before the end of the file",
+        ),
+        (
+            "Scale [1 1 1 1]",
+            "1:14: the number `1` is one argument too many for `Scale`\n   = `Scale` takes 3 numbers",
+        ),
+        (
+            "Scale 1, x, 1",
+            "1:10: found `x` where a number is expected\n   = `Scale` takes 3 numbers",
+        ),
+        (
+            "Scale 1 1 1 , ,1",
+            "1:16: the number `1` is one argument too many for `Scale`\n   = `Scale` takes 3 numbers",
+        ),
+        (
+            "\"abc",
+            "1:1: this string is not closed\n   = a string ends with `\"` on the line where it begins",
+        ),
+        (
+            "Scale 1 1.2.3 1",
+            "1:9: found `1.2.3` where a number is expected\n   = `Scale` takes 3 numbers",
+        ),
         (
             "Shape\nWorldEnd",
             "1:1: `Shape` needs a string in quotes\n   = expected it before `WorldEnd` at line 2, column 1",
@@ -155,13 +181,22 @@ fn the_others_in_brief() {
             "Shape \"s\" \"bool b\" [\"yes\"]",
             "1:21: found the string \"yes\" where a boolean is expected\n   = expected `true` or `false`",
         ),
-        ("Shape \"s\" \"float r\" 0x10", "1:21: found `0x10` where a value is expected\n   = `0x10` is not a number"),
-        ("Shape \"s\" \"float r\" ]", "1:21: found `]` where a value is expected"),
+        (
+            "Shape \"s\" \"float r\" 0x10",
+            "1:21: found `0x10` where a value is expected\n   = `0x10` is not a number",
+        ),
+        (
+            "Shape \"s\" \"float r\" ]",
+            "1:21: found `]` where a value is expected",
+        ),
         (
             "Shape \"s\" \"float r\" [[1]]",
             "1:22: found `[` in an array\n   = the array begins at line 1, column 21: is its `]` missing?",
         ),
-        ("Shape \"s\" \"float r\" [1 true]", "1:24: found `true` where a number is expected"),
+        (
+            "Shape \"s\" \"float r\" [1 true]",
+            "1:24: found `true` where a number is expected",
+        ),
         (
             "Shape \"s\" \"string s\" [\"a\" 1]",
             "1:27: found the number `1` in an array of strings\n   = the array begins at line 1, column 22: is its `]` missing?",
@@ -190,18 +225,42 @@ fn the_others_in_brief() {
             "12",
             "1:1: found the number `12` where a directive is expected\n   = a scene begins with a directive such as `LookAt` or `Camera`",
         ),
-        ("foo", "1:1: unknown directive `foo`\n   = expected a directive such as `Shape` or `Translate`"),
-        ("Foo [ 1 [ 2 ] \"a\"", "1:5: this `[` is not closed\n   = expected `]` before the end of the file"),
-        ("Foo [ 1 Shape", "1:5: this `[` is not closed\n   = expected `]` before `Shape` at line 1, column 9"),
-        ("Foo \"a", "1:5: this string is not closed\n   = a string ends with `\"` on the line where it begins"),
-        ("Foo 1 ]", "1:7: this `]` closes nothing\n   = there is no `[` that is still open before it"),
-        ("Foo bar", "1:5: unknown directive `bar`\n   = expected a directive such as `Shape` or `Translate`"),
-        ("Shapes \"sphere\"", "1:1: unknown directive `Shapes`\n   = did you mean `Shape`?"),
+        (
+            "foo",
+            "1:1: unknown directive `foo`\n   = expected a directive such as `Shape` or `Translate`",
+        ),
+        (
+            "Foo [ 1 [ 2 ] \"a\"",
+            "1:5: this `[` is not closed\n   = expected `]` before the end of the file",
+        ),
+        (
+            "Foo [ 1 Shape",
+            "1:5: this `[` is not closed\n   = expected `]` before `Shape` at line 1, column 9",
+        ),
+        (
+            "Foo \"a",
+            "1:5: this string is not closed\n   = a string ends with `\"` on the line where it begins",
+        ),
+        (
+            "Foo 1 ]",
+            "1:7: this `]` closes nothing\n   = there is no `[` that is still open before it",
+        ),
+        (
+            "Foo bar",
+            "1:5: unknown directive `bar`\n   = expected a directive such as `Shape` or `Translate`",
+        ),
+        (
+            "Shapes \"sphere\"",
+            "1:1: unknown directive `Shapes`\n   = did you mean `Shape`?",
+        ),
         (
             "Include \"a\\d.pbrt\"",
             "1:11: unknown escape `\\d` in a string\n   = write `\\\\` for a backslash; paths take `/` on every system",
         ),
-        ("ActiveTransform Allx", "1:17: found `Allx` where `StartTime`, `EndTime` or `All` is expected"),
+        (
+            "ActiveTransform Allx",
+            "1:17: found `Allx` where `StartTime`, `EndTime` or `All` is expected",
+        ),
         (
             "ActiveTransform",
             "1:1: `ActiveTransform` needs `StartTime`, `EndTime` or `All`\n   = expected it before the end of the file",
@@ -219,20 +278,33 @@ fn files_that_are_no_text() {
         "a.pbrt: this is gzip data, compressed twice\n   = expected the text of a PBRT scene, compressed once or not at all"
     );
     let utf16 = "a.pbrt: this file is UTF-16 text\n   = expected ASCII or UTF-8: save it as UTF-8";
-    for source in [&b"\xff\xfeL\0o\0"[..], b"\xfe\xff\0L\0o", b"L\0o\0o\0", b"\0L\0o"] {
+    for source in [
+        &b"\xff\xfeL\0o\0"[..],
+        b"\xfe\xff\0L\0o",
+        b"L\0o\0o\0",
+        b"\0L\0o",
+    ] {
         assert_eq!(message(source), utf16);
     }
     let binary = "a.pbrt: this is a binary file\n   = expected the text of a PBRT scene";
     assert_eq!(message(b"\x7fELF\0\0\0"), binary);
-    let pointer =
-        "a.pbrt: this is a Git LFS pointer: the scene itself has not been fetched\n   = `git lfs pull` fetches it";
-    assert_eq!(message(b"version https://git-lfs.github.com/spec/v1\noid sha256:00\n"), pointer);
-    assert!(message(b"\x80\x81\x82").contains("found bytes that are not text where a directive is expected"));
+    let pointer = "a.pbrt: this is a Git LFS pointer: the scene itself has not been fetched\n   = `git lfs pull` fetches it";
+    assert_eq!(
+        message(b"version https://git-lfs.github.com/spec/v1\noid sha256:00\n"),
+        pointer
+    );
+    assert!(
+        message(b"\x80\x81\x82")
+            .contains("found bytes that are not text where a directive is expected")
+    );
 }
 
 #[test]
 fn long_tokens_are_cut() {
     let message = message("x".repeat(100_000));
     assert!(message.len() < 500, "{message}");
-    assert!(message.starts_with(&format!("a.pbrt:1:1: unknown directive `{}...`\n", "x".repeat(40))));
+    assert!(message.starts_with(&format!(
+        "a.pbrt:1:1: unknown directive `{}...`\n",
+        "x".repeat(40)
+    )));
 }

@@ -47,7 +47,20 @@ fn survives_the_scene_cut_anywhere() {
 
 #[test]
 fn survives_long_tokens_and_deep_brackets() {
-    for piece in ["[", "]", "\"", "\\", "9", "x", "#", ",", " ", "Shape ", "Shape \"", "AttributeBegin "] {
+    for piece in [
+        "[",
+        "]",
+        "\"",
+        "\\",
+        "9",
+        "x",
+        "#",
+        ",",
+        " ",
+        "Shape ",
+        "Shape \"",
+        "AttributeBegin ",
+    ] {
         survives(piece.repeat(200_000).as_bytes());
         survives(format!("Shape \"s\" \"float f\" [ {}", piece.repeat(200_000)).as_bytes());
     }

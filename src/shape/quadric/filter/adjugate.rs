@@ -19,8 +19,16 @@ pub(super) struct Adjugate {
 impl Adjugate {
     pub(super) fn new(m: &Matrix, scale: f64) -> Adjugate {
         let [x, y, z] = [0, 1, 2].map(|j| Vector::from(m.column(j).map(|entry| entry / scale)));
-        let terms = [y.absolute_cross(z), z.absolute_cross(x), x.absolute_cross(y)];
-        Adjugate { column: x, rows: [y.cross(z), z.cross(x), x.cross(y)], terms }
+        let terms = [
+            y.absolute_cross(z),
+            z.absolute_cross(x),
+            x.absolute_cross(y),
+        ];
+        Adjugate {
+            column: x,
+            rows: [y.cross(z), z.cross(x), x.cross(y)],
+            terms,
+        }
     }
 
     /// Row `k` times `v`, of which each component may be rounded once. An entry passes two roundings, and three more
@@ -28,6 +36,9 @@ impl Adjugate {
     pub(super) fn row_times(&self, k: usize, v: Vector) -> Approximation {
         let size = v.absolute();
         let underflow = ENTRY_UNDERFLOW * (size.x + size.y + size.z + 1.0);
-        Approximation::within(self.rows[k].dot(v), 8.0 * U * self.terms[k].dot(size) + underflow)
+        Approximation::within(
+            self.rows[k].dot(v),
+            8.0 * U * self.terms[k].dot(size) + underflow,
+        )
     }
 }

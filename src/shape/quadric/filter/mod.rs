@@ -43,11 +43,15 @@ impl Quadric {
         match &self.form {
             Form::Sphere(None) => first_hit(space.roots(o, d), |_| Some(true)),
             Form::Sphere(Some(cut)) => first_hit(space.roots(o, d), |t| space.is_there(t, cut)),
-            Form::Cylinder(cut) => match first_hit(space.roots(&across(o), &across(d)), |t| space.is_there(t, cut)) {
+            Form::Cylinder(cut) => match first_hit(space.roots(&across(o), &across(d)), |t| {
+                space.is_there(t, cut)
+            }) {
                 Verdict::Unsure if space.misses_between_ends(cut) => Verdict::Miss,
                 verdict => verdict,
             },
-            Form::Disk(disk) => first_hit(space.crossing(disk), |t| space.is_in_ring(t, disk, self.radius)),
+            Form::Disk(disk) => first_hit(space.crossing(disk), |t| {
+                space.is_in_ring(t, disk, self.radius)
+            }),
         }
     }
 
@@ -67,7 +71,9 @@ impl Quadric {
 /// The first of the roots that is there.
 #[inline]
 fn first_hit(roots: Roots, is_there: impl Fn(Approximation) -> Option<bool>) -> Verdict {
-    let Some(roots) = roots else { return Verdict::Unsure };
+    let Some(roots) = roots else {
+        return Verdict::Unsure;
+    };
     if let [Some(nearer), Some(farther)] = &roots
         && !nearer.bracket().is_below(&farther.bracket())
     {
@@ -79,7 +85,11 @@ fn first_hit(roots: Roots, is_there: impl Fn(Approximation) -> Option<bool>) -> 
         match is_there(t) {
             Some(true) => {
                 let bracket = t.bracket();
-                return if bracket.low > 0.0 { Verdict::Hit(bracket) } else { Verdict::Unsure };
+                return if bracket.low > 0.0 {
+                    Verdict::Hit(bracket)
+                } else {
+                    Verdict::Unsure
+                };
             }
             Some(false) => {}
             None => return Verdict::Unsure,
@@ -134,7 +144,11 @@ impl ScaledSpace {
         // From within, the discriminant is positive, and one root is behind; but if d is 0 across the axis, there is none, and a
         // division by 0 says nothing. Where the sign of b is not sure, both forms are good.
         let root = discriminant.square_root();
-        let t = if b.sign() == Some(Greater) { (-c).over(b + root) } else { (root - b).over(a) };
+        let t = if b.sign() == Some(Greater) {
+            (-c).over(b + root)
+        } else {
+            (root - b).over(a)
+        };
         Some([Some(t), None])
     }
 
@@ -166,7 +180,9 @@ impl ScaledSpace {
     fn side(&self, point: &Approximations, sign: Ordering, plane: &Plane) -> Option<Ordering> {
         let offset = Approximation::exactly(plane.offset) * self.determinant;
         let difference = dot(&plane.normal.map(Approximation::exactly), point) - offset;
-        difference.sign().map(|side| if sign == Less { side.reverse() } else { side })
+        difference
+            .sign()
+            .map(|side| if sign == Less { side.reverse() } else { side })
     }
 
     /// Whether the point at `t`, which is in the plane of `disk`, is there.
@@ -175,7 +191,9 @@ impl ScaledSpace {
         let sign = self.determinant.sign()?;
         let [x, y, _] = point;
         let distance = x.square() + y.square();
-        let from_axis = |limit: f64| (distance - (Approximation::exactly(limit) * self.determinant).square()).sign();
+        let from_axis = |limit: f64| {
+            (distance - (Approximation::exactly(limit) * self.determinant).square()).sign()
+        };
         disk.holds(radius, from_axis, |plane| self.side(&point, sign, plane))
     }
 
@@ -190,8 +208,9 @@ impl ScaledSpace {
         let is_within = is(pp - square_of_radius, Less) && is(dot(&q, &q) - square_of_radius, Less);
         // The tangent across p: the circle reaches R |p| along p.
         let pq = dot(&p, &q);
-        let is_beside =
-            is(pp - square_of_radius, Greater) && is(pq, Greater) && is(pq.square() - square_of_radius * pp, Greater);
+        let is_beside = is(pp - square_of_radius, Greater)
+            && is(pq, Greater)
+            && is(pq.square() - square_of_radius * pp, Greater);
         is_within || is_beside
     }
 }

@@ -37,13 +37,19 @@ fn form() -> impl Strategy<Value = Form> {
 
 /// The same for another radius.
 fn scaled(form: Form, radius: f64) -> Form {
-    let cut = |cut: Cut| Cut { z_min: cut.z_min * radius, z_max: cut.z_max * radius, ..cut };
+    let cut = |cut: Cut| Cut {
+        z_min: cut.z_min * radius,
+        z_max: cut.z_max * radius,
+        ..cut
+    };
     match form {
         Form::Sphere(part) => Form::Sphere(part.map(cut)),
         Form::Cylinder(part) => Form::Cylinder(cut(part)),
-        Form::Disk(disk) => {
-            Form::Disk(Disk { height: disk.height * radius, inner_radius: disk.inner_radius * radius, ..disk })
-        }
+        Form::Disk(disk) => Form::Disk(Disk {
+            height: disk.height * radius,
+            inner_radius: disk.inner_radius * radius,
+            ..disk
+        }),
     }
 }
 
@@ -128,14 +134,38 @@ proptest! {
 /// Rays parallel to the axis, which no root tells of.
 #[test]
 fn nothing_is_left_open_where_a_cylinder_is_seen_along_its_axis() {
-    let tilted = Matrix { rows: [[0.6, 0.0, 0.8, 0.1], [0.0, 1.0, 0.0, 0.2], [-0.8, 0.0, 0.6, 0.3]] };
+    let tilted = Matrix {
+        rows: [
+            [0.6, 0.0, 0.8, 0.1],
+            [0.0, 1.0, 0.0, 0.2],
+            [-0.8, 0.0, 0.6, 0.3],
+        ],
+    };
     for world_from_object in [Matrix::IDENTITY, tilted, Matrix::scale([1.0, 1.0, 1e-9])] {
         let form = Form::Cylinder(Cut::of_cylinder(-1.0, 2.0, 300.0));
-        let quadric = Quadric { world_from_object, radius: 1.0, form };
-        for [x, y] in [[0.0, 0.0], [0.9, 0.1], [0.7, -0.7], [0.8, 0.8], [1.1, 0.0], [-3.0, 2.0]] {
+        let quadric = Quadric {
+            world_from_object,
+            radius: 1.0,
+            form,
+        };
+        for [x, y] in [
+            [0.0, 0.0],
+            [0.9, 0.1],
+            [0.7, -0.7],
+            [0.8, 0.8],
+            [1.1, 0.0],
+            [-3.0, 2.0],
+        ] {
             let origin = world_from_object.apply(Point::new(x, y, -5.0));
-            let ray = Ray { origin, direction: Vector::from(world_from_object.column(2)) };
-            assert_eq!(quadric.filter(&FilterRay::new(&ray)), Verdict::Miss, "{x} {y} {world_from_object:?}");
+            let ray = Ray {
+                origin,
+                direction: Vector::from(world_from_object.column(2)),
+            };
+            assert_eq!(
+                quadric.filter(&FilterRay::new(&ray)),
+                Verdict::Miss,
+                "{x} {y} {world_from_object:?}"
+            );
         }
     }
 }

@@ -27,8 +27,19 @@ pub(crate) struct Embree<'a> {
 }
 
 impl<'a> Embree<'a> {
-    pub(crate) fn new(view: &'a View, device: &'a Device, input: &Arc<Input>, quality: Quality) -> Embree<'a> {
-        Embree { view, device, quality, input: Arc::clone(input), scene: None }
+    pub(crate) fn new(
+        view: &'a View,
+        device: &'a Device,
+        input: &Arc<Input>,
+        quality: Quality,
+    ) -> Embree<'a> {
+        Embree {
+            view,
+            device,
+            quality,
+            input: Arc::clone(input),
+            scene: None,
+        }
     }
 }
 
@@ -57,7 +68,14 @@ impl Competitor for Embree<'_> {
     fn trace(&self, mode: usize, picture: &mut Picture) -> Duration {
         let scene = self.scene.as_ref().expect("built before it is traced");
         let start = Instant::now();
-        picture.fill_bands(|band| Packets { scene, rays: &self.view.rays, question: MODES[mode] }.fill(band));
+        picture.fill_bands(|band| {
+            Packets {
+                scene,
+                rays: &self.view.rays,
+                question: MODES[mode],
+            }
+            .fill(band)
+        });
         start.elapsed()
     }
 }

@@ -42,11 +42,16 @@ impl Packets<'_> {
     fn aim(&self, packet: &mut Packet, band: &Band, x0: usize, row: usize) {
         let (columns, rows) = (SIDE.min(band.width - x0), SIDE.min(band.height - row));
         packet.set_valid(|lane| lane % SIDE < columns && lane / SIDE < rows);
-        let varying = if self.rays.is_perspective() { packet.directions() } else { packet.origins() };
+        let varying = if self.rays.is_perspective() {
+            packet.directions()
+        } else {
+            packet.origins()
+        };
         for axis in 0..3 {
             for i in 0..SIDE {
                 let y = band.y0 + row + i.min(rows - 1);
-                varying[axis][i * SIDE..][..SIDE].copy_from_slice(&self.rays.varying::<SIDE>(axis, x0, y));
+                varying[axis][i * SIDE..][..SIDE]
+                    .copy_from_slice(&self.rays.varying::<SIDE>(axis, x0, y));
             }
         }
     }
@@ -71,7 +76,11 @@ impl Packets<'_> {
 #[inline]
 fn put<T: Copy>(values: &mut [T], width: usize, lanes: &[T; LANES], x0: usize, row: usize) {
     let columns = SIDE.min(width - x0);
-    for (row, lanes) in values.chunks_exact_mut(width).skip(row).zip(lanes.chunks_exact(SIDE)) {
+    for (row, lanes) in values
+        .chunks_exact_mut(width)
+        .skip(row)
+        .zip(lanes.chunks_exact(SIDE))
+    {
         row[x0..x0 + columns].copy_from_slice(&lanes[..columns]);
     }
 }

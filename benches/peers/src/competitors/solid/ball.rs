@@ -13,8 +13,16 @@ pub(in super::super) struct Ball {
 
 impl Solid for Ball {
     fn all_of(geometry: &Geometry) -> Vec<Ball> {
-        let Geometry::Spheres(spheres) = geometry else { return Vec::new() };
-        spheres.iter().map(|&[x, y, z, radius]| Ball { centre: vec3a(x, y, z), radius }).collect()
+        let Geometry::Spheres(spheres) = geometry else {
+            return Vec::new();
+        };
+        spheres
+            .iter()
+            .map(|&[x, y, z, radius]| Ball {
+                centre: vec3a(x, y, z),
+                radius,
+            })
+            .collect()
     }
 
     #[inline]
@@ -34,7 +42,11 @@ impl Solid for Ball {
             return None;
         }
         let half = square.sqrt();
-        let t = if middle - half > 0.0 { middle - half } else { middle + half };
+        let t = if middle - half > 0.0 {
+            middle - half
+        } else {
+            middle + half
+        };
         (t > 0.0 && t < t_max).then_some(t)
     }
 }
@@ -45,10 +57,25 @@ mod tests {
 
     #[test]
     fn is_hit_from_outside_and_inside() {
-        let ball = Ball { centre: vec3a(0.0, 0.0, 10.0), radius: 2.0 };
-        let hit = |z, direction| ball.intersect(vec3a(0.0, 0.0, z), vec3a(0.0, 0.0, direction), f32::INFINITY);
-        assert_eq!([hit(0.0, 2.0), hit(10.0, 2.0), hit(20.0, 2.0)], [Some(4.0), Some(1.0), None]);
-        assert_eq!(ball.intersect(vec3a(0.0, 3.0, 0.0), vec3a(0.0, 0.0, 1.0), f32::INFINITY), None);
+        let ball = Ball {
+            centre: vec3a(0.0, 0.0, 10.0),
+            radius: 2.0,
+        };
+        let hit = |z, direction| {
+            ball.intersect(
+                vec3a(0.0, 0.0, z),
+                vec3a(0.0, 0.0, direction),
+                f32::INFINITY,
+            )
+        };
+        assert_eq!(
+            [hit(0.0, 2.0), hit(10.0, 2.0), hit(20.0, 2.0)],
+            [Some(4.0), Some(1.0), None]
+        );
+        assert_eq!(
+            ball.intersect(vec3a(0.0, 3.0, 0.0), vec3a(0.0, 0.0, 1.0), f32::INFINITY),
+            None
+        );
         assert_eq!(ball.intersect(Vec3A::ZERO, vec3a(0.0, 0.0, 1.0), 7.0), None);
     }
 }

@@ -41,7 +41,11 @@ impl Device {
     pub(super) fn check(&self) {
         // SAFETY: the handle is valid until `self` is dropped.
         let error = unsafe { ffi::rtcGetDeviceError(self.handle) };
-        assert_eq!(error, ffi::RTC_ERROR_NONE, "Embree reports an error, see `RTCError` in rtcore_device.h");
+        assert_eq!(
+            error,
+            ffi::RTC_ERROR_NONE,
+            "Embree reports an error, see `RTCError` in rtcore_device.h"
+        );
     }
 
     fn property(&self, property: u32) -> isize {

@@ -71,8 +71,21 @@ impl Packet {
         // A lane without a hit keeps this, and 1 more is 0.
         self.state.hit.prim_id = [u32::MAX; LANES];
         // SAFETY: the scene is committed, and all three structures are laid out and aligned as rtcore_ray.h says.
-        unsafe { ffi::rtcIntersect16(self.valid.0.as_ptr(), scene.handle, &mut self.context, &mut self.state) };
-        (&self.state.ray.tfar, self.state.hit.prim_id.map(|primitive| primitive.wrapping_add(1)))
+        unsafe {
+            ffi::rtcIntersect16(
+                self.valid.0.as_ptr(),
+                scene.handle,
+                &mut self.context,
+                &mut self.state,
+            )
+        };
+        (
+            &self.state.ray.tfar,
+            self.state
+                .hit
+                .prim_id
+                .map(|primitive| primitive.wrapping_add(1)),
+        )
     }
 
     /// Whether there is a hit: t is negative infinity where there is, and positive where there is none.
@@ -80,7 +93,14 @@ impl Packet {
     pub(crate) fn any_hits(&mut self, scene: &Scene) -> &[f32; LANES] {
         self.state.ray.tfar = [f32::INFINITY; LANES];
         // SAFETY: as above; the rays stand first in the structure of rays and hits, and are aligned like it.
-        unsafe { ffi::rtcOccluded16(self.valid.0.as_ptr(), scene.handle, &mut self.context, &mut self.state.ray) };
+        unsafe {
+            ffi::rtcOccluded16(
+                self.valid.0.as_ptr(),
+                scene.handle,
+                &mut self.context,
+                &mut self.state.ray,
+            )
+        };
         &self.state.ray.tfar
     }
 }

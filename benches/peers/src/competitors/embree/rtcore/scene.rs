@@ -43,9 +43,15 @@ pub(crate) enum Input {
 impl Input {
     pub(crate) fn new(geometry: &Geometry) -> Input {
         match geometry {
-            Geometry::Triangles { vertices, triangles } => {
+            Geometry::Triangles {
+                vertices,
+                triangles,
+            } => {
                 let padded_vertices = vertices.iter().copied().chain([[0.0; 3]]).collect();
-                Input::Triangles { padded_vertices, triangles: triangles.clone() }
+                Input::Triangles {
+                    padded_vertices,
+                    triangles: triangles.clone(),
+                }
             }
             Geometry::Spheres(spheres) => Input::Spheres(spheres.clone()),
         }
@@ -81,7 +87,10 @@ impl Scene {
             scene
         };
         device.check();
-        Scene { handle, _input: Arc::clone(input) }
+        Scene {
+            handle,
+            _input: Arc::clone(input),
+        }
     }
 }
 
@@ -93,21 +102,41 @@ unsafe fn new_geometry(device: &Device, input: &Input) -> ffi::RTCGeometry {
         unsafe { ffi::rtcNewGeometry(device.handle, kind) }
     };
     match input {
-        Input::Triangles { padded_vertices, triangles } => {
+        Input::Triangles {
+            padded_vertices,
+            triangles,
+        } => {
             let geometry = new(ffi::RTC_GEOMETRY_TYPE_TRIANGLE);
             let vertices = &padded_vertices[..padded_vertices.len() - 1];
             // SAFETY: formats and counts are those of the arrays, which the caller keeps; behind the last vertex
             // there are 12 readable bytes more.
             unsafe {
-                share(geometry, ffi::RTC_BUFFER_TYPE_VERTEX, ffi::RTC_FORMAT_FLOAT3, vertices);
-                share(geometry, ffi::RTC_BUFFER_TYPE_INDEX, ffi::RTC_FORMAT_UINT3, triangles);
+                share(
+                    geometry,
+                    ffi::RTC_BUFFER_TYPE_VERTEX,
+                    ffi::RTC_FORMAT_FLOAT3,
+                    vertices,
+                );
+                share(
+                    geometry,
+                    ffi::RTC_BUFFER_TYPE_INDEX,
+                    ffi::RTC_FORMAT_UINT3,
+                    triangles,
+                );
             }
             geometry
         }
         Input::Spheres(spheres) => {
             let geometry = new(ffi::RTC_GEOMETRY_TYPE_SPHERE_POINT);
             // SAFETY: format and count are those of the array, which the caller keeps.
-            unsafe { share(geometry, ffi::RTC_BUFFER_TYPE_VERTEX, ffi::RTC_FORMAT_FLOAT4, spheres) };
+            unsafe {
+                share(
+                    geometry,
+                    ffi::RTC_BUFFER_TYPE_VERTEX,
+                    ffi::RTC_FORMAT_FLOAT4,
+                    spheres,
+                )
+            };
             geometry
         }
     }
@@ -119,7 +148,16 @@ unsafe fn share<T>(geometry: ffi::RTCGeometry, kind: u32, format: u32, items: &[
     // SAFETY: pointer, stride and count describe `items`.
     unsafe {
         let pointer = items.as_ptr().cast();
-        ffi::rtcSetSharedGeometryBuffer(geometry, kind, 0, format, pointer, 0, size_of::<T>(), items.len());
+        ffi::rtcSetSharedGeometryBuffer(
+            geometry,
+            kind,
+            0,
+            format,
+            pointer,
+            0,
+            size_of::<T>(),
+            items.len(),
+        );
     }
 }
 
