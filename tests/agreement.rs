@@ -10,7 +10,7 @@ use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::camera::{Camera, Projection, ScreenWindow};
 use feimos::film::{ChannelName, PixelBounds};
 use feimos::geometry::{Matrix, Point, Transform, Vector};
-use feimos::shape::{Cut, Disk, Form, Shapes};
+use feimos::shape::{Cut, Disk, Form, Geometry};
 use proptest::prelude::*;
 use std::path::PathBuf;
 
@@ -95,21 +95,21 @@ fn setting() -> impl Strategy<Value = Setting> {
 }
 
 impl Setting {
-    fn shapes(&self) -> Shapes {
+    fn geometry(&self) -> Geometry {
         let turn = Transform::rotate(f64::from(self.turn), Vector::new(1.0, 2.0, 3.0)).matrix;
-        let mut shapes = Shapes::default();
+        let mut geometry = Geometry::default();
         let (first, second) = self.triangles.split_at(self.triangles.len() / 2);
-        add_mesh(&mut shapes, first, &turn, 1);
+        add_mesh(&mut geometry, first, &turn, 1);
         for (ball, shape) in self.balls.iter().zip(2..) {
             let place = Matrix::translate(ball.centre.map(f64::from)).times(&turn);
             let transform =
-                shapes.add_transform(place.times(&Matrix::scale(ball.stretch.map(f64::from))));
-            shapes
+                geometry.add_transform(place.times(&Matrix::scale(ball.stretch.map(f64::from))));
+            geometry
                 .add_quadric(f64::from(ball.radius), ball.form(), transform, shape)
                 .unwrap();
         }
-        add_mesh(&mut shapes, second, &turn, 100);
-        shapes
+        add_mesh(&mut geometry, second, &turn, 100);
+        geometry
     }
 
     fn camera(&self) -> Camera {
@@ -138,7 +138,7 @@ impl Setting {
 }
 
 fn add_mesh(
-    shapes: &mut Shapes,
+    geometry: &mut Geometry,
     triangles: &[[Corner; 3]],
     world_from_object: &Matrix,
     shape: u32,
@@ -148,7 +148,7 @@ fn add_mesh(
         .iter()
         .map(|triangle| triangle.map(point))
         .collect();
-    add_triangles(shapes, &triangles, world_from_object, shape);
+    add_triangles(geometry, &triangles, world_from_object, shape);
 }
 
 proptest! {
@@ -157,19 +157,19 @@ proptest! {
     #[test]
     fn accelerators_agree(setting in setting()) {
         for precision in Precision::ALL {
-            agreed_picture(&setting.camera(), &setting.shapes(), precision);
+            agreed_picture(&setting.camera(), &setting.geometry(), precision);
         }
     }
 
     /// Pixels of a crop are those of the whole picture.
     #[test]
     fn crops_agree(setting in setting(), x in 0u32..9, y in 0u32..9) {
-        let (camera, shapes) = (setting.camera(), setting.shapes());
+        let (camera, geometry) = (setting.camera(), setting.geometry());
         let [width, height] = camera.resolution;
         let crop = PixelBounds { x0: x % width, x1: width, y0: y % height, y1: height };
         let options = BuildOptions::new(SplitMethod::Sah);
-        let image = picture(&camera, &shapes, options, Precision::Exact, 2, whole(&camera)).image;
-        let part = picture(&camera, &shapes, options, Precision::Exact, 1, crop).image;
+        let image = picture(&camera, &geometry, options, Precision::Exact, 2, whole(&camera)).image;
+        let part = picture(&camera, &geometry, options, Precision::Exact, 1, crop).image;
         let (prim, part) = (image.numbers(ChannelName::Prim).unwrap(), part.numbers(ChannelName::Prim).unwrap());
         for (row, y) in (crop.y0..crop.y1).enumerate() {
             let of_whole = &prim[(y * width + crop.x0) as usize..(y * width + crop.x1) as usize];
@@ -190,7 +190,7 @@ fn hard_scenes_agree_and_hold_no_nan() {
             continue;
         }
         let scene = scene(&path);
-        let image = agreed_picture(&scene.camera, &scene.shapes, Precision::Fast).image;
+        let image = agreed_picture(&scene.camera, &scene.geometry, Precision::Fast).image;
         for name in [ChannelName::Z, ChannelName::T] {
             let nan = image
                 .measures(name)
@@ -216,8 +216,8 @@ fn trees_do_not_depend_on_the_number_of_threads() {
             ]
         })
         .collect();
-    let mut shapes = Shapes::default();
-    add_mesh(&mut shapes, &grid, &Matrix::IDENTITY, 1);
+    let mut geometry = Geometry::default();
+    add_mesh(&mut geometry, &grid, &Matrix::IDENTITY, 1);
     for method in SplitMethod::ALL {
         let trees = [1, 2, 5].map(|threads| {
             let pool = rayon::ThreadPoolBuilder::new()
@@ -227,7 +227,7 @@ fn trees_do_not_depend_on_the_number_of_threads() {
             let options = BuildOptions::new(method);
             pool.install(|| {
                 feimos::accel::Aggregate::build(
-                    &shapes,
+                    &geometry,
                     Point::default(),
                     options,
                     feimos::progress::Progress::SILENT,
@@ -241,9 +241,9 @@ fn trees_do_not_depend_on_the_number_of_threads() {
 /// A triangle in whose plane the eye is: its edge functions are 0 all along a row of pixels, and its nearness is nothing.
 #[test]
 fn a_triangle_seen_edge_on_is_not_hit() {
-    let mut shapes = Shapes::default();
+    let mut geometry = Geometry::default();
     add_mesh(
-        &mut shapes,
+        &mut geometry,
         &[[[-4, 0, 2], [4, 0, 2], [0, 0, 4]]],
         &Matrix::IDENTITY,
         1,
@@ -256,7 +256,7 @@ fn a_triangle_seen_edge_on_is_not_hit() {
     };
     for precision in Precision::ALL {
         assert_eq!(
-            agreed_picture(&camera, &shapes, precision).traced.hits,
+            agreed_picture(&camera, &geometry, precision).traced.hits,
             0,
             "{precision}"
         );
@@ -266,25 +266,25 @@ fn a_triangle_seen_edge_on_is_not_hit() {
 /// A tie between a triangle and a sphere, and between triangles of two meshes: the first in the file wins.
 #[test]
 fn ties_go_to_the_first_in_the_file() {
-    let mut shapes = Shapes::default();
+    let mut geometry = Geometry::default();
     let plate = [[[-9, -9, 2], [9, -9, 2], [0, 9, 2]]];
-    let transform = shapes.add_transform(Matrix::translate([0.0, 0.0, 3.0]));
+    let transform = geometry.add_transform(Matrix::translate([0.0, 0.0, 3.0]));
     let camera = Camera {
         world_from_camera: Matrix::IDENTITY,
         projection: Projection::perspective(90.0),
         screen_window: ScreenWindow::of_aspect(1.0),
         resolution: [1, 1],
     };
-    let first = |shapes: &Shapes| {
-        agreed_picture(&camera, shapes, Precision::Exact)
+    let first = |geometry: &Geometry| {
+        agreed_picture(&camera, geometry, Precision::Exact)
             .image
             .numbers(ChannelName::Prim)
             .unwrap()[0]
     };
-    shapes.add_sphere(1.0, None, transform, 1).unwrap();
-    add_mesh(&mut shapes, &plate, &Matrix::IDENTITY, 2);
-    assert_eq!(first(&shapes), 1);
-    let mut reversed = Shapes::default();
+    geometry.add_sphere(1.0, None, transform, 1).unwrap();
+    add_mesh(&mut geometry, &plate, &Matrix::IDENTITY, 2);
+    assert_eq!(first(&geometry), 1);
+    let mut reversed = Geometry::default();
     add_mesh(&mut reversed, &plate, &Matrix::IDENTITY, 1);
     add_mesh(&mut reversed, &plate, &Matrix::IDENTITY, 2);
     let transform = reversed.add_transform(Matrix::translate([0.0, 0.0, 3.0]));

@@ -28,7 +28,7 @@ static EXACT: LazyLock<(Scene, Image, Judge)> = LazyLock::new(|| {
     let window = whole(&scene.camera);
     let image = picture(
         &scene.camera,
-        &scene.shapes,
+        &scene.geometry,
         options,
         Precision::Exact,
         2,

@@ -55,7 +55,7 @@ static PICTURE: LazyLock<Image> = LazyLock::new(|| {
     let options = BuildOptions::new(SplitMethod::Sah);
     picture(
         &scene.camera,
-        &scene.shapes,
+        &scene.geometry,
         options,
         Precision::Exact,
         1,
@@ -258,7 +258,7 @@ proptest! {
                 Difference::MissedHit => ("missed hit", None),
                 Difference::WrongPrimitive => ("wrong primitive", None),
                 Difference::Depth(ulps) => ("wrong depth", Some(*ulps)),
-                Difference::Surface(_) => panic!("no such fault is put in"),
+                Difference::Primitive(_) => panic!("no such fault is put in"),
                 Difference::None => panic!("listed"),
             };
             prop_assert_eq!((&pixel["kind"], &pixel["ulps"]), (&json!(kind), &json!(ulps)));

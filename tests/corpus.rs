@@ -35,7 +35,7 @@ fn outcome(path: &Path) -> String {
         Ok(scene) => {
             format!(
                 "{}\t{}\t{}\t",
-                scene.shapes.primitive_count(),
+                scene.geometry.primitive_count(),
                 scene.census.left_out(),
                 hits(&scene, path)
             )
@@ -59,10 +59,16 @@ fn hits(scene: &Scene, path: &Path) -> u64 {
             level: Level::detect(),
             tree: Tree::OfView,
         };
-        picture_by(&scene.camera, &scene.shapes, way, Precision::Exact, window)
+        picture_by(
+            &scene.camera,
+            &scene.geometry,
+            way,
+            Precision::Exact,
+            window,
+        )
     };
     let rendering = by(SplitMethod::Sah);
-    if scene.shapes.primitive_count() < MOST_FOR_NONE {
+    if scene.geometry.primitive_count() < MOST_FOR_NONE {
         let expected = by(SplitMethod::None);
         assert_same(
             &expected.image,

@@ -3,7 +3,7 @@
 mod common;
 
 use common::{scene, whole};
-use feimos::accel::{Aggregate, BuildOptions, Precision, SplitMethod, Tracer, Work};
+use feimos::accel::{Aggregate, BuildOptions, Precision, SplitMethod, Tracer, TraversalCounts};
 use feimos::film::{ChannelName, Image, PixelBounds};
 use feimos::progress::Progress;
 use feimos::render::{RenderOptions, Rendering, render};
@@ -25,7 +25,7 @@ fn named(name: &str) -> Scene {
 
 fn tree(scene: &Scene, method: SplitMethod) -> Aggregate {
     Aggregate::build(
-        &scene.shapes,
+        &scene.geometry,
         scene.camera.anchor(),
         BuildOptions::new(method),
         Progress::SILENT,
@@ -51,7 +51,7 @@ fn rendered(scene: &Scene, tree: &Aggregate, options: &RenderOptions, threads: u
     pool.install(|| {
         render(
             &scene.camera,
-            &scene.shapes,
+            &scene.geometry,
             tree,
             options,
             Progress::SILENT,
@@ -74,10 +74,10 @@ fn is_what_a_ray_alone_tests() {
     {
         let scene = named(name);
         let tree = tree(&scene, method);
-        let mut tracer = Tracer::new(&tree, &scene.shapes, Precision::Exact);
-        let (mut hits, mut sum, mut expected) = (0, Work::default(), Vec::new());
+        let mut tracer = Tracer::new(&tree, &scene.geometry, Precision::Exact);
+        let (mut hits, mut sum, mut expected) = (0, TraversalCounts::default(), Vec::new());
         for (y, x) in (0..27).flat_map(|y| (0..48).map(move |x| (y, x))) {
-            let mut work = Work::default();
+            let mut work = TraversalCounts::default();
             hits += u64::from(
                 tracer
                     .closest_hit_counted(&scene.camera.ray(x, y), &mut work)
@@ -177,7 +177,7 @@ fn without_a_tree_is_all_there_is() {
     let scene = named("triangles.pbrt");
     let tree = tree(&scene, SplitMethod::None);
     let rendering = rendered(&scene, &tree, &options(&scene, &[ChannelName::Cost]), 2);
-    let all = scene.shapes.primitive_count() as u32;
+    let all = scene.geometry.primitive_count() as u32;
     // The box around everything, and if the ray meets it, everything.
     assert!(
         costs(&rendering.image)

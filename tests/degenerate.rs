@@ -6,7 +6,7 @@ use common::{add_triangles, agreed_picture};
 use feimos::accel::Precision;
 use feimos::camera::{Camera, Projection, ScreenWindow};
 use feimos::geometry::{Matrix, Point, Transform, Vector};
-use feimos::shape::{Cut, Disk, Form, Shapes};
+use feimos::shape::{Cut, Disk, Form, Geometry};
 
 fn camera() -> Camera {
     let eye = Point::new(0.0, 0.0, -4.0);
@@ -28,20 +28,20 @@ fn triangle(z: f64) -> [Point; 3] {
     ]
 }
 
-fn mesh(triangles: impl IntoIterator<Item = [Point; 3]>) -> Shapes {
+fn mesh(triangles: impl IntoIterator<Item = [Point; 3]>) -> Geometry {
     let triangles: Vec<[Point; 3]> = triangles.into_iter().collect();
-    let mut shapes = Shapes::default();
-    add_triangles(&mut shapes, &triangles, &Matrix::IDENTITY, 1);
-    shapes
+    let mut geometry = Geometry::default();
+    add_triangles(&mut geometry, &triangles, &Matrix::IDENTITY, 1);
+    geometry
 }
 
-fn spheres(all: impl IntoIterator<Item = (Matrix, f64)>) -> Shapes {
-    let mut shapes = Shapes::default();
+fn spheres(all: impl IntoIterator<Item = (Matrix, f64)>) -> Geometry {
+    let mut geometry = Geometry::default();
     for (matrix, radius) in all {
-        let transform = shapes.add_transform(matrix);
-        shapes.add_sphere(radius, None, transform, 1).unwrap();
+        let transform = geometry.add_transform(matrix);
+        geometry.add_sphere(radius, None, transform, 1).unwrap();
     }
-    shapes
+    geometry
 }
 
 /// Pixels of the triangle at z = 0: their centres are 8/7 apart there, three lie in the row below the middle, one in
@@ -49,13 +49,13 @@ fn spheres(all: impl IntoIterator<Item = (Matrix, f64)>) -> Shapes {
 const IN_TRIANGLE: u64 = 5;
 
 /// Hits of the 49 pixels, on which all builders agree.
-fn hits(shapes: &Shapes) -> u64 {
-    Precision::ALL.map(|precision| agreed_picture(&camera(), shapes, precision).traced.hits)[0]
+fn hits(geometry: &Geometry) -> u64 {
+    Precision::ALL.map(|precision| agreed_picture(&camera(), geometry, precision).traced.hits)[0]
 }
 
 #[test]
 fn nothing() {
-    assert_eq!(hits(&Shapes::default()), 0);
+    assert_eq!(hits(&Geometry::default()), 0);
     assert_eq!(hits(&mesh([])), 0);
 }
 
@@ -89,17 +89,17 @@ fn zero_area() {
 
 #[test]
 fn non_finite() {
-    let mut shapes = vec![triangle(0.0)];
+    let mut geometry = vec![triangle(0.0)];
     for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         for axis in 0..3 {
             let mut corners = triangle(-1.0);
             let mut coordinates = corners[1].to_array();
             coordinates[axis] = wrong;
             corners[1] = coordinates.into();
-            shapes.push(corners);
+            geometry.push(corners);
         }
     }
-    assert_eq!(hits(&mesh(shapes)), IN_TRIANGLE);
+    assert_eq!(hits(&mesh(geometry)), IN_TRIANGLE);
     let wrong = [
         (Matrix::IDENTITY, f64::NAN),
         (Matrix::IDENTITY, f64::INFINITY),
@@ -110,7 +110,7 @@ fn non_finite() {
         (Matrix::scale([1.0, f64::INFINITY, 1.0]), 1.0),
     ];
     assert_eq!(hits(&spheres(wrong)), 0);
-    let mut others = Shapes::default();
+    let mut others = Geometry::default();
     for (matrix, radius) in wrong {
         let transform = others.add_transform(matrix);
         others

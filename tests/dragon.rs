@@ -16,7 +16,7 @@ fn sums(name: &str, method: SplitMethod) -> (u64, f64, f64) {
     );
     let rendering = picture(
         &scene.camera,
-        &scene.shapes,
+        &scene.geometry,
         BuildOptions::new(method),
         Precision::Exact,
         2,

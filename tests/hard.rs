@@ -85,11 +85,13 @@ fn rendered(
     threads: usize,
     window: PixelBounds,
 ) -> Answers {
-    let Scene { camera, shapes, .. } = &hard.scene;
+    let Scene {
+        camera, geometry, ..
+    } = &hard.scene;
     answers(
         &picture(
             camera,
-            shapes,
+            geometry,
             BuildOptions::new(method),
             precision,
             threads,

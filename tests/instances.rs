@@ -11,7 +11,7 @@ use feimos::exact::times_power_of_two;
 use feimos::film::{ChannelName, Image};
 use feimos::geometry::{Matrix, Point, Transform, Vector};
 use feimos::progress::Progress;
-use feimos::shape::{Cut, Disk, Form, Shapes};
+use feimos::shape::{Cut, Disk, Form, Geometry};
 use proptest::prelude::*;
 
 /// A shape of an object: triangles, or a sphere, a cylinder or a disk of that radius.
@@ -41,17 +41,17 @@ fn vertices(triangles: &[[Point; 3]]) -> (Vec<Point>, Vec<[u32; 3]>) {
     (triangles.iter().flatten().copied().collect(), indices)
 }
 
-fn add(shapes: &mut Shapes, part: &Part, world_from_object: &Matrix, number: u32) {
+fn add(geometry: &mut Geometry, part: &Part, world_from_object: &Matrix, number: u32) {
     match part {
         Part::Mesh(triangles) => {
             let (vertices, triangles) = vertices(triangles);
-            shapes
+            geometry
                 .add_mesh(vertices, triangles, world_from_object, number)
                 .unwrap();
         }
         Part::Round(radius, form) => {
-            let transform = shapes.add_transform(*world_from_object);
-            shapes
+            let transform = geometry.add_transform(*world_from_object);
+            geometry
                 .add_quadric(*radius, *form, transform, number)
                 .unwrap();
         }
@@ -60,51 +60,53 @@ fn add(shapes: &mut Shapes, part: &Part, world_from_object: &Matrix, number: u32
 
 impl World {
     /// The number of the first shape of an object, and the object itself as it is stored.
-    fn object(&self, object: usize) -> (u32, Shapes) {
+    fn object(&self, object: usize) -> (u32, Geometry) {
         let first = 1 + self.objects[..object].iter().map(Vec::len).sum::<usize>() as u32;
-        let mut shapes = Shapes::default();
+        let mut geometry = Geometry::default();
         for ((part, instance_from_object), number) in self.objects[object].iter().zip(first..) {
-            let transform = shapes.add_transform(*instance_from_object);
+            let transform = geometry.add_transform(*instance_from_object);
             match part {
                 Part::Mesh(triangles) => {
                     let (vertices, triangles) = vertices(triangles);
-                    shapes
+                    geometry
                         .add_object_mesh(vertices, triangles, transform, number)
                         .unwrap();
                 }
-                Part::Round(radius, form) => shapes
+                Part::Round(radius, form) => geometry
                     .add_quadric(*radius, *form, transform, number)
                     .unwrap(),
             }
         }
-        (first, shapes)
+        (first, geometry)
     }
 
-    fn instanced(&self) -> Shapes {
-        let mut shapes = Shapes::default();
+    fn instanced(&self) -> Geometry {
+        let mut geometry = Geometry::default();
         for object in 0..self.objects.len() {
-            shapes.add_object(self.object(object).1);
+            geometry.add_object(self.object(object).1);
         }
         for (item, number) in self.items.iter().zip(100..) {
             match item {
                 Item::Shape(part, world_from_object) => {
-                    add(&mut shapes, part, world_from_object, number)
+                    add(&mut geometry, part, world_from_object, number)
                 }
                 Item::Instance(object, world_from_instance) => {
-                    shapes.add_instance(*object, *world_from_instance).unwrap();
+                    geometry
+                        .add_instance(*object, *world_from_instance)
+                        .unwrap();
                 }
             }
         }
-        shapes
+        geometry
     }
 
     /// Every instance as shapes of its own, under the product of the transforms.
-    fn written_out(&self) -> Shapes {
-        let mut shapes = Shapes::default();
+    fn written_out(&self) -> Geometry {
+        let mut geometry = Geometry::default();
         for (item, number) in self.items.iter().zip(100..) {
             match item {
                 Item::Shape(part, world_from_object) => {
-                    add(&mut shapes, part, world_from_object, number)
+                    add(&mut geometry, part, world_from_object, number)
                 }
                 Item::Instance(object, world_from_instance) => {
                     let first = self.object(*object).0;
@@ -112,7 +114,7 @@ impl World {
                         self.objects[*object].iter().zip(first..)
                     {
                         add(
-                            &mut shapes,
+                            &mut geometry,
                             part,
                             &world_from_instance.times(instance_from_object),
                             number,
@@ -121,7 +123,7 @@ impl World {
                 }
             }
         }
-        shapes
+        geometry
     }
 }
 
@@ -245,11 +247,11 @@ proptest! {
 
     #[test]
     fn the_reference_agrees(world in world(), eye in eye(), orthographic in any::<bool>()) {
-        let (camera, shapes) = (camera(eye, orthographic, 7), world.instanced());
+        let (camera, geometry) = (camera(eye, orthographic, 7), world.instanced());
         for method in [SplitMethod::None, SplitMethod::Sah] {
             let options = BuildOptions { method, max_leaf: 1 };
-            let image = picture(&camera, &shapes, options, Precision::Exact, 1, whole(&camera)).image;
-            prop_assert_eq!(rendered(&image), judged(&camera, &shapes));
+            let image = picture(&camera, &geometry, options, Precision::Exact, 1, whole(&camera)).image;
+            prop_assert_eq!(rendered(&image), judged(&camera, &geometry));
         }
     }
 
@@ -282,7 +284,7 @@ proptest! {
 /// 65,792 instances of 65,538 triangles: more than `prim` can count.
 #[test]
 fn too_many_primitives_are_told_by_instance() {
-    let mut object = Shapes::default();
+    let mut object = Geometry::default();
     let transform = object.add_transform(Matrix::IDENTITY);
     // One behind the other.
     let layer = |z: u32| {
@@ -293,20 +295,20 @@ fn too_many_primitives_are_told_by_instance() {
     object
         .add_object_mesh(vertices, triangles, transform, 1)
         .unwrap();
-    let mut shapes = Shapes::default();
-    let object = shapes.add_object(object);
+    let mut geometry = Geometry::default();
+    let object = geometry.add_object(object);
     for instance in 0..65_792 {
         let place = Matrix::translate([
             f64::from(instance % 257) - 128.0,
             f64::from(instance / 257) - 128.0,
             200.0,
         ]);
-        shapes.add_instance(object, place).unwrap();
+        geometry.add_instance(object, place).unwrap();
     }
-    assert!(shapes.counts_within_instances());
+    assert!(geometry.counts_within_instances());
     let camera = camera(Matrix::translate([0.0, 0.0, 0.0]), false, 257);
     let options = BuildOptions::new(SplitMethod::Middle);
-    let image = picture_of(&camera, &shapes, options);
+    let image = picture_of(&camera, &geometry, options);
     let (prim, instance) = (
         image.numbers(ChannelName::Prim).unwrap(),
         image.numbers(ChannelName::Instance).unwrap(),
@@ -329,13 +331,13 @@ fn too_many_primitives_are_told_by_instance() {
 #[test]
 fn an_instance_takes_less_than_200_bytes() {
     let layer = [(-0.4, -0.4), (0.4, -0.4), (0.0, 0.4)].map(|(x, y)| Point::new(x, y, 0.0));
-    let mut object = Shapes::default();
+    let mut object = Geometry::default();
     let transform = object.add_transform(Matrix::IDENTITY);
     object
         .add_object_mesh(layer.to_vec(), vec![[0, 1, 2]], transform, 1)
         .unwrap();
-    let mut shapes = Shapes::default();
-    let object = shapes.add_object(object);
+    let mut geometry = Geometry::default();
+    let object = geometry.add_object(object);
     let count = 100_000;
     for instance in 0..count {
         // Places that follow no order.
@@ -343,18 +345,18 @@ fn an_instance_takes_less_than_200_bytes() {
             |prime: u32| f64::from((instance as u32).wrapping_mul(prime)) / f64::from(u32::MAX);
         let turn = Transform::rotate(360.0 * at(0x9e37_79b9), Vector::new(1.0, 2.0, 3.0)).matrix;
         let place = [at(0x85eb_ca6b), at(0xc2b2_ae35), at(0x27d4_eb2f)].map(|x| 100.0 * x);
-        shapes
+        geometry
             .add_instance(object, Matrix::translate(place).times(&turn))
             .unwrap();
     }
     for method in SplitMethod::ALL {
         let aggregate = Aggregate::build(
-            &shapes,
+            &geometry,
             Point::default(),
             BuildOptions::new(method),
             Progress::SILENT,
         );
-        let bytes = shapes.bytes() + aggregate.statistics(&shapes).bytes;
+        let bytes = geometry.bytes() + aggregate.statistics(&geometry).bytes;
         assert!(
             bytes < 200 * count,
             "{method}: {} bytes an instance",
@@ -364,12 +366,12 @@ fn an_instance_takes_less_than_200_bytes() {
 }
 
 /// Without the check of the tree, which would look at every primitive of every instance.
-fn picture_of(camera: &Camera, shapes: &Shapes, build: BuildOptions) -> Image {
+fn picture_of(camera: &Camera, geometry: &Geometry, build: BuildOptions) -> Image {
     let way = common::Way {
         build,
         threads: 2,
         level: feimos::simd::Level::detect(),
         tree: common::Tree::OfView,
     };
-    common::picture_by(camera, shapes, way, Precision::Exact, whole(camera)).image
+    common::picture_by(camera, geometry, way, Precision::Exact, whole(camera)).image
 }

@@ -26,7 +26,7 @@ fn load(text: &str) -> Scene {
 fn answers(text: &str) -> Vec<Option<(u32, f32, f32)>> {
     let scene = load(text);
     assert!(scene.warnings.is_empty());
-    let image = agreed_picture(&scene.camera, &scene.shapes, Precision::Exact).image;
+    let image = agreed_picture(&scene.camera, &scene.geometry, Precision::Exact).image;
     let [prim, z, t] =
         [ChannelName::Prim, ChannelName::Z, ChannelName::T].map(|name| bits_of(&image, name));
     let answer =
@@ -120,7 +120,7 @@ fn disks_facing_the_view() {
             .collect::<Vec<_>>(),
         [(message, 2)]
     );
-    assert_eq!(nothing.shapes.sphere_count(), 2);
+    assert_eq!(nothing.geometry.sphere_count(), 2);
 }
 
 /// The columns of the matrix are x, y + z and z: the disk lies in the plane z = y + 5, and rays go along (+-1/2, +-1/2, 1).
@@ -214,7 +214,7 @@ fn ends_cut_nothing_from_a_sphere_of_a_radius_below_0() {
             ["`zmin` and `zmax` are ignored, as in pbrt: the radius is below 0"]
         );
         let prim = bits_of(
-            &agreed_picture(&scene.camera, &scene.shapes, Precision::Exact).image,
+            &agreed_picture(&scene.camera, &scene.geometry, Precision::Exact).image,
             ChannelName::Prim,
         );
         assert!(

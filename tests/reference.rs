@@ -11,19 +11,27 @@ use feimos::exact::times_power_of_two;
 use feimos::geometry::{Matrix, Point, Transform, Vector};
 use feimos::progress::Progress;
 use feimos::scene::{LoadOptions, load};
-use feimos::shape::{Cut, Disk, Form, Shapes};
+use feimos::shape::{Cut, Disk, Form, Geometry};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseError;
 use std::path::Path;
 
-fn agrees_with_the_reference(camera: &Camera, shapes: &Shapes) -> Result<(), TestCaseError> {
-    let expected = judged(camera, shapes);
+fn agrees_with_the_reference(camera: &Camera, geometry: &Geometry) -> Result<(), TestCaseError> {
+    let expected = judged(camera, geometry);
     for method in [SplitMethod::None, SplitMethod::Sah] {
         let options = BuildOptions {
             method,
             max_leaf: 1,
         };
-        let image = picture(camera, shapes, options, Precision::Exact, 1, whole(camera)).image;
+        let image = picture(
+            camera,
+            geometry,
+            options,
+            Precision::Exact,
+            1,
+            whole(camera),
+        )
+        .image;
         prop_assert_eq!(&rendered(&image), &expected, "{}", method);
     }
     Ok(())
@@ -92,9 +100,9 @@ struct Ball {
 }
 
 impl Ball {
-    fn add_to(&self, shapes: &mut Shapes, shape: u32) {
-        let transform = shapes.add_transform(self.world_from_object);
-        shapes
+    fn add_to(&self, geometry: &mut Geometry, shape: u32) {
+        let transform = geometry.add_transform(self.world_from_object);
+        geometry
             .add_quadric(self.radius, self.form, transform, shape)
             .unwrap();
     }
@@ -180,10 +188,10 @@ fn the_scenes_to_try_are_right() {
         )
         .unwrap();
         assert!(
-            scene.warnings.is_empty() && scene.shapes.primitive_count() > 0,
+            scene.warnings.is_empty() && scene.geometry.primitive_count() > 0,
             "{name}"
         );
-        agrees_with_the_reference(&scene.camera, &scene.shapes)
+        agrees_with_the_reference(&scene.camera, &scene.geometry)
             .unwrap_or_else(|wrong| panic!("{name}: {wrong}"));
     }
 }
@@ -198,8 +206,8 @@ fn what_is_too_small_for_f32_beside_the_scene() {
             };
             let near = [[3, -1, 1], [0, 0, 0], [0, -1, 0]].map(|corner| scaled(corner, small));
             let far = [[-3, -3, -1], [0, 0, 0], [-3, -3, -1]].map(|corner| scaled(corner, large));
-            let mut shapes = Shapes::default();
-            add_triangles(&mut shapes, &[near, far], &Matrix::IDENTITY, 1);
+            let mut geometry = Geometry::default();
+            add_triangles(&mut geometry, &[near, far], &Matrix::IDENTITY, 1);
             let mut world_from_camera = Matrix::scale([times_power_of_two(1.0, 28); 3]);
             for (axis, eye) in scaled([1, -1, 0], small).to_array().into_iter().enumerate() {
                 world_from_camera.rows[axis][3] = eye;
@@ -210,13 +218,13 @@ fn what_is_too_small_for_f32_beside_the_scene() {
                 5,
             );
             assert_eq!(
-                judged(&camera, &shapes)
+                judged(&camera, &geometry)
                     .iter()
                     .filter(|pixel| pixel[0] != 0)
                     .count(),
                 12
             );
-            agrees_with_the_reference(&camera, &shapes)
+            agrees_with_the_reference(&camera, &geometry)
                 .unwrap_or_else(|wrong| panic!("2^{small}, 2^{large}: {wrong}"));
         }
     }
@@ -233,14 +241,14 @@ proptest! {
         eye in corner(5),
         projection in projection(),
     ) {
-        let mut shapes = Shapes::default();
+        let mut geometry = Geometry::default();
         let corners: Vec<[Point; 3]> = triangles.iter().map(|triangle| triangle.map(point)).collect();
         let (first, second) = corners.split_at(corners.len() / 2);
-        add_triangles(&mut shapes, first, &Matrix::IDENTITY, 1);
-        balls.iter().zip(2..).for_each(|(ball, shape)| ball.add_to(&mut shapes, shape));
-        add_triangles(&mut shapes, second, &Matrix::IDENTITY, 9);
+        add_triangles(&mut geometry, first, &Matrix::IDENTITY, 1);
+        balls.iter().zip(2..).for_each(|(ball, shape)| ball.add_to(&mut geometry, shape));
+        add_triangles(&mut geometry, second, &Matrix::IDENTITY, 9);
         let camera = grid_camera(Matrix::translate(eye.map(f64::from)), projection, 5);
-        agrees_with_the_reference(&camera, &shapes)?;
+        agrees_with_the_reference(&camera, &geometry)?;
     }
 
     /// The same under matrices that round, which leave rays beside what they would hit by a rounding or two.
@@ -253,17 +261,17 @@ proptest! {
         projection in projection(),
         moves_camera in any::<bool>(),
     ) {
-        let mut shapes = Shapes::default();
+        let mut geometry = Geometry::default();
         let corners: Vec<[Point; 3]> = triangles.iter().map(|triangle| triangle.map(point)).collect();
-        add_triangles(&mut shapes, &corners, &world_from_object, 1);
+        add_triangles(&mut geometry, &corners, &world_from_object, 1);
         for (ball, shape) in balls.iter().zip(2..) {
             let world_from_object = world_from_object.times(&ball.world_from_object);
-            Ball { world_from_object, ..ball.clone() }.add_to(&mut shapes, shape);
+            Ball { world_from_object, ..ball.clone() }.add_to(&mut geometry, shape);
         }
         // The camera in the same space sees what the grid shows, but for the roundings.
         let eye = Matrix::translate(eye.map(f64::from));
         let world_from_camera = if moves_camera { world_from_object.times(&eye) } else { eye };
-        agrees_with_the_reference(&grid_camera(world_from_camera, projection, 5), &shapes)?;
+        agrees_with_the_reference(&grid_camera(world_from_camera, projection, 5), &geometry)?;
     }
 
     /// Every shape, and the camera, in units of its own, from 1e-300 to 1e300, and beyond either end.
@@ -282,16 +290,16 @@ proptest! {
         projection in projection(),
     ) {
         let exponent = |k: usize| (base + (offsets[k] * spread) as i32).clamp(-1040, 1010);
-        let mut shapes = Shapes::default();
+        let mut geometry = Geometry::default();
         for (triangle, unit) in &triangles {
             let corners = triangle.map(|corner| Point::from(corner.map(|x| times_power_of_two(f64::from(x), exponent(*unit)))));
-            add_triangles(&mut shapes, &[corners], &Matrix::IDENTITY, 1);
+            add_triangles(&mut geometry, &[corners], &Matrix::IDENTITY, 1);
         }
         for ((ball, unit), shape) in balls.iter().zip(2..) {
             // A size of its own for each axis, where that was drawn.
             let size = |k: usize| times_power_of_two(1.0, exponent(if uneven { k } else { *unit }));
             let world_from_object = Matrix::scale([size(0), size(1), size(2)]).times(&ball.world_from_object);
-            Ball { world_from_object, ..ball.clone() }.add_to(&mut shapes, shape);
+            Ball { world_from_object, ..ball.clone() }.add_to(&mut geometry, shape);
         }
         let size = times_power_of_two(1.0, exponent(0));
         let directions = times_power_of_two(1.0, (exponent(0) + camera_exponent).clamp(-1040, 1010));
@@ -304,7 +312,7 @@ proptest! {
             // From so far away that no f32 can hold the distance.
             world_from_camera.rows[2][3] = -times_power_of_two(1.0, (exponent(0) + distance).min(1010));
         }
-        agrees_with_the_reference(&grid_camera(world_from_camera, projection, 5), &shapes)?;
+        agrees_with_the_reference(&grid_camera(world_from_camera, projection, 5), &geometry)?;
     }
 
     /// Slivers, needles and planes seen edge-on, near the eye and far away from the origin.
@@ -321,12 +329,12 @@ proptest! {
             let middle = |k: usize| 0.5 * (a[k] + b[k]) + f64::from(off[k]) * 2f64.powi(*thinness);
             [a, b, Point::new(middle(0), middle(1), middle(2))]
         };
-        let mut shapes = Shapes::default();
+        let mut geometry = Geometry::default();
         let slivers: Vec<[Point; 3]> = corners.iter().map(sliver).collect();
         let whole: Vec<[Point; 3]> = corners.iter().map(|(triangle, ..)| triangle.map(point)).collect();
-        add_triangles(&mut shapes, &slivers, &Matrix::translate(offset), 1);
-        add_triangles(&mut shapes, &whole, &Matrix::translate(offset), 2);
+        add_triangles(&mut geometry, &slivers, &Matrix::translate(offset), 1);
+        add_triangles(&mut geometry, &whole, &Matrix::translate(offset), 2);
         let eye = Matrix::translate(offset).times(&Matrix::translate(eye.map(f64::from)));
-        agrees_with_the_reference(&grid_camera(eye, projection, 5), &shapes)?;
+        agrees_with_the_reference(&grid_camera(eye, projection, 5), &geometry)?;
     }
 }

@@ -32,7 +32,7 @@ fn image_of(scene: &Scene) -> Image {
     let options = BuildOptions::new(SplitMethod::Sah);
     picture(
         &scene.camera,
-        &scene.shapes,
+        &scene.geometry,
         options,
         Precision::Exact,
         2,
@@ -95,7 +95,7 @@ fn both_cameras() -> [Scene; 2] {
 fn surfaces_depend_on_no_way_of_computing() {
     for scene in both_cameras() {
         for precision in Precision::ALL {
-            let image = agreed_picture(&scene.camera, &scene.shapes, precision).image;
+            let image = agreed_picture(&scene.camera, &scene.geometry, precision).image;
             assert!(hits(&image).len() > 500);
             assert!(ChannelName::SURFACE.iter().all(|name| {
                 measures(&image, *name)
@@ -109,10 +109,13 @@ fn surfaces_depend_on_no_way_of_computing() {
 #[test]
 fn crops_are_parts_of_the_whole() {
     let options = BuildOptions::new(SplitMethod::Sah);
-    for Scene { camera, shapes, .. } in both_cameras() {
+    for Scene {
+        camera, geometry, ..
+    } in both_cameras()
+    {
         let all = picture(
             &camera,
-            &shapes,
+            &geometry,
             options,
             Precision::Exact,
             1,
@@ -133,7 +136,7 @@ fn crops_are_parts_of_the_whole() {
                 y1: 41,
             },
         ] {
-            let part = picture(&camera, &shapes, options, Precision::Exact, 3, window).image;
+            let part = picture(&camera, &geometry, options, Precision::Exact, 3, window).image;
             for Channel { name, .. } in part
                 .channels
                 .iter()
@@ -171,10 +174,13 @@ fn misses_are_0() {
 
 #[test]
 fn points_are_where_the_depth_says() {
-    for Scene { camera, shapes, .. } in both_cameras() {
+    for Scene {
+        camera, geometry, ..
+    } in both_cameras()
+    {
         let image = picture(
             &camera,
-            &shapes,
+            &geometry,
             BuildOptions::new(SplitMethod::Sah),
             Precision::Exact,
             2,
@@ -506,13 +512,13 @@ fn a_mesh_has_the_same_coordinates_in_all_forms() {
     );
     let plain = scene_with(&format!("WorldBegin {a}"), &LoadOptions::default());
     let kept = scene_with(&format!("WorldBegin {a}"), &SURFACE);
-    assert!(plain.shapes.bytes() < kept.shapes.bytes());
+    assert!(plain.geometry.bytes() < kept.geometry.bytes());
 }
 
 #[test]
 fn what_nobody_asks_for_is_not_kept() {
     let mirrored = "WorldBegin Scale -1 1 1 ReverseOrientation Shape \"sphere\" ReverseOrientation Shape \"disk\"";
-    let bytes = |text: &str, options: &LoadOptions| scene_with(text, options).shapes.bytes();
+    let bytes = |text: &str, options: &LoadOptions| scene_with(text, options).geometry.bytes();
     let arrays = format!(
         "WorldBegin Shape \"trianglemesh\" \"point3 P\" [ {P} ] \"integer indices\" [ 0 1 2 0 2 3 ]"
     );
@@ -571,7 +577,7 @@ fn coordinates_in_the_wrong_number_are_a_warning() {
             said.len() == 1 && said[0].starts_with("a.pbrt:2:") && said[0].contains(found),
             "{said:?}"
         );
-        assert_eq!(scene.shapes.triangle_count(), 1);
+        assert_eq!(scene.geometry.triangle_count(), 1);
         let without = parse(
             Path::new("a.pbrt"),
             text.into_bytes(),

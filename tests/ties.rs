@@ -9,7 +9,7 @@ use feimos::camera::{Camera, Projection, ScreenWindow};
 use feimos::geometry::{Matrix, Point, Transform, Vector};
 use feimos::progress::Progress;
 use feimos::scene::{LoadOptions, Scene, parse};
-use feimos::shape::{Cut, Disk, Form, Shapes};
+use feimos::shape::{Cut, Disk, Form, Geometry};
 use proptest::prelude::*;
 use std::path::Path;
 
@@ -34,12 +34,14 @@ fn many(count: u32, shape: impl Fn(u32) -> String) -> String {
 /// and that no two hits were compared by integers.
 #[track_caller]
 fn assert_decided_once(world: &str) {
-    let Scene { camera, shapes, .. } = scene(world);
-    let expected = judged(&camera, &shapes);
+    let Scene {
+        camera, geometry, ..
+    } = scene(world);
+    let expected = judged(&camera, &geometry);
     assert!(expected.iter().any(|pixel| pixel[0] > 0), "{world}");
     let rendering = picture(
         &camera,
-        &shapes,
+        &geometry,
         BuildOptions::new(SplitMethod::Sah),
         Precision::Exact,
         1,
@@ -48,17 +50,17 @@ fn assert_decided_once(world: &str) {
     assert!(rendered(&rendering.image) == expected, "{world}");
     assert_eq!(rendering.traced.fallbacks.comparisons, 0, "{world}");
     let aggregate = Aggregate::build(
-        &shapes,
+        &geometry,
         camera.anchor(),
         BuildOptions::new(SplitMethod::Sah),
         Progress::SILENT,
     );
-    let mut tracer = Tracer::new(&aggregate, &shapes, Precision::Exact);
+    let mut tracer = Tracer::new(&aggregate, &geometry, Precision::Exact);
     let pixels = (0..24).flat_map(|y| (0..24).map(move |x| [x, y]));
     for ([x, y], [prim, ..]) in pixels.zip(&expected) {
         let hit = tracer.closest_hit(&camera.ray(x, y));
         assert_eq!(
-            hit.map_or(0, |hit| shapes.image_number(hit.primitive)),
+            hit.map_or(0, |hit| geometry.image_number(hit.primitive)),
             *prim,
             "{x}, {y} alone: {world}"
         );
@@ -157,9 +159,11 @@ fn what_is_off_by_a_rounding_is_told_apart() {
         + &plate([z, z.next_down(), z])
         + &plate([z.next_up(); 3])
         + &plate([z; 3]);
-    let Scene { camera, shapes, .. } = scene(&world);
-    let image = agreed_picture(&camera, &shapes, Precision::Exact).image;
-    assert_eq!(rendered(&image), judged(&camera, &shapes));
+    let Scene {
+        camera, geometry, ..
+    } = scene(&world);
+    let image = agreed_picture(&camera, &geometry, Precision::Exact).image;
+    assert_eq!(rendered(&image), judged(&camera, &geometry));
 }
 
 #[derive(Debug, Clone)]
@@ -191,17 +195,17 @@ fn piece() -> impl Strategy<Value = Piece> {
 
 /// Triangles and disks in one plane, spheres and cylinders around one middle, some of them in
 /// instances: with few sizes to choose from, so that many are the same.
-fn shapes_of(pieces: &[(Piece, bool)], place: &Matrix, level: i32) -> Shapes {
-    let (mut shapes, mut object) = (Shapes::default(), Shapes::default());
+fn shapes_of(pieces: &[(Piece, bool)], place: &Matrix, level: i32) -> Geometry {
+    let (mut geometry, mut object) = (Geometry::default(), Geometry::default());
     let transforms = [
-        shapes.add_transform(*place),
+        geometry.add_transform(*place),
         object.add_transform(Matrix::IDENTITY),
     ];
     for ((piece, is_in_object), shape) in pieces.iter().zip(1..) {
         let (store, transform) = if *is_in_object {
             (&mut object, transforms[1])
         } else {
-            (&mut shapes, transforms[0])
+            (&mut geometry, transforms[0])
         };
         match piece {
             Piece::Triangle(corners) => {
@@ -231,9 +235,9 @@ fn shapes_of(pieces: &[(Piece, bool)], place: &Matrix, level: i32) -> Shapes {
             }
         }
     }
-    let number = shapes.add_object(object);
-    (0..2).for_each(|_| shapes.add_instance(number, *place).unwrap());
-    shapes
+    let number = geometry.add_object(object);
+    (0..2).for_each(|_| geometry.add_instance(number, *place).unwrap());
+    geometry
 }
 
 proptest! {
@@ -248,15 +252,15 @@ proptest! {
         is_perspective in any::<bool>(),
     ) {
         let turn = Transform::rotate(angle, Vector::new(1.0, 2.0, 2.0)).matrix;
-        let shapes = shapes_of(&pieces, &turn, level);
+        let geometry = shapes_of(&pieces, &turn, level);
         let projection = if is_perspective { Projection::Perspective { tangent: 0.5 } } else { Projection::Orthographic };
         let screen_window = ScreenWindow { x0: -3.5, x1: 3.5, y0: -3.5, y1: 3.5 };
         let eye = Matrix::translate([f64::from(eye[0]), f64::from(eye[1]), -6.0]);
         for world_from_camera in [eye, turn.times(&eye)] {
             let camera = Camera { world_from_camera, projection, screen_window, resolution: [7, 7] };
-            let expected = judged(&camera, &shapes);
+            let expected = judged(&camera, &geometry);
             for (method, max_leaf) in [(SplitMethod::None, 16), (SplitMethod::Sah, 1), (SplitMethod::Hlbvh, 4)] {
-                let image = picture(&camera, &shapes, BuildOptions { method, max_leaf }, Precision::Exact, 2, whole(&camera)).image;
+                let image = picture(&camera, &geometry, BuildOptions { method, max_leaf }, Precision::Exact, 2, whole(&camera)).image;
                 prop_assert_eq!(&rendered(&image), &expected, "{}", method);
             }
         }

@@ -28,7 +28,7 @@ fuzz_target!(|bytes: &[u8]| -> Corpus {
     let Ok(scene) = parse(path, bytes.to_vec(), &options) else {
         return Corpus::Keep;
     };
-    if scene.shapes.primitive_count() > MOST_PRIMITIVES {
+    if scene.geometry.primitive_count() > MOST_PRIMITIVES {
         return Corpus::Reject;
     }
     let plain = picture(&scene, SplitMethod::None, Level::Portable);
@@ -46,7 +46,7 @@ fuzz_target!(|bytes: &[u8]| -> Corpus {
 /// The bits of all channels.
 fn picture(scene: &Scene, method: SplitMethod, level: Level) -> Vec<u32> {
     let aggregate = Aggregate::build(
-        &scene.shapes,
+        &scene.geometry,
         scene.camera.anchor(),
         BuildOptions::new(method),
         Progress::SILENT,
@@ -65,7 +65,7 @@ fn picture(scene: &Scene, method: SplitMethod, level: Level) -> Vec<u32> {
     };
     let rendering = render(
         &scene.camera,
-        &scene.shapes,
+        &scene.geometry,
         &aggregate,
         &options,
         Progress::SILENT,

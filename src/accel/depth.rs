@@ -4,7 +4,7 @@ use super::Precision;
 use super::hit::Hit;
 use crate::exact::{Bracket, Dyadic, ExactVector, exponent_of, nearest_f32, power_of_two};
 use crate::geometry::{Ray, Vector};
-use crate::shape::Shapes;
+use crate::shape::Geometry;
 
 /// How far away a hit is, as images hold it (rule E4).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -16,8 +16,13 @@ pub struct Depth {
 }
 
 impl Depth {
-    /// The depth of the `hit` of `ray` in `shapes`, and how many of the two numbers were rounded by integers.
-    pub(super) fn of(hit: &Hit, ray: &Ray, shapes: &Shapes, precision: Precision) -> (Depth, u64) {
+    /// The depth of the `hit` of `ray` in `geometry`, and how many of the two numbers were rounded by integers.
+    pub(super) fn of(
+        hit: &Hit,
+        ray: &Ray,
+        geometry: &Geometry,
+        precision: Precision,
+    ) -> (Depth, u64) {
         let speed = speed(ray.direction);
         if precision == Precision::Fast {
             return (
@@ -34,7 +39,7 @@ impl Depth {
             (z, t) => {
                 let roundings = u64::from(z.is_none()) + u64::from(t.is_none());
                 (
-                    Depth::rounded_exactly(hit, ray, shapes, (z, t), &distance),
+                    Depth::rounded_exactly(hit, ray, geometry, (z, t), &distance),
                     roundings,
                 )
             }
@@ -46,11 +51,11 @@ impl Depth {
     fn rounded_exactly(
         hit: &Hit,
         ray: &Ray,
-        shapes: &Shapes,
+        geometry: &Geometry,
         known: (Option<f32>, Option<f32>),
         distance: &Bracket,
     ) -> Depth {
-        let root = shapes.surface(hit.primitive).exact_t(ray);
+        let root = geometry.surface(hit.primitive).exact_t(ray);
         let direction = ExactVector::from(ray.direction);
         let square_of_speed = direction.dot(&direction);
         let z = || nearest_f32(&hit.t, |x: &Dyadic| root.compare_with(x));

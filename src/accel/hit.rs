@@ -1,14 +1,14 @@
 //! What a ray meets first, and what it took to know.
 
 use crate::exact::Bracket;
-use crate::shape::Placed;
+use crate::shape::InstancedId;
 use std::ops::AddAssign;
 
 /// What a ray meets first.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hit {
     /// What was hit.
-    pub primitive: Placed,
+    pub primitive: InstancedId,
     /// Where the ray's parameter lies at the hit; with [`super::Precision::Fast`] both ends are the computed one.
     pub t: Bracket,
     /// Whether integers were needed to find it.
@@ -17,7 +17,7 @@ pub struct Hit {
 
 /// What rays cost.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Work {
+pub struct TraversalCounts {
     /// Boxes of nodes that were tested.
     pub nodes: u64,
     /// Primitives that were tested, those of instances too.
@@ -26,7 +26,7 @@ pub struct Work {
 
 /// How often `f64` was not enough.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Fallbacks {
+pub struct ExactFallbacks {
     /// Tests of a primitive that were decided on integers.
     pub unsure_tests: u64,
     /// Comparisons of two hits that were decided on integers.
@@ -37,10 +37,10 @@ pub struct Fallbacks {
     pub rays: u64,
 }
 
-impl Fallbacks {
+impl ExactFallbacks {
     /// What came after `before`.
-    pub fn since(&self, before: &Fallbacks) -> Fallbacks {
-        Fallbacks {
+    pub fn since(&self, before: &ExactFallbacks) -> ExactFallbacks {
+        ExactFallbacks {
             unsure_tests: self.unsure_tests - before.unsure_tests,
             comparisons: self.comparisons - before.comparisons,
             roundings: self.roundings - before.roundings,
@@ -54,15 +54,15 @@ impl Fallbacks {
     }
 }
 
-impl AddAssign for Work {
-    fn add_assign(&mut self, other: Work) {
+impl AddAssign for TraversalCounts {
+    fn add_assign(&mut self, other: TraversalCounts) {
         self.nodes += other.nodes;
         self.primitives += other.primitives;
     }
 }
 
-impl AddAssign for Fallbacks {
-    fn add_assign(&mut self, other: Fallbacks) {
+impl AddAssign for ExactFallbacks {
+    fn add_assign(&mut self, other: ExactFallbacks) {
         self.unsure_tests += other.unsure_tests;
         self.comparisons += other.comparisons;
         self.roundings += other.roundings;

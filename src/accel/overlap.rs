@@ -6,13 +6,13 @@ use super::space::Box32;
 use super::statistics::NODE_COST;
 use super::tree::Tree;
 use crate::geometry::Point;
-use crate::shape::Primitive;
+use crate::shape::PrimitiveId;
 
 impl Aggregate {
     /// What the nodes cost that hold a point of a `primitive` without having it below: the mean of this over all points of all
     /// surfaces is the end-point overlap (EPO) of Aila, Karras and Laine, "On quality metrics of bounding volume hierarchies"
     /// (2013), section 3. Costs are those of [`super::Statistics::sah_cost`]. Of the primitives that are in no instance.
-    pub fn overlap_at(&self, primitive: Primitive, point: Point) -> f64 {
+    pub fn overlap_at(&self, primitive: PrimitiveId, point: Point) -> f64 {
         let place = box_of(self.space.place(&point));
         self.tree.root.map_or(0.0, |root| {
             overlap(&self.tree, &root, primitive, &place).cost
@@ -37,7 +37,12 @@ struct Overlap {
 }
 
 /// As deep as the tree.
-fn overlap(tree: &Tree<Primitive>, node: &Node, primitive: Primitive, place: &Box32) -> Overlap {
+fn overlap(
+    tree: &Tree<PrimitiveId>,
+    node: &Node,
+    primitive: PrimitiveId,
+    place: &Box32,
+) -> Overlap {
     if !node.bounds.contains(place) {
         return Overlap::default();
     }
@@ -68,7 +73,7 @@ mod tests {
     use crate::accel::{BuildOptions, SplitMethod};
     use crate::geometry::Matrix;
     use crate::progress::Progress;
-    use crate::shape::Shapes;
+    use crate::shape::Geometry;
 
     /// Triangles side by side, and one across all of their boxes.
     fn aggregate(method: SplitMethod) -> (Aggregate, Vec<Point>) {
@@ -80,8 +85,8 @@ mod tests {
             .collect();
         vertices.extend([corner(0.0, 0.25), corner(8.0, 0.25), corner(8.0, 0.3)]);
         let triangles = (0..9).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
-        let mut shapes = Shapes::default();
-        shapes
+        let mut geometry = Geometry::default();
+        geometry
             .add_mesh(vertices.clone(), triangles, &Matrix::IDENTITY, 1)
             .unwrap();
         let options = BuildOptions {
@@ -89,7 +94,7 @@ mod tests {
             max_leaf: 1,
         };
         (
-            Aggregate::build(&shapes, corner(0.0, 0.0), options, Progress::SILENT),
+            Aggregate::build(&geometry, corner(0.0, 0.0), options, Progress::SILENT),
             vertices,
         )
     }
@@ -98,7 +103,7 @@ mod tests {
     fn a_list_overlaps_nothing() {
         let (aggregate, vertices) = aggregate(SplitMethod::None);
         assert_eq!(
-            aggregate.overlap_at(Primitive::triangle(0), vertices[0]),
+            aggregate.overlap_at(PrimitiveId::triangle(0), vertices[0]),
             0.0
         );
     }
@@ -108,8 +113,8 @@ mod tests {
         let (aggregate, vertices) = aggregate(SplitMethod::Sah);
         // A corner of one beside the others, and a point of the long one that lies in the boxes of others, too.
         let points = [
-            (Primitive::triangle(3), vertices[10]),
-            (Primitive::triangle(8), Point::new(3.1, 0.26, 1.0)),
+            (PrimitiveId::triangle(3), vertices[10]),
+            (PrimitiveId::triangle(8), Point::new(3.1, 0.26, 1.0)),
         ];
         let costs = points.map(|(primitive, point)| {
             let place = box_of(aggregate.space.place(&point));
@@ -136,7 +141,7 @@ mod tests {
         assert!(costs[1] >= 1.0, "the long one overlaps a leaf at least");
     }
 
-    fn holds(tree: &Tree<Primitive>, node: &Node, primitive: Primitive) -> bool {
+    fn holds(tree: &Tree<PrimitiveId>, node: &Node, primitive: PrimitiveId) -> bool {
         match node.is_leaf() {
             true => tree.in_leaf(node).contains(&primitive),
             false => (0..2)

@@ -3,7 +3,7 @@
 use super::Aggregate;
 use super::node::{Children, Node};
 use super::tree::Tree;
-use crate::shape::Shapes;
+use crate::shape::Geometry;
 
 /// What visiting a node costs, in units of testing a primitive.
 pub(super) const NODE_COST: f64 = 1.0;
@@ -26,7 +26,7 @@ pub struct Statistics {
 }
 
 impl Statistics {
-    pub(super) fn of(aggregate: &Aggregate, shapes: &Shapes) -> Statistics {
+    pub(super) fn of(aggregate: &Aggregate, geometry: &Geometry) -> Statistics {
         let instances = &aggregate.instances;
         let objects: Vec<Statistics> = instances
             .objects
@@ -38,7 +38,7 @@ impl Statistics {
             })
             .collect();
         let of_instance =
-            |instance: &u32| objects[shapes.instances()[*instance as usize].object()].sah_cost;
+            |instance: &u32| objects[geometry.instances()[*instance as usize].object()].sah_cost;
         let own = counts(&aggregate.tree, |leaf| leaf.count.into());
         let upper = counts(&instances.tree, |leaf| {
             instances.tree.in_leaf(leaf).iter().map(of_instance).sum()

@@ -1,6 +1,6 @@
 //! A binary tree as every build leaves it.
 
-use super::build::{BuildOptions, BuildPrimitive, build_tree};
+use super::builder::{BuildOptions, BuildPrimitive, build_tree};
 use super::node::{Children, Node, Subtree};
 use super::statistics::walk;
 use crate::progress::Progress;

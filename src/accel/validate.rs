@@ -1,12 +1,12 @@
 //! Whether trees are what a traversal takes them for.
 
 use super::Aggregate;
-use super::build::MAX_DEPTH;
+use super::builder::MAX_DEPTH;
 use super::node::Node;
 use super::space::Box32;
 use super::tree::Tree;
 use crate::geometry::Bounds;
-use crate::shape::Shapes;
+use crate::shape::Geometry;
 
 impl Aggregate {
     /// Checks that every primitive that can be hit is in exactly one leaf, and every box around all that is below it, of
@@ -14,23 +14,26 @@ impl Aggregate {
     ///
     /// # Errors
     /// What is wrong, in words.
-    pub fn validate(&self, shapes: &Shapes) -> Result<(), String> {
-        let own = |primitive: &_| self.space.enclose(&shapes.own_surface(*primitive).bounds());
+    pub fn validate(&self, geometry: &Geometry) -> Result<(), String> {
+        let own = |primitive: &_| {
+            self.space
+                .enclose(&geometry.own_surface(*primitive).bounds())
+        };
         check(&self.tree, |node, primitive| {
             node.bounds.contains(&own(primitive))
         })?;
         let mut order = self.tree.order.clone();
         order.sort();
-        let expected = shapes
+        let expected = geometry
             .primitives()
-            .filter(|primitive| shapes.own_surface(*primitive).can_be_hit());
+            .filter(|primitive| geometry.own_surface(*primitive).can_be_hit());
         if !order.into_iter().eq(expected) {
             return Err("not every primitive is there once".into());
         }
-        self.check_instances(shapes)
+        self.check_instances(geometry)
     }
 
-    fn check_instances(&self, shapes: &Shapes) -> Result<(), String> {
+    fn check_instances(&self, geometry: &Geometry) -> Result<(), String> {
         check(&self.instances.tree, |_, _| true)?;
         for (leaf, _) in self
             .instances
@@ -39,28 +42,33 @@ impl Aggregate {
             .filter(|(node, _)| node.is_leaf())
         {
             for instance in self.instances.tree.in_leaf(&leaf) {
-                self.check_instance(shapes, *instance as usize, &leaf)?;
+                self.check_instance(geometry, *instance as usize, &leaf)?;
             }
         }
         let is_missing = |instance: usize| {
-            let mut pose = shapes.pose(instance);
-            let primitives = shapes.object_of(instance).shapes().primitives();
+            let mut pose = geometry.pose(instance);
+            let primitives = geometry.object_of(instance).geometry().primitives();
             let listed = self.instances.tree.order.contains(&(instance as u32));
-            let tree = listed.then(|| &self.instances.object(shapes, instance).tree.order);
+            let tree = listed.then(|| &self.instances.object(geometry, instance).tree.order);
             primitives
                 .filter(|primitive| tree.is_none_or(|order| !order.contains(primitive)))
                 .any(|primitive| pose.surface(primitive).can_be_hit())
         };
-        match (0..shapes.instances().len()).find(|instance| is_missing(*instance)) {
+        match (0..geometry.instances().len()).find(|instance| is_missing(*instance)) {
             Some(instance) => Err(format!("something of instance {instance} is missing")),
             None => Ok(()),
         }
     }
 
-    fn check_instance(&self, shapes: &Shapes, instance: usize, leaf: &Node) -> Result<(), String> {
-        let object = self.instances.object(shapes, instance);
-        let placement = object.placement(&shapes.instances()[instance]);
-        let mut pose = shapes.pose(instance);
+    fn check_instance(
+        &self,
+        geometry: &Geometry,
+        instance: usize,
+        leaf: &Node,
+    ) -> Result<(), String> {
+        let object = self.instances.object(geometry, instance);
+        let placement = object.placement(&geometry.instances()[instance]);
+        let mut pose = geometry.pose(instance);
         let mut bounds = |primitive: &_| {
             let surface = pose.surface(*primitive);
             if surface.can_be_hit() {

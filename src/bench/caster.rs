@@ -2,14 +2,14 @@
 
 use super::pixels::{Answer, TileSample, strip, strip_of};
 use super::{Kernel, Yardstick};
-use crate::accel::{Aggregate, Depth, Precision, TILE, Tiles, Tracer, Work};
+use crate::accel::{Aggregate, Depth, Precision, TILE, Tiles, Tracer, TraversalCounts};
 use crate::error::Result;
 use crate::film::{ChannelName, Image, Samples};
 use crate::geometry::Ray;
 use crate::progress::Progress;
 use crate::render::{RenderOptions, blank_image, render};
 use crate::scene::Scene;
-use crate::shape::Placed;
+use crate::shape::InstancedId;
 use crate::simd::Level;
 use rayon::prelude::*;
 
@@ -56,7 +56,7 @@ impl Cast {
 impl<'a> Caster<'a> {
     pub(super) fn new(scene: &'a Scene, kernel: Kernel) -> Caster<'a> {
         let yardstick = match kernel {
-            Kernel::Classic(classic) => Some(Yardstick::new(classic, &scene.shapes)),
+            Kernel::Classic(classic) => Some(Yardstick::new(classic, &scene.geometry)),
             Kernel::Tiles(_) | Kernel::ExactSingle => None,
         };
         Caster {
@@ -89,9 +89,9 @@ impl<'a> Caster<'a> {
     }
 
     /// What the rays of `pixels` test, each alone in the whole tree.
-    pub(super) fn work(&self, aggregate: &Aggregate, pixels: &[[u32; 2]]) -> Work {
+    pub(super) fn work(&self, aggregate: &Aggregate, pixels: &[[u32; 2]]) -> TraversalCounts {
         let count = |tracer: &mut Tracer, [x, y]: &[u32; 2]| {
-            let (ray, mut work) = (self.scene.camera.ray(*x, *y), Work::default());
+            let (ray, mut work) = (self.scene.camera.ray(*x, *y), TraversalCounts::default());
             match &self.yardstick {
                 Some(yardstick) => {
                     tracer.closest_hit_by::<true>(&ray, yardstick.of_ray(&ray), &mut work)
@@ -101,7 +101,7 @@ impl<'a> Caster<'a> {
             work
         };
         let counted = pixels.par_iter().map_init(|| self.tracer(aggregate), count);
-        counted.reduce(Work::default, |mut sum, work| {
+        counted.reduce(TraversalCounts::default, |mut sum, work| {
             sum += work;
             sum
         })
@@ -112,14 +112,16 @@ impl<'a> Caster<'a> {
             Kernel::Tiles(precision) => precision,
             Kernel::ExactSingle | Kernel::Classic(_) => Precision::Exact,
         };
-        Tracer::new(aggregate, &self.scene.shapes, precision)
+        Tracer::new(aggregate, &self.scene.geometry, precision)
     }
 
     fn render(&self, aggregate: &Aggregate, precision: Precision) -> Result<Cast> {
-        let Scene { camera, shapes, .. } = self.scene;
+        let Scene {
+            camera, geometry, ..
+        } = self.scene;
         let rendering = render(
             camera,
-            shapes,
+            geometry,
             aggregate,
             &self.options(precision),
             Progress::SILENT,
@@ -149,13 +151,13 @@ impl<'a> Caster<'a> {
     ) -> Cast {
         let Scene {
             camera,
-            shapes,
+            geometry,
             film,
             ..
         } = self.scene;
         let tiles = Tiles::new(
             camera,
-            shapes,
+            geometry,
             aggregate,
             self.options(precision).of_tiles(),
         );
@@ -170,7 +172,7 @@ impl<'a> Caster<'a> {
                 let answer = (traced.hits_of_row(row) >> column & 1 == 1).then(|| Answer {
                     z: traced.z_of_row(row)[place],
                     t: traced.t_of_row(row)[place],
-                    primitive: shapes.image_number(traced.primitives_of_row(row)[place]),
+                    primitive: geometry.image_number(traced.primitives_of_row(row)[place]),
                 });
                 (answer, tracer.fallbacks().since(&before).rays)
             },
@@ -184,7 +186,7 @@ impl<'a> Caster<'a> {
             |tracer, [x, y]| {
                 let before = tracer.fallbacks().rays;
                 let hit = self.hit(tracer, &self.scene.camera.ray(*x, *y));
-                let number = |primitive| self.scene.shapes.image_number(primitive);
+                let number = |primitive| self.scene.geometry.image_number(primitive);
                 let answer = hit.map(|(primitive, depth)| Answer {
                     z: depth.z,
                     t: depth.t,
@@ -200,7 +202,7 @@ impl<'a> Caster<'a> {
     fn trace_alone(&self, aggregate: &Aggregate) -> Result<Cast> {
         let Scene {
             camera,
-            shapes,
+            geometry,
             film,
             ..
         } = self.scene;
@@ -230,8 +232,8 @@ impl<'a> Caster<'a> {
                     };
                     (z[column], t[column], a[column]) = (depth.z, depth.t, 1.0);
                     (id[column], prim[column]) = (
-                        shapes.shape_number(primitive),
-                        shapes.image_number(primitive),
+                        geometry.shape_number(primitive),
+                        geometry.image_number(primitive),
                     );
                 }
                 tracer.fallbacks().rays - before
@@ -246,7 +248,7 @@ impl<'a> Caster<'a> {
 
     /// What a ray that travels alone hits, and how far away.
     #[inline]
-    fn hit(&self, tracer: &mut Tracer, ray: &Ray) -> Option<(Placed, Depth)> {
+    fn hit(&self, tracer: &mut Tracer, ray: &Ray) -> Option<(InstancedId, Depth)> {
         match &self.yardstick {
             Some(yardstick) => yardstick.closest_hit(tracer, ray),
             None => {

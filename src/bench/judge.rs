@@ -30,14 +30,14 @@ pub struct Judge {
 
 /// Whether `scene` has few enough primitives for the reference.
 pub fn can_be_judged(scene: &Scene) -> bool {
-    scene.shapes.primitive_count() <= reference::MAX_PRIMITIVES
+    scene.geometry.primitive_count() <= reference::MAX_PRIMITIVES
 }
 
 /// How many pixels of the picture the reference is asked for: all, if that takes no more tests than are worth waiting for.
 pub fn judged_pixels(scene: &Scene) -> u64 {
     let all = scene.film.crop.area();
     let pilot = some_pixels(PILOT, &scene.film.crop, &mut Random::new(SEED));
-    let tests = reference::candidates(&scene.camera, &scene.shapes, &pilot)
+    let tests = reference::candidates(&scene.camera, &scene.geometry, &pilot)
         .into_iter()
         .sum::<usize>() as u64;
     // A pixel with no test is work, too.
@@ -61,8 +61,10 @@ impl Judge {
 
     /// For some pixels of the picture.
     pub(super) fn of_pixels(scene: &Scene, pixels: Vec<[u32; 2]>, progress: Progress) -> Judge {
-        let Scene { camera, shapes, .. } = scene;
-        let hits = reference::answers(camera, shapes, &pixels, progress);
+        let Scene {
+            camera, geometry, ..
+        } = scene;
+        let hits = reference::answers(camera, geometry, &pixels, progress);
         let of_pixels = pixels
             .iter()
             .zip(&hits)
@@ -71,7 +73,7 @@ impl Judge {
         let answer = |hit: reference::ReferenceHit| Answer {
             z: hit.z,
             t: hit.t,
-            primitive: shapes.image_number(hit.primitive),
+            primitive: geometry.image_number(hit.primitive),
         };
         let expected = strip(hits.into_iter().map(|hit| hit.map(answer)));
         Judge {

@@ -7,7 +7,7 @@ use super::plan::sample_of;
 use super::random::Random;
 use super::surface_points::SurfacePoints;
 use super::{Errors, Pictures, Plan, Row, Spread};
-use crate::accel::{Aggregate, BuildOptions, Statistics, Work};
+use crate::accel::{Aggregate, BuildOptions, Statistics, TraversalCounts};
 use crate::error::Result;
 use crate::input::BudgetFactor;
 use crate::progress::Progress;
@@ -48,7 +48,7 @@ impl Bench<'_> {
     /// # Errors
     /// Where the image is larger than memory can hold, or the scene cannot be read again.
     pub fn measure(&self, plan: &Plan, progress: Progress) -> Result<Measured> {
-        let points = SurfacePoints::of(&self.scene.shapes, &mut Random::new(SEED));
+        let points = SurfacePoints::of(&self.scene.geometry, &mut Random::new(SEED));
         let casters: Vec<Caster> = plan
             .kernels
             .iter()
@@ -141,7 +141,7 @@ impl Trial<'_> {
         }
         Ok(Tree {
             options,
-            statistics: aggregate.statistics(&scene.shapes),
+            statistics: aggregate.statistics(&scene.geometry),
             overlap: self.points.map(|points| points.overlap(&aggregate)),
             counted_rays: pixels.len() as u64,
             sample,
@@ -167,7 +167,7 @@ struct Tree {
 /// A kernel's rays through a tree, and what is known of them so far.
 struct Trace {
     errors: Option<Errors>,
-    work: Work,
+    work: TraversalCounts,
     fallback_rays: Option<u64>,
     ms: Vec<f64>,
 }
@@ -231,7 +231,7 @@ pub fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
 
 fn build(scene: &Scene, options: BuildOptions) -> Aggregate {
     Aggregate::build(
-        &scene.shapes,
+        &scene.geometry,
         scene.camera.anchor(),
         options,
         Progress::SILENT,

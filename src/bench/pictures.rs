@@ -69,7 +69,7 @@ impl Pictures {
         };
         let rendering = render(
             &scene.camera,
-            &scene.shapes,
+            &scene.geometry,
             aggregate,
             &options,
             Progress::SILENT,

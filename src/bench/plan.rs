@@ -51,7 +51,7 @@ pub(super) fn sample_of(
     scene: &Scene,
     random: &mut Random,
 ) -> Option<TileSample> {
-    let (rays, primitives) = (scene.film.crop.area(), scene.shapes.primitive_count());
+    let (rays, primitives) = (scene.film.crop.area(), scene.geometry.primitive_count());
     if method != SplitMethod::None || rays.saturating_mul(primitives) <= MAX_TESTS {
         return None;
     }

@@ -3,28 +3,28 @@
 use super::random::Random;
 use crate::accel::Aggregate;
 use crate::geometry::Point;
-use crate::shape::{Primitive, Shapes};
+use crate::shape::{Geometry, PrimitiveId};
 use rayon::prelude::*;
 
 /// Points that estimate an overlap: the standard error is a percent or so.
 const COUNT: usize = 1 << 14;
 
 /// Points on triangles, each part of the surface as likely as any other of its area.
-pub(super) struct SurfacePoints(Vec<(Primitive, Point)>);
+pub(super) struct SurfacePoints(Vec<(PrimitiveId, Point)>);
 
 impl SurfacePoints {
     /// `None` where there is more than triangles, instances among it, or no area that is a number.
-    pub(super) fn of(shapes: &Shapes, random: &mut Random) -> Option<SurfacePoints> {
-        if shapes.sphere_count() > 0 || !shapes.instances().is_empty() {
+    pub(super) fn of(geometry: &Geometry, random: &mut Random) -> Option<SurfacePoints> {
+        if geometry.sphere_count() > 0 || !geometry.instances().is_empty() {
             return None;
         }
         let area = |index| {
-            let [a, b, c] = shapes.triangle(index).0;
+            let [a, b, c] = geometry.triangle(index).0;
             let normal = (b - a).cross(c - a);
             let area = normal.dot(normal).sqrt();
             if area.is_finite() { area } else { 0.0 }
         };
-        let mut up_to: Vec<f64> = (0..shapes.triangle_count())
+        let mut up_to: Vec<f64> = (0..geometry.triangle_count())
             .into_par_iter()
             .map(area)
             .collect();
@@ -47,8 +47,8 @@ impl SurfacePoints {
                 (u, v) if u + v > 1.0 => (1.0 - u, 1.0 - v),
                 pair => pair,
             };
-            let [a, b, c] = shapes.triangle(index).0;
-            (Primitive::triangle(index), a + (b - a) * u + (c - a) * v)
+            let [a, b, c] = geometry.triangle(index).0;
+            (PrimitiveId::triangle(index), a + (b - a) * u + (c - a) * v)
         };
         Some(SurfacePoints((0..COUNT).map(|_| point()).collect()))
     }
@@ -81,8 +81,8 @@ mod tests {
             corner(8.0, 0.0),
             corner(5.0, 1.0),
         ];
-        let mut shapes = Shapes::default();
-        shapes
+        let mut geometry = Geometry::default();
+        geometry
             .add_mesh(
                 vertices.to_vec(),
                 vec![[0, 1, 2], [0, 0, 0], [3, 4, 5]],
@@ -90,7 +90,7 @@ mod tests {
                 1,
             )
             .unwrap();
-        let SurfacePoints(points) = SurfacePoints::of(&shapes, &mut Random::new(3)).unwrap();
+        let SurfacePoints(points) = SurfacePoints::of(&geometry, &mut Random::new(3)).unwrap();
         let on_first = points
             .iter()
             .filter(|(primitive, _)| primitive.index() == 0)
@@ -111,10 +111,10 @@ mod tests {
 
     #[test]
     fn spheres_and_nothing_have_no_overlap() {
-        let mut shapes = Shapes::default();
-        assert!(SurfacePoints::of(&shapes, &mut Random::new(3)).is_none());
-        let transform = shapes.add_transform(Matrix::IDENTITY);
-        shapes.add_sphere(1.0, None, transform, 1).unwrap();
-        assert!(SurfacePoints::of(&shapes, &mut Random::new(3)).is_none());
+        let mut geometry = Geometry::default();
+        assert!(SurfacePoints::of(&geometry, &mut Random::new(3)).is_none());
+        let transform = geometry.add_transform(Matrix::IDENTITY);
+        geometry.add_sphere(1.0, None, transform, 1).unwrap();
+        assert!(SurfacePoints::of(&geometry, &mut Random::new(3)).is_none());
     }
 }

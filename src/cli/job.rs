@@ -138,7 +138,7 @@ impl Renderer<'_> {
                 false => error.note("this name comes from the scene; -o gives another one"),
             }
         })?;
-        let picture = picture.for_scene(&loaded.scene.shapes, self.reporter);
+        let picture = picture.for_scene(&loaded.scene.geometry, self.reporter);
         let window = self.plan.data_window(&view.film)?;
         let whole = [window.width(), window.height()] == view.film.resolution;
         if let (false, Some((view, ends))) = (whole, picture.lacks_range()) {
@@ -223,7 +223,7 @@ impl Renderer<'_> {
             window,
             header,
         } = target;
-        let shapes = &loaded.scene.shapes;
+        let geometry = &loaded.scene.geometry;
         let (tree, build_ms) = self.tree(loaded, view, &picture, &window)?;
         let Built {
             aggregate,
@@ -238,7 +238,7 @@ impl Renderer<'_> {
             precision: self.plan.precision,
         };
         let trace =
-            |progress: Progress<'_>| render(&view.camera, shapes, aggregate, &options, progress);
+            |progress: Progress<'_>| render(&view.camera, geometry, aggregate, &options, progress);
         let (rendering, trace_ms) =
             timed(|| self.bars.during(Phase::Rendering(window.area()), trace));
         let rendering = rendering?;
@@ -281,7 +281,7 @@ impl Renderer<'_> {
         picture: &Picture,
         window: &PixelBounds,
     ) -> Result<(Tree<'a>, f64)> {
-        let (shapes, build) = (&loaded.scene.shapes, loaded.build);
+        let (geometry, build) = (&loaded.scene.geometry, loaded.build);
         // Answers of f32, and costs, depend on where boxes are the most precise: each view has a tree of its own, as if it were alone.
         let depends_on_view = self.plan.precision == Precision::Fast || picture.needs_whole_tree();
         let is_shared = loaded.views.len() > 1 && !depends_on_view;
@@ -289,19 +289,19 @@ impl Renderer<'_> {
             return Ok((Tree::Shared(built), 0.0));
         }
         let is_whole = is_shared || self.plan.stats || picture.needs_whole_tree();
-        Aggregate::check_memory(shapes, !is_whole)?;
+        Aggregate::check_memory(geometry, !is_whole)?;
         // Statistics and costs are those of the whole tree; other pictures alone need only what they show.
         let make = |progress: Progress<'_>| match is_whole {
-            _ if is_shared => Aggregate::build(shapes, loaded.middle(), build, progress),
-            true => Aggregate::build(shapes, view.camera.anchor(), build, progress),
-            false => Aggregate::build_for_view(shapes, &view.camera, window, build, progress),
+            _ if is_shared => Aggregate::build(geometry, loaded.middle(), build, progress),
+            true => Aggregate::build(geometry, view.camera.anchor(), build, progress),
+            false => Aggregate::build_for_view(geometry, &view.camera, window, build, progress),
         };
         let (aggregate, ms) = timed(|| {
             self.bars
-                .during(Phase::Building(Aggregate::work(shapes)), make)
+                .during(Phase::Building(Aggregate::work(geometry)), make)
         });
-        let built = Built::new(aggregate, shapes);
-        summary::report_tree(&built, shapes, build.method, self.reporter);
+        let built = Built::new(aggregate, geometry);
+        summary::report_tree(&built, geometry, build.method, self.reporter);
         let tree = if is_shared {
             Tree::Shared(loaded.share(built))
         } else {
@@ -313,7 +313,7 @@ impl Renderer<'_> {
 
 fn record(loaded: &LoadedScene, view: &Viewpoint, finished: &Finished) -> Record {
     let window = finished.rendering.image.data_window;
-    let shapes = &loaded.scene.shapes;
+    let geometry = &loaded.scene.geometry;
     Record {
         scene: loaded.path.display().to_string(),
         camera: view.name.clone(),
@@ -327,10 +327,10 @@ fn record(loaded: &LoadedScene, view: &Viewpoint, finished: &Finished) -> Record
         rays: window.area(),
         hits: finished.rendering.traced.hits,
         shapes: loaded.scene.shape_count,
-        triangles: shapes.stored_triangles(),
-        spheres: shapes.stored_spheres(),
-        instances: shapes.instances().len(),
-        primitives: shapes.primitive_count(),
+        triangles: geometry.stored_triangles(),
+        spheres: geometry.stored_spheres(),
+        instances: geometry.instances().len(),
+        primitives: geometry.primitive_count(),
         ms: finished.ms,
         bvh: finished.statistics.into(),
         exact: (finished.precision == Precision::Exact)

@@ -13,7 +13,7 @@ use feimos::file_id::InputFiles;
 use feimos::geometry::Point;
 use feimos::progress::Progress;
 use feimos::scene::{self, Film, Scene, SceneDigest};
-use feimos::shape::Shapes;
+use feimos::shape::Geometry;
 use std::path::Path;
 use std::sync::OnceLock;
 
@@ -37,9 +37,9 @@ pub(super) struct Built {
 }
 
 impl Built {
-    pub(super) fn new(aggregate: Aggregate, shapes: &Shapes) -> Built {
+    pub(super) fn new(aggregate: Aggregate, geometry: &Geometry) -> Built {
         Built {
-            statistics: aggregate.statistics(shapes),
+            statistics: aggregate.statistics(geometry),
             aggregate,
         }
     }
@@ -104,7 +104,7 @@ impl<'a> LoadedScene<'a> {
     /// What stands for the scene as `view` sees it.
     pub(super) fn digest(&self, view: &Viewpoint) -> Digest {
         self.digest
-            .get_or_init(|| SceneDigest::of(&self.scene.shapes))
+            .get_or_init(|| SceneDigest::of(&self.scene.geometry))
             .seen_by(&view.camera)
     }
 
@@ -120,7 +120,7 @@ impl<'a> LoadedScene<'a> {
 
     /// Where boxes are the most precise if no view is better than another.
     pub(super) fn middle(&self) -> Point {
-        let middle = self.scene.shapes.extent().centre();
+        let middle = self.scene.geometry.extent().centre();
         if middle.is_finite() {
             middle
         } else {

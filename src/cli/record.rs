@@ -84,9 +84,9 @@ pub(crate) struct Exact {
     pub(crate) fallback_rays: u64,
 }
 
-impl From<feimos::accel::Fallbacks> for Exact {
-    fn from(fallbacks: feimos::accel::Fallbacks) -> Exact {
-        let feimos::accel::Fallbacks {
+impl From<feimos::accel::ExactFallbacks> for Exact {
+    fn from(fallbacks: feimos::accel::ExactFallbacks) -> Exact {
+        let feimos::accel::ExactFallbacks {
             unsure_tests,
             comparisons,
             roundings,

@@ -5,9 +5,9 @@ use super::job::Finished;
 use super::loaded_scene::Built;
 use super::record::Milliseconds;
 use super::reporter::Reporter;
-use feimos::accel::{Fallbacks, Precision, SplitMethod};
+use feimos::accel::{ExactFallbacks, Precision, SplitMethod};
 use feimos::scene::Scene;
-use feimos::shape::Shapes;
+use feimos::shape::Geometry;
 use indicatif::HumanCount;
 
 /// Warnings, what was skipped, and what there is.
@@ -16,19 +16,19 @@ pub(super) fn report_scene(scene: &Scene, reporter: &Reporter) {
     if let Some(summary) = scene.census.summary() {
         reporter.note(summary);
     }
-    let shapes = &scene.shapes;
+    let geometry = &scene.geometry;
     reporter.detail(format_args!(
         "loaded {} shapes: {}, {} transforms, {} bytes",
         scene.shape_count,
-        geometry(shapes),
+        stored_geometry(geometry),
         scene.transform_count,
-        shapes.bytes(),
+        geometry.bytes(),
     ));
 }
 
 /// What is stored, and how often objects are instanced, if there are any.
-pub(super) fn geometry(shapes: &Shapes) -> String {
-    let quadrics = match shapes.stored_spheres() {
+pub(super) fn stored_geometry(geometry: &Geometry) -> String {
+    let quadrics = match geometry.stored_spheres() {
         0 => String::new(),
         1 => ", 1 sphere, cylinder or disk".to_owned(),
         count => format!(
@@ -38,16 +38,16 @@ pub(super) fn geometry(shapes: &Shapes) -> String {
     };
     let stored = format!(
         "{}{quadrics}",
-        counted(shapes.stored_triangles() as u64, "triangle")
+        counted(geometry.stored_triangles() as u64, "triangle")
     );
-    match shapes.instances().len() as u64 {
+    match geometry.instances().len() as u64 {
         0 => stored,
         instances => {
             let (instances, objects) = (
                 counted(instances, "instance"),
-                counted(shapes.objects().len() as u64, "object"),
+                counted(geometry.objects().len() as u64, "object"),
             );
-            let primitives = counted(shapes.primitive_count(), "primitive");
+            let primitives = counted(geometry.primitive_count(), "primitive");
             format!("{stored}, {instances} of {objects}: {primitives} in all")
         }
     }
@@ -56,7 +56,7 @@ pub(super) fn geometry(shapes: &Shapes) -> String {
 /// What was built, and a note on primitives that no ray can hit.
 pub(super) fn report_tree(
     built: &Built,
-    shapes: &Shapes,
+    geometry: &Geometry,
     method: SplitMethod,
     reporter: &Reporter,
 ) {
@@ -64,12 +64,12 @@ pub(super) fn report_tree(
         aggregate,
         statistics,
     } = built;
-    let (nodes, built) = (statistics.nodes, aggregate.primitive_count(shapes));
-    let primitives = shapes.primitive_count();
+    let (nodes, built) = (statistics.nodes, aggregate.primitive_count(geometry));
+    let primitives = geometry.primitive_count();
     reporter.detail(format_args!(
         "built {nodes} nodes by {method} over {built} of {primitives} primitives"
     ));
-    let (dead, of) = (aggregate.never_hit(), shapes.own_count());
+    let (dead, of) = (aggregate.never_hit(), geometry.own_count());
     if dead > 0 {
         reporter.note(format_args!(
             "{dead} of {of} primitives can never be hit: no area, or not finite"
@@ -105,7 +105,7 @@ pub(super) fn report_image(finished: &Finished, reporter: &Reporter) {
 
 /// The lines of `--stats`.
 pub(super) fn report_statistics(scene: &Scene, finished: &Finished, reporter: &Reporter) {
-    let (tree, ms, shapes) = (&finished.statistics, &finished.ms, &scene.shapes);
+    let (tree, ms, geometry) = (&finished.statistics, &finished.ms, &scene.geometry);
     let rays = finished.rendering.image.data_window.area() as f64;
     let work = finished.rendering.traced.work.unwrap_or_default();
     let (nodes, primitives) = (work.nodes as f64 / rays, work.primitives as f64 / rays);
@@ -114,8 +114,8 @@ pub(super) fn report_statistics(scene: &Scene, finished: &Finished, reporter: &R
             "shapes      {} under {} transforms",
             scene.shape_count, scene.transform_count
         ),
-        format!("primitives  {}", geometry(shapes)),
-        format!("geometry    {} bytes", shapes.bytes()),
+        format!("primitives  {}", stored_geometry(geometry)),
+        format!("geometry    {} bytes", geometry.bytes()),
         format!("precision   {}", finished.precision),
         format!(
             "accelerator {}, built in {:.1} ms",
@@ -136,7 +136,7 @@ pub(super) fn report_statistics(scene: &Scene, finished: &Finished, reporter: &R
     ];
     lines.iter().for_each(|line| reporter.line(line));
     if finished.precision == Precision::Exact {
-        let Fallbacks {
+        let ExactFallbacks {
             unsure_tests,
             comparisons,
             roundings,

@@ -24,7 +24,7 @@ pub enum Difference {
     /// A hit of the right primitive whose depth is off by so many units in the last place; of `Z` and `t`, the larger error.
     Depth(u32),
     /// A hit of the right primitive of which something else is farther off than its depth: the largest error of `N.X` to `v`.
-    Surface(u32),
+    Primitive(u32),
 }
 
 impl Difference {
@@ -33,7 +33,7 @@ impl Difference {
         match self {
             Difference::None => false,
             Difference::FalseHit | Difference::MissedHit | Difference::WrongPrimitive => true,
-            Difference::Depth(ulps) | Difference::Surface(ulps) => ulps > max_ulp,
+            Difference::Depth(ulps) | Difference::Primitive(ulps) => ulps > max_ulp,
         }
     }
 }
@@ -153,7 +153,7 @@ impl<'a> Comparison<'a> {
                     .map(|pairs| pairs.iter().map(ulps).max().unwrap_or(0));
                 match (depth, surface) {
                     (0, 0) => Difference::None,
-                    _ if surface > depth => Difference::Surface(surface),
+                    _ if surface > depth => Difference::Primitive(surface),
                     _ => Difference::Depth(depth),
                 }
             }
@@ -290,12 +290,12 @@ mod tests {
             [1.0, 1.0, next, next.next_up()],
             [9.0, next, next.next_up(), next],
         );
-        use Difference::{Depth, None, Surface};
+        use Difference::{Depth, None, Primitive};
         assert_eq!(
             differences(&expected, &found),
-            [None, Surface(1), Surface(2), Depth(2)]
+            [None, Primitive(1), Primitive(2), Depth(2)]
         );
-        assert!(Surface(2).is_beyond(1) && !Surface(1).is_beyond(1));
+        assert!(Primitive(2).is_beyond(1) && !Primitive(1).is_beyond(1));
     }
 
     #[test]

@@ -77,14 +77,14 @@ impl Details {
                         *wrong += u64::from(pair.expected[pixel] != pair.found[pixel]);
                     }
                 }
-                Difference::None | Difference::Depth(_) | Difference::Surface(_)
+                Difference::None | Difference::Depth(_) | Difference::Primitive(_)
                     if comparison.is_hit(pixel) =>
                 {
                     for (pair, (_, ulps)) in measures(comparison).zip(&mut part.measures) {
                         ulps.add(super::ulps_between(pair.expected[pixel], pair.found[pixel]));
                     }
                 }
-                Difference::None | Difference::Depth(_) | Difference::Surface(_) => {}
+                Difference::None | Difference::Depth(_) | Difference::Primitive(_) => {}
             }
         }
         part

@@ -29,7 +29,7 @@ pub fn difference_picture(comparison: &Comparison, pixels: usize, max_ulp: u32) 
         Difference::FalseHit => FALSE_HIT,
         Difference::MissedHit => MISSED_HIT,
         Difference::WrongPrimitive => WRONG_PRIMITIVE,
-        Difference::Depth(ulps) | Difference::Surface(ulps) => ramp(ulps, max_ulp),
+        Difference::Depth(ulps) | Difference::Primitive(ulps) => ramp(ulps, max_ulp),
     };
     (0..pixels).into_par_iter().map(color).collect()
 }

@@ -30,7 +30,7 @@ impl Tally {
                 Difference::MissedHit => tally.missed_hits += 1,
                 Difference::WrongPrimitive => tally.wrong_primitives += 1,
                 Difference::Depth(ulps) => tally.depths.add(ulps),
-                Difference::Surface(ulps) => tally.surfaces.add(ulps),
+                Difference::Primitive(ulps) => tally.surfaces.add(ulps),
                 Difference::None if comparison.is_hit(pixel) && comparison.has_depths() => {
                     tally.depths.add(0)
                 }

@@ -8,7 +8,7 @@ use crate::film::{ChannelName, Image, PixelBounds};
 use crate::progress::Progress;
 use crate::render::{RenderOptions, render};
 use crate::scene::Scene;
-use crate::shape::Placed;
+use crate::shape::InstancedId;
 use crate::simd::Level;
 
 /// The answer of one way of computing.
@@ -79,7 +79,7 @@ pub(super) fn answers(scene: &Scene, tree: &Aggregate, pixel: [u32; 2]) -> Resul
 
 fn alone(scene: &Scene, tree: &Aggregate, [x, y]: [u32; 2], precision: Precision) -> Option<Found> {
     let ray = scene.camera.ray(x, y);
-    let mut tracer = Tracer::new(tree, &scene.shapes, precision);
+    let mut tracer = Tracer::new(tree, &scene.geometry, precision);
     let hit = tracer.closest_hit(&ray)?;
     let depth = tracer.depth(&ray, &hit);
     Some(of_hit(scene, hit.primitive, depth))
@@ -91,18 +91,18 @@ fn by_yardstick(
     [x, y]: [u32; 2],
     classic: Classic,
 ) -> Option<Found> {
-    let mut tracer = Tracer::new(tree, &scene.shapes, Precision::Exact);
-    let (primitive, depth) =
-        Yardstick::new(classic, &scene.shapes).closest_hit(&mut tracer, &scene.camera.ray(x, y))?;
+    let mut tracer = Tracer::new(tree, &scene.geometry, Precision::Exact);
+    let (primitive, depth) = Yardstick::new(classic, &scene.geometry)
+        .closest_hit(&mut tracer, &scene.camera.ray(x, y))?;
     Some(of_hit(scene, primitive, depth))
 }
 
-fn of_hit(scene: &Scene, primitive: Placed, depth: Depth) -> Found {
+fn of_hit(scene: &Scene, primitive: InstancedId, depth: Depth) -> Found {
     let instance = primitive
         .instance()
         .map_or(0, |instance| instance as u32 + 1);
     Found {
-        prim: scene.shapes.image_number(primitive),
+        prim: scene.geometry.image_number(primitive),
         instance,
         z: depth.z,
         t: depth.t,
@@ -132,7 +132,7 @@ fn in_tile(
     };
     let image = render(
         &scene.camera,
-        &scene.shapes,
+        &scene.geometry,
         tree,
         &options,
         Progress::SILENT,

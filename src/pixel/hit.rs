@@ -5,20 +5,20 @@ use crate::accel::Depth;
 use crate::exact::{Bracket, ExactVector};
 use crate::geometry::{Point, Ray, Vector};
 use crate::scene::Scene;
-use crate::shape::{Placed, Surface, Triangle};
+use crate::shape::{InstancedId, Primitive, Triangle};
 use std::cmp::Ordering;
 
 /// A hit in numbers.
 #[derive(Debug, Clone)]
 pub struct HitDetails {
     /// What is hit.
-    pub primitive: Placed,
+    pub primitive: InstancedId,
     /// The number of the primitive as channel `prim` has it.
     pub prim: u32,
     /// The number of the `Shape` statement, from 1.
     pub shape: u32,
     /// Where the primitive is in the world.
-    pub surface: Surface,
+    pub surface: Primitive,
     /// How far away it is, rounded once.
     pub depth: Depth,
     /// Where the ray's parameter lies, which is the planar depth, as narrowly as an `f64` or two can tell.
@@ -36,18 +36,18 @@ impl HitDetails {
         scene: &Scene,
         pixel: [u32; 2],
         ray: &Ray,
-        primitive: Placed,
+        primitive: InstancedId,
         depth: Depth,
     ) -> HitDetails {
-        let shapes = &scene.shapes;
-        let surface = shapes.surface(primitive);
+        let geometry = &scene.geometry;
+        let surface = geometry.surface(primitive);
         let z = surface.exact_t(ray).bracket();
         let t = z.low + (z.high - z.low) / 2.0;
         let point = ray.origin + ray.direction * t;
         HitDetails {
             primitive,
-            prim: shapes.image_number(primitive),
-            shape: shapes.shape_number(primitive),
+            prim: geometry.image_number(primitive),
+            shape: geometry.shape_number(primitive),
             depth,
             z,
             point,
@@ -58,10 +58,10 @@ impl HitDetails {
     }
 }
 
-fn normal(surface: &Surface, ray: &Ray, t: f64) -> Option<Vector> {
+fn normal(surface: &Primitive, ray: &Ray, t: f64) -> Option<Vector> {
     match surface {
-        Surface::Triangle(triangle) => normal_of_triangle(triangle, ray),
-        Surface::Quadric(quadric) => {
+        Primitive::Triangle(triangle) => normal_of_triangle(triangle, ray),
+        Primitive::Quadric(quadric) => {
             let normal = quadric.normal_at(ray, t);
             Some(if normal.dot(ray.direction) > 0.0 {
                 -normal

@@ -4,7 +4,7 @@ use super::film_space::FilmSpace;
 use crate::camera::Camera;
 use crate::exact::Dyadic;
 use crate::geometry::Ray;
-use crate::shape::{Surface, Triangle};
+use crate::shape::{Primitive, Triangle};
 
 /// How far inside a surface a hit is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,13 +26,13 @@ pub enum Margin {
 
 impl Margin {
     /// Of the hit of `ray`, through that pixel, on a surface that it hits.
-    pub(super) fn new(camera: &Camera, pixel: [u32; 2], ray: &Ray, surface: &Surface) -> Margin {
+    pub(super) fn new(camera: &Camera, pixel: [u32; 2], ray: &Ray, surface: &Primitive) -> Margin {
         match surface {
-            Surface::Triangle(triangle) => Margin::Triangle {
+            Primitive::Triangle(triangle) => Margin::Triangle {
                 barycentric: barycentric(triangle, ray),
                 on_film: FilmSpace::new(camera, pixel).and_then(|film| film.distance(triangle)),
             },
-            Surface::Quadric(quadric) => Margin::Quadric {
+            Primitive::Quadric(quadric) => Margin::Quadric {
                 clearance: quadric.clearance(ray),
             },
         }

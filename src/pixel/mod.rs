@@ -13,7 +13,7 @@ pub use hit::HitDetails;
 pub use margin::Margin;
 pub use scan::{MAX_SCANNED, Missed, Next, Scan};
 
-use crate::accel::{Aggregate, BuildOptions, Precision, SplitMethod, Tracer, Work};
+use crate::accel::{Aggregate, BuildOptions, Precision, SplitMethod, Tracer, TraversalCounts};
 use crate::error::Result;
 use crate::geometry::Ray;
 use crate::progress::Progress;
@@ -38,7 +38,7 @@ pub struct Explanation {
     /// What each way of computing finds. The first one is what [`Explanation::hit`] tells.
     pub answers: Vec<Answer>,
     /// What the ray costs with each accelerator, by the exact search.
-    pub costs: Vec<(SplitMethod, Work)>,
+    pub costs: Vec<(SplitMethod, TraversalCounts)>,
     /// Whether the reference was asked.
     pub is_judged: bool,
     /// Where exact answers contradict each other, in words: a bug of this program.
@@ -53,17 +53,19 @@ pub struct Explanation {
 /// # Panics
 /// Where `builds` is empty.
 pub fn explain(scene: &Scene, pixel: [u32; 2], builds: &[BuildOptions]) -> Result<Explanation> {
-    let Scene { camera, shapes, .. } = scene;
+    let Scene {
+        camera, geometry, ..
+    } = scene;
     let ray = camera.ray(pixel[0], pixel[1]);
     let tree =
-        |build: BuildOptions| Aggregate::build(shapes, camera.anchor(), build, Progress::SILENT);
+        |build: BuildOptions| Aggregate::build(geometry, camera.anchor(), build, Progress::SILENT);
     let cost = |tree: &Aggregate| {
-        let mut work = Work::default();
-        Tracer::new(tree, shapes, Precision::Exact).closest_hit_counted(&ray, &mut work);
+        let mut work = TraversalCounts::default();
+        Tracer::new(tree, geometry, Precision::Exact).closest_hit_counted(&ray, &mut work);
         work
     };
     let first = tree(builds[0]);
-    let mut tracer = Tracer::new(&first, shapes, Precision::Exact);
+    let mut tracer = Tracer::new(&first, geometry, Precision::Exact);
     let hit = tracer.closest_hit(&ray).map(|hit| {
         let depth = tracer.depth(&ray, &hit);
         HitDetails::new(scene, pixel, &ray, hit.primitive, depth)
@@ -77,8 +79,8 @@ pub fn explain(scene: &Scene, pixel: [u32; 2], builds: &[BuildOptions]) -> Resul
             .map(|build| (build.method, cost(&tree(*build)))),
     );
     let scan = Scan::of(scene, pixel, &ray, hit.is_none());
-    let is_judged = shapes.primitive_count() <= MAX_JUDGED;
-    let judged = is_judged.then(|| reference::closest_hit(shapes, &ray));
+    let is_judged = geometry.primitive_count() <= MAX_JUDGED;
+    let judged = is_judged.then(|| reference::closest_hit(geometry, &ray));
     let contradictions = contradictions(hit.as_ref(), &answers, scan.as_ref(), judged);
     Ok(Explanation {
         pixel,

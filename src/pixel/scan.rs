@@ -4,7 +4,7 @@ use super::film_space::FilmSpace;
 use crate::exact::{Bracket, Root};
 use crate::geometry::Ray;
 use crate::scene::Scene;
-use crate::shape::{FilterRay, Placed, Primitive, Shapes, Surface, Verdict};
+use crate::shape::{FilterRay, FilterResult, Geometry, InstancedId, Primitive, PrimitiveId};
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
@@ -17,7 +17,7 @@ pub struct Scan {
     /// Primitives that it meets.
     pub met: u64,
     /// The nearest of them; of several, the first in the file.
-    pub first: Option<Placed>,
+    pub first: Option<InstancedId>,
     /// The one after that.
     pub next: Option<Next>,
     /// Where it meets none: what it passes most closely.
@@ -30,7 +30,7 @@ pub struct Scan {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Next {
     /// What would be hit if the first one were not there.
-    pub primitive: Placed,
+    pub primitive: InstancedId,
     /// Where the planar depth lies.
     pub z: Bracket,
     /// How much farther the planar depth is, in `f64`.
@@ -43,7 +43,7 @@ pub struct Next {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Missed {
     /// The triangle.
-    pub primitive: Placed,
+    pub primitive: InstancedId,
     /// Pixels on the film from the pixel's centre to the nearest edge.
     pub on_film: f64,
 }
@@ -51,56 +51,56 @@ pub struct Missed {
 /// What some primitives contribute.
 #[derive(Default)]
 struct Part {
-    hits: Vec<(Placed, Bracket)>,
+    hits: Vec<(InstancedId, Bracket)>,
     missed: Option<Missed>,
 }
 
 impl Scan {
     /// Looks at every primitive; `None` where there are too many. Distances to what is missed are measured if `is_miss`.
     pub(super) fn of(scene: &Scene, pixel: [u32; 2], ray: &Ray, is_miss: bool) -> Option<Scan> {
-        let shapes = &scene.shapes;
-        if shapes.primitive_count() > MAX_SCANNED {
+        let geometry = &scene.geometry;
+        if geometry.primitive_count() > MAX_SCANNED {
             return None;
         }
         let film = is_miss
             .then(|| FilmSpace::new(&scene.camera, pixel))
             .flatten();
         let filter_ray = ray.can_hit().then(|| FilterRay::new(ray));
-        let look = |mut part: Part, (placed, surface): (Placed, Surface)| {
+        let look = |mut part: Part, (placed, surface): (InstancedId, Primitive)| {
             part.hits.extend(
                 filter_ray
                     .as_ref()
                     .and_then(|ray| meet(&surface, ray))
                     .map(|t| (placed, t)),
             );
-            if let (Surface::Triangle(triangle), Some(film)) = (&surface, &film) {
+            if let (Primitive::Triangle(triangle), Some(film)) = (&surface, &film) {
                 let missed = film.distance(triangle).map(|on_film| Missed {
                     primitive: placed,
                     on_film,
                 });
-                part.missed = closer(part.missed, missed, shapes);
+                part.missed = closer(part.missed, missed, geometry);
             }
             part
         };
         let part =
-            all(shapes)
+            all(geometry)
                 .fold(Part::default, look)
                 .reduce(Part::default, |mut part, other| {
                     part.hits.extend(other.hits);
                     Part {
-                        missed: closer(part.missed, other.missed, shapes),
+                        missed: closer(part.missed, other.missed, geometry),
                         hits: part.hits,
                     }
                 });
         let unmeasured = if is_miss {
-            all(shapes)
+            all(geometry)
                 .filter(|(placed, _)| placed.primitive().is_sphere())
                 .count()
         } else {
             0
         };
         let met = part.hits.len() as u64;
-        let (first, next) = nearest_two(part.hits, shapes, ray);
+        let (first, next) = nearest_two(part.hits, geometry, ray);
         Some(Scan {
             met,
             first,
@@ -112,45 +112,45 @@ impl Scan {
 }
 
 /// All primitives, where they are in the world.
-fn all(shapes: &Shapes) -> impl ParallelIterator<Item = (Placed, Surface)> {
-    let triangles = (0..shapes.triangle_count())
+fn all(geometry: &Geometry) -> impl ParallelIterator<Item = (InstancedId, Primitive)> {
+    let triangles = (0..geometry.triangle_count())
         .into_par_iter()
-        .map(Primitive::triangle);
+        .map(PrimitiveId::triangle);
     let own = triangles
         .chain(
-            (0..shapes.sphere_count())
+            (0..geometry.sphere_count())
                 .into_par_iter()
-                .map(Primitive::sphere),
+                .map(PrimitiveId::sphere),
         )
-        .map(Placed::alone);
-    let instances = (0..shapes.instances().len()).into_par_iter();
+        .map(InstancedId::alone);
+    let instances = (0..geometry.instances().len()).into_par_iter();
     let instanced = instances.flat_map_iter(|instance| {
-        let mut pose = shapes.pose(instance);
-        let primitives = shapes.object_of(instance).shapes().primitives();
+        let mut pose = geometry.pose(instance);
+        let primitives = geometry.object_of(instance).geometry().primitives();
         primitives.map(move |primitive| {
             (
-                Placed::in_instance(instance, primitive),
+                InstancedId::in_instance(instance, primitive),
                 pose.surface(primitive),
             )
         })
     });
-    own.map(|placed| (placed, shapes.surface(placed)))
+    own.map(|placed| (placed, geometry.surface(placed)))
         .chain(instanced)
 }
 
-fn meet(surface: &Surface, ray: &FilterRay) -> Option<Bracket> {
+fn meet(surface: &Primitive, ray: &FilterRay) -> Option<Bracket> {
     if !surface.can_be_hit() {
         return None;
     }
     match surface.filter(ray) {
-        Verdict::Miss => None,
-        Verdict::Hit(t) => Some(t),
-        Verdict::Unsure => surface.exact(&ray.ray).map(|t| t.bracket()),
+        FilterResult::Miss => None,
+        FilterResult::Hit(t) => Some(t),
+        FilterResult::Unsure => surface.exact(&ray.ray).map(|t| t.bracket()),
     }
 }
 
-fn closer(a: Option<Missed>, b: Option<Missed>, shapes: &Shapes) -> Option<Missed> {
-    let key = |missed: &Missed| (missed.on_film, shapes.number(missed.primitive));
+fn closer(a: Option<Missed>, b: Option<Missed>, geometry: &Geometry) -> Option<Missed> {
+    let key = |missed: &Missed| (missed.on_film, geometry.number(missed.primitive));
     a.into_iter().chain(b).min_by(|a, b| {
         let ((a, p), (b, q)) = (key(a), key(b));
         a.total_cmp(&b).then(p.cmp(&q))
@@ -159,22 +159,22 @@ fn closer(a: Option<Missed>, b: Option<Missed>, shapes: &Shapes) -> Option<Misse
 
 /// The nearest hit and the one after it, by exact comparisons of those whose brackets leave a doubt.
 fn nearest_two(
-    mut hits: Vec<(Placed, Bracket)>,
-    shapes: &Shapes,
+    mut hits: Vec<(InstancedId, Bracket)>,
+    geometry: &Geometry,
     ray: &Ray,
-) -> (Option<Placed>, Option<Next>) {
+) -> (Option<InstancedId>, Option<Next>) {
     let mut ends: Vec<f64> = hits.iter().map(|(_, t)| t.high).collect();
     if ends.len() > 2 {
         let (_, second, _) = ends.select_nth_unstable_by(1, f64::total_cmp);
         let limit = *second;
         hits.retain(|(_, t)| t.low <= limit);
     }
-    let mut best: Vec<(Root, Placed)> = Vec::with_capacity(3);
+    let mut best: Vec<(Root, InstancedId)> = Vec::with_capacity(3);
     for (placed, _) in hits {
-        best.push((shapes.surface(placed).exact_t(ray), placed));
+        best.push((geometry.surface(placed).exact_t(ray), placed));
         best.sort_by(|(a, p), (b, q)| {
             a.cmp(b)
-                .then_with(|| shapes.number(*p).cmp(&shapes.number(*q)))
+                .then_with(|| geometry.number(*p).cmp(&geometry.number(*q)))
         });
         best.truncate(2);
     }

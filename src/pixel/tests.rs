@@ -78,7 +78,7 @@ fn of_two_in_one_place_the_first_wins() {
     assert_eq!(
         (
             explanation.hit.unwrap().prim,
-            scene.shapes.image_number(next.primitive)
+            scene.geometry.image_number(next.primitive)
         ),
         (1, 2)
     );
@@ -108,7 +108,7 @@ fn what_is_behind_is_told_with_its_distance() {
     assert_eq!(
         (
             explanation.hit.unwrap().prim,
-            scene.shapes.image_number(next.primitive)
+            scene.geometry.image_number(next.primitive)
         ),
         (2, 1)
     );
@@ -137,7 +137,10 @@ fn a_miss_tells_how_far_away_the_nearest_triangle_is_on_the_film() {
         let scan = explanation.scan.unwrap();
         assert_eq!((scan.met, scan.first, scan.unmeasured), (0, None, 1));
         let missed = scan.missed.unwrap();
-        (scene.shapes.image_number(missed.primitive), missed.on_film)
+        (
+            scene.geometry.image_number(missed.primitive),
+            missed.on_film,
+        )
     };
     // From x = -0.75 to 0.5, at two pixels a unit.
     assert_eq!(missed(&scene(ORTHOGRAPHIC, &world)), (1, 2.5));
@@ -237,7 +240,7 @@ fn costs_are_those_of_the_traversal() {
         if method == SplitMethod::None {
             assert_eq!(
                 work,
-                Work {
+                TraversalCounts {
                     nodes: 1,
                     primitives: 40
                 }

@@ -2,14 +2,14 @@
 
 use crate::exact::{Dyadic, ExactVector, Root};
 use crate::geometry::{Matrix, Ray};
-use crate::shape::{Cut, Disk, Form, Quadric, Sector, Surface, Triangle};
+use crate::shape::{Cut, Disk, Form, Primitive, Quadric, Sector, Triangle};
 use std::cmp::Ordering::{self, Equal, Greater, Less};
 
 /// The `t` at which `ray` meets `surface` first, if it does.
-pub(super) fn intersect(surface: &Surface, ray: &Ray) -> Option<Root> {
+pub(super) fn intersect(surface: &Primitive, ray: &Ray) -> Option<Root> {
     match surface {
-        Surface::Triangle(triangle) => meet_triangle(triangle, ray),
-        Surface::Quadric(quadric) => meet_quadric(quadric, ray),
+        Primitive::Triangle(triangle) => meet_triangle(triangle, ray),
+        Primitive::Quadric(quadric) => meet_quadric(quadric, ray),
     }
 }
 

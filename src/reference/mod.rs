@@ -14,37 +14,37 @@ pub use pixels::{MAX_PRIMITIVES, answers, candidates};
 
 use crate::exact::{Bracket, ExactVector, nearest_f32};
 use crate::geometry::Ray;
-use crate::shape::{Placed, Shapes};
+use crate::shape::{Geometry, InstancedId};
 use meet::intersect;
 
 /// What a ray meets first.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ReferenceHit {
     /// The primitive that is hit.
-    pub primitive: Placed,
+    pub primitive: InstancedId,
     /// The ray's parameter: the planar depth in units of camera space.
     pub z: f32,
     /// The distance from the ray's origin in units of world space.
     pub t: f32,
 }
 
-/// The nearest hit of `ray` in `shapes`; of several at one `t`, the first in the file.
-pub fn closest_hit(shapes: &Shapes, ray: &Ray) -> Option<ReferenceHit> {
-    closest_hit_among(shapes.all(), shapes, ray)
+/// The nearest hit of `ray` in `geometry`; of several at one `t`, the first in the file.
+pub fn closest_hit(geometry: &Geometry, ray: &Ray) -> Option<ReferenceHit> {
+    closest_hit_among(geometry.all(), geometry, ray)
 }
 
 /// The nearest hit among some of the primitives.
 fn closest_hit_among(
-    primitives: impl Iterator<Item = Placed>,
-    shapes: &Shapes,
+    primitives: impl Iterator<Item = InstancedId>,
+    geometry: &Geometry,
     ray: &Ray,
 ) -> Option<ReferenceHit> {
     if !ray.can_hit() {
         return None;
     }
     let hits =
-        primitives.filter_map(|placed| Some((intersect(&shapes.surface(placed), ray)?, placed)));
-    let number = |placed: &Placed| shapes.number(*placed);
+        primitives.filter_map(|placed| Some((intersect(&geometry.surface(placed), ray)?, placed)));
+    let number = |placed: &InstancedId| geometry.number(*placed);
     let (root, primitive) =
         hits.min_by(|(a, p), (b, q)| a.cmp(b).then(number(p).cmp(&number(q))))?;
     let direction = ExactVector::from(ray.direction);

@@ -8,7 +8,7 @@ use crate::exact::Bracket;
 use crate::film::PixelBounds;
 use crate::geometry::{Bounds, Point};
 use crate::progress::Progress;
-use crate::shape::{Form, Placed, Quadric, Shapes, Surface};
+use crate::shape::{Form, Geometry, InstancedId, Primitive, Quadric};
 use rayon::prelude::*;
 
 /// Primitives of a scene, those of instances as often as they are instanced, at most: the list of all of them takes 8 bytes each.
@@ -27,35 +27,35 @@ const SHORT: usize = 1 << 14;
 /// Where there are more than [`MAX_PRIMITIVES`].
 pub fn answers(
     camera: &Camera,
-    shapes: &Shapes,
+    geometry: &Geometry,
     pixels: &[[u32; 2]],
     progress: Progress,
 ) -> Vec<Option<ReferenceHit>> {
-    by_area(camera, shapes, pixels, |[x, y], primitives| {
+    by_area(camera, geometry, pixels, |[x, y], primitives| {
         progress.advance(1);
-        closest_hit_among(primitives.iter().copied(), shapes, &camera.ray(x, y))
+        closest_hit_among(primitives.iter().copied(), geometry, &camera.ray(x, y))
     })
 }
 
 /// For each of some pixels, how many primitives its answer takes an exact test of.
-pub fn candidates(camera: &Camera, shapes: &Shapes, pixels: &[[u32; 2]]) -> Vec<usize> {
-    by_area(camera, shapes, pixels, |_, primitives| primitives.len())
+pub fn candidates(camera: &Camera, geometry: &Geometry, pixels: &[[u32; 2]]) -> Vec<usize> {
+    by_area(camera, geometry, pixels, |_, primitives| primitives.len())
 }
 
 /// Calls `visit` with each pixel and the primitives that its ray may meet.
 fn by_area<T: Send + Clone>(
     camera: &Camera,
-    shapes: &Shapes,
+    geometry: &Geometry,
     pixels: &[[u32; 2]],
-    visit: impl Fn([u32; 2], &[Placed]) -> T + Sync,
+    visit: impl Fn([u32; 2], &[InstancedId]) -> T + Sync,
 ) -> Vec<T> {
     assert!(
-        shapes.primitive_count() <= MAX_PRIMITIVES,
+        geometry.primitive_count() <= MAX_PRIMITIVES,
         "too many primitives for one list"
     );
     let [width, height] = camera.resolution;
     let sorter = Sorter {
-        shapes,
+        geometry,
         camera,
         columns: (0..width)
             .map(|x| camera.plane_coordinates(x, 0)[0])
@@ -74,7 +74,7 @@ fn by_area<T: Send + Clone>(
             answer,
         })
         .collect();
-    let all: Vec<Placed> = shapes.all().collect();
+    let all: Vec<InstancedId> = geometry.all().collect();
     sorter.sort(PixelBounds::of_film(width, height), &mut pending, &all);
     answers
         .into_iter()
@@ -89,7 +89,7 @@ struct Pixel<'a, T> {
 }
 
 struct Sorter<'a, F> {
-    shapes: &'a Shapes,
+    geometry: &'a Geometry,
     camera: &'a Camera,
     /// Where the rays of a column pass the plane at distance 1.
     columns: Vec<f64>,
@@ -104,9 +104,9 @@ impl<F> Sorter<'_, F> {
         &self,
         area: PixelBounds,
         pixels: &mut [Pixel<T>],
-        primitives: &[Placed],
+        primitives: &[InstancedId],
     ) where
-        F: Fn([u32; 2], &[Placed]) -> T + Sync,
+        F: Fn([u32; 2], &[InstancedId]) -> T + Sync,
     {
         let Some(first) = pixels.first().map(|pixel| pixel.place) else {
             return;
@@ -153,7 +153,7 @@ impl<F> Sorter<'_, F> {
     }
 
     /// Those of the `primitives` that a ray through `area` may meet.
-    fn met(&self, area: &PixelBounds, primitives: &[Placed]) -> Vec<Placed> {
+    fn met(&self, area: &PixelBounds, primitives: &[InstancedId]) -> Vec<InstancedId> {
         let hull = |values: &[f64]| Bracket {
             low: values.iter().copied().fold(f64::INFINITY, f64::min),
             high: values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
@@ -161,7 +161,8 @@ impl<F> Sorter<'_, F> {
         let columns = hull(&self.columns[area.x0 as usize..area.x1 as usize]);
         let rows = hull(&self.rows[area.y0 as usize..area.y1 as usize]);
         let beam = Beam::new(self.camera, columns, rows);
-        let is_met = |placed: &&Placed| beam.may_meet(&bounds_of(&self.shapes.surface(**placed)));
+        let is_met =
+            |placed: &&InstancedId| beam.may_meet(&bounds_of(&self.geometry.surface(**placed)));
         match primitives.len() {
             0..SHORT => primitives.iter().filter(is_met).copied().collect(),
             _ => primitives.par_iter().filter(is_met).copied().collect(),
@@ -170,10 +171,10 @@ impl<F> Sorter<'_, F> {
 }
 
 /// A box around a primitive that is seen to be right: of its corners, or of the box around a quadric in object space.
-fn bounds_of(surface: &Surface) -> Bounds {
+fn bounds_of(surface: &Primitive) -> Bounds {
     match surface {
-        Surface::Triangle(triangle) => Bounds::of(triangle.0),
-        Surface::Quadric(quadric) => bounds_of_quadric(quadric),
+        Primitive::Triangle(triangle) => Bounds::of(triangle.0),
+        Primitive::Quadric(quadric) => bounds_of_quadric(quadric),
     }
 }
 

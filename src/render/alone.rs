@@ -1,17 +1,17 @@
 //! Rays that are cast one by one, to count what each costs.
 
 use super::Traced;
-use crate::accel::{Aggregate, Precision, Tracer, Work};
+use crate::accel::{Aggregate, Precision, Tracer, TraversalCounts};
 use crate::camera::Camera;
 use crate::film::PixelBounds;
 use crate::progress::Progress;
-use crate::shape::Shapes;
+use crate::shape::Geometry;
 use rayon::prelude::*;
 
 /// The rays of an image without the company of a tile.
 pub(super) struct Alone<'a> {
     pub(super) camera: &'a Camera,
-    pub(super) shapes: &'a Shapes,
+    pub(super) geometry: &'a Geometry,
     pub(super) aggregate: &'a Aggregate,
     pub(super) window: PixelBounds,
     /// Of the search: where it believes to have a hit decides what it leaves out.
@@ -41,11 +41,11 @@ impl Alone<'_> {
     }
 
     /// Casts the rays of a row, and tells `each` by its place in it what it took.
-    fn cast_row(&self, y: u32, mut each: impl FnMut(usize, Work)) -> Traced {
-        let mut tracer = Tracer::new(self.aggregate, self.shapes, self.precision);
-        let (mut hits, mut sum) = (0, Work::default());
+    fn cast_row(&self, y: u32, mut each: impl FnMut(usize, TraversalCounts)) -> Traced {
+        let mut tracer = Tracer::new(self.aggregate, self.geometry, self.precision);
+        let (mut hits, mut sum) = (0, TraversalCounts::default());
         for (place, x) in (self.window.x0..self.window.x1).enumerate() {
-            let mut work = Work::default();
+            let mut work = TraversalCounts::default();
             hits += u64::from(
                 tracer
                     .closest_hit_counted(&self.camera.ray(x, y), &mut work)
@@ -64,7 +64,7 @@ impl Alone<'_> {
 }
 
 /// What a ray costs as the channel has it: more than it can hold is the most that it can.
-fn cost(work: Work) -> u32 {
+fn cost(work: TraversalCounts) -> u32 {
     u32::try_from(work.nodes + work.primitives).unwrap_or(u32::MAX)
 }
 
@@ -75,14 +75,14 @@ mod tests {
     #[test]
     fn a_cost_beyond_the_channel_is_the_most_it_holds() {
         assert_eq!(
-            cost(Work {
+            cost(TraversalCounts {
                 nodes: 3,
                 primitives: 4
             }),
             7
         );
         assert_eq!(
-            cost(Work {
+            cost(TraversalCounts {
                 nodes: 1,
                 primitives: u64::from(u32::MAX)
             }),

@@ -4,13 +4,15 @@ mod alone;
 mod segment;
 mod surface_tile;
 
-use crate::accel::{Aggregate, Fallbacks, Precision, TILE, TileOptions, TileTracer, Tiles, Work};
+use crate::accel::{
+    Aggregate, ExactFallbacks, Precision, TILE, TileOptions, TileTracer, Tiles, TraversalCounts,
+};
 use crate::camera::Camera;
 use crate::error::{Diagnostic, Error, ErrorKind, Result};
 use crate::film::{Channel, ChannelName, Image, PixelBounds, Samples};
 use crate::memory;
 use crate::progress::Progress;
-use crate::shape::Shapes;
+use crate::shape::Geometry;
 use crate::simd::Level;
 use alone::Alone;
 use rayon::prelude::*;
@@ -76,13 +78,13 @@ pub struct Rendering {
 /// Where the image is larger than memory can hold.
 pub fn render(
     camera: &Camera,
-    shapes: &Shapes,
+    geometry: &Geometry,
     aggregate: &Aggregate,
     options: &RenderOptions,
     progress: Progress,
 ) -> Result<Rendering> {
     let mut image = blank_image(camera, options)?;
-    let traced = render_into(&mut image, camera, shapes, aggregate, options, progress);
+    let traced = render_into(&mut image, camera, geometry, aggregate, options, progress);
     Ok(Rendering { image, traced })
 }
 
@@ -106,9 +108,9 @@ pub struct Traced {
     /// Pixels that hit something.
     pub hits: u64,
     /// What all rays together cost, if that was asked for.
-    pub work: Option<Work>,
+    pub work: Option<TraversalCounts>,
     /// How often integers were needed for the exact answer.
-    pub fallbacks: Fallbacks,
+    pub fallbacks: ExactFallbacks,
 }
 
 impl Traced {
@@ -127,7 +129,7 @@ impl Traced {
 pub fn render_into(
     image: &mut Image,
     camera: &Camera,
-    shapes: &Shapes,
+    geometry: &Geometry,
     aggregate: &Aggregate,
     options: &RenderOptions,
     progress: Progress,
@@ -140,7 +142,7 @@ pub fn render_into(
         let window = options.data_window;
         Alone {
             camera,
-            shapes,
+            geometry,
             aggregate,
             window,
             precision,
@@ -149,10 +151,10 @@ pub fn render_into(
     };
     // Hits are known on the way: whoever wants nothing but costs needs no tiles.
     let by_tiles = (!channels.is_empty() || costs.is_empty()).then(|| {
-        let tiles = Tiles::new(camera, shapes, aggregate, options.of_tiles());
+        let tiles = Tiles::new(camera, geometry, aggregate, options.of_tiles());
         let renderer = Renderer {
             camera,
-            shapes,
+            geometry,
             options,
             progress,
         };
@@ -244,7 +246,7 @@ fn reserved<T>(count: usize) -> std::result::Result<Vec<T>, std::collections::Tr
 
 struct Renderer<'a> {
     camera: &'a Camera,
-    shapes: &'a Shapes,
+    geometry: &'a Geometry,
     options: &'a RenderOptions,
     progress: Progress<'a>,
 }
@@ -266,7 +268,7 @@ impl Renderer<'_> {
         let before = tracer.fallbacks();
         let first_row = y0 / TILE * TILE;
         let mut surface =
-            SurfaceTile::of_channels(&self.options.channels, self.camera, self.shapes);
+            SurfaceTile::of_channels(&self.options.channels, self.camera, self.geometry);
         let mut hits = 0;
         for first_column in (x0 / TILE * TILE..x1).step_by(TILE as usize) {
             let traced = tracer.trace([first_column, first_row], &self.options.data_window);
@@ -284,7 +286,7 @@ impl Renderer<'_> {
                 surface.as_ref(),
                 [first_column, first_row],
                 columns,
-                self.shapes,
+                self.geometry,
             );
         }
         self.progress.advance(segment.bounds.area() as usize);

@@ -3,7 +3,7 @@
 use super::surface_tile::SurfaceTile;
 use crate::accel::{TILE, TracedTile};
 use crate::film::{Channel, ChannelName, PixelBounds, Samples};
-use crate::shape::{Numbers, Placed, Shapes};
+use crate::shape::{Geometry, InstancedId, Numbers};
 
 /// Columns of a segment: enough for a thread to be busy for a while, few enough for threads to end together.
 const WIDTH: u32 = 8 * TILE;
@@ -106,7 +106,7 @@ impl Segment<'_> {
         surface: Option<&SurfaceTile>,
         first: [u32; 2],
         columns: [u32; 2],
-        shapes: &Shapes,
+        geometry: &Geometry,
     ) {
         let part = Part {
             tile,
@@ -114,7 +114,7 @@ impl Segment<'_> {
             columns,
             bounds: self.bounds,
         };
-        let mut numbers = Numbers::new(shapes);
+        let mut numbers = Numbers::new(geometry);
         for (name, rows) in &mut self.channels {
             match (rows, name) {
                 (Rows::F32(rows), ChannelName::Z) => part.put_depths(rows, TracedTile::z_of_row),
@@ -129,7 +129,7 @@ impl Segment<'_> {
                     }
                 }
                 (Rows::U32(rows), ChannelName::Id) => {
-                    part.put_hits(rows, |hit| shapes.shape_number(hit))
+                    part.put_hits(rows, |hit| geometry.shape_number(hit))
                 }
                 (Rows::U32(rows), ChannelName::Instance) => {
                     part.put_hits(rows, |hit| {
@@ -181,7 +181,7 @@ impl Part<'_> {
     fn put_hits<T: Copy + Default>(
         &self,
         rows: &mut [&mut [T]],
-        mut of_hit: impl FnMut(Placed) -> T,
+        mut of_hit: impl FnMut(InstancedId) -> T,
     ) {
         let [first, end] = self.columns.map(|x| x - self.first[0]);
         let within = (1 << end) - (1 << first);

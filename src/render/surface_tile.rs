@@ -3,7 +3,7 @@
 use crate::accel::{TILE, TracedTile};
 use crate::camera::Camera;
 use crate::film::ChannelName;
-use crate::shape::{Shapes, SurfacePoint, SurfacePoints, SurfaceWants};
+use crate::shape::{Geometry, SurfacePoint, SurfacePoints, SurfaceWants};
 
 /// The samples of [`ChannelName::SURFACE`] of a tile, rounded once from `f64`; 0 where nothing is hit.
 pub(super) struct SurfaceTile<'a> {
@@ -17,7 +17,7 @@ impl<'a> SurfaceTile<'a> {
     pub(super) fn of_channels(
         channels: &[ChannelName],
         camera: &'a Camera,
-        shapes: &'a Shapes,
+        geometry: &'a Geometry,
     ) -> Option<SurfaceTile<'a>> {
         use ChannelName::{Nx, Ny, Nz, Px, Py, Pz, U, V};
         let wants = |some: &[ChannelName]| channels.iter().any(|channel| some.contains(channel));
@@ -29,7 +29,7 @@ impl<'a> SurfaceTile<'a> {
         let is_wanted = wanted.normal || wanted.point || wanted.uv;
         is_wanted.then(|| SurfaceTile {
             camera,
-            points: SurfacePoints::new(shapes, wanted),
+            points: SurfacePoints::new(geometry, wanted),
             samples: Vec::new(),
         })
     }

@@ -6,7 +6,7 @@ use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::film::PixelBounds;
 use crate::geometry::{Bounds, Matrix, RoundedTransform, Transform, Vector};
 use crate::mesh::Loaded;
-use crate::shape::Shapes;
+use crate::shape::Geometry;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -48,8 +48,8 @@ pub(super) fn scene_of_mesh(
             let diagnostic = Diagnostic::new(message).at(SourceLocation::file(path));
             Error::bad_input(diagnostic.note("write a scene with a Scale and a LookAt around it"))
         })?;
-    let mut shapes = Shapes::default();
-    let added = shapes.add_mesh(
+    let mut geometry = Geometry::default();
+    let added = geometry.add_mesh(
         loaded.mesh.vertices,
         loaded.mesh.triangles,
         &Matrix::IDENTITY,
@@ -58,9 +58,13 @@ pub(super) fn scene_of_mesh(
     added.map_err(|error| {
         Error::bad_input(Diagnostic::new(error.to_string()).at(SourceLocation::file(path)))
     })?;
-    loaded.mesh.uv.into_iter().for_each(|uv| shapes.add_uv(uv));
+    loaded
+        .mesh
+        .uv
+        .into_iter()
+        .for_each(|uv| geometry.add_uv(uv));
     let mut census = Census::default();
-    census.count_shape(shape, Some(shapes.own_count()));
+    census.count_shape(shape, Some(geometry.own_count()));
     let aspect = f64::from(resolution[0]) / f64::from(resolution[1]);
     let roundings = options.roundings.then(|| Roundings {
         camera: Arc::new(frame),
@@ -80,7 +84,7 @@ pub(super) fn scene_of_mesh(
             filename: None,
         },
         accelerator: AcceleratorParameters::default(),
-        shapes,
+        geometry,
         shape_count: 1,
         transform_count: 1,
         warnings,

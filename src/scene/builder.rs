@@ -24,7 +24,7 @@ use crate::file_id::InputFiles;
 use crate::geometry::{RoundedTransform, Transform, Vector};
 use crate::input::{Budget, BudgetFactor};
 use crate::progress::Progress;
-use crate::shape::Shapes;
+use crate::shape::Geometry;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::Arc;
@@ -46,7 +46,7 @@ pub(super) struct Builder<'a> {
     pub(super) film: FilmParameters,
     pub(super) film_place: Option<Place>,
     pub(super) accelerator: AcceleratorParameters,
-    pub(super) shapes: Shapes,
+    pub(super) geometry: Geometry,
     pub(super) objects: Objects,
     pub(super) materials: Materials,
     pub(super) shape_count: u32,
@@ -83,7 +83,7 @@ impl<'a> Builder<'a> {
             film: FilmParameters::default(),
             film_place: None,
             accelerator: AcceleratorParameters::default(),
-            shapes: Shapes::default(),
+            geometry: Geometry::default(),
             objects: Objects::default(),
             materials: Materials::default(),
             shape_count: 0,
@@ -343,7 +343,7 @@ impl<'a> Builder<'a> {
         self.close_blocks();
         self.define_object();
         self.define_awaited()?;
-        self.shapes.hide(&self.materials.late_boundaries());
+        self.geometry.hide(&self.materials.late_boundaries());
         self.census.set_unused(self.objects.unused(MAX_LISTED));
         if !self.in_world {
             let diagnostic =
@@ -369,7 +369,7 @@ impl<'a> Builder<'a> {
             camera,
             film,
             accelerator: self.accelerator,
-            shapes: self.shapes,
+            geometry: self.geometry,
             shape_count: self.shape_count,
             transform_count: self.transforms.len() + self.objects.transform_count,
             warnings: self.warnings,

@@ -2,16 +2,16 @@
 
 use crate::camera::{Camera, Projection, ScreenWindow};
 use crate::digest::{Digest, Digester};
-use crate::shape::Shapes;
+use crate::shape::Geometry;
 
 /// A scene's geometry, taken in once for all of its views.
 pub struct SceneDigest(Digest);
 
 impl SceneDigest {
     /// Of the geometry alone.
-    pub fn of(shapes: &Shapes) -> SceneDigest {
+    pub fn of(geometry: &Geometry) -> SceneDigest {
         let mut digester = Digester::default();
-        shapes.digest(&mut digester);
+        geometry.digest(&mut digester);
         SceneDigest(digester.finish())
     }
 
@@ -53,7 +53,7 @@ mod tests {
             ..LoadOptions::default()
         };
         let scene = parse(Path::new("a.pbrt"), text.into(), &options).unwrap();
-        SceneDigest::of(&scene.shapes).seen_by(&scene.camera)
+        SceneDigest::of(&scene.geometry).seen_by(&scene.camera)
     }
 
     const SCENE: &str = r#"LookAt 0 0 -5  0 0 0  0 1 0

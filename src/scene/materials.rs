@@ -9,7 +9,7 @@ use std::collections::{HashMap, HashSet};
 pub(super) enum Kind {
     /// Rays meet them.
     #[default]
-    Surface,
+    Primitive,
     /// `interface` of pbrt-v4: rays pass through, whether they emit light or not.
     Interface,
     /// `none` and the empty name of pbrt-v3: rays pass through, but an area light is seen.
@@ -21,14 +21,14 @@ impl Kind {
         match type_name {
             "interface" => Kind::Interface,
             "none" | "" => Kind::Absent,
-            _ => Kind::Surface,
+            _ => Kind::Primitive,
         }
     }
 
     /// Whether a shape, which may be an area light, only tells where one medium ends and another begins.
     fn only_bounds_media(self, is_light: bool) -> bool {
         match self {
-            Kind::Surface => false,
+            Kind::Primitive => false,
             Kind::Interface => true,
             Kind::Absent => !is_light,
         }

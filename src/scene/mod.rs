@@ -48,7 +48,7 @@ pub use warnings::{Warning, Warnings};
 
 use crate::camera::Camera;
 use crate::input::BudgetFactor;
-use crate::shape::Shapes;
+use crate::shape::Geometry;
 
 /// Everything that the picture depends on.
 #[derive(Debug)]
@@ -60,7 +60,7 @@ pub struct Scene {
     /// How the scene wants to be aggregated.
     pub accelerator: AcceleratorParameters,
     /// The geometry.
-    pub shapes: Shapes,
+    pub geometry: Geometry,
     /// `Shape` statements, those without geometry among them.
     pub shape_count: u32,
     /// Different transforms of those shapes: each is stored once.

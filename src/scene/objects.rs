@@ -8,7 +8,7 @@ use super::source::{Place, Source};
 use super::spelling;
 use super::transform_cache::TransformCache;
 use crate::error::{Diagnostic, Result};
-use crate::shape::Shapes;
+use crate::shape::Geometry;
 use std::borrow::Borrow;
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -30,14 +30,14 @@ pub(super) struct Objects {
 pub(super) struct Definition {
     name: Name,
     place: Place,
-    pub(super) shapes: Shapes,
+    pub(super) geometry: Geometry,
     pub(super) transforms: TransformCache,
 }
 
 /// A finished object.
 enum Object {
     /// Nothing shows it so far, and perhaps nothing ever will. Where its name stands.
-    Unused(Box<Shapes>, Place),
+    Unused(Box<Geometry>, Place),
     /// The scene has it by this number.
     Used(usize),
 }
@@ -78,11 +78,11 @@ impl Builder<'_> {
         }
         self.state.begin(Block::Object, Place::new(source, keyword));
         let (name, place) = (Name::new(name), Place::new(source, &name.span));
-        let (shapes, transforms) = (Shapes::default(), TransformCache::default());
+        let (geometry, transforms) = (Geometry::default(), TransformCache::default());
         self.objects.open = Some(Definition {
             name,
             place,
-            shapes,
+            geometry,
             transforms,
         });
         Ok(())
@@ -98,7 +98,7 @@ impl Builder<'_> {
         let Some(Definition {
             name,
             place,
-            shapes,
+            geometry,
             transforms,
         }) = self.objects.open.take()
         else {
@@ -114,7 +114,7 @@ impl Builder<'_> {
         }
         self.objects
             .defined
-            .insert(name, Object::Unused(Box::new(shapes), place));
+            .insert(name, Object::Unused(Box::new(geometry), place));
     }
 
     pub(super) fn instance(
@@ -138,9 +138,9 @@ impl Builder<'_> {
             });
         }
         let added = match self.number_of_object(&key(name)) {
-            Some(object) => self.shapes.add_instance(object, world_from_instance),
+            Some(object) => self.geometry.add_instance(object, world_from_instance),
             None => self
-                .shapes
+                .geometry
                 .add_undefined_instance(world_from_instance)
                 .map(|instance| {
                     let (name, place) = (Name::new(name), Place::new(source, &name.span));
@@ -170,7 +170,9 @@ impl Builder<'_> {
         let object = self.objects.defined.get_mut(name)?;
         let number = match object {
             Object::Used(number) => *number,
-            Object::Unused(shapes, _) => self.shapes.add_object(std::mem::take(&mut **shapes)),
+            Object::Unused(geometry, _) => {
+                self.geometry.add_object(std::mem::take(&mut **geometry))
+            }
         };
         *object = Object::Used(number);
         Some(number)
@@ -206,7 +208,7 @@ impl Builder<'_> {
             defined.push((instance, object));
         }
         if !defined.is_empty() {
-            self.shapes.define_instances(&defined);
+            self.geometry.define_instances(&defined);
         }
         Ok(())
     }

@@ -30,16 +30,18 @@ impl Builder<'_> {
         self.materials
             .wait(&self.state.material, number, self.state.is_light);
         let is_in_object = self.objects.open.is_some();
-        let (shapes, transforms) = match &mut self.objects.open {
+        let (geometry, transforms) = match &mut self.objects.open {
             Some(Definition {
-                shapes, transforms, ..
-            }) => (shapes, transforms),
-            None => (&mut self.shapes, &mut self.transforms),
+                geometry,
+                transforms,
+                ..
+            }) => (geometry, transforms),
+            None => (&mut self.geometry, &mut self.transforms),
         };
         let world_from_object = self.state.current.matrix;
         let is_turned = || self.state.reverses_orientation != world_from_object.swaps_handedness();
         let mut target = ShapeTarget {
-            shapes,
+            geometry,
             transforms,
             warnings: &mut self.warnings,
             directory: &self.directory,
@@ -54,9 +56,9 @@ impl Builder<'_> {
             budget: &self.budget,
             mesh_cache: &mut self.mesh_cache,
         };
-        let before = target.shapes.own_count();
+        let before = target.geometry.own_count();
         let is_added = target.add(Parameters::of_shape(entity, source, &self.state.defaults)?)?;
-        let added = target.shapes.own_count() - before;
+        let added = target.geometry.own_count() - before;
         self.census.count_shape(name, is_added.then_some(added));
         Ok(())
     }

@@ -10,12 +10,12 @@ use crate::file_id::InputFiles;
 use crate::geometry::Matrix;
 use crate::input::Budget;
 use crate::mesh::{MeshFormat, TriangleMesh};
-use crate::shape::{Broken, CapacityError, Shapes};
+use crate::shape::{CapacityError, Geometry, NonFiniteCounts};
 use std::path::Path;
 
 /// Where shapes go.
 pub(super) struct ShapeTarget<'a> {
-    pub(super) shapes: &'a mut Shapes,
+    pub(super) geometry: &'a mut Geometry,
     pub(super) transforms: &'a mut TransformCache,
     pub(super) warnings: &'a mut Warnings,
     /// Relative file names count from here.
@@ -106,7 +106,7 @@ impl ShapeTarget<'_> {
         };
         match added {
             Ok(()) if self.is_turned && !self.bounds_medium => {
-                self.shapes.turn_normals(self.number)
+                self.geometry.turn_normals(self.number)
             }
             Ok(()) => {}
             Err(ShapeRefusal::Scene(error)) => return Err(error),
@@ -171,22 +171,24 @@ impl ShapeTarget<'_> {
         } = mesh;
         if self.bounds_medium {
             return self
-                .shapes
+                .geometry
                 .leave_out(triangles.len())
                 .map_err(|error| too_many(parameters, error));
         }
-        let transform = self.transforms.intern(&self.world_from_object, self.shapes);
+        let transform = self
+            .transforms
+            .intern(&self.world_from_object, self.geometry);
         let added = if self.is_in_object {
-            let broken = Broken::of(&vertices, &self.world_from_object);
-            self.shapes
+            let broken = NonFiniteCounts::of(&vertices, &self.world_from_object);
+            self.geometry
                 .add_object_mesh(vertices, triangles, transform, self.number)
                 .map(|()| broken)
         } else {
-            self.shapes
+            self.geometry
                 .add_mesh(vertices, triangles, &self.world_from_object, self.number)
         };
         let broken = added.map_err(|error| too_many(parameters, error))?;
-        uv.into_iter().for_each(|uv| self.shapes.add_uv(uv));
+        uv.into_iter().for_each(|uv| self.geometry.add_uv(uv));
         let lost = broken.in_world_space;
         if lost > 0
             && broken.in_object_space > 0

@@ -1,7 +1,7 @@
 //! Transforms stored once, however many shapes share them (pbrt-v3's `TransformCache`).
 
 use crate::geometry::Matrix;
-use crate::shape::Shapes;
+use crate::shape::Geometry;
 use std::collections::HashMap;
 
 /// Finds matrices by their bits: two that act alike in every rounding are one.
@@ -12,8 +12,8 @@ pub(super) struct TransformCache {
 }
 
 impl TransformCache {
-    /// The number of `matrix` in `shapes`, where it is stored if it is new.
-    pub(super) fn intern(&mut self, matrix: &Matrix, shapes: &mut Shapes) -> u32 {
+    /// The number of `matrix` in `geometry`, where it is stored if it is new.
+    pub(super) fn intern(&mut self, matrix: &Matrix, geometry: &mut Geometry) -> u32 {
         // Neighbouring shapes mostly share their transform. A NaN never equals itself and takes the long way.
         if let Some((last, number)) = &self.last
             && last == matrix
@@ -24,7 +24,7 @@ impl TransformCache {
         let number = *self
             .number_of
             .entry(matrix.bits())
-            .or_insert_with(|| shapes.add_transform(*matrix));
+            .or_insert_with(|| geometry.add_transform(*matrix));
         self.last = Some((*matrix, number));
         number
     }
@@ -41,11 +41,11 @@ mod tests {
 
     #[test]
     fn equal_bits_share_a_place_and_signed_zeros_do_not() {
-        let (mut cache, mut shapes) = (TransformCache::default(), Shapes::default());
+        let (mut cache, mut geometry) = (TransformCache::default(), Geometry::default());
         let zero = Matrix::translate([0.0, 0.0, 0.0]);
         let negative_zero = Matrix::translate([-0.0, 0.0, 0.0]);
-        let numbers =
-            [zero, zero, negative_zero, zero, negative_zero].map(|m| cache.intern(&m, &mut shapes));
+        let numbers = [zero, zero, negative_zero, zero, negative_zero]
+            .map(|m| cache.intern(&m, &mut geometry));
         assert_eq!((numbers, cache.len()), ([0, 0, 1, 0, 1], 2));
     }
 }

@@ -1,7 +1,7 @@
 //! Surfaces that rays meet at the same `t`, whichever ray it is: what decides a tie once, not for
 //! every ray.
 
-use super::{Disk, Form, Quadric, Surface};
+use super::{Disk, Form, Primitive, Quadric};
 use crate::exact::{Approximation, Dyadic, ExactVector};
 use std::array::from_fn;
 
@@ -20,20 +20,20 @@ pub enum Coincidence {
 /// Three points of a plane that are not on a line.
 type Points<T> = [[T; 3]; 3];
 
-impl Surface {
+impl Primitive {
     /// Whether it lies in a plane.
     pub fn is_flat(&self) -> bool {
         match self {
-            Surface::Triangle(_) => true,
-            Surface::Quadric(quadric) => matches!(quadric.form, Form::Disk(_)),
+            Primitive::Triangle(_) => true,
+            Primitive::Quadric(quadric) => matches!(quadric.form, Form::Disk(_)),
         }
     }
 
     /// Whether both lie in one plane, as far as a glance can tell. Both are flat, and [can be
-    /// hit](Surface::can_be_hit).
-    pub fn may_be_coplanar_with(&self, other: &Surface) -> Option<bool> {
+    /// hit](Primitive::can_be_hit).
+    pub fn may_be_coplanar_with(&self, other: &Primitive) -> Option<bool> {
         match (self, other) {
-            (Surface::Triangle(a), Surface::Triangle(b)) => {
+            (Primitive::Triangle(a), Primitive::Triangle(b)) => {
                 let height = |k: usize| a.0[0][k];
                 let is_level =
                     |k: usize| a.0.iter().chain(&b.0).all(|corner| corner[k] == height(k));
@@ -41,7 +41,7 @@ impl Surface {
                     return Some(true);
                 }
             }
-            (Surface::Quadric(a), Surface::Quadric(b))
+            (Primitive::Quadric(a), Primitive::Quadric(b))
                 if a.world_from_object == b.world_from_object =>
             {
                 if let (Form::Disk(Disk { height: a, .. }), Form::Disk(Disk { height: b, .. })) =
@@ -71,8 +71,8 @@ impl Surface {
         }
     }
 
-    /// Whether both lie in one plane. Both are flat, and [can be hit](Surface::can_be_hit).
-    pub fn is_coplanar_with(&self, other: &Surface) -> bool {
+    /// Whether both lie in one plane. Both are flat, and [can be hit](Primitive::can_be_hit).
+    pub fn is_coplanar_with(&self, other: &Primitive) -> bool {
         let ([a, b, c], others) = (self.exact_points(), other.exact_points());
         let normal = b.minus(&a).cross(&c.minus(&a));
         others
@@ -83,8 +83,10 @@ impl Surface {
     fn rounded_points(&self) -> Points<Approximation> {
         let exactly = |point: [f64; 3]| point.map(Approximation::exactly);
         match self {
-            Surface::Triangle(triangle) => triangle.0.map(|corner| exactly(from_fn(|k| corner[k]))),
-            Surface::Quadric(quadric) => {
+            Primitive::Triangle(triangle) => {
+                triangle.0.map(|corner| exactly(from_fn(|k| corner[k])))
+            }
+            Primitive::Quadric(quadric) => {
                 let [x, y, z, middle] = quadric.columns().map(exactly);
                 let height = Approximation::exactly(quadric.height());
                 let middle = from_fn(|k| middle[k] + height * z[k]);
@@ -99,8 +101,8 @@ impl Surface {
 
     fn exact_points(&self) -> [ExactVector; 3] {
         match self {
-            Surface::Triangle(triangle) => triangle.0.map(ExactVector::from),
-            Surface::Quadric(quadric) => {
+            Primitive::Triangle(triangle) => triangle.0.map(ExactVector::from),
+            Primitive::Quadric(quadric) => {
                 let [x, y, z, middle] = quadric.columns().map(ExactVector::from);
                 let middle = middle.plus(&z.times(&Dyadic::from(quadric.height())));
                 [middle.clone(), middle.plus(&x), middle.plus(&y)]
@@ -147,18 +149,18 @@ mod tests {
     use crate::geometry::{Matrix, Point};
     use crate::shape::{Cut, Triangle};
 
-    fn disk(world_from_object: Matrix, height: f64, radius: f64) -> Surface {
+    fn disk(world_from_object: Matrix, height: f64, radius: f64) -> Primitive {
         let form = Form::Disk(Disk::new(height, 0.0, 360.0));
-        Surface::Quadric(Quadric {
+        Primitive::Quadric(Quadric {
             world_from_object,
             radius,
             form,
         })
     }
 
-    fn triangle(z: [f64; 3]) -> Surface {
+    fn triangle(z: [f64; 3]) -> Primitive {
         let corner = |x: f64, y: f64, k: usize| Point::new(x, y, z[k]);
-        Surface::Triangle(Triangle([
+        Primitive::Triangle(Triangle([
             corner(0.0, 0.0, 0),
             corner(4.0, 0.1, 1),
             corner(0.3, 4.0, 2),
@@ -166,7 +168,7 @@ mod tests {
     }
 
     #[track_caller]
-    fn assert_coplanar(a: &Surface, b: &Surface, expected: bool) {
+    fn assert_coplanar(a: &Primitive, b: &Primitive, expected: bool) {
         for (a, b) in [(a, b), (b, a)] {
             assert_eq!(a.is_coplanar_with(b), expected, "{a:?} {b:?}");
             assert!(

@@ -1,17 +1,17 @@
 //! The box around a scene.
 
-use super::{Pose, Primitive, Shapes, Surface};
+use super::{Geometry, Pose, Primitive, PrimitiveId};
 use crate::geometry::{Bounds, Matrix};
 use rayon::prelude::*;
 
-impl Shapes {
+impl Geometry {
     /// The box in the world around all primitives that can be hit; empty where there are none. Of an instance it is the box
     /// around the box of its object, which may be larger than need be.
     pub fn extent(&self) -> Bounds {
         let objects: Vec<Bounds> = self
             .objects()
             .iter()
-            .map(|object| object.shapes().extent_of_object())
+            .map(|object| object.geometry().extent_of_object())
             .collect();
         let placed = self.instances().par_iter().map(|instance| {
             let corners = objects[instance.object()].corners();
@@ -20,15 +20,15 @@ impl Shapes {
         });
         let triangles = (0..self.triangle_count())
             .into_par_iter()
-            .map(Primitive::triangle);
+            .map(PrimitiveId::triangle);
         let own = triangles.chain(
             (0..self.sphere_count())
                 .into_par_iter()
-                .map(Primitive::sphere),
+                .map(PrimitiveId::sphere),
         );
         let surfaces = own
             .map(|primitive| self.own_surface(primitive))
-            .filter(Surface::can_be_hit);
+            .filter(Primitive::can_be_hit);
         placed
             .chain(surfaces.map(|surface| surface.bounds()))
             .reduce(|| Bounds::EMPTY, Bounds::union)
@@ -38,7 +38,7 @@ impl Shapes {
         let mut pose = Pose::new(self, Matrix::IDENTITY);
         let surfaces = self.primitives().map(|primitive| pose.surface(primitive));
         let bounds = surfaces
-            .filter(Surface::can_be_hit)
+            .filter(Primitive::can_be_hit)
             .map(|surface| surface.bounds());
         bounds.fold(Bounds::EMPTY, Bounds::union)
     }
@@ -55,15 +55,15 @@ mod tests {
 
     #[test]
     fn holds_all_that_can_be_hit() {
-        let mut shapes = Shapes::default();
-        assert!(shapes.extent().is_empty());
+        let mut geometry = Geometry::default();
+        assert!(geometry.extent().is_empty());
         let dead = triangle([[9.0, 9.0, 9.0]; 3]);
-        shapes
+        geometry
             .add_mesh(dead, vec![[0, 1, 2]], &Matrix::IDENTITY, 1)
             .unwrap();
-        assert!(shapes.extent().is_empty());
+        assert!(geometry.extent().is_empty());
         let corners = triangle([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 2.0, 0.0]]);
-        shapes
+        geometry
             .add_mesh(
                 corners.clone(),
                 vec![[0, 1, 2]],
@@ -75,21 +75,21 @@ mod tests {
             low: low.into(),
             high: high.into(),
         };
-        assert_eq!(shapes.extent(), around([0.0, 0.0, 3.0], [1.0, 2.0, 3.0]));
-        let mut object = Shapes::default();
+        assert_eq!(geometry.extent(), around([0.0, 0.0, 3.0], [1.0, 2.0, 3.0]));
+        let mut object = Geometry::default();
         let transform = object.add_transform(Matrix::scale([2.0, 2.0, 2.0]));
         object
             .add_object_mesh(corners, vec![[0, 1, 2]], transform, 3)
             .unwrap();
-        let number = shapes.add_object(object);
-        assert_eq!(shapes.extent().low.z, 3.0, "nothing shows the object");
-        shapes
+        let number = geometry.add_object(object);
+        assert_eq!(geometry.extent().low.z, 3.0, "nothing shows the object");
+        geometry
             .add_instance(number, Matrix::scale([-1.0, 1.0, 1.0]))
             .unwrap();
-        assert_eq!(shapes.extent(), around([-2.0, 0.0, 0.0], [1.0, 4.0, 3.0]));
-        shapes
+        assert_eq!(geometry.extent(), around([-2.0, 0.0, 0.0], [1.0, 4.0, 3.0]));
+        geometry
             .add_instance(number, Matrix::scale([f64::NAN, 1.0, 1.0]))
             .unwrap();
-        assert_eq!(shapes.extent().low.x, -2.0);
+        assert_eq!(geometry.extent().low.x, -2.0);
     }
 }

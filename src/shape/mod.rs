@@ -6,30 +6,30 @@
 mod coincidence;
 mod extent;
 mod filter_ray;
+mod filter_result;
+mod geometry;
+mod instanced_id;
 mod numbers;
 mod object;
-mod placed;
 mod primitive;
+mod primitive_id;
 mod quadric;
-mod shapes;
-mod surface;
 mod surface_point;
 mod triangle;
 pub(crate) mod vector32;
-mod verdict;
 
 pub use coincidence::Coincidence;
 pub use filter_ray::FilterRay;
+pub use filter_result::FilterResult;
+pub use geometry::{CapacityError, CornerUv, Geometry, NonFiniteCounts};
+pub use instanced_id::InstancedId;
 pub use numbers::Numbers;
 pub use object::{Instance, Object, Pose};
-pub use placed::Placed;
 pub use primitive::Primitive;
+pub use primitive_id::PrimitiveId;
 pub use quadric::{Cut, Disk, Form, Quadric, Sector};
-pub use shapes::{Broken, CapacityError, CornerUv, Shapes};
-pub use surface::Surface;
 pub use surface_point::{SurfacePoint, SurfacePoints, SurfaceWants};
 pub use triangle::Triangle;
-pub use verdict::Verdict;
 
 pub(crate) use quadric::{Ellipsoid, SingleQuadric};
 pub(crate) use triangle::intersect_single;

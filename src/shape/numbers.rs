@@ -1,29 +1,29 @@
 //! Numbers of many primitives in an image, one after the other.
 
-use super::{Placed, Shapes};
+use super::{Geometry, InstancedId};
 use std::ops::Range;
 
 /// Tells the numbers of primitives, quickly where the next is of the same mesh as the last.
 pub struct Numbers<'a> {
-    shapes: &'a Shapes,
+    geometry: &'a Geometry,
     /// The triangles of the last mesh, and the number of the first.
     mesh: Range<u32>,
     first_number: u32,
 }
 
 impl<'a> Numbers<'a> {
-    /// Those of `shapes`.
-    pub fn new(shapes: &'a Shapes) -> Numbers<'a> {
+    /// Those of `geometry`.
+    pub fn new(geometry: &'a Geometry) -> Numbers<'a> {
         Numbers {
-            shapes,
+            geometry,
             mesh: 0..0,
             first_number: 0,
         }
     }
 
-    /// As [`Shapes::image_number`].
+    /// As [`Geometry::image_number`].
     #[inline]
-    pub fn of(&mut self, placed: Placed) -> u32 {
+    pub fn of(&mut self, placed: InstancedId) -> u32 {
         // No index of a triangle is as large as the bits of a sphere, but for the end of the last mesh.
         let primitive = placed.primitive();
         let index = primitive.to_bits();
@@ -33,11 +33,11 @@ impl<'a> Numbers<'a> {
         self.first_number + (index - self.mesh.start)
     }
 
-    fn of_another(&mut self, placed: Placed) -> u32 {
-        let number = self.shapes.image_number(placed);
+    fn of_another(&mut self, placed: InstancedId) -> u32 {
+        let number = self.geometry.image_number(placed);
         let primitive = placed.primitive();
         if placed.instance().is_none() && !primitive.is_sphere() {
-            self.mesh = self.shapes.mesh_around(primitive.to_bits());
+            self.mesh = self.geometry.mesh_around(primitive.to_bits());
             self.first_number = number - (primitive.to_bits() - self.mesh.start);
         }
         number
@@ -51,38 +51,38 @@ mod tests {
 
     #[test]
     fn numbers_do_not_depend_on_what_was_asked_before() {
-        let mut shapes = Shapes::default();
+        let mut geometry = Geometry::default();
         let corners = || {
             [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)]
                 .map(|(x, y)| Point::new(x, y, 0.0))
                 .to_vec()
         };
-        let transform = shapes.add_transform(Matrix::IDENTITY);
-        shapes
+        let transform = geometry.add_transform(Matrix::IDENTITY);
+        geometry
             .add_mesh(corners(), vec![[0, 1, 2]; 3], &Matrix::IDENTITY, 1)
             .unwrap();
-        shapes.add_sphere(1.0, None, transform, 2).unwrap();
-        shapes
+        geometry.add_sphere(1.0, None, transform, 2).unwrap();
+        geometry
             .add_mesh(Vec::new(), Vec::new(), &Matrix::IDENTITY, 3)
             .unwrap();
-        shapes
+        geometry
             .add_mesh(corners(), vec![[0, 1, 2]; 2], &Matrix::IDENTITY, 4)
             .unwrap();
-        let mut object = Shapes::default();
+        let mut object = Geometry::default();
         object
             .add_object_mesh(corners(), vec![[0, 1, 2]; 2], 0, 5)
             .unwrap();
-        let object = shapes.add_object(object);
-        shapes.add_instance(object, Matrix::IDENTITY).unwrap();
-        shapes
+        let object = geometry.add_object(object);
+        geometry.add_instance(object, Matrix::IDENTITY).unwrap();
+        geometry
             .add_mesh(corners(), vec![[0, 1, 2]; 2], &Matrix::IDENTITY, 6)
             .unwrap();
-        let all: Vec<Placed> = shapes.all().collect();
+        let all: Vec<InstancedId> = geometry.all().collect();
         for a in &all {
             for b in &all {
-                let mut numbers = Numbers::new(&shapes);
-                assert_eq!(u64::from(numbers.of(*a)), shapes.number(*a) + 1);
-                assert_eq!(u64::from(numbers.of(*b)), shapes.number(*b) + 1);
+                let mut numbers = Numbers::new(&geometry);
+                assert_eq!(u64::from(numbers.of(*a)), geometry.number(*a) + 1);
+                assert_eq!(u64::from(numbers.of(*b)), geometry.number(*b) + 1);
             }
         }
     }

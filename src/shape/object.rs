@@ -1,6 +1,6 @@
 //! Objects, their instances, and where an instance puts its object.
 
-use super::{Primitive, Quadric, Shapes, Surface, Triangle};
+use super::{Geometry, Primitive, PrimitiveId, Quadric, Triangle};
 use crate::geometry::Matrix;
 use std::ops::Range;
 
@@ -10,21 +10,21 @@ use std::ops::Range;
 /// have been multiplied (rule R4).
 #[derive(Debug)]
 pub struct Object {
-    shapes: Shapes,
+    geometry: Geometry,
 }
 
 impl Object {
-    pub(super) fn new(shapes: Shapes) -> Object {
-        Object { shapes }
+    pub(super) fn new(geometry: Geometry) -> Object {
+        Object { geometry }
     }
 
     /// The geometry.
-    pub fn shapes(&self) -> &Shapes {
-        &self.shapes
+    pub fn geometry(&self) -> &Geometry {
+        &self.geometry
     }
 
-    pub(super) fn shapes_mut(&mut self) -> &mut Shapes {
-        &mut self.shapes
+    pub(super) fn shapes_mut(&mut self) -> &mut Geometry {
+        &mut self.geometry
     }
 }
 
@@ -59,7 +59,7 @@ impl Instance {
 /// An object as a transform places it. Knows the whole transform of the mesh that was asked for last.
 #[derive(Debug, Clone)]
 pub struct Pose<'a> {
-    object: &'a Shapes,
+    object: &'a Geometry,
     world_from_instance: Matrix,
     /// The triangles of the last mesh, and its transform.
     mesh: Range<u32>,
@@ -68,7 +68,7 @@ pub struct Pose<'a> {
 
 impl<'a> Pose<'a> {
     #[inline]
-    pub(crate) fn new(object: &'a Shapes, world_from_instance: Matrix) -> Pose<'a> {
+    pub(crate) fn new(object: &'a Geometry, world_from_instance: Matrix) -> Pose<'a> {
         Pose {
             object,
             world_from_instance,
@@ -79,17 +79,17 @@ impl<'a> Pose<'a> {
 
     /// A primitive of the object: its vertices, or its quadric, under the product of the transforms of instance and shape.
     #[inline]
-    pub fn surface(&mut self, primitive: Primitive) -> Surface {
+    pub fn surface(&mut self, primitive: PrimitiveId) -> Primitive {
         let index = primitive.index();
         if primitive.is_sphere() {
             let quadric = self.object.sphere(index);
             let world_from_object = self.world_from_instance.times(&quadric.world_from_object);
-            return Surface::Quadric(Quadric {
+            return Primitive::Quadric(Quadric {
                 world_from_object,
                 ..quadric
             });
         }
-        Surface::Triangle(self.triangle(index))
+        Primitive::Triangle(self.triangle(index))
     }
 
     /// Triangle `index` of the object.
@@ -115,7 +115,7 @@ impl<'a> Pose<'a> {
 mod tests {
     use super::*;
     use crate::geometry::Point;
-    use crate::shape::Placed;
+    use crate::shape::InstancedId;
 
     fn corners() -> Vec<Point> {
         [(0.1, 0.2), (1.3, 0.4), (1.5, 1.6)]
@@ -124,8 +124,8 @@ mod tests {
     }
 
     /// Two meshes under different transforms, and a sphere.
-    fn object() -> Shapes {
-        let mut object = Shapes::default();
+    fn object() -> Geometry {
+        let mut object = Geometry::default();
         let first = object.add_transform(Matrix::scale([0.1, 0.3, 0.7]));
         let second = object.add_transform(Matrix::translate([0.1, 0.2, 0.3]));
         object
@@ -140,25 +140,25 @@ mod tests {
 
     #[test]
     fn transforms_are_multiplied_before_a_vertex_is_rounded() {
-        let mut shapes = Shapes::default();
-        let number = shapes.add_object(object());
+        let mut geometry = Geometry::default();
+        let number = geometry.add_object(object());
         let world_from_instance =
             Matrix::translate([0.7, 1e9, -0.3]).times(&Matrix::scale([1.1, 1.3, -1.7]));
-        shapes.add_instance(number, world_from_instance).unwrap();
+        geometry.add_instance(number, world_from_instance).unwrap();
         let product = world_from_instance.times(&Matrix::scale([0.1, 0.3, 0.7]));
-        let mut pose = shapes.pose(0);
+        let mut pose = geometry.pose(0);
         let expected = corners()
             .into_iter()
             .map(|corner| product.apply(corner))
             .collect::<Vec<_>>();
         // Forth and back between meshes.
         for index in [0, 2, 1, 0] {
-            let Surface::Triangle(triangle) = pose.surface(Primitive::triangle(index)) else {
+            let Primitive::Triangle(triangle) = pose.surface(PrimitiveId::triangle(index)) else {
                 panic!("a triangle")
             };
             assert_eq!(triangle.0.contains(&expected[0]), index != 2);
         }
-        let Surface::Quadric(sphere) = pose.surface(Primitive::sphere(0)) else {
+        let Primitive::Quadric(sphere) = pose.surface(PrimitiveId::sphere(0)) else {
             panic!("a sphere")
         };
         assert_eq!(
@@ -169,60 +169,60 @@ mod tests {
 
     #[test]
     fn instances_are_numbered_where_they_stand() {
-        let mut shapes = Shapes::default();
-        let number = shapes.add_object(object());
-        shapes
+        let mut geometry = Geometry::default();
+        let number = geometry.add_object(object());
+        geometry
             .add_mesh(corners(), vec![[0, 1, 2]], &Matrix::IDENTITY, 1)
             .unwrap();
-        shapes.add_instance(number, Matrix::IDENTITY).unwrap();
-        shapes
+        geometry.add_instance(number, Matrix::IDENTITY).unwrap();
+        geometry
             .add_mesh(corners(), vec![[0, 1, 2]], &Matrix::IDENTITY, 6)
             .unwrap();
-        shapes.add_instance(number, Matrix::IDENTITY).unwrap();
-        let mut numbers: Vec<(u64, u32)> = shapes
+        geometry.add_instance(number, Matrix::IDENTITY).unwrap();
+        let mut numbers: Vec<(u64, u32)> = geometry
             .all()
-            .map(|placed| (shapes.number(placed), shapes.shape_number(placed)))
+            .map(|placed| (geometry.number(placed), geometry.shape_number(placed)))
             .collect();
         numbers.sort_unstable();
         let ids = [1, 3, 3, 4, 5, 6, 3, 3, 4, 5];
         assert_eq!(numbers, (0..).zip(ids).collect::<Vec<_>>());
-        assert_eq!((shapes.own_count(), shapes.primitive_count()), (2, 10));
-        let last_of_first = Placed::in_instance(0, Primitive::triangle(2));
-        assert!(shapes.precedes(last_of_first, Placed::alone(Primitive::triangle(1))));
-        assert!(!shapes.precedes(last_of_first, Placed::alone(Primitive::triangle(0))));
-        assert!(shapes.precedes(
+        assert_eq!((geometry.own_count(), geometry.primitive_count()), (2, 10));
+        let last_of_first = InstancedId::in_instance(0, PrimitiveId::triangle(2));
+        assert!(geometry.precedes(last_of_first, InstancedId::alone(PrimitiveId::triangle(1))));
+        assert!(!geometry.precedes(last_of_first, InstancedId::alone(PrimitiveId::triangle(0))));
+        assert!(geometry.precedes(
             last_of_first,
-            Placed::in_instance(1, Primitive::triangle(0))
+            InstancedId::in_instance(1, PrimitiveId::triangle(0))
         ));
     }
 
     #[test]
     fn too_many_primitives_are_counted_within_instances() {
-        let mut shapes = Shapes::default();
-        let mut large = Shapes::default();
+        let mut geometry = Geometry::default();
+        let mut large = Geometry::default();
         let transform = large.add_transform(Matrix::IDENTITY);
         large
             .add_object_mesh(corners(), vec![[0, 1, 2]; 1 << 16], transform, 1)
             .unwrap();
-        let number = shapes.add_object(large);
-        let add = |shapes: &mut Shapes, count: usize| {
-            (0..count).for_each(|_| shapes.add_instance(number, Matrix::IDENTITY).unwrap());
+        let number = geometry.add_object(large);
+        let add = |geometry: &mut Geometry, count: usize| {
+            (0..count).for_each(|_| geometry.add_instance(number, Matrix::IDENTITY).unwrap());
         };
-        let last = Primitive::triangle((1 << 16) - 1);
-        add(&mut shapes, (1 << 16) - 1);
-        let in_last = Placed::in_instance((1 << 16) - 2, last);
+        let last = PrimitiveId::triangle((1 << 16) - 1);
+        add(&mut geometry, (1 << 16) - 1);
+        let in_last = InstancedId::in_instance((1 << 16) - 2, last);
         assert_eq!(
             (
-                shapes.counts_within_instances(),
-                shapes.image_number(in_last)
+                geometry.counts_within_instances(),
+                geometry.image_number(in_last)
             ),
             (false, u32::MAX - 0xffff)
         );
-        add(&mut shapes, 1);
-        assert!(shapes.counts_within_instances());
-        assert_eq!(shapes.image_number(in_last), 1 << 16);
+        add(&mut geometry, 1);
+        assert!(geometry.counts_within_instances());
+        assert_eq!(geometry.image_number(in_last), 1 << 16);
         assert_eq!(
-            shapes.number(Placed::in_instance((1 << 16) - 1, last)),
+            geometry.number(InstancedId::in_instance((1 << 16) - 1, last)),
             u64::from(u32::MAX)
         );
     }

@@ -1,70 +1,90 @@
-//! References to primitives.
+//! A primitive by itself, in world space.
 
-/// One triangle or sphere of [`super::Shapes`], by its place in the store of its kind. Cylinders and disks are in the store of
-/// spheres.
-///
-/// Packed into 32 bits: the top bit tells a sphere, the lower 31 are the index. Among primitives of one kind the
-/// order of the indices is the order of the primitive numbers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Primitive(u32);
+use super::{FilterRay, FilterResult, Form, Quadric, Triangle};
+use crate::exact::{Bracket, Root};
+use crate::geometry::{Bounds, Ray};
 
-const SPHERE: u32 = 1 << 31;
-
-impl Primitive {
-    /// Triangles or spheres at most.
-    pub const MAX_COUNT: usize = SPHERE as usize;
-
-    /// The first triangle of the store, for places that have to hold something.
-    pub(crate) const FIRST: Primitive = Primitive(0);
-
-    /// Triangle `index` of the store.
-    pub fn triangle(index: usize) -> Primitive {
-        debug_assert!(index < Self::MAX_COUNT);
-        Primitive(index as u32)
-    }
-
-    /// Sphere `index` of the store.
-    pub fn sphere(index: usize) -> Primitive {
-        debug_assert!(index < Self::MAX_COUNT);
-        Primitive(index as u32 | SPHERE)
-    }
-
-    /// What [`Primitive::to_bits`] gave.
-    pub(crate) fn from_bits(bits: u32) -> Primitive {
-        Primitive(bits)
-    }
-
-    /// All that there is to it, for places that hold numbers.
-    pub(crate) fn to_bits(self) -> u32 {
-        self.0
-    }
-
-    /// Whether this is a sphere.
-    pub fn is_sphere(self) -> bool {
-        self.0 & SPHERE != 0
-    }
-
-    /// The place in the store of its kind.
-    pub fn index(self) -> usize {
-        (self.0 & !SPHERE) as usize
-    }
+/// What a ray can hit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Primitive {
+    /// A triangle.
+    Triangle(Triangle),
+    /// A sphere, a cylinder or a disk, or a part of one.
+    Quadric(Quadric),
 }
 
-#[cfg(test)]
-mod tests {
-    use super::Primitive;
+impl Primitive {
+    /// Whether and where `ray` meets it first, as far as floating point can tell.
+    #[inline]
+    pub fn filter(&self, ray: &FilterRay) -> FilterResult {
+        match self {
+            Primitive::Triangle(triangle) => triangle.filter(ray),
+            Primitive::Quadric(quadric) => quadric.filter(ray),
+        }
+    }
 
-    #[test]
-    fn fits_in_32_bits_and_comes_back() {
-        assert_eq!(size_of::<Primitive>(), 4);
-        let last = Primitive::MAX_COUNT - 1;
-        assert!(Primitive::sphere(last).is_sphere() && !Primitive::triangle(last).is_sphere());
-        assert_eq!(
-            (
-                Primitive::sphere(last).index(),
-                Primitive::triangle(last).index()
-            ),
-            (last, last)
-        );
+    /// The `t` at which `ray` meets it first, if it does. It [can be hit](Primitive::can_be_hit), and so [can the ray
+    /// hit](Ray::can_hit).
+    pub fn exact(&self, ray: &Ray) -> Option<Root> {
+        match self {
+            Primitive::Triangle(triangle) => triangle.exact(ray),
+            Primitive::Quadric(quadric) => quadric.exact(ray),
+        }
+    }
+
+    /// Where the `t` lies at which `ray` meets it first, which it is known to do, as far as floating point can tell.
+    pub fn t_of_hit(&self, ray: &FilterRay) -> Option<Bracket> {
+        match self {
+            Primitive::Triangle(triangle) => triangle.t_of_hit(ray),
+            Primitive::Quadric(quadric) => match quadric.filter(ray) {
+                FilterResult::Hit(t) => Some(t),
+                _ => None,
+            },
+        }
+    }
+
+    /// The `t` at which `ray` meets it first, which it is known to do.
+    pub fn exact_t(&self, ray: &Ray) -> Root {
+        match self {
+            Primitive::Triangle(triangle) => triangle.exact_t(ray),
+            Primitive::Quadric(quadric) => quadric.exact(ray).expect("the ray is known to meet it"),
+        }
+    }
+
+    /// Whether any ray can hit it (rules E1, E2, E5 and E6).
+    pub fn can_be_hit(&self) -> bool {
+        match self {
+            Primitive::Triangle(triangle) => triangle.can_be_hit(),
+            Primitive::Quadric(quadric) => quadric.can_be_hit(),
+        }
+    }
+
+    /// Whether both are surely one and the same set of points.
+    pub fn coincides_with(&self, other: &Primitive) -> bool {
+        match (self, other) {
+            (Primitive::Quadric(a), Primitive::Quadric(b)) => a == b,
+            (Primitive::Triangle(a), Primitive::Triangle(b)) => a.coincides_with(b),
+            _ => false,
+        }
+    }
+
+    /// What it is called.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Primitive::Triangle(_) => "triangle",
+            Primitive::Quadric(quadric) => match quadric.form {
+                Form::Sphere(_) => "sphere",
+                Form::Cylinder(_) => "cylinder",
+                Form::Disk(_) => "disk",
+            },
+        }
+    }
+
+    /// The box around it.
+    pub fn bounds(&self) -> Bounds {
+        match self {
+            Primitive::Triangle(triangle) => triangle.bounds(),
+            Primitive::Quadric(quadric) => quadric.bounds(),
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! What a surface is like where a ray meets it.
 
 use super::quadric::UnitSpace;
-use super::{FilterRay, Placed, Quadric, Shapes, Surface, Triangle};
+use super::{FilterRay, Geometry, InstancedId, Primitive, Quadric, Triangle};
 use crate::exact::Bracket;
 use crate::geometry::{Point, Ray, Vector};
 
@@ -45,20 +45,20 @@ pub struct SurfaceWants {
 
 /// Tells of points of many surfaces, more quickly where the next is of the same one as the last.
 pub struct SurfacePoints<'a> {
-    shapes: &'a Shapes,
+    geometry: &'a Geometry,
     wants: SurfaceWants,
     /// Of the last quadric.
-    space: Option<(Placed, UnitSpace)>,
+    space: Option<(InstancedId, UnitSpace)>,
 }
 
 /// pbrt's u and v at the corners of a triangle that has none.
 const DEFAULT_UV: [[f32; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]];
 
 impl<'a> SurfacePoints<'a> {
-    /// Those of `shapes`.
-    pub fn new(shapes: &'a Shapes, wants: SurfaceWants) -> SurfacePoints<'a> {
+    /// Those of `geometry`.
+    pub fn new(geometry: &'a Geometry, wants: SurfaceWants) -> SurfacePoints<'a> {
         SurfacePoints {
-            shapes,
+            geometry,
             wants,
             space: None,
         }
@@ -66,28 +66,28 @@ impl<'a> SurfacePoints<'a> {
 
     /// What `placed` is like where `ray` meets it first. Where it does not quite, as `f32` may have it, that is the point where the
     /// ray meets the whole of a surface that is cut off, or the plane of a triangle, or else where it comes nearest.
-    pub fn of(&mut self, placed: Placed, ray: &Ray) -> SurfacePoint {
-        let surface = self.shapes.surface(placed);
+    pub fn of(&mut self, placed: InstancedId, ray: &Ray) -> SurfacePoint {
+        let surface = self.geometry.surface(placed);
         if !ray.can_hit() || !surface.can_be_hit() {
             return SurfacePoint::default();
         }
         match surface {
-            Surface::Triangle(triangle) => self.of_triangle(placed, &triangle, ray),
-            Surface::Quadric(quadric) => self.of_quadric(placed, &quadric, ray),
+            Primitive::Triangle(triangle) => self.of_triangle(placed, &triangle, ray),
+            Primitive::Quadric(quadric) => self.of_quadric(placed, &quadric, ray),
         }
     }
 
-    fn of_triangle(&self, placed: Placed, triangle: &Triangle, ray: &Ray) -> SurfacePoint {
+    fn of_triangle(&self, placed: InstancedId, triangle: &Triangle, ray: &Ray) -> SurfacePoint {
         let mut found = SurfacePoint::default();
         if self.wants.normal {
             // What an instance mirrors has mirrored corners, but not a mirrored normal.
             let is_mirrored = placed.instance().is_some_and(|number| {
-                self.shapes.instances()[number]
+                self.geometry.instances()[number]
                     .world_from_instance()
                     .swaps_handedness()
             });
             let normal = triangle.normal();
-            found.normal = if self.shapes.turns_normal_of(placed) != is_mirrored {
+            found.normal = if self.geometry.turns_normal_of(placed) != is_mirrored {
                 -normal
             } else {
                 normal
@@ -97,7 +97,7 @@ impl<'a> SurfacePoints<'a> {
             found.point = ray.origin + ray.direction * t_on_triangle(triangle, ray);
         }
         if self.wants.uv {
-            let corners = self.shapes.uv_of(placed).unwrap_or(&DEFAULT_UV);
+            let corners = self.geometry.uv_of(placed).unwrap_or(&DEFAULT_UV);
             let weights = triangle.weights(ray);
             let corner = |k: usize, axis: usize| weights[k] * f64::from(corners[k][axis]);
             found.uv = [0, 1].map(|axis| (corner(0, axis) + corner(1, axis)) + corner(2, axis));
@@ -105,9 +105,9 @@ impl<'a> SurfacePoints<'a> {
         found
     }
 
-    fn of_quadric(&mut self, placed: Placed, quadric: &Quadric, ray: &Ray) -> SurfacePoint {
+    fn of_quadric(&mut self, placed: InstancedId, quadric: &Quadric, ray: &Ray) -> SurfacePoint {
         let wants = self.wants;
-        let is_turned = wants.normal && self.shapes.turns_normal_of(placed);
+        let is_turned = wants.normal && self.geometry.turns_normal_of(placed);
         let t =
             t_on_quadric(quadric, ray).unwrap_or_else(|| self.space(placed, quadric).nearest(ray));
         let mut found = SurfacePoint::default();
@@ -129,7 +129,7 @@ impl<'a> SurfacePoints<'a> {
     }
 
     /// The space of `quadric`, which is `placed`.
-    fn space(&mut self, placed: Placed, quadric: &Quadric) -> &UnitSpace {
+    fn space(&mut self, placed: InstancedId, quadric: &Quadric) -> &UnitSpace {
         if self.space.as_ref().is_none_or(|(last, _)| *last != placed) {
             self.space = Some((placed, UnitSpace::new(quadric)));
         }
@@ -158,7 +158,7 @@ fn t_on_triangle(triangle: &Triangle, ray: &Ray) -> f64 {
 }
 
 fn t_on_quadric(quadric: &Quadric, ray: &Ray) -> Option<f64> {
-    let narrow = Surface::Quadric(*quadric)
+    let narrow = Primitive::Quadric(*quadric)
         .t_of_hit(&FilterRay::new(ray))
         .filter(is_narrow);
     let exact = || {

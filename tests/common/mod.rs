@@ -10,7 +10,7 @@ use feimos::progress::Progress;
 use feimos::reference::{self, ReferenceHit};
 use feimos::render::{RenderOptions, Rendering, render};
 use feimos::scene::{LoadOptions, Scene, load};
-use feimos::shape::Shapes;
+use feimos::shape::Geometry;
 use feimos::simd::Level;
 use proptest::test_runner::Config as ProptestConfig;
 use std::path::Path;
@@ -54,7 +54,7 @@ pub(crate) enum Tree {
 /// Builds, checks the tree, and renders every channel of `window` that is the same with every accelerator, on `threads` threads.
 pub(crate) fn picture(
     camera: &Camera,
-    shapes: &Shapes,
+    geometry: &Geometry,
     build: BuildOptions,
     precision: Precision,
     threads: usize,
@@ -62,7 +62,7 @@ pub(crate) fn picture(
 ) -> Rendering {
     picture_by(
         camera,
-        shapes,
+        geometry,
         Way {
             build,
             threads,
@@ -77,7 +77,7 @@ pub(crate) fn picture(
 /// As [`picture`], some given way.
 pub(crate) fn picture_by(
     camera: &Camera,
-    shapes: &Shapes,
+    geometry: &Geometry,
     way: Way,
     precision: Precision,
     window: PixelBounds,
@@ -88,18 +88,18 @@ pub(crate) fn picture_by(
         .unwrap();
     pool.install(|| {
         let of_all = |anchor: Point| {
-            let aggregate = Aggregate::build(shapes, anchor, way.build, Progress::SILENT);
+            let aggregate = Aggregate::build(geometry, anchor, way.build, Progress::SILENT);
             aggregate
-                .validate(shapes)
+                .validate(geometry)
                 .unwrap_or_else(|wrong| panic!("{way:?}: {wrong}"));
             aggregate
         };
         let aggregate = match way.tree {
             Tree::OfView => {
-                Aggregate::build_for_view(shapes, camera, &window, way.build, Progress::SILENT)
+                Aggregate::build_for_view(geometry, camera, &window, way.build, Progress::SILENT)
             }
             Tree::OfAll => of_all(camera.anchor()),
-            Tree::Shared => of_all(middle(shapes)),
+            Tree::Shared => of_all(middle(geometry)),
         };
         let channels = ChannelName::ALL
             .into_iter()
@@ -114,13 +114,13 @@ pub(crate) fn picture_by(
             precision,
             level,
         };
-        let rendering = render(camera, shapes, &aggregate, &options, Progress::SILENT).unwrap();
+        let rendering = render(camera, geometry, &aggregate, &options, Progress::SILENT).unwrap();
         // Where only hit or miss is asked for, other code answers.
         let options = RenderOptions {
             channels: vec![ChannelName::A],
             ..options
         };
-        let hits = render(camera, shapes, &aggregate, &options, Progress::SILENT).unwrap();
+        let hits = render(camera, geometry, &aggregate, &options, Progress::SILENT).unwrap();
         let hit = |image: &Image| bits_of(image, ChannelName::A);
         assert_eq!(
             hit(&rendering.image),
@@ -132,8 +132,8 @@ pub(crate) fn picture_by(
 }
 
 /// The middle of the box around everything, or the origin where there is none.
-fn middle(shapes: &Shapes) -> Point {
-    let middle = shapes.extent().centre();
+fn middle(geometry: &Geometry) -> Point {
+    let middle = geometry.extent().centre();
     if middle.is_finite() {
         middle
     } else {
@@ -149,7 +149,11 @@ pub(crate) fn whole(camera: &Camera) -> PixelBounds {
 
 /// Renders with every accelerator, three leaf sizes, several numbers of threads, all instructions that the machine has, with
 /// trees of all, for one view or many, and of what is seen, and asserts that no bit differs from the plain list on one thread, which is returned.
-pub(crate) fn agreed_picture(camera: &Camera, shapes: &Shapes, precision: Precision) -> Rendering {
+pub(crate) fn agreed_picture(
+    camera: &Camera,
+    geometry: &Geometry,
+    precision: Precision,
+) -> Rendering {
     let window = whole(camera);
     let levels: Vec<Level> = Level::ALL
         .iter()
@@ -162,7 +166,7 @@ pub(crate) fn agreed_picture(camera: &Camera, shapes: &Shapes, precision: Precis
         level: Level::Portable,
         tree: Tree::OfAll,
     };
-    let reference = picture_by(camera, shapes, way, precision, window);
+    let reference = picture_by(camera, geometry, way, precision, window);
     let trees: &[Tree] = match precision {
         Precision::Exact => &[Tree::OfView, Tree::Shared, Tree::OfAll],
         Precision::Fast => &[Tree::OfView, Tree::OfAll],
@@ -182,7 +186,7 @@ pub(crate) fn agreed_picture(camera: &Camera, shapes: &Shapes, precision: Precis
                 level,
                 tree,
             };
-            let other = picture_by(camera, shapes, way, precision, window);
+            let other = picture_by(camera, geometry, way, precision, window);
             assert_same(&reference.image, &other.image, &format!("{way:?}"));
             assert_eq!(reference.traced.hits, other.traced.hits);
         }
@@ -208,23 +212,23 @@ pub(crate) fn assert_same(expected: &Image, found: &Image, what: &str) {
 
 /// What the reference says of every pixel: primitive and bits of Z and t, 0 for a miss. One ray at a time and, which has to be
 /// the same, sorted out by area.
-pub(crate) fn judged(camera: &Camera, shapes: &Shapes) -> Vec<[u32; 3]> {
+pub(crate) fn judged(camera: &Camera, geometry: &Geometry) -> Vec<[u32; 3]> {
     let [width, height] = camera.resolution;
     let pixels: Vec<[u32; 2]> = (0..height)
         .flat_map(|y| (0..width).map(move |x| [x, y]))
         .collect();
     let ray_by_ray: Vec<_> = pixels
         .iter()
-        .map(|[x, y]| reference::closest_hit(shapes, &camera.ray(*x, *y)))
+        .map(|[x, y]| reference::closest_hit(geometry, &camera.ray(*x, *y)))
         .collect();
     assert_eq!(
-        reference::answers(camera, shapes, &pixels, Progress::SILENT),
+        reference::answers(camera, geometry, &pixels, Progress::SILENT),
         ray_by_ray,
         "by area"
     );
     let bits = |hit: ReferenceHit| {
         [
-            shapes.image_number(hit.primitive),
+            geometry.image_number(hit.primitive),
             hit.z.to_bits(),
             hit.t.to_bits(),
         ]
@@ -251,7 +255,7 @@ pub(crate) fn rendered(image: &Image) -> Vec<[u32; 3]> {
 
 /// Adds a mesh of triangles that share no corner.
 pub(crate) fn add_triangles(
-    shapes: &mut Shapes,
+    geometry: &mut Geometry,
     triangles: &[[Point; 3]],
     world_from_object: &Matrix,
     shape: u32,
@@ -260,7 +264,7 @@ pub(crate) fn add_triangles(
     let indices = (0..triangles.len() as u32)
         .map(|k| [3 * k, 3 * k + 1, 3 * k + 2])
         .collect();
-    shapes
+    geometry
         .add_mesh(vertices, indices, world_from_object, shape)
         .unwrap();
 }

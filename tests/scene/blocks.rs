@@ -5,8 +5,8 @@ use feimos::scene::Scene;
 
 /// The x coordinates of the spheres, as far as they are translated.
 fn places(scene: &Scene) -> Vec<f64> {
-    (0..scene.shapes.sphere_count())
-        .map(|index| scene.shapes.sphere(index).world_from_object.column(3)[0])
+    (0..scene.geometry.sphere_count())
+        .map(|index| scene.geometry.sphere(index).world_from_object.column(3)[0])
         .collect()
 }
 
@@ -93,7 +93,7 @@ fn the_blocks_of_an_object_may_cross_it() {
         let text = text.replace("BODY", &format!("{MOVED} {SPHERE}"));
         let scene = scene(&format!("WorldBegin {text} {SPHERE} ObjectInstance \"o\""));
         assert_eq!(
-            (places(&scene), scene.shapes.instances().len()),
+            (places(&scene), scene.geometry.instances().len()),
             (vec![0.0], 1),
             "{text}"
         );
@@ -109,9 +109,9 @@ fn the_blocks_of_an_object_may_cross_it() {
 }
 
 fn places_in_object(scene: &Scene) -> Vec<f64> {
-    let shapes = scene.shapes.objects()[0].shapes();
-    (0..shapes.sphere_count())
-        .map(|index| shapes.sphere(index).world_from_object.column(3)[0])
+    let geometry = scene.geometry.objects()[0].geometry();
+    (0..geometry.sphere_count())
+        .map(|index| geometry.sphere(index).world_from_object.column(3)[0])
         .collect()
 }
 
@@ -123,12 +123,12 @@ fn an_object_ends_where_the_next_begins_and_with_the_file() {
     );
     let scene = scene(&text);
     let counts = scene
-        .shapes
+        .geometry
         .objects()
         .iter()
-        .map(|object| object.shapes().sphere_count());
+        .map(|object| object.geometry().sphere_count());
     assert_eq!(
-        (counts.collect::<Vec<_>>(), scene.shapes.sphere_count()),
+        (counts.collect::<Vec<_>>(), scene.geometry.sphere_count()),
         (vec![1, 2, 1], 0)
     );
     assert_warned(

@@ -39,7 +39,7 @@ fn compressed_files_are_included_whatever_their_name() {
         std::fs::write(folder.path().join(name), &packed).unwrap();
     }
     let scene = crate::load_folder(&folder, "a.pbrt").unwrap();
-    assert_eq!(scene.shapes.triangle_count(), 2);
+    assert_eq!(scene.geometry.triangle_count(), 2);
     std::fs::write(folder.path().join("c.pbrt"), &packed[..20]).unwrap();
     let cut = crate::load_folder(&folder, "a.pbrt").unwrap_err();
     assert!(
@@ -62,9 +62,9 @@ fn an_imported_file_leaves_no_state_behind() {
         ),
     ];
     let scene = load_files(&files).unwrap();
-    let place = |index: usize| scene.shapes.sphere(index).world_from_object.column(3);
+    let place = |index: usize| scene.geometry.sphere(index).world_from_object.column(3);
     assert_eq!((place(0), place(1)), ([1.0, 0.0, 0.0], [1.0, 0.0, 0.0]));
-    assert_eq!(scene.shapes.sphere(0).radius, 1.0);
+    assert_eq!(scene.geometry.sphere(0).radius, 1.0);
     assert_eq!(
         messages(&scene),
         ["no coordinate system is called `there`: ignored"]
@@ -150,9 +150,9 @@ fn attributes_are_defaults_of_shapes() {
         AttributeEnd
         Shape \"sphere\"",
     );
-    let radii = [0, 1, 2, 3].map(|index| scene.shapes.sphere(index).radius);
+    let radii = [0, 1, 2, 3].map(|index| scene.geometry.sphere(index).radius);
     assert_eq!(radii, [2.0, 3.0, 4.0, 2.0]);
-    let is_cut = [0, 1, 2, 3].map(|index| scene.shapes.sphere(index).form != Form::Sphere(None));
+    let is_cut = [0, 1, 2, 3].map(|index| scene.geometry.sphere(index).form != Form::Sphere(None));
     assert_eq!(is_cut, [false, true, true, false]);
     assert_eq!(warnings(&scene), []);
     assert_eq!(
@@ -205,7 +205,7 @@ fn directives_of_forks_are_skipped_with_their_arguments() {
         "RenderPass \"a\" \"float x\" [ 1 2 3 ] \"bool b\" true \"nested\" [ [ 1, 2 ] [ \"a\" false ] ] 7
         WorldBegin SpectrumOptions2 {TRIANGLE} RenderPass AreaLight [ ] {TRIANGLE}"
     ));
-    assert_eq!(scene.shapes.triangle_count(), 2);
+    assert_eq!(scene.geometry.triangle_count(), 2);
     let skipped =
         |name: &str| format!("`{name}` is no directive of pbrt: skipped with its arguments");
     let expected = [

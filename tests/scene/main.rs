@@ -14,7 +14,7 @@ use feimos::geometry::{Matrix, Point};
 use feimos::input::BudgetFactor;
 use feimos::progress::Progress;
 use feimos::scene::{LoadOptions, Scene, load, read_options};
-use feimos::shape::{Form, Instance, Placed, Primitive};
+use feimos::shape::{Form, Instance, InstancedId, PrimitiveId};
 use std::path::Path;
 use tempfile::TempDir;
 
@@ -79,7 +79,7 @@ fn warnings(scene: &Scene) -> Vec<(String, u64)> {
 }
 
 fn vertex(scene: &Scene, index: usize) -> [f64; 3] {
-    scene.shapes.vertices()[index].to_array()
+    scene.geometry.vertices()[index].to_array()
 }
 
 const TRIANGLE: &str = "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0 ]\n";
@@ -296,13 +296,16 @@ fn shapes_count_whether_they_are_supported_or_not() {
         "WorldBegin {TRIANGLE} Shape \"cone\" Shape \"cone\" Shape \"sphere\" Shape \"spehre\" {TRIANGLE}"
     ));
     assert_eq!(scene.shape_count, 6);
-    let shapes = &scene.shapes;
+    let geometry = &scene.geometry;
     assert_eq!(
-        shapes.shape_number(Placed::alone(Primitive::triangle(1))),
+        geometry.shape_number(InstancedId::alone(PrimitiveId::triangle(1))),
         6
     );
-    let sphere = Placed::alone(Primitive::sphere(0));
-    assert_eq!((shapes.shape_number(sphere), shapes.number(sphere)), (4, 1));
+    let sphere = InstancedId::alone(PrimitiveId::sphere(0));
+    assert_eq!(
+        (geometry.shape_number(sphere), geometry.number(sphere)),
+        (4, 1)
+    );
     let expected = [
         "the shape `cone` is not supported: left out",
         "the shape `spehre` is not supported: left out",
@@ -327,19 +330,19 @@ fn objects_are_stored_once_and_placed_by_the_transform_at_the_instance() {
         ObjectInstance \"o\"
         {TRIANGLE}"
     ));
-    let shapes = &scene.shapes;
+    let geometry = &scene.geometry;
     assert_eq!(
         (
-            shapes.objects().len(),
-            shapes.instances().len(),
-            shapes.own_count()
+            geometry.objects().len(),
+            geometry.instances().len(),
+            geometry.own_count()
         ),
         (1, 2, 2)
     );
     assert_eq!(
         (
             scene.shape_count,
-            shapes.primitive_count(),
+            geometry.primitive_count(),
             warnings(&scene).len()
         ),
         (5, 6, 0)
@@ -348,15 +351,16 @@ fn objects_are_stored_once_and_placed_by_the_transform_at_the_instance() {
     let world_from_instance = world_from_object.times(&Matrix::scale([1.0, -1.0, 1.0]));
     let world_from_mesh =
         world_from_instance.times(&world_from_object.times(&Matrix::scale([2.0, 2.0, 2.0])));
-    let triangle = shapes.placed_triangle(Placed::in_instance(0, Primitive::triangle(0)));
-    let moved_again = shapes.placed_triangle(Placed::in_instance(1, Primitive::triangle(0)));
+    let triangle = geometry.placed_triangle(InstancedId::in_instance(0, PrimitiveId::triangle(0)));
+    let moved_again =
+        geometry.placed_triangle(InstancedId::in_instance(1, PrimitiveId::triangle(0)));
     assert_eq!(
         (triangle.0[0], moved_again.0[0].y),
         (world_from_mesh.apply(Point::new(0.0, 0.0, 0.0)), 4.0)
     );
-    let ids = shapes
+    let ids = geometry
         .all()
-        .map(|placed| (shapes.number(placed), shapes.shape_number(placed)));
+        .map(|placed| (geometry.number(placed), geometry.shape_number(placed)));
     assert_eq!(
         ids.collect::<Vec<_>>(),
         [(0, 4), (5, 5), (1, 1), (2, 2), (3, 1), (4, 2)]
@@ -400,7 +404,7 @@ fn the_object_defined_last_is_shown() {
     assert_eq!(warnings(&scene), [(message.to_owned(), 1)]);
     assert_eq!(
         scene
-            .shapes
+            .geometry
             .instances()
             .iter()
             .map(Instance::object)
@@ -439,13 +443,13 @@ fn what_is_rendered_otherwise_is_warned_of() {
         .zip(counts)
         .collect();
     assert_eq!(warnings(&scene), found);
-    let shapes = &scene.shapes;
+    let geometry = &scene.geometry;
     assert_eq!(
-        shapes.sphere_count(),
+        geometry.sphere_count(),
         4,
         "those that are never hit keep their numbers"
     );
-    let is_cut = |index: usize| shapes.sphere(index).form != Form::Sphere(None);
+    let is_cut = |index: usize| geometry.sphere(index).form != Form::Sphere(None);
     assert_eq!([0, 1, 2, 3].map(is_cut), [false, true, false, false]);
 }
 
@@ -539,7 +543,7 @@ fn meshes_are_found_beside_the_scene() {
     let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     let text = "WorldBegin Shape \"objmesh\" \"string filename\" \"meshes/m.obj\"";
     let scene = load_files(&[("a.pbrt", text), ("meshes/m.obj", obj)]).unwrap();
-    assert_eq!(scene.shapes.triangle_count(), 1);
+    assert_eq!(scene.geometry.triangle_count(), 1);
     let missing = load_files(&[("a.pbrt", text)]).unwrap_err();
     let expected = "meshes/m.obj: cannot read: No such file or directory (os error 2)\n   = named in a.pbrt:1:46";
     assert_eq!(missing, expected);
@@ -559,14 +563,14 @@ fn subdivision_surfaces_take_the_levels_of_v3_and_of_v4() {
         );
         let scene = scene(&text);
         assert_eq!(
-            (scene.shapes.triangle_count(), warnings(&scene)),
+            (scene.geometry.triangle_count(), warnings(&scene)),
             (faces + 1, vec![]),
             "{levels}"
         );
         assert_eq!(
             scene
-                .shapes
-                .shape_number(Placed::alone(Primitive::triangle(faces - 1))),
+                .geometry
+                .shape_number(InstancedId::alone(PrimitiveId::triangle(faces - 1))),
             1
         );
     }
@@ -574,7 +578,7 @@ fn subdivision_surfaces_take_the_levels_of_v3_and_of_v4() {
     let scene = scene(&format!(
         "WorldBegin Translate 10 0 0 Shape \"loopsubdiv\" {TETRAHEDRON} \"integer levels\" 0"
     ));
-    assert!((scene.shapes.vertices()[0] - Point::new(10.2, 0.2, 0.2)).largest() < 1e-14);
+    assert!((scene.geometry.vertices()[0] - Point::new(10.2, 0.2, 0.2)).largest() < 1e-14);
 }
 
 #[test]
@@ -630,7 +634,7 @@ fn bilinear_patches_are_two_triangles_each() {
     ));
     assert_eq!(warnings(&flat), []);
     let triangles = [0, 1].map(|index| {
-        flat.shapes
+        flat.geometry
             .triangle(index)
             .0
             .map(|corner| (corner.x, corner.y))
@@ -648,8 +652,9 @@ fn bilinear_patches_are_two_triangles_each() {
     ));
     assert_eq!(
         (
-            both.shapes.triangle_count(),
-            both.shapes.number(Placed::alone(Primitive::triangle(7)))
+            both.geometry.triangle_count(),
+            both.geometry
+                .number(InstancedId::alone(PrimitiveId::triangle(7)))
         ),
         (8, 7)
     );
@@ -658,7 +663,7 @@ fn bilinear_patches_are_two_triangles_each() {
     assert_eq!(warnings(&both), [(message.to_owned(), 2)]);
     let alone =
         scene("WorldBegin Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0  1 1 0 ]");
-    assert_eq!(alone.shapes.triangle_count(), 2);
+    assert_eq!(alone.geometry.triangle_count(), 2);
     let found = complaint(&format!("WorldBegin Shape \"bilinearmesh\" {corners}"));
     assert!(
         found.starts_with("a.pbrt:1:18: a bilinear mesh of 6 vertices without `indices`"),
@@ -687,7 +692,7 @@ fn a_bare_mesh_is_framed() {
     );
     let empty = load_files(&[("m.obj", "# nothing\n")]).unwrap();
     assert_eq!(
-        (empty.shapes.triangle_count(), warnings(&empty).len()),
+        (empty.geometry.triangle_count(), warnings(&empty).len()),
         (0, 1)
     );
 }

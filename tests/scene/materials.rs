@@ -2,7 +2,7 @@
 
 use crate::{TRIANGLE, load_files, scene, warnings};
 use feimos::scene::Scene;
-use feimos::shape::{Placed, Primitive};
+use feimos::shape::{InstancedId, PrimitiveId};
 
 /// A quad of two triangles, and a sphere: three primitives under one material.
 const BODY: &str =
@@ -35,13 +35,19 @@ fn what_bounds_a_medium_is_left_out_with_its_numbers() {
     for material in materials {
         let scene = with_material(material);
         assert_eq!(
-            (scene.shapes.triangle_count(), scene.shapes.sphere_count()),
+            (
+                scene.geometry.triangle_count(),
+                scene.geometry.sphere_count()
+            ),
             (2, 0),
             "{material}"
         );
-        let last = Placed::alone(Primitive::triangle(1));
+        let last = InstancedId::alone(PrimitiveId::triangle(1));
         assert_eq!(
-            (scene.shapes.number(last), scene.shapes.shape_number(last)),
+            (
+                scene.geometry.number(last),
+                scene.geometry.shape_number(last)
+            ),
             (4, 4),
             "{material}"
         );
@@ -75,7 +81,10 @@ fn other_materials_are_surfaces() {
     for material in materials {
         let scene = with_material(material);
         assert_eq!(
-            (scene.shapes.triangle_count(), scene.shapes.sphere_count()),
+            (
+                scene.geometry.triangle_count(),
+                scene.geometry.sphere_count()
+            ),
             (4, 1),
             "{material}"
         );
@@ -89,13 +98,14 @@ fn objects_keep_the_numbers_of_what_they_leave_out() {
         "WorldBegin Material \"none\" ObjectBegin \"o\" {BODY} Material \"matte\" {TRIANGLE} ObjectEnd
         ObjectInstance \"o\" ObjectInstance \"o\" Material \"matte\" {TRIANGLE}"
     ));
-    let number = |placed| scene.shapes.number(placed);
-    let in_instance = |instance| number(Placed::in_instance(instance, Primitive::triangle(0)));
+    let number = |placed| scene.geometry.number(placed);
+    let in_instance =
+        |instance| number(InstancedId::in_instance(instance, PrimitiveId::triangle(0)));
     assert_eq!(
         [
             in_instance(0),
             in_instance(1),
-            number(Placed::alone(Primitive::triangle(0)))
+            number(InstancedId::alone(PrimitiveId::triangle(0)))
         ],
         [3, 7, 8]
     );
@@ -111,18 +121,18 @@ fn a_material_may_be_made_after_its_shapes() {
     };
     let hit = |scene: &Scene| {
         scene
-            .shapes
+            .geometry
             .all()
-            .filter(|placed| scene.shapes.surface(*placed).can_be_hit())
+            .filter(|placed| scene.geometry.surface(*placed).can_be_hit())
             .count()
     };
     let (solid, hidden) = (late("diffuse"), late("interface"));
     assert_eq!((hit(&solid), hit(&hidden)), (7, 1));
     let numbers = |scene: &Scene| {
         scene
-            .shapes
+            .geometry
             .all()
-            .map(|placed| scene.shapes.number(placed))
+            .map(|placed| scene.geometry.number(placed))
             .collect::<Vec<_>>()
     };
     assert_eq!(numbers(&solid), numbers(&hidden));
@@ -138,9 +148,12 @@ element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0
         Shape \"curve\" AttributeEnd {TRIANGLE}"
     );
     let scene = load_files(&[("a.pbrt", &text), ("m.ply", ply)]).unwrap();
-    let last = Placed::alone(Primitive::triangle(0));
+    let last = InstancedId::alone(PrimitiveId::triangle(0));
     assert_eq!(
-        (scene.shapes.number(last), scene.shapes.shape_number(last)),
+        (
+            scene.geometry.number(last),
+            scene.geometry.shape_number(last)
+        ),
         (6, 4)
     );
 }
@@ -150,18 +163,18 @@ fn a_name_that_is_never_made_changes_nothing() {
     let scene =
         with_material("Material \"none\" NamedMaterial \"nowhere\" NamedMaterial \"neither\"");
     let hit = scene
-        .shapes
+        .geometry
         .all()
-        .filter(|placed| scene.shapes.surface(*placed).can_be_hit())
+        .filter(|placed| scene.geometry.surface(*placed).can_be_hit())
         .count();
-    assert_eq!((hit, scene.shapes.primitive_count()), (2, 5));
+    assert_eq!((hit, scene.geometry.primitive_count()), (2, 5));
 }
 
 #[test]
 fn a_material_without_a_type_bounds_a_medium_with_a_warning() {
     let scene = with_material("MakeNamedMaterial \"a\" \"float roughness\" 1 NamedMaterial \"a\"");
     assert_eq!(
-        (scene.shapes.own_count(), scene.census.boundaries().count),
+        (scene.geometry.own_count(), scene.census.boundaries().count),
         (2, 2)
     );
     assert!(

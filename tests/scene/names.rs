@@ -7,10 +7,10 @@ use feimos::shape::Instance;
 const SPHERE: &str = "Shape \"sphere\"";
 
 fn numbers(scene: &Scene) -> Vec<(u64, u32)> {
-    let shapes = &scene.shapes;
-    let mut numbers: Vec<_> = shapes
+    let geometry = &scene.geometry;
+    let mut numbers: Vec<_> = geometry
         .all()
-        .map(|placed| (shapes.number(placed), shapes.shape_number(placed)))
+        .map(|placed| (geometry.number(placed), geometry.shape_number(placed)))
         .collect();
     numbers.sort_unstable();
     numbers
@@ -43,7 +43,7 @@ fn an_instance_may_stand_before_its_object() {
     assert_eq!(order(&before), order(&after));
     let firsts = |scene: &Scene| {
         scene
-            .shapes
+            .geometry
             .instances()
             .iter()
             .map(Instance::first_number)
@@ -79,10 +79,10 @@ fn a_name_may_be_composed_or_not() {
         ObjectBegin \"{decomposed}\" {SPHERE} ObjectEnd ObjectInstance \"{composed}\""
     ));
     assert_eq!(
-        (warnings(&scene), scene.shapes.instances().len()),
+        (warnings(&scene), scene.geometry.instances().len()),
         (vec![], 1)
     );
-    assert_eq!(scene.shapes.vertices()[0].x, 0.0);
+    assert_eq!(scene.geometry.vertices()[0].x, 0.0);
 }
 
 #[test]
@@ -109,7 +109,7 @@ fn names_that_are_not_utf8_are_told_apart() {
     assert_eq!(warnings(&scene), []);
     assert_eq!(
         scene
-            .shapes
+            .geometry
             .instances()
             .iter()
             .map(Instance::object)
@@ -138,7 +138,7 @@ fn files_may_have_names_that_are_not_utf8() {
     assert_eq!(
         load_folder(&folder, "a.pbrt")
             .unwrap()
-            .shapes
+            .geometry
             .sphere_count(),
         1
     );
@@ -152,7 +152,7 @@ fn coordinate_systems_of_an_import_end_with_it() {
         );
         load_files(&[("a.pbrt", &text), ("b.pbrt", part)]).unwrap()
     };
-    let place = |scene: &Scene| scene.shapes.sphere(0).world_from_object.column(3)[0];
+    let place = |scene: &Scene| scene.geometry.sphere(0).world_from_object.column(3)[0];
     let leaking = "Translate 9 0 0 CoordinateSystem \"q\" CoordinateSystem \"r\" Translate 1 0 0 CoordinateSystem \"q\"";
     assert_eq!(place(&import(leaking, "")), 0.0);
     let unknown = import(leaking, "CoordSysTransform \"r\"");
@@ -166,7 +166,7 @@ fn coordinate_systems_of_an_import_end_with_it() {
         "ObjectInstance \"o\"",
     );
     assert_eq!(
-        (merged.shapes.instances().len(), warnings(&merged)),
+        (merged.geometry.instances().len(), warnings(&merged)),
         (1, vec![])
     );
     let known = import("CoordSysTransform \"q\"", "");

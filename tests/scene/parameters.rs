@@ -2,7 +2,7 @@
 
 use crate::{complaint, error, scene, warnings};
 use feimos::film::PixelBounds;
-use feimos::shape::{Placed, Primitive};
+use feimos::shape::{InstancedId, PrimitiveId};
 
 /// What is said of a shape with `parameters`.
 fn error_of(parameters: &str) -> String {
@@ -161,7 +161,7 @@ fn the_last_of_several_counts_with_a_warning() {
         Shape \"trianglemesh\" \"point P\" [ 0 0 0 1 0 0 0 1 0 ] \"float uv\" [ 1 ] \"float uv\" [ 2 ]",
     );
     assert_eq!(
-        [0, 1].map(|index| scene.shapes.sphere(index).radius),
+        [0, 1].map(|index| scene.geometry.sphere(index).radius),
         [3.0, 5.0]
     );
     assert_eq!(scene.film.resolution[0], 2);
@@ -195,16 +195,16 @@ fn numbers_may_be_spelled_as_other_programs_print_them() {
     let blanks = commas.replace(',', " ");
     let (commas, blanks) = (scene(commas), scene(&blanks));
     assert_eq!(commas.camera, blanks.camera);
-    assert_eq!(commas.shapes.sphere(0), blanks.shapes.sphere(0));
+    assert_eq!(commas.geometry.sphere(0), blanks.geometry.sphere(0));
     assert_eq!(warnings(&commas), []);
     let windows = scene(
         "WorldBegin LightSource \"point\" \"rgb I\" [-nan(ind) 1.#QNAN 1] \"float scale\" 1.#INF # a comment
         Shape \"trianglemesh\" \"point3 P\" [0 0 -1.#IND00  1.#INF 0 0  0 1 0] \"integer indices\" [0 1 2]
         Shape \"sphere\" \"float zmax\" 1.#INF \"float radius\" 1.# not a number",
     );
-    let vertices = windows.shapes.vertices();
+    let vertices = windows.geometry.vertices();
     assert!(vertices[0].z.is_nan() && vertices[1].x == f64::INFINITY);
-    assert_eq!(windows.shapes.sphere(0).radius, 1.0);
+    assert_eq!(windows.geometry.sphere(0).radius, 1.0);
 }
 
 #[test]
@@ -242,7 +242,7 @@ fn a_wrong_mesh_is_left_out_with_its_number() {
     for (text, message) in cases {
         let scene = scene(&format!("WorldBegin {text} Shape \"sphere\""));
         assert_eq!(
-            (scene.shape_count, scene.shapes.own_count()),
+            (scene.shape_count, scene.geometry.own_count()),
             (2, 1),
             "{text}"
         );
@@ -258,8 +258,8 @@ fn a_wrong_mesh_is_left_out_with_its_number() {
             said[0]
         );
         let found = scene
-            .shapes
-            .shape_number(Placed::alone(Primitive::sphere(0)));
+            .geometry
+            .shape_number(InstancedId::alone(PrimitiveId::sphere(0)));
         assert_eq!(found, 2, "{text}");
     }
 }
@@ -286,7 +286,7 @@ fn excess_numbers_are_dropped_with_a_warning() {
     ];
     for (text, triangles) in cases {
         let scene = scene(&format!("WorldBegin {text}"));
-        assert_eq!(scene.shapes.triangle_count(), triangles, "{text}");
+        assert_eq!(scene.geometry.triangle_count(), triangles, "{text}");
         let said = warnings(&scene);
         assert!(
             said.len() == 1 && said[0].0.contains("are dropped"),

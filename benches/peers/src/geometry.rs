@@ -1,7 +1,7 @@
 //! The geometry of a view as peers take it: `f32`, in world space.
 
 use crate::Result;
-use feimos::shape::Shapes;
+use feimos::shape::Geometry;
 use std::collections::HashMap;
 
 /// Either kind; primitives in the order of feimos's numbers.
@@ -19,14 +19,14 @@ pub(crate) enum Geometry {
 }
 
 impl Geometry {
-    /// The geometry of `shapes`, narrowed.
+    /// The geometry of `geometry`, narrowed.
     ///
     /// # Errors
     /// Where there are triangles and spheres: primitive numbers would need a table.
-    pub(crate) fn of(shapes: &Shapes) -> Result<Geometry> {
-        match (shapes.triangle_count(), shapes.sphere_count()) {
-            (_, 0) => Ok(triangles(shapes)),
-            (0, _) => Ok(spheres(shapes)),
+    pub(crate) fn of(geometry: &Geometry) -> Result<Geometry> {
+        match (geometry.triangle_count(), geometry.sphere_count()) {
+            (_, 0) => Ok(triangles(geometry)),
+            (0, _) => Ok(spheres(geometry)),
             _ => Err("a view holds triangles or spheres, not both".into()),
         }
     }
@@ -49,9 +49,9 @@ impl Geometry {
 }
 
 /// Corners that have the same bits become one vertex.
-fn triangles(shapes: &Shapes) -> Geometry {
+fn triangles(geometry: &Geometry) -> Geometry {
     let mut vertices = Vec::new();
-    let mut places = HashMap::with_capacity(shapes.triangle_count());
+    let mut places = HashMap::with_capacity(geometry.triangle_count());
     let mut place_of = |corner: feimos::geometry::Point| {
         *places
             .entry(corner.to_array().map(f64::to_bits))
@@ -60,8 +60,8 @@ fn triangles(shapes: &Shapes) -> Geometry {
                 (vertices.len() - 1) as u32
             })
     };
-    let triangles = (0..shapes.triangle_count())
-        .map(|index| shapes.triangle(index).0.map(&mut place_of))
+    let triangles = (0..geometry.triangle_count())
+        .map(|index| geometry.triangle(index).0.map(&mut place_of))
         .collect();
     Geometry::Triangles {
         vertices,
@@ -69,13 +69,13 @@ fn triangles(shapes: &Shapes) -> Geometry {
     }
 }
 
-fn spheres(shapes: &Shapes) -> Geometry {
+fn spheres(geometry: &Geometry) -> Geometry {
     let sphere = |index| {
-        let sphere = shapes.sphere(index);
+        let sphere = geometry.sphere(index);
         let [x, y, z] = sphere.world_from_object.column(3);
         [x, y, z, sphere.radius].map(|number| number as f32)
     };
-    Geometry::Spheres((0..shapes.sphere_count()).map(sphere).collect())
+    Geometry::Spheres((0..geometry.sphere_count()).map(sphere).collect())
 }
 
 #[cfg(test)]
@@ -87,15 +87,15 @@ mod tests {
     fn corners_are_shared() {
         let corners =
             [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| Point::new(x, y, 0.0));
-        let mut shapes = Shapes::default();
+        let mut geometry = Geometry::default();
         let moved = Matrix::translate([0.0, 0.0, 5.0]);
-        shapes
+        geometry
             .add_mesh(corners.to_vec(), vec![[0, 1, 2], [0, 2, 3]], &moved, 1)
             .unwrap();
         let Geometry::Triangles {
             vertices,
             triangles,
-        } = Geometry::of(&shapes).unwrap()
+        } = Geometry::of(&geometry).unwrap()
         else {
             panic!("spheres")
         };

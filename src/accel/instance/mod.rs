@@ -11,13 +11,13 @@ pub(super) use self::object_tree::ObjectTree;
 pub(super) use self::placement::Placement;
 
 use self::outline::Outline;
-use super::build::{BuildOptions, BuildPrimitive, Visibility};
+use super::builder::{BuildOptions, BuildPrimitive, Visibility};
+use super::raster::{Run, WideTree, runs_of};
 use super::space::AnchorSpace;
-use super::tile::{Run, WideTree, runs_of};
 use super::tree::Tree;
 use crate::geometry::Bounds;
 use crate::progress::Progress;
-use crate::shape::Shapes;
+use crate::shape::Geometry;
 use rayon::prelude::*;
 
 /// Instances in a leaf at most: each is as much work as a tree.
@@ -28,18 +28,18 @@ const MAX_LEAF: usize = 4;
 pub(super) struct Outlines(Vec<Outline>);
 
 impl Outlines {
-    pub(super) fn of(shapes: &Shapes) -> Outlines {
+    pub(super) fn of(geometry: &Geometry) -> Outlines {
         Outlines(
-            shapes
+            geometry
                 .objects()
                 .iter()
-                .map(|object| Outline::of(object.shapes()))
+                .map(|object| Outline::of(object.geometry()))
                 .collect(),
         )
     }
 
-    fn placement(&self, shapes: &Shapes, instance: usize) -> Placement {
-        let instance = &shapes.instances()[instance];
+    fn placement(&self, geometry: &Geometry, instance: usize) -> Placement {
+        let instance = &geometry.instances()[instance];
         Placement::new(
             instance.world_from_instance(),
             &self.0[instance.object()].terms,
@@ -47,19 +47,19 @@ impl Outlines {
     }
 
     /// The box around an instance in the world; `None` where nothing of it can be hit.
-    fn bounds(&self, shapes: &Shapes, instance: usize) -> Option<Bounds> {
-        let outline = &self.0[shapes.instances()[instance].object()];
+    fn bounds(&self, geometry: &Geometry, instance: usize) -> Option<Bounds> {
+        let outline = &self.0[geometry.instances()[instance].object()];
         let is_there = !outline.is_empty()
-            && shapes.instances()[instance]
+            && geometry.instances()[instance]
                 .world_from_instance()
                 .is_finite();
-        is_there.then(|| self.placement(shapes, instance).enclose(&outline.bounds))
+        is_there.then(|| self.placement(geometry, instance).enclose(&outline.bounds))
     }
 
     /// The box around all instances.
-    pub(super) fn bounds_of_all(&self, shapes: &Shapes) -> Bounds {
-        let bounds = |instance| self.bounds(shapes, instance).unwrap_or(Bounds::EMPTY);
-        (0..shapes.instances().len())
+    pub(super) fn bounds_of_all(&self, geometry: &Geometry) -> Bounds {
+        let bounds = |instance| self.bounds(geometry, instance).unwrap_or(Bounds::EMPTY);
+        (0..geometry.instances().len())
             .into_par_iter()
             .map(bounds)
             .reduce(|| Bounds::EMPTY, Bounds::union)
@@ -82,16 +82,16 @@ impl InstanceTrees {
     ///
     /// `progress` counts instances, and primitives of objects, those left out at once.
     pub(super) fn build(
-        shapes: &Shapes,
+        geometry: &Geometry,
         outlines: Outlines,
         space: &AnchorSpace,
         visibility: Option<&Visibility>,
         options: BuildOptions,
         progress: Progress,
     ) -> InstanceTrees {
-        let count = shapes.instances().len();
+        let count = geometry.instances().len();
         let place = |instance: usize| {
-            let bounds = outlines.bounds(shapes, instance)?;
+            let bounds = outlines.bounds(geometry, instance)?;
             let is_seen = visibility.is_none_or(|visibility| visibility.may_see_box(&bounds));
             is_seen.then(|| BuildPrimitive::new(&space.enclose(&bounds), instance as u32))
         };
@@ -102,16 +102,16 @@ impl InstanceTrees {
             ..options
         };
         let tree = Tree::build(seen, leaf, progress, |instance| instance);
-        let mut is_shown = vec![false; shapes.objects().len()];
-        tree.order
-            .iter()
-            .for_each(|instance| is_shown[shapes.instances()[*instance as usize].object()] = true);
-        let objects = shapes.objects().iter().zip(outlines.0).zip(is_shown).map(
+        let mut is_shown = vec![false; geometry.objects().len()];
+        tree.order.iter().for_each(|instance| {
+            is_shown[geometry.instances()[*instance as usize].object()] = true
+        });
+        let objects = geometry.objects().iter().zip(outlines.0).zip(is_shown).map(
             |((object, outline), is_shown)| {
                 if !is_shown {
-                    progress.advance(object.shapes().own_count());
+                    progress.advance(object.geometry().own_count());
                 }
-                is_shown.then(|| ObjectTree::build(object.shapes(), outline, options, progress))
+                is_shown.then(|| ObjectTree::build(object.geometry(), outline, options, progress))
             },
         );
         let objects = objects.collect();
@@ -123,8 +123,8 @@ impl InstanceTrees {
     }
 
     /// The tree of the object of an instance that is in the tree.
-    pub(super) fn object(&self, shapes: &Shapes, instance: usize) -> &ObjectTree {
-        let object = &self.objects[shapes.instances()[instance].object()];
+    pub(super) fn object(&self, geometry: &Geometry, instance: usize) -> &ObjectTree {
+        let object = &self.objects[geometry.instances()[instance].object()];
         object.as_ref().expect("an object that is shown has a tree")
     }
 

@@ -2,13 +2,13 @@
 
 use super::Placement;
 use super::outline::{Outline, Terms};
-use crate::accel::build::{BuildOptions, BuildPrimitive};
+use crate::accel::builder::{BuildOptions, BuildPrimitive};
+use crate::accel::raster::{Run, WideTree, runs_of};
 use crate::accel::space::{AnchorSpace, Box32};
-use crate::accel::tile::{Run, WideTree, runs_of};
 use crate::accel::tree::Tree;
 use crate::geometry::{Bounds, Matrix, Point};
 use crate::progress::Progress;
-use crate::shape::{Instance, Pose, Primitive, Shapes};
+use crate::shape::{Geometry, Instance, Pose, PrimitiveId};
 use rayon::prelude::*;
 
 /// A tree over what may be hit of an object in some instance.
@@ -16,7 +16,7 @@ use rayon::prelude::*;
 pub(in crate::accel) struct ObjectTree {
     /// Around the middle of the object.
     pub(in crate::accel) space: AnchorSpace,
-    pub(in crate::accel) tree: Tree<Primitive>,
+    pub(in crate::accel) tree: Tree<PrimitiveId>,
     /// The same tree for tiles.
     pub(in crate::accel) wide: WideTree<Run>,
     terms: Terms,
@@ -31,13 +31,13 @@ const UNIT_BOX: Box32 = Box32 {
 impl ObjectTree {
     /// `progress` counts primitives.
     pub(super) fn build(
-        object: &Shapes,
+        object: &Geometry,
         outline: Outline,
         options: BuildOptions,
         progress: Progress,
     ) -> ObjectTree {
         let space = space_of(&outline);
-        let place = |pose: &mut Pose, primitive: &Primitive| {
+        let place = |pose: &mut Pose, primitive: &PrimitiveId| {
             let bounds = Outline::of_one(object, pose, *primitive)?.bounds;
             let bounds = if outline.is_anywhere() {
                 UNIT_BOX
@@ -46,7 +46,7 @@ impl ObjectTree {
             };
             Some(BuildPrimitive::new(&bounds, primitive.to_bits()))
         };
-        let all: Vec<Primitive> = object.primitives().collect();
+        let all: Vec<PrimitiveId> = object.primitives().collect();
         let pose = || Pose::new(object, Matrix::IDENTITY);
         let placed: Vec<Option<BuildPrimitive>> = all
             .par_iter()
@@ -55,7 +55,7 @@ impl ObjectTree {
             .collect();
         let primitives: Vec<BuildPrimitive> = placed.into_iter().flatten().collect();
         progress.advance(all.len() - primitives.len());
-        let tree = Tree::build(primitives, options, progress, Primitive::from_bits);
+        let tree = Tree::build(primitives, options, progress, PrimitiveId::from_bits);
         ObjectTree {
             space,
             wide: WideTree::of(&tree, runs_of),

@@ -1,7 +1,7 @@
 //! What has to be known of an object to place its boxes.
 
 use crate::geometry::{Bounds, Matrix, Point};
-use crate::shape::{Pose, Primitive, Shapes, Surface};
+use crate::shape::{Geometry, Pose, Primitive, PrimitiveId};
 use rayon::prelude::*;
 
 /// Where an object is in the space of its instances, and how large the numbers are that lead there.
@@ -27,9 +27,9 @@ const LARGEST: f64 = 1e250;
 impl Outline {
     /// Nothing that may be hit in some instance is left out: neither what has no area in the space of the instances, since
     /// roundings may give it some, nor what is under a singular transform.
-    pub(super) fn of(object: &Shapes) -> Outline {
-        let primitives: Vec<Primitive> = object.primitives().collect();
-        let of_chunk = |chunk: &[Primitive]| {
+    pub(super) fn of(object: &Geometry) -> Outline {
+        let primitives: Vec<PrimitiveId> = object.primitives().collect();
+        let of_chunk = |chunk: &[PrimitiveId]| {
             let mut pose = Pose::new(object, Matrix::IDENTITY);
             chunk.iter().fold(
                 Outline::NOTHING,
@@ -95,12 +95,12 @@ impl Outline {
 
     /// That of one primitive; `None` where it cannot be hit in any instance.
     pub(super) fn of_one(
-        object: &Shapes,
+        object: &Geometry,
         pose: &mut Pose,
-        primitive: Primitive,
+        primitive: PrimitiveId,
     ) -> Option<Outline> {
         let (extent, instance_from_file) = match object.own_surface(primitive) {
-            Surface::Triangle(triangle) => {
+            Primitive::Triangle(triangle) => {
                 let corners = triangle.0;
                 corners
                     .iter()
@@ -113,7 +113,7 @@ impl Outline {
                 });
                 (extent, *object.transform_of_mesh(primitive.index() as u32))
             }
-            Surface::Quadric(quadric) => (quadric.extent()?, quadric.world_from_object),
+            Primitive::Quadric(quadric) => (quadric.extent()?, quadric.world_from_object),
         };
         instance_from_file.is_finite().then_some(())?;
         let sum =

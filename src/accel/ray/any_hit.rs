@@ -2,7 +2,7 @@
 
 use super::traversal::Search;
 use crate::accel::hit::Hit;
-use crate::shape::Placed;
+use crate::shape::InstancedId;
 
 /// A search that ends with its first hit: which one that is, depends on the tree.
 pub(in crate::accel) struct AnyHit<S> {
@@ -17,7 +17,7 @@ impl<S: Search> AnyHit<S> {
 
 impl<S: Search> Search for AnyHit<S> {
     #[inline]
-    fn test(&mut self, primitive: Placed) {
+    fn test(&mut self, primitive: InstancedId) {
         if !self.search.has_hit() {
             self.search.test(primitive);
         }

@@ -3,14 +3,14 @@
 use super::nearest::Nearest;
 use super::ties::Ties;
 use super::traversal::Search;
-use crate::accel::hit::{Fallbacks, Hit};
+use crate::accel::hit::{ExactFallbacks, Hit};
 use crate::accel::space::SlabRay;
 use crate::geometry::Ray;
-use crate::shape::{Placed, Shapes};
+use crate::shape::{Geometry, InstancedId};
 
 /// The best hit so far of a ray on its way through a tree.
 pub(in crate::accel) struct ExactSearch<'a> {
-    shapes: &'a Shapes,
+    geometry: &'a Geometry,
     nearest: Nearest<'a>,
     slab: &'a SlabRay,
     /// The upper end of the best bracket in the units of the slab test: what is entered later is culled.
@@ -19,15 +19,15 @@ pub(in crate::accel) struct ExactSearch<'a> {
 
 impl<'a> ExactSearch<'a> {
     pub(in crate::accel) fn new(
-        shapes: &'a Shapes,
+        geometry: &'a Geometry,
         ray: &Ray,
         slab: &'a SlabRay,
         ties: &'a mut Ties,
-        fallbacks: &'a mut Fallbacks,
+        fallbacks: &'a mut ExactFallbacks,
     ) -> ExactSearch<'a> {
         ExactSearch {
-            shapes,
-            nearest: Nearest::new(shapes, ray, ties, fallbacks),
+            geometry,
+            nearest: Nearest::new(geometry, ray, ties, fallbacks),
             slab,
             limit: f32::INFINITY,
         }
@@ -36,8 +36,8 @@ impl<'a> ExactSearch<'a> {
 
 impl Search for ExactSearch<'_> {
     #[inline]
-    fn test(&mut self, primitive: Placed) {
-        let Some(surface) = self.shapes.surface_in_tree(primitive) else {
+    fn test(&mut self, primitive: InstancedId) {
+        let Some(surface) = self.geometry.surface_in_tree(primitive) else {
             return;
         };
         if self.nearest.test(primitive, &surface)
@@ -67,7 +67,7 @@ mod tests {
     use super::*;
     use crate::accel::space::AnchorSpace;
     use crate::geometry::{Matrix, Point};
-    use crate::shape::Primitive;
+    use crate::shape::PrimitiveId;
     use proptest::prelude::*;
 
     proptest! {
@@ -85,18 +85,18 @@ mod tests {
             let (a, b) = (Point::new(ends[0], ends[1], ends[2]), Point::new(ends[3], ends[4], ends[5]));
             let middle = |k: usize| 0.4 * a[k] + 0.6 * b[k] + aside[k] * 2f64.powi(thinness);
             let c = Point::new(middle(0), middle(1), middle(2));
-            let mut shapes = Shapes::default();
-            shapes.add_mesh(vec![a, b, c], vec![[0, 1, 2]], &Matrix::IDENTITY, 1).unwrap();
+            let mut geometry = Geometry::default();
+            geometry.add_mesh(vec![a, b, c], vec![[0, 1, 2]], &Matrix::IDENTITY, 1).unwrap();
             let sum = weights[0] + weights[1] + weights[2];
             let target = |k: usize| (weights[0] * a[k] + weights[1] * b[k] + weights[2] * c[k]) / sum;
             let origin = Point::from(origin);
             let direction = Point::new(target(0), target(1), target(2)) - origin;
             let ray = Ray { origin, direction };
-            let primitive = Placed::alone(Primitive::triangle(0));
-            let Some(root) = shapes.surface(primitive).exact(&ray) else { return Ok(()) };
+            let primitive = InstancedId::alone(PrimitiveId::triangle(0));
+            let Some(root) = geometry.surface(primitive).exact(&ray) else { return Ok(()) };
             let slab = AnchorSpace::new(origin, 4.0).ray(&ray);
-            let (mut ties, mut fallbacks) = (Ties::default(), Fallbacks::default());
-            let mut search = ExactSearch::new(&shapes, &ray, &slab, &mut ties, &mut fallbacks);
+            let (mut ties, mut fallbacks) = (Ties::default(), ExactFallbacks::default());
+            let mut search = ExactSearch::new(&geometry, &ray, &slab, &mut ties, &mut fallbacks);
             search.test(primitive);
             // Narrowed to f32 as the limit is, the true number is not above it.
             let truth = slab.scaled_limit(root.bracket().low);

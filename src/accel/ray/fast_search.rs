@@ -5,7 +5,7 @@ use crate::accel::hit::Hit;
 use crate::accel::space::{AnchorSpace, SingleRay, SlabRay};
 use crate::exact::Bracket;
 use crate::geometry::{Point, Ray};
-use crate::shape::{Placed, Shapes, SingleQuadric, Surface, intersect_single};
+use crate::shape::{Geometry, InstancedId, Primitive, SingleQuadric, intersect_single};
 
 /// The best hit so far of a ray among the primitives that were tested. Everything is relative to the anchor and in `f32`.
 ///
@@ -13,22 +13,22 @@ use crate::shape::{Placed, Shapes, SingleQuadric, Surface, intersect_single};
 /// only if the ray enters that box, and not before it does; then every node around it is entered no later, and the answer
 /// is the same for every tree, and for none.
 pub(in crate::accel) struct FastSearch<'a> {
-    shapes: &'a Shapes,
+    geometry: &'a Geometry,
     space: &'a AnchorSpace,
     ray: SingleRay,
     slab: &'a SlabRay,
-    best: Option<(f32, Placed)>,
+    best: Option<(f32, InstancedId)>,
 }
 
 impl<'a> FastSearch<'a> {
     pub(in crate::accel) fn new(
-        shapes: &'a Shapes,
+        geometry: &'a Geometry,
         space: &'a AnchorSpace,
         ray: &Ray,
         slab: &'a SlabRay,
     ) -> FastSearch<'a> {
         FastSearch {
-            shapes,
+            geometry,
             space,
             ray: space.single_ray(ray),
             slab,
@@ -37,7 +37,7 @@ impl<'a> FastSearch<'a> {
     }
 
     #[inline]
-    fn intersect(&self, surface: &Surface) -> Option<f32> {
+    fn intersect(&self, surface: &Primitive) -> Option<f32> {
         let SingleRay {
             origin,
             direction,
@@ -49,12 +49,12 @@ impl<'a> FastSearch<'a> {
             std::array::from_fn(|k| point[k] - origin[k])
         };
         match surface {
-            Surface::Quadric(quadric) => {
+            Primitive::Quadric(quadric) => {
                 let from_centre =
                     from_origin(&quadric.world_from_object.column(3).into()).map(|x| -x);
                 SingleQuadric::new(quadric, self.space.units()).intersect(from_centre, direction)
             }
-            Surface::Triangle(triangle) => intersect_single(
+            Primitive::Triangle(triangle) => intersect_single(
                 triangle.0.each_ref().map(from_origin),
                 direction,
                 largest_axis,
@@ -62,7 +62,7 @@ impl<'a> FastSearch<'a> {
         }
     }
 
-    fn offer(&mut self, t: f32, primitive: Placed, surface: &Surface) {
+    fn offer(&mut self, t: f32, primitive: InstancedId, surface: &Primitive) {
         if self.best.is_some_and(|(best, _)| t > best) {
             return;
         }
@@ -72,7 +72,7 @@ impl<'a> FastSearch<'a> {
         };
         let t = t.max(entry);
         let is_better = self.best.is_none_or(|(best, other)| {
-            t < best || (t == best && self.shapes.precedes(primitive, other))
+            t < best || (t == best && self.geometry.precedes(primitive, other))
         });
         if is_better {
             self.best = Some((t, primitive));
@@ -82,8 +82,8 @@ impl<'a> FastSearch<'a> {
 
 impl Search for FastSearch<'_> {
     #[inline]
-    fn test(&mut self, primitive: Placed) {
-        let Some(surface) = self.shapes.surface_in_tree(primitive) else {
+    fn test(&mut self, primitive: InstancedId) {
+        let Some(surface) = self.geometry.surface_in_tree(primitive) else {
             return;
         };
         if let Some(t) = self.intersect(&surface) {

@@ -4,18 +4,18 @@ use super::traversal::Search;
 use crate::accel::hit::Hit;
 use crate::accel::space::SlabRay;
 use crate::exact::Bracket;
-use crate::shape::Placed;
+use crate::shape::InstancedId;
 
 /// The best hit so far, as `intersect` tells `t`. Of several at one `t` the one that is tested first wins, and what is entered behind
 /// the best `t` is culled, however wrong that is: answers may depend on the tree, as they do elsewhere.
 pub(in crate::accel) struct ForeignSearch<'a, F> {
     intersect: F,
     slab: &'a SlabRay,
-    best: Option<(f32, Placed)>,
+    best: Option<(f32, InstancedId)>,
     limit: f32,
 }
 
-impl<'a, F: FnMut(Placed) -> Option<f32>> ForeignSearch<'a, F> {
+impl<'a, F: FnMut(InstancedId) -> Option<f32>> ForeignSearch<'a, F> {
     pub(in crate::accel) fn new(slab: &'a SlabRay, intersect: F) -> ForeignSearch<'a, F> {
         ForeignSearch {
             intersect,
@@ -26,9 +26,9 @@ impl<'a, F: FnMut(Placed) -> Option<f32>> ForeignSearch<'a, F> {
     }
 }
 
-impl<F: FnMut(Placed) -> Option<f32>> Search for ForeignSearch<'_, F> {
+impl<F: FnMut(InstancedId) -> Option<f32>> Search for ForeignSearch<'_, F> {
     #[inline]
-    fn test(&mut self, primitive: Placed) {
+    fn test(&mut self, primitive: InstancedId) {
         let Some(t) = (self.intersect)(primitive) else {
             return;
         };

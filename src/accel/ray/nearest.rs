@@ -1,10 +1,10 @@
 //! The nearest of the primitives that a ray is tested against, decided exactly.
 
 use super::ties::Ties;
-use crate::accel::hit::{Fallbacks, Hit};
+use crate::accel::hit::{ExactFallbacks, Hit};
 use crate::exact::{Bracket, Root};
 use crate::geometry::Ray;
-use crate::shape::{Coincidence, FilterRay, Placed, Shapes, Surface, Verdict};
+use crate::shape::{Coincidence, FilterRay, FilterResult, Geometry, InstancedId, Primitive};
 use std::cmp::Ordering;
 
 /// The best hit so far of a ray among the primitives that were tested.
@@ -13,15 +13,15 @@ use std::cmp::Ordering;
 /// verdicts are right, its brackets hold the true `t`, and where two brackets overlap the true
 /// numbers are compared.
 pub(in crate::accel) struct Nearest<'a> {
-    shapes: &'a Shapes,
+    geometry: &'a Geometry,
     ray: FilterRay,
     best: Option<Candidate>,
     ties: &'a mut Ties,
-    fallbacks: &'a mut Fallbacks,
+    fallbacks: &'a mut ExactFallbacks,
 }
 
 struct Candidate {
-    primitive: Placed,
+    primitive: InstancedId,
     t: Bracket,
     /// The exact `t`, once it has been asked for.
     root: Option<Root>,
@@ -29,13 +29,13 @@ struct Candidate {
 
 impl<'a> Nearest<'a> {
     pub(in crate::accel) fn new(
-        shapes: &'a Shapes,
+        geometry: &'a Geometry,
         ray: &Ray,
         ties: &'a mut Ties,
-        fallbacks: &'a mut Fallbacks,
+        fallbacks: &'a mut ExactFallbacks,
     ) -> Nearest<'a> {
         Nearest {
-            shapes,
+            geometry,
             ray: FilterRay::new(ray),
             best: None,
             ties,
@@ -44,7 +44,7 @@ impl<'a> Nearest<'a> {
     }
 
     /// Begins with a hit that is known, at a `t` within the bracket.
-    pub(in crate::accel) fn hold(&mut self, primitive: Placed, t: Bracket) {
+    pub(in crate::accel) fn hold(&mut self, primitive: InstancedId, t: Bracket) {
         self.best = Some(Candidate {
             primitive,
             t,
@@ -60,15 +60,15 @@ impl<'a> Nearest<'a> {
 
     /// Tests a primitive that can be hit. Whether it is the best hit now.
     #[inline]
-    pub(in crate::accel) fn test(&mut self, primitive: Placed, surface: &Surface) -> bool {
+    pub(in crate::accel) fn test(&mut self, primitive: InstancedId, surface: &Primitive) -> bool {
         match surface.filter(&self.ray) {
-            Verdict::Miss => false,
-            Verdict::Hit(t) => self.offer(Candidate {
+            FilterResult::Miss => false,
+            FilterResult::Hit(t) => self.offer(Candidate {
                 primitive,
                 t,
                 root: None,
             }),
-            Verdict::Unsure => self.test_exactly(primitive, surface),
+            FilterResult::Unsure => self.test_exactly(primitive, surface),
         }
     }
 
@@ -89,7 +89,7 @@ impl<'a> Nearest<'a> {
     }
 
     #[cold]
-    fn test_exactly(&mut self, primitive: Placed, surface: &Surface) -> bool {
+    fn test_exactly(&mut self, primitive: InstancedId, surface: &Primitive) -> bool {
         self.fallbacks.unsure_tests += 1;
         let root = surface.exact(&self.ray.ray);
         root.is_some_and(|root| {
@@ -104,15 +104,15 @@ impl<'a> Nearest<'a> {
     /// Whether a hit beats the best one, where the brackets overlap.
     #[cold]
     fn wins_close(&mut self, candidate: &mut Candidate) -> bool {
-        let shapes = self.shapes;
+        let geometry = self.geometry;
         let best = self
             .best
             .as_mut()
             .expect("there is a best hit to compare with");
-        let comes_first = shapes.precedes(candidate.primitive, best.primitive);
+        let comes_first = geometry.precedes(candidate.primitive, best.primitive);
         match self
             .ties
-            .between(shapes, best.primitive, candidate.primitive)
+            .between(geometry, best.primitive, candidate.primitive)
         {
             Coincidence::SameHit => return comes_first,
             // The filter tells one bracket of each root, and brackets of two roots that are apart.
@@ -123,8 +123,8 @@ impl<'a> Nearest<'a> {
         }
         self.fallbacks.comparisons += 1;
         match candidate
-            .root(shapes, &self.ray.ray)
-            .cmp(best.root(shapes, &self.ray.ray))
+            .root(geometry, &self.ray.ray)
+            .cmp(best.root(geometry, &self.ray.ray))
         {
             Ordering::Less => true,
             Ordering::Equal => comes_first,
@@ -143,8 +143,8 @@ impl<'a> Nearest<'a> {
 }
 
 impl Candidate {
-    fn root(&mut self, shapes: &Shapes, ray: &Ray) -> &Root {
+    fn root(&mut self, geometry: &Geometry, ray: &Ray) -> &Root {
         self.root
-            .get_or_insert_with(|| shapes.surface(self.primitive).exact_t(ray))
+            .get_or_insert_with(|| geometry.surface(self.primitive).exact_t(ray))
     }
 }

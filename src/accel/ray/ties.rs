@@ -1,6 +1,6 @@
 //! Which primitives a ray can only meet at the same `t`, found out once and not for every ray.
 
-use crate::shape::{Coincidence, Placed, Shapes, Surface};
+use crate::shape::{Coincidence, Geometry, InstancedId, Primitive};
 
 /// What a thread knows of primitives that coincide.
 ///
@@ -8,9 +8,9 @@ use crate::shape::{Coincidence, Placed, Shapes, Surface};
 /// found out again.
 #[derive(Debug, Default)]
 pub(in crate::accel) struct Ties {
-    last: Option<(Placed, Placed, Coincidence)>,
+    last: Option<(InstancedId, InstancedId, Coincidence)>,
     /// A primitive, and one whose plane it lies in: those with the same one are coplanar.
-    leaders: Cache<Placed>,
+    leaders: Cache<InstancedId>,
     /// Pairs that look coplanar and are not.
     apart: Cache<()>,
 }
@@ -20,9 +20,9 @@ impl Ties {
     #[inline]
     pub(in crate::accel) fn between(
         &mut self,
-        shapes: &Shapes,
-        a: Placed,
-        b: Placed,
+        geometry: &Geometry,
+        a: InstancedId,
+        b: InstancedId,
     ) -> Coincidence {
         if let Some((first, second, known)) = self.last
             && first == a
@@ -30,17 +30,17 @@ impl Ties {
         {
             return known;
         }
-        let found = self.find(shapes, a, b);
+        let found = self.find(geometry, a, b);
         self.last = Some((a, b, found));
         found
     }
 
-    fn find(&mut self, shapes: &Shapes, a: Placed, b: Placed) -> Coincidence {
+    fn find(&mut self, geometry: &Geometry, a: InstancedId, b: InstancedId) -> Coincidence {
         let leaders = [a, b].map(|placed| self.leaders.get(placed, placed));
         if leaders[0].is_some() && leaders[0] == leaders[1] {
             return Coincidence::SameHit;
         }
-        match (shapes.surface(a), shapes.surface(b)) {
+        match (geometry.surface(a), geometry.surface(b)) {
             (p, q) if p.is_flat() && q.is_flat() => {
                 let leaders = [leaders[0].unwrap_or(a), leaders[1].unwrap_or(b)];
                 if self.are_coplanar((a, &p), (b, &q), leaders) {
@@ -49,16 +49,16 @@ impl Ties {
                     Coincidence::None
                 }
             }
-            (Surface::Quadric(p), Surface::Quadric(q)) => p.coincidence(&q),
+            (Primitive::Quadric(p), Primitive::Quadric(q)) => p.coincidence(&q),
             _ => Coincidence::None,
         }
     }
 
     fn are_coplanar(
         &mut self,
-        (a, p): (Placed, &Surface),
-        (b, q): (Placed, &Surface),
-        leaders: [Placed; 2],
+        (a, p): (InstancedId, &Primitive),
+        (b, q): (InstancedId, &Primitive),
+        leaders: [InstancedId; 2],
     ) -> bool {
         if let Some(known) = p.may_be_coplanar_with(q) {
             return known;
@@ -84,7 +84,7 @@ impl Ties {
 #[derive(Debug)]
 struct Cache<T> {
     /// Nothing as long as it is not used.
-    places: Vec<Option<(Placed, Placed, T)>>,
+    places: Vec<Option<(InstancedId, InstancedId, T)>>,
 }
 
 impl<T> Default for Cache<T> {
@@ -96,19 +96,19 @@ impl<T> Default for Cache<T> {
 impl<T: Copy> Cache<T> {
     const BITS: u32 = 16;
 
-    fn place(a: Placed, b: Placed) -> usize {
+    fn place(a: InstancedId, b: InstancedId) -> usize {
         // Fibonacci hashing: the upper bits of a product with 2^64 over the golden ratio.
         const FACTOR: u64 = 0x9e37_79b9_7f4a_7c15;
         let word = a.to_bits().wrapping_mul(FACTOR) ^ b.to_bits().rotate_left(32);
         (word.wrapping_mul(FACTOR) >> (64 - Self::BITS)) as usize
     }
 
-    fn get(&self, a: Placed, b: Placed) -> Option<T> {
+    fn get(&self, a: InstancedId, b: InstancedId) -> Option<T> {
         let (first, second, known) = (*self.places.get(Self::place(a, b))?)?;
         (first == a && second == b).then_some(known)
     }
 
-    fn put(&mut self, a: Placed, b: Placed, known: T) {
+    fn put(&mut self, a: InstancedId, b: InstancedId, known: T) {
         if self.places.is_empty() {
             self.places = vec![None; 1 << Self::BITS];
         }
@@ -120,17 +120,17 @@ impl<T: Copy> Cache<T> {
 mod tests {
     use super::*;
     use crate::geometry::{Matrix, Point};
-    use crate::shape::Primitive;
+    use crate::shape::PrimitiveId;
     use proptest::prelude::*;
 
     /// Triangles with corners that are whole numbers, in planes through the origin, or shifted.
-    fn shapes_of(triangles: &[([[i32; 2]; 3], [i32; 3])]) -> Shapes {
-        let mut shapes = Shapes::default();
+    fn shapes_of(triangles: &[([[i32; 2]; 3], [i32; 3])]) -> Geometry {
+        let mut geometry = Geometry::default();
         for (corners, [slope, other, height]) in triangles {
             let corner = |[x, y]: [i32; 2]| {
                 Point::from([x, y, slope * x + other * y + height].map(f64::from))
             };
-            shapes
+            geometry
                 .add_mesh(
                     corners.map(corner).to_vec(),
                     vec![[0, 1, 2]],
@@ -139,7 +139,7 @@ mod tests {
                 )
                 .unwrap();
         }
-        shapes
+        geometry
     }
 
     proptest! {
@@ -152,17 +152,17 @@ mod tests {
                 (prop::array::uniform3(prop::array::uniform2(-9i32..10)), prop::array::uniform3(1i32..3)), 2..8),
             order in prop::collection::vec((0usize..8, 0usize..8), 1..40),
         ) {
-            let shapes = shapes_of(&triangles);
+            let geometry = shapes_of(&triangles);
             let mut ties = Ties::default();
             for (a, b) in order {
                 let [a, b] = [a, b].map(|k| k % triangles.len());
-                let [p, q] = [a, b].map(|k| Placed::alone(Primitive::triangle(k)));
-                if [p, q].iter().any(|placed| !shapes.surface(*placed).can_be_hit()) {
+                let [p, q] = [a, b].map(|k| InstancedId::alone(PrimitiveId::triangle(k)));
+                if [p, q].iter().any(|placed| !geometry.surface(*placed).can_be_hit()) {
                     continue;
                 }
                 let expected = if triangles[a].1 == triangles[b].1 { Coincidence::SameHit } else { Coincidence::None };
-                prop_assert_eq!(ties.between(&shapes, p, q), expected);
-                prop_assert_eq!(Ties::default().between(&shapes, p, q), expected);
+                prop_assert_eq!(ties.between(&geometry, p, q), expected);
+                prop_assert_eq!(Ties::default().between(&geometry, p, q), expected);
             }
         }
     }
@@ -170,7 +170,7 @@ mod tests {
     #[test]
     fn a_cache_forgets_and_does_not_grow() {
         let mut cache = Cache::default();
-        let placed = |k: usize| Placed::in_instance(k % 7, Primitive::triangle(k));
+        let placed = |k: usize| InstancedId::in_instance(k % 7, PrimitiveId::triangle(k));
         assert_eq!(cache.get(placed(0), placed(1)), None);
         let count = 4 << Cache::<usize>::BITS;
         for k in 0..count {

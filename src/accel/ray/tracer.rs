@@ -6,29 +6,33 @@ use super::fast_search::FastSearch;
 use super::foreign_search::ForeignSearch;
 use super::ties::Ties;
 use super::traversal::{Search, Stacks, traverse};
-use crate::accel::hit::{Fallbacks, Hit, Work};
+use crate::accel::hit::{ExactFallbacks, Hit, TraversalCounts};
 use crate::accel::space::SlabRay;
 use crate::accel::{Aggregate, Depth, Precision};
 use crate::geometry::Ray;
-use crate::shape::{Placed, Shapes};
+use crate::shape::{Geometry, InstancedId};
 
 /// Casts rays, one after the other. Each thread has its own.
 pub struct Tracer<'a> {
     aggregate: &'a Aggregate,
-    shapes: &'a Shapes,
+    geometry: &'a Geometry,
     precision: Precision,
     stacks: Stacks,
     ties: Ties,
-    fallbacks: Fallbacks,
+    fallbacks: ExactFallbacks,
 }
 
 impl<'a> Tracer<'a> {
-    /// For rays through `aggregate`, which was built over `shapes`.
-    pub fn new(aggregate: &'a Aggregate, shapes: &'a Shapes, precision: Precision) -> Tracer<'a> {
-        let (stacks, ties, fallbacks) = (Stacks::new(), Ties::default(), Fallbacks::default());
+    /// For rays through `aggregate`, which was built over `geometry`.
+    pub fn new(
+        aggregate: &'a Aggregate,
+        geometry: &'a Geometry,
+        precision: Precision,
+    ) -> Tracer<'a> {
+        let (stacks, ties, fallbacks) = (Stacks::new(), Ties::default(), ExactFallbacks::default());
         Tracer {
             aggregate,
-            shapes,
+            geometry,
             precision,
             stacks,
             ties,
@@ -38,16 +42,16 @@ impl<'a> Tracer<'a> {
 
     /// The nearest hit of `ray`; of several at one `t`, the primitive that comes first in the file (rule E3).
     pub fn closest_hit(&mut self, ray: &Ray) -> Option<Hit> {
-        self.trace::<false, false>(ray, &mut Work::default())
+        self.trace::<false, false>(ray, &mut TraversalCounts::default())
     }
 
     /// Some hit of `ray`, if it has any: which one, depends on the tree.
     pub fn any_hit(&mut self, ray: &Ray) -> Option<Hit> {
-        self.trace::<false, true>(ray, &mut Work::default())
+        self.trace::<false, true>(ray, &mut TraversalCounts::default())
     }
 
     /// As [`Tracer::closest_hit`], adding to `work` what it took.
-    pub fn closest_hit_counted(&mut self, ray: &Ray, work: &mut Work) -> Option<Hit> {
+    pub fn closest_hit_counted(&mut self, ray: &Ray, work: &mut TraversalCounts) -> Option<Hit> {
         self.trace::<true, false>(ray, work)
     }
 
@@ -56,8 +60,8 @@ impl<'a> Tracer<'a> {
     pub fn closest_hit_by<const COUNTED: bool>(
         &mut self,
         ray: &Ray,
-        intersect: impl FnMut(Placed) -> Option<f32>,
-        work: &mut Work,
+        intersect: impl FnMut(InstancedId) -> Option<f32>,
+        work: &mut TraversalCounts,
     ) -> Option<Hit> {
         if !ray.can_hit() {
             return None;
@@ -66,7 +70,7 @@ impl<'a> Tracer<'a> {
         let search = ForeignSearch::new(&slab, intersect);
         traverse::<COUNTED, _>(
             self.aggregate,
-            self.shapes,
+            self.geometry,
             &slab,
             search,
             &mut self.stacks,
@@ -76,20 +80,20 @@ impl<'a> Tracer<'a> {
 
     /// How far away the `hit` of `ray` is.
     pub fn depth(&mut self, ray: &Ray, hit: &Hit) -> Depth {
-        let (depth, roundings) = Depth::of(hit, ray, self.shapes, self.precision);
+        let (depth, roundings) = Depth::of(hit, ray, self.geometry, self.precision);
         if roundings > 0 {
             let rays = u64::from(!hit.is_hard);
-            self.fallbacks += Fallbacks {
+            self.fallbacks += ExactFallbacks {
                 roundings,
                 rays,
-                ..Fallbacks::default()
+                ..ExactFallbacks::default()
             };
         }
         depth
     }
 
     /// How often integers were needed so far.
-    pub fn fallbacks(&self) -> Fallbacks {
+    pub fn fallbacks(&self) -> ExactFallbacks {
         self.fallbacks
     }
 }
@@ -99,29 +103,31 @@ impl Tracer<'_> {
     fn trace<const COUNTED: bool, const ANY: bool>(
         &mut self,
         ray: &Ray,
-        work: &mut Work,
+        work: &mut TraversalCounts,
     ) -> Option<Hit> {
         if !ray.can_hit() {
             return None;
         }
         let Tracer {
-            aggregate, shapes, ..
+            aggregate,
+            geometry,
+            ..
         } = *self;
         let slab = aggregate.space.ray(ray);
         match self.precision {
             Precision::Exact => {
-                let mut fallbacks = Fallbacks::default();
-                let search = ExactSearch::new(shapes, ray, &slab, &mut self.ties, &mut fallbacks);
+                let mut fallbacks = ExactFallbacks::default();
+                let search = ExactSearch::new(geometry, ray, &slab, &mut self.ties, &mut fallbacks);
                 let hit = run::<COUNTED, ANY, _>(
                     aggregate,
-                    shapes,
+                    geometry,
                     &slab,
                     search,
                     &mut self.stacks,
                     work,
                 );
                 if fallbacks.is_any() {
-                    self.fallbacks += Fallbacks {
+                    self.fallbacks += ExactFallbacks {
                         rays: 1,
                         ..fallbacks
                     };
@@ -129,8 +135,8 @@ impl Tracer<'_> {
                 hit
             }
             Precision::Fast => {
-                let search = FastSearch::new(shapes, &aggregate.space, ray, &slab);
-                run::<COUNTED, ANY, _>(aggregate, shapes, &slab, search, &mut self.stacks, work)
+                let search = FastSearch::new(geometry, &aggregate.space, ray, &slab);
+                run::<COUNTED, ANY, _>(aggregate, geometry, &slab, search, &mut self.stacks, work)
             }
         }
     }
@@ -140,15 +146,15 @@ impl Tracer<'_> {
 #[inline]
 fn run<const COUNTED: bool, const ANY: bool, S: Search>(
     aggregate: &Aggregate,
-    shapes: &Shapes,
+    geometry: &Geometry,
     slab: &SlabRay,
     search: S,
     stacks: &mut Stacks,
-    work: &mut Work,
+    work: &mut TraversalCounts,
 ) -> Option<Hit> {
     if ANY {
-        traverse::<COUNTED, _>(aggregate, shapes, slab, AnyHit::new(search), stacks, work)
+        traverse::<COUNTED, _>(aggregate, geometry, slab, AnyHit::new(search), stacks, work)
     } else {
-        traverse::<COUNTED, _>(aggregate, shapes, slab, search, stacks, work)
+        traverse::<COUNTED, _>(aggregate, geometry, slab, search, stacks, work)
     }
 }

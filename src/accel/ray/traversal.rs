@@ -1,18 +1,18 @@
 //! One ray through the trees.
 
 use crate::accel::Aggregate;
-use crate::accel::build::MAX_DEPTH;
-use crate::accel::hit::{Hit, Work};
+use crate::accel::builder::MAX_DEPTH;
+use crate::accel::hit::{Hit, TraversalCounts};
 use crate::accel::instance::{ObjectTree, Placement};
 use crate::accel::node::{Children, PackedNode};
 use crate::accel::space::{AnchorSpace, Corners, SlabRay};
 use crate::accel::tree::Tree;
-use crate::shape::{Placed, Shapes};
+use crate::shape::{Geometry, InstancedId};
 
 /// What is done with the primitives that a ray may hit, and how far it still has to go.
 pub(in crate::accel) trait Search {
     /// Tests a primitive.
-    fn test(&mut self, primitive: Placed);
+    fn test(&mut self, primitive: InstancedId);
 
     /// In the units of the slab test: what is entered later cannot hold a better hit.
     fn limit(&self) -> f32;
@@ -53,15 +53,15 @@ impl Stacks {
     }
 }
 
-/// Walks down the trees of an aggregate over `shapes`, and has `search` test what the ray may hit.
+/// Walks down the trees of an aggregate over `geometry`, and has `search` test what the ray may hit.
 #[inline]
 pub(in crate::accel) fn traverse<const COUNTED: bool, S: Search>(
     aggregate: &Aggregate,
-    shapes: &Shapes,
+    geometry: &Geometry,
     slab: &SlabRay,
     mut search: S,
     stacks: &mut Stacks,
-    work: &mut Work,
+    work: &mut TraversalCounts,
 ) -> Option<Hit> {
     let Stacks { world, object } = stacks;
     let mut walk = Walk::<COUNTED, S> {
@@ -74,16 +74,16 @@ pub(in crate::accel) fn traverse<const COUNTED: bool, S: Search>(
         walk.count_primitives(primitives.len());
         primitives
             .iter()
-            .for_each(|primitive| walk.search.test(Placed::alone(*primitive)));
+            .for_each(|primitive| walk.search.test(InstancedId::alone(*primitive)));
     });
     let instances = &aggregate.instances;
     walk.down(&instances.tree, enter, world, |walk, leaf| {
         for instance in leaf {
             let instance = *instance as usize;
             walk.down_object(
-                instances.object(shapes, instance),
+                instances.object(geometry, instance),
                 &aggregate.space,
-                shapes,
+                geometry,
                 instance,
                 object,
             );
@@ -96,7 +96,7 @@ pub(in crate::accel) fn traverse<const COUNTED: bool, S: Search>(
 struct Walk<'a, const COUNTED: bool, S> {
     slab: &'a SlabRay,
     search: &'a mut S,
-    work: &'a mut Work,
+    work: &'a mut TraversalCounts,
 }
 
 impl<const COUNTED: bool, S: Search> Walk<'_, COUNTED, S> {
@@ -141,11 +141,11 @@ impl<const COUNTED: bool, S: Search> Walk<'_, COUNTED, S> {
         &mut self,
         object: &ObjectTree,
         space: &AnchorSpace,
-        shapes: &Shapes,
+        geometry: &Geometry,
         instance: usize,
         stack: &mut Stack,
     ) {
-        let placement: Placement = object.placement(&shapes.instances()[instance]);
+        let placement: Placement = object.placement(&geometry.instances()[instance]);
         let slab = self.slab;
         let enter = |corners: &Corners| {
             let in_world = placement.enclose(&object.space.reveal(corners));
@@ -153,9 +153,10 @@ impl<const COUNTED: bool, S: Search> Walk<'_, COUNTED, S> {
         };
         self.down(&object.tree, enter, stack, |walk, primitives| {
             walk.count_primitives(primitives.len());
-            primitives
-                .iter()
-                .for_each(|primitive| walk.search.test(Placed::in_instance(instance, *primitive)));
+            primitives.iter().for_each(|primitive| {
+                walk.search
+                    .test(InstancedId::in_instance(instance, *primitive))
+            });
         });
     }
 

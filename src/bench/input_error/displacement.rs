@@ -4,21 +4,21 @@ use super::made_up;
 use crate::exact::{Rounded, UNIT_ROUNDOFF as U};
 use crate::geometry::{Point, RoundedTransform};
 use crate::scene::Roundings;
-use crate::shape::{Placed, Shapes};
+use crate::shape::{Geometry, InstancedId};
 
 /// More than the products of a vertex lose to underflow.
 const TINY: f64 = f64::from_bits(1 << 4);
 
 /// How far every point of a primitive is from where it is meant to be, at most, in the world.
-pub(super) fn of_primitive(shapes: &Shapes, roundings: &Roundings, placed: Placed) -> f64 {
-    let shape = &roundings.shapes[shapes.shape_number(placed) as usize - 1];
+pub(super) fn of_primitive(geometry: &Geometry, roundings: &Roundings, placed: InstancedId) -> f64 {
+    let shape = &roundings.shapes[geometry.shape_number(placed) as usize - 1];
     let (primitive, instance) = (placed.primitive(), placed.instance());
     // What an instance shows has the product of both transforms.
     let rounded = match instance {
         Some(instance) => roundings.instances[instance].times(shape),
         None => **shape,
     };
-    let store = instance.map_or(shapes, |instance| shapes.object_of(instance).shapes());
+    let store = instance.map_or(geometry, |instance| geometry.object_of(instance).geometry());
     if primitive.is_sphere() {
         // Its matrix is off, but none of its points has been rounded.
         let extent = store.sphere(primitive.index()).extent();

@@ -48,7 +48,7 @@ impl InputError {
         };
         let errors = hits.par_iter().map(|(pixel, hit)| {
             let of_ray = view.displacement(*pixel, hit.z);
-            let of_surface = of_primitive(&scene.shapes, roundings, hit.primitive);
+            let of_surface = of_primitive(&scene.geometry, roundings, hit.primitive);
             let displacement = made_up(of_ray + of_surface);
             InputError {
                 max_ulp: in_ulps(displacement, hit.t),

@@ -19,7 +19,7 @@ fn scene(world: &str) -> Scene {
 }
 
 fn hits(scene: &Scene, pixels: &[[u32; 2]]) -> Vec<([u32; 2], ReferenceHit)> {
-    let answers = answers(&scene.camera, &scene.shapes, pixels, Progress::SILENT);
+    let answers = answers(&scene.camera, &scene.geometry, pixels, Progress::SILENT);
     pixels
         .iter()
         .zip(answers)

@@ -6,10 +6,10 @@ mod quadric;
 mod ray32;
 mod watertight;
 
-use crate::accel::{Depth, Tracer, Work};
+use crate::accel::{Depth, Tracer, TraversalCounts};
 use crate::geometry::{Point, Ray};
 use crate::shape::vector32::dot;
-use crate::shape::{Placed, Shapes, Surface, Triangle};
+use crate::shape::{Geometry, InstancedId, Primitive, Triangle};
 use quadric::{Quadratic, Quadric32};
 use ray32::Ray32;
 use rayon::prelude::*;
@@ -29,7 +29,7 @@ type Corners = [[f32; 3]; 3];
 /// The geometry of a scene as those kernels take it: in world space, rounded to `f32`.
 pub struct Yardstick<'a> {
     classic: Classic,
-    shapes: &'a Shapes,
+    geometry: &'a Geometry,
     /// Those in no instance. All others are rounded when they are tested.
     triangles: Vec<Corners>,
     /// Likewise.
@@ -37,33 +37,37 @@ pub struct Yardstick<'a> {
 }
 
 impl<'a> Yardstick<'a> {
-    /// Of all `shapes`.
-    pub fn new(classic: Classic, shapes: &'a Shapes) -> Yardstick<'a> {
-        let triangle = |index| corners(&shapes.triangle(index));
+    /// Of all `geometry`.
+    pub fn new(classic: Classic, geometry: &'a Geometry) -> Yardstick<'a> {
+        let triangle = |index| corners(&geometry.triangle(index));
         Yardstick {
             classic,
-            shapes,
-            triangles: (0..shapes.triangle_count())
+            geometry,
+            triangles: (0..geometry.triangle_count())
                 .into_par_iter()
                 .map(triangle)
                 .collect(),
-            quadrics: (0..shapes.sphere_count())
-                .map(|index| Quadric32::new(&shapes.sphere(index)))
+            quadrics: (0..geometry.sphere_count())
+                .map(|index| Quadric32::new(&geometry.sphere(index)))
                 .collect(),
         }
     }
 
     /// What tells the `t` at which `ray` meets a primitive.
     #[inline]
-    pub fn of_ray(&self, ray: &Ray) -> impl FnMut(Placed) -> Option<f32> {
+    pub fn of_ray(&self, ray: &Ray) -> impl FnMut(InstancedId) -> Option<f32> {
         let ray = Ray32::new(ray);
         move |placed| self.intersect(&ray, placed)
     }
 
     /// What `ray` meets first, as far as this kernel can tell, and how far away that is.
     #[inline]
-    pub fn closest_hit(&self, tracer: &mut Tracer, ray: &Ray) -> Option<(Placed, Depth)> {
-        let hit = tracer.closest_hit_by::<false>(ray, self.of_ray(ray), &mut Work::default())?;
+    pub fn closest_hit(&self, tracer: &mut Tracer, ray: &Ray) -> Option<(InstancedId, Depth)> {
+        let hit = tracer.closest_hit_by::<false>(
+            ray,
+            self.of_ray(ray),
+            &mut TraversalCounts::default(),
+        )?;
         let z = hit.t.low as f32;
         let direction = ray.direction.to_array().map(|component| component as f32);
         Some((
@@ -76,15 +80,15 @@ impl<'a> Yardstick<'a> {
     }
 
     #[inline]
-    fn intersect(&self, ray: &Ray32, placed: Placed) -> Option<f32> {
+    fn intersect(&self, ray: &Ray32, placed: InstancedId) -> Option<f32> {
         let primitive = placed.primitive();
         let index = primitive.index();
         match (placed.instance(), primitive.is_sphere()) {
             (None, false) => self.meet_triangle(ray, &self.triangles[index]),
             (None, true) => self.meet_quadric(ray, &self.quadrics[index]),
-            (Some(_), _) => match self.shapes.surface(placed) {
-                Surface::Triangle(triangle) => self.meet_triangle(ray, &corners(&triangle)),
-                Surface::Quadric(quadric) => self.meet_quadric(ray, &Quadric32::new(&quadric)),
+            (Some(_), _) => match self.geometry.surface(placed) {
+                Primitive::Triangle(triangle) => self.meet_triangle(ray, &corners(&triangle)),
+                Primitive::Quadric(quadric) => self.meet_quadric(ray, &Quadric32::new(&quadric)),
             },
         }
     }
@@ -123,14 +127,14 @@ mod tests {
     const BOTH: [Classic; 2] = [Classic::MoellerTrumbore, Classic::Watertight];
 
     /// What the reference and what each of the kernels says.
-    fn answers(shapes: &Shapes, ray: &Ray) -> (Option<f32>, [Option<f32>; 2]) {
+    fn answers(geometry: &Geometry, ray: &Ray) -> (Option<f32>, [Option<f32>; 2]) {
         let nearest = |classic| {
-            let yardstick = Yardstick::new(classic, shapes);
-            let hits = shapes.all().filter_map(yardstick.of_ray(ray));
+            let yardstick = Yardstick::new(classic, geometry);
+            let hits = geometry.all().filter_map(yardstick.of_ray(ray));
             hits.min_by(f32::total_cmp)
         };
         (
-            reference::closest_hit(shapes, ray).map(|hit| hit.z),
+            reference::closest_hit(geometry, ray).map(|hit| hit.z),
             BOTH.map(nearest),
         )
     }
@@ -162,9 +166,9 @@ mod tests {
             let normal = (b - a).cross(c - a);
             // Nearly edge-on and tiny ones are close everywhere.
             prop_assume!(normal.dot(ray.direction).abs() > 1e-2);
-            let mut shapes = Shapes::default();
-            shapes.add_mesh(vec![a, b, c], vec![[0, 1, 2]], &Matrix::IDENTITY, 1).unwrap();
-            let (exact, classic) = answers(&shapes, &ray);
+            let mut geometry = Geometry::default();
+            geometry.add_mesh(vec![a, b, c], vec![[0, 1, 2]], &Matrix::IDENTITY, 1).unwrap();
+            let (exact, classic) = answers(&geometry, &ray);
             prop_assert!(classic.iter().all(|classic| agree(exact, *classic, 1e-3)), "{exact:?} {classic:?}");
         }
 
@@ -188,31 +192,31 @@ mod tests {
                 let direction = Point::from(target) - origin;
                 Ray { origin, direction: Vector::new(direction.x + nudge, direction.y - nudge, direction.z + nudge) }
             };
-            let mut shapes = Shapes::default();
-            let transform = shapes.add_transform(Matrix::translate([offset, 0.0, -offset]));
-            shapes.add_quadric(1.0, form, transform, 1).unwrap();
+            let mut geometry = Geometry::default();
+            let transform = geometry.add_transform(Matrix::translate([offset, 0.0, -offset]));
+            geometry.add_quadric(1.0, form, transform, 1).unwrap();
             // Rays a little beside this one hit at nearly the same place, or nowhere: else it is close to a rim.
-            let beside = [-1e-2, 0.0, 1e-2].map(|nudge| reference::closest_hit(&shapes, &ray(nudge)).map(|hit| hit.z));
+            let beside = [-1e-2, 0.0, 1e-2].map(|nudge| reference::closest_hit(&geometry, &ray(nudge)).map(|hit| hit.z));
             prop_assume!(beside.iter().all(|z| agree(*z, beside[1], 0.1)));
-            let (exact, classic) = answers(&shapes, &ray(0.0));
+            let (exact, classic) = answers(&geometry, &ray(0.0));
             prop_assert!(classic.iter().all(|classic| agree(exact, *classic, 1e-2)), "{exact:?} {classic:?}");
         }
     }
 
     #[test]
     fn instances_are_met_where_they_are() {
-        let mut object = Shapes::default();
+        let mut object = Geometry::default();
         let transform = object.add_transform(Matrix::IDENTITY);
         object.add_sphere(1.0, None, transform, 1).unwrap();
-        let mut shapes = Shapes::default();
-        let number = shapes.add_object(object);
-        shapes
+        let mut geometry = Geometry::default();
+        let number = geometry.add_object(object);
+        geometry
             .add_instance(number, Matrix::translate([0.0, 0.0, 5.0]))
             .unwrap();
         let ray = Ray {
             origin: Point::new(0.0, 0.0, 0.0),
             direction: Vector::new(0.0, 0.0, 2.0),
         };
-        assert_eq!(answers(&shapes, &ray), (Some(2.0), [Some(2.0); 2]));
+        assert_eq!(answers(&geometry, &ray), (Some(2.0), [Some(2.0); 2]));
     }
 }

@@ -181,7 +181,7 @@ impl<'a> Runner<'a> {
             self.reporter.note(format_args!(
                 "{}: errors are not measured: {} primitives are more than the {} that exact arithmetic is tried on",
                 path.display(),
-                HumanCount(scene.shapes.primitive_count()),
+                HumanCount(scene.geometry.primitive_count()),
                 HumanCount(MAX_PRIMITIVES),
             ));
             return None;
@@ -199,7 +199,7 @@ impl<'a> Runner<'a> {
             path.display(),
             film.width(),
             film.height(),
-            counted(scene.shapes.primitive_count(), "primitive"),
+            counted(scene.geometry.primitive_count(), "primitive"),
             counted(rayon::current_num_threads() as u64, "thread"),
             counted(self.rounds.runs as u64, "run"),
         )

@@ -2,7 +2,7 @@
 
 use crate::cli::columns::{INDENT, line};
 use crate::cli::counted::counted;
-use crate::cli::summary::geometry;
+use crate::cli::summary::stored_geometry;
 use feimos::camera::Camera;
 use feimos::error::printable;
 use feimos::film::PixelBounds;
@@ -35,7 +35,7 @@ impl Display for Block<'_> {
         let Scene {
             camera,
             film,
-            shapes,
+            geometry,
             census,
             transform_count,
             ..
@@ -44,13 +44,13 @@ impl Display for Block<'_> {
         line(f, "camera", &camera_in_words(camera))?;
         line(f, "film", &film_in_words(film))?;
         table(f, census.shapes())?;
-        line(f, "geometry", &geometry(shapes))?;
-        line(f, "bounds", &bounds_in_words(&shapes.extent()))?;
+        line(f, "geometry", &stored_geometry(geometry))?;
+        line(f, "bounds", &bounds_in_words(&geometry.extent()))?;
         let transforms = counted(*transform_count as u64, "transform");
         line(
             f,
             "memory",
-            &format!("{transforms}, {}", counted(shapes.bytes() as u64, "byte")),
+            &format!("{transforms}, {}", counted(geometry.bytes() as u64, "byte")),
         )?;
         list(f, "directives", census.obeyed())?;
         list(f, "skipped", census.skipped())?;

@@ -179,7 +179,7 @@ impl<'a> Counted<'a> {
 
 impl<'a> Content<'a> {
     fn new(scene: &'a Scene) -> Content<'a> {
-        let (shapes, census): (_, &Census) = (&scene.shapes, &scene.census);
+        let (geometry, census): (_, &Census) = (&scene.geometry, &scene.census);
         let AcceleratorParameters {
             name,
             split_method,
@@ -188,7 +188,7 @@ impl<'a> Content<'a> {
         let of_type = census
             .shapes()
             .map(|(name, count)| (name, ShapeRecord::from(count)));
-        let bounds = shapes.extent();
+        let bounds = geometry.extent();
         Content {
             camera: CameraRecord::new(&scene.camera),
             film: FilmRecord::new(&scene.film),
@@ -199,13 +199,13 @@ impl<'a> Content<'a> {
             },
             statements: scene.shape_count,
             shapes: of_type.collect(),
-            triangles: shapes.stored_triangles(),
-            spheres: shapes.stored_spheres(),
-            objects: shapes.objects().len(),
-            instances: shapes.instances().len(),
-            primitives: shapes.primitive_count(),
+            triangles: geometry.stored_triangles(),
+            spheres: geometry.stored_spheres(),
+            objects: geometry.objects().len(),
+            instances: geometry.instances().len(),
+            primitives: geometry.primitive_count(),
             transforms: scene.transform_count,
-            bytes: shapes.bytes(),
+            bytes: geometry.bytes(),
             bounds: (!bounds.is_empty()).then(|| BoundsRecord::new(&bounds)),
             directives: census.obeyed().collect(),
             skipped: census.skipped().collect(),

@@ -54,7 +54,7 @@ impl Pixel {
             Difference::MissedHit => (MISSED_HIT, None),
             Difference::WrongPrimitive => ("wrong primitive", None),
             Difference::Depth(ulps) => ("wrong depth", Some(ulps)),
-            Difference::Surface(ulps) => ("wrong surface", Some(ulps)),
+            Difference::Primitive(ulps) => ("wrong surface", Some(ulps)),
         };
         let (x, y) = (window.x0 + column as u32, window.y0 + row as u32);
         Pixel {

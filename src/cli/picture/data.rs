@@ -4,7 +4,7 @@ use super::Caption;
 use crate::cli::reporter::Reporter;
 use feimos::film::npy_file::{self, Field};
 use feimos::film::{Aov, ChannelName, Image, Metadata, exr_file, pfm_file};
-use feimos::shape::Shapes;
+use feimos::shape::Geometry;
 use std::io::{self, Seek, Write};
 
 /// What is written of an image, and how.
@@ -34,15 +34,15 @@ impl Data {
         self.aovs.iter().flat_map(|aov| aov.channels()).collect()
     }
 
-    pub(super) fn for_scene(mut self, shapes: &Shapes, reporter: &Reporter) -> Data {
-        self.within_instances = shapes.counts_within_instances();
+    pub(super) fn for_scene(mut self, geometry: &Geometry, reporter: &Reporter) -> Data {
+        self.within_instances = geometry.counts_within_instances();
         let has = |name| self.aovs.contains(&Aov::Lone(name));
         if self.within_instances && has(ChannelName::Prim) && !has(ChannelName::Instance) {
             self.aovs.push(Aov::Lone(ChannelName::Instance));
             reporter.note(format_args!(
                 "{} primitives are more than `prim` can count: it counts within the instance, and the channel `instance` \
                  tells which",
-                shapes.primitive_count()
+                geometry.primitive_count()
             ));
         }
         self

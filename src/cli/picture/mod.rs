@@ -15,7 +15,7 @@ use super::reporter::Reporter;
 use feimos::error::Result;
 use feimos::film::atomic_file::Overwrite;
 use feimos::film::{CameraAttributes, ChannelName, Image};
-use feimos::shape::Shapes;
+use feimos::shape::Geometry;
 use shown::Pixels;
 use std::io::{self, Seek, Write};
 
@@ -62,9 +62,9 @@ impl Picture {
     }
 
     /// The same with an `instance` channel, where `prim` alone would not tell what was hit.
-    pub(crate) fn for_scene(self, shapes: &Shapes, reporter: &Reporter) -> Picture {
+    pub(crate) fn for_scene(self, geometry: &Geometry, reporter: &Reporter) -> Picture {
         match self {
-            Picture::Data(data) => Picture::Data(data.for_scene(shapes, reporter)),
+            Picture::Data(data) => Picture::Data(data.for_scene(geometry, reporter)),
             view => view,
         }
     }

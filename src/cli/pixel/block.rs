@@ -8,7 +8,7 @@ use feimos::pixel::{
     Answer, Explanation, Found, HitDetails, MAX_JUDGED, MAX_SCANNED, Margin, Next, Scan,
 };
 use feimos::scene::Scene;
-use feimos::shape::{Placed, Surface};
+use feimos::shape::{InstancedId, Primitive};
 use std::fmt::{self, Display, Formatter};
 use std::path::Path;
 
@@ -111,7 +111,7 @@ impl Block<'_> {
         {
             line(f, "instance", &format!("{}, {place}", instance + 1))?;
         }
-        if let Surface::Triangle(triangle) = &hit.surface {
+        if let Primitive::Triangle(triangle) = &hit.surface {
             for (place, corner) in triangle.0.iter().enumerate() {
                 line(
                     f,
@@ -200,7 +200,7 @@ impl Block<'_> {
     }
 
     fn verdict(&self) -> String {
-        let count = self.scene.shapes.primitive_count();
+        let count = self.scene.geometry.primitive_count();
         let Explanation {
             is_judged,
             contradictions,
@@ -219,9 +219,9 @@ impl Block<'_> {
     }
 
     /// A primitive by its number, and where the file has its shape.
-    fn name(&self, placed: Placed) -> String {
-        let shapes = &self.scene.shapes;
-        let (prim, id) = (shapes.image_number(placed), shapes.shape_number(placed));
+    fn name(&self, placed: InstancedId) -> String {
+        let geometry = &self.scene.geometry;
+        let (prim, id) = (geometry.image_number(placed), geometry.shape_number(placed));
         let of_shape = self
             .scene
             .places

@@ -3,7 +3,7 @@
 use feimos::accel::Precision;
 use feimos::pixel::{Answer, Explanation, HitDetails, Margin, Scan};
 use feimos::scene::Scene;
-use feimos::shape::{Placed, Surface};
+use feimos::shape::{InstancedId, Primitive};
 use serde::Serialize;
 use std::path::Path;
 
@@ -158,8 +158,8 @@ impl<'a> Record<'a> {
 }
 
 impl<'a> PrimitiveRecord<'a> {
-    fn new(scene: &'a Scene, placed: Placed) -> PrimitiveRecord<'a> {
-        let id = scene.shapes.shape_number(placed);
+    fn new(scene: &'a Scene, placed: InstancedId) -> PrimitiveRecord<'a> {
+        let id = scene.geometry.shape_number(placed);
         let places = scene.places.as_ref();
         let shape = places.and_then(|places| places.shape(id));
         let instance = placed.instance();
@@ -167,7 +167,7 @@ impl<'a> PrimitiveRecord<'a> {
             .zip(instance)
             .and_then(|(places, instance)| places.instance(instance));
         PrimitiveRecord {
-            prim: scene.shapes.image_number(placed),
+            prim: scene.geometry.image_number(placed),
             id,
             shape: shape.map(|(name, _)| name),
             place: shape.map(|(_, place)| place.to_string()),
@@ -187,8 +187,8 @@ impl<'a> HitRecord<'a> {
             Margin::Quadric { clearance } => (None, None, clearance),
         };
         let corners = match &hit.surface {
-            Surface::Triangle(triangle) => Some(triangle.0.map(|corner| corner.to_array())),
-            Surface::Quadric(_) => None,
+            Primitive::Triangle(triangle) => Some(triangle.0.map(|corner| corner.to_array())),
+            Primitive::Quadric(_) => None,
         };
         HitRecord {
             primitive: PrimitiveRecord::new(scene, hit.primitive),

@@ -59,7 +59,7 @@ fn ply_has_those_of_vertices_by_several_names() {
     }
     let both = ply(
         "property uchar s\nproperty uchar t\nproperty uchar v\nproperty uchar u\n",
-        { "0 0 0 9 9 1 2\n1 0 0 9 9 3 4\n1 1 0 9 9 5 6\n0 1 0 9 9 7 8\n" },
+        "0 0 0 9 9 1 2\n1 0 0 9 9 3 4\n1 1 0 9 9 5 6\n0 1 0 9 9 7 8\n",
     );
     assert_eq!(
         uv(both, Ply).unwrap()[0],

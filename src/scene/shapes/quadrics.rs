@@ -89,7 +89,7 @@ impl ShapeTarget<'_> {
     ) -> Result<()> {
         if self.bounds_medium {
             return self
-                .shapes
+                .geometry
                 .leave_out(1)
                 .map_err(|error| too_many(parameters, error));
         }
@@ -124,9 +124,9 @@ impl ShapeTarget<'_> {
                 self.warnings,
             );
         }
-        let transform = self.transforms.intern(&world_from_object, self.shapes);
+        let transform = self.transforms.intern(&world_from_object, self.geometry);
         let added = self
-            .shapes
+            .geometry
             .add_quadric(radius, form, transform, self.number);
         added.map_err(|error| too_many(parameters, error))
     }

@@ -1,6 +1,6 @@
 use super::*;
 use crate::geometry::{Point, Ray, Vector};
-use crate::shape::{FilterRay, Verdict};
+use crate::shape::{FilterRay, FilterResult};
 
 fn unit(world_from_object: Matrix) -> Quadric {
     Quadric {
@@ -28,8 +28,8 @@ fn disk(height: f64, inner_radius: f64, phi_max: f64) -> Quadric {
 fn intersect(quadric: &Quadric, ray: &Ray) -> Option<f64> {
     let exact = quadric.exact(ray).map(|t| t.bracket());
     match (quadric.filter(&FilterRay::new(ray)), exact) {
-        (Verdict::Miss, None) | (Verdict::Unsure, _) => {}
-        (Verdict::Hit(filtered), Some(exact)) => {
+        (FilterResult::Miss, None) | (FilterResult::Unsure, _) => {}
+        (FilterResult::Hit(filtered), Some(exact)) => {
             assert!(
                 filtered.low <= exact.high && exact.low <= filtered.high,
                 "{filtered:?} is not {exact:?}"

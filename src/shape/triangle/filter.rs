@@ -10,7 +10,7 @@
 use super::Triangle;
 use crate::exact::{Approximation, Bracket, UNIT_ROUNDOFF as U, may_underflow_below};
 use crate::geometry::Vector;
-use crate::shape::{FilterRay, Verdict};
+use crate::shape::{FilterRay, FilterResult};
 
 /// Of the absolute terms of an edge function: how far it may be off.
 const EDGE_ERROR: f64 = 8.0 * U;
@@ -31,7 +31,7 @@ enum Side {
 impl Triangle {
     /// Whether `ray` crosses the closed triangle, and where, as far as `f64` can tell (rule E1).
     #[inline]
-    pub fn filter(&self, ray: &FilterRay) -> Verdict {
+    pub fn filter(&self, ray: &FilterRay) -> FilterResult {
         let d = ray.ray.direction;
         let corners = self.0.map(|corner| corner - ray.ray.origin);
         let [v0, v1, v2] = corners;
@@ -46,30 +46,30 @@ impl Triangle {
             side = side_of(&edges, &close_edge_errors(&corners, ray));
         }
         match side {
-            Side::Outside => Verdict::Miss,
+            Side::Outside => FilterResult::Miss,
             Side::Inside => self.place(ray),
-            Side::Unsure => Verdict::Unsure,
+            Side::Unsure => FilterResult::Unsure,
         }
     }
 
     /// Where the `t` lies of a ray that is known to cross the triangle, as far as `f64` can tell.
     pub fn t_of_hit(&self, ray: &FilterRay) -> Option<Bracket> {
         match self.place(ray) {
-            Verdict::Hit(t) => Some(t),
+            FilterResult::Hit(t) => Some(t),
             _ => None,
         }
     }
 
     /// The verdict on a ray that surely crosses the plane within the triangle: t = n . (a - o) / (n . d).
-    fn place(&self, ray: &FilterRay) -> Verdict {
+    fn place(&self, ray: &FilterRay) -> FilterResult {
         let [height, slope] = self.height_and_slope(ray);
         let t = height.over(slope).bracket();
         if t.low > 0.0 {
-            Verdict::Hit(t)
+            FilterResult::Hit(t)
         } else if t.high <= 0.0 {
-            Verdict::Miss
+            FilterResult::Miss
         } else {
-            Verdict::Unsure
+            FilterResult::Unsure
         }
     }
 
@@ -248,8 +248,8 @@ mod tests {
             let ray = Ray { origin, direction: Point::new(target(0), target(1), target(2)) - origin };
             prop_assume!(ray.can_hit());
             match (triangle.filter(&FilterRay::new(&ray)), triangle.exact(&ray)) {
-                (Verdict::Unsure, _) | (Verdict::Miss, None) => {}
-                (Verdict::Hit(bracket), Some(t)) => {
+                (FilterResult::Unsure, _) | (FilterResult::Miss, None) => {}
+                (FilterResult::Hit(bracket), Some(t)) => {
                     prop_assert!(t.compare_with(&Dyadic::from(bracket.low)) != Ordering::Less);
                     prop_assert!(bracket.high == f64::INFINITY || t.compare_with(&Dyadic::from(bracket.high)) != Ordering::Greater);
                 }

@@ -72,7 +72,7 @@ impl Triangle {
 mod tests {
     use super::*;
     use crate::geometry::{Ray, Vector};
-    use crate::shape::{FilterRay, Verdict};
+    use crate::shape::{FilterRay, FilterResult};
 
     const RIGHT: Triangle = Triangle([
         Point::new(0.0, 0.0, 2.0),
@@ -93,8 +93,8 @@ mod tests {
         assert!(exact.iter().all(|t| *t == triangle.exact_t(ray)));
         let exact = exact.map(|t| t.bracket());
         match (triangle.filter(&FilterRay::new(ray)), exact) {
-            (Verdict::Miss, None) | (Verdict::Unsure, _) => {}
-            (Verdict::Hit(filtered), Some(exact)) => {
+            (FilterResult::Miss, None) | (FilterResult::Unsure, _) => {}
+            (FilterResult::Hit(filtered), Some(exact)) => {
                 assert!(
                     filtered.low <= exact.high && exact.low <= filtered.high,
                     "{filtered:?} is not {exact:?}"

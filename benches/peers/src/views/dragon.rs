@@ -20,7 +20,7 @@ pub(super) fn of_file(name: &str, side: Option<u32>) -> Result<View> {
         ..LoadOptions::default()
     };
     let scene = load(&path_of(name), &options, Progress::SILENT)?;
-    View::new(scene.camera, scene.shapes)
+    View::new(scene.camera, scene.geometry)
 }
 
 /// From where A is seen, without perspective; 5 units of the world high.
@@ -38,5 +38,5 @@ pub(super) fn orthographic() -> Result<View> {
         y0: -2.5,
         y1: 2.5,
     };
-    View::new(camera, scene.shapes)
+    View::new(camera, scene.geometry)
 }

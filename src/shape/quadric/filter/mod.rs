@@ -9,7 +9,7 @@ use super::cut::{Cut, Plane};
 use super::{Disk, Form, Quadric};
 use crate::exact::Approximation;
 use crate::geometry::Point;
-use crate::shape::{FilterRay, Verdict};
+use crate::shape::{FilterRay, FilterResult};
 use std::array::from_fn;
 use std::cmp::Ordering::{self, Greater, Less};
 
@@ -37,7 +37,7 @@ impl Quadric {
     /// The discriminant is taken as R^2 |d'|^2 - |o' x d'|^2, which keeps its digits where b^2 - ac loses them, and the
     /// roots in the form that adds numbers of one sign (Haines et al., "Precision Improvements for Ray/Sphere
     /// Intersection", Ray Tracing Gems, 2019). Every number carries a bound on its error. A cylinder is a sphere of two dimensions.
-    pub fn filter(&self, ray: &FilterRay) -> Verdict {
+    pub fn filter(&self, ray: &FilterRay) -> FilterResult {
         let space = ScaledSpace::new(self, ray);
         let (o, d) = (&space.origin, &space.direction);
         match &self.form {
@@ -46,7 +46,7 @@ impl Quadric {
             Form::Cylinder(cut) => match first_hit(space.roots(&across(o), &across(d)), |t| {
                 space.is_there(t, cut)
             }) {
-                Verdict::Unsure if space.misses_between_ends(cut) => Verdict::Miss,
+                FilterResult::Unsure if space.misses_between_ends(cut) => FilterResult::Miss,
                 verdict => verdict,
             },
             Form::Disk(disk) => first_hit(space.crossing(disk), |t| {
@@ -57,45 +57,45 @@ impl Quadric {
 
     /// The same of the whole sphere or cylinder that it is a part of. A hit has the bracket that
     /// the part has where it is hit at the same root, and no bracket of the other root overlaps it.
-    pub fn filter_whole(&self, ray: &FilterRay) -> Verdict {
+    pub fn filter_whole(&self, ray: &FilterRay) -> FilterResult {
         let space = ScaledSpace::new(self, ray);
         let (o, d) = (&space.origin, &space.direction);
         match &self.form {
             Form::Sphere(_) => first_hit(space.roots(o, d), |_| Some(true)),
             Form::Cylinder(_) => first_hit(space.roots(&across(o), &across(d)), |_| Some(true)),
-            Form::Disk(_) => Verdict::Unsure,
+            Form::Disk(_) => FilterResult::Unsure,
         }
     }
 }
 
 /// The first of the roots that is there.
 #[inline]
-fn first_hit(roots: Roots, is_there: impl Fn(Approximation) -> Option<bool>) -> Verdict {
+fn first_hit(roots: Roots, is_there: impl Fn(Approximation) -> Option<bool>) -> FilterResult {
     let Some(roots) = roots else {
-        return Verdict::Unsure;
+        return FilterResult::Unsure;
     };
     if let [Some(nearer), Some(farther)] = &roots
         && !nearer.bracket().is_below(&farther.bracket())
     {
         // Brackets tell which root is meant: what is decided once for two surfaces with the same
         // roots relies on it.
-        return Verdict::Unsure;
+        return FilterResult::Unsure;
     }
     for t in roots.into_iter().flatten() {
         match is_there(t) {
             Some(true) => {
                 let bracket = t.bracket();
                 return if bracket.low > 0.0 {
-                    Verdict::Hit(bracket)
+                    FilterResult::Hit(bracket)
                 } else {
-                    Verdict::Unsure
+                    FilterResult::Unsure
                 };
             }
             Some(false) => {}
-            None => return Verdict::Unsure,
+            None => return FilterResult::Unsure,
         }
     }
-    Verdict::Miss
+    FilterResult::Miss
 }
 
 /// What of a vector is across the z axis.

@@ -120,8 +120,8 @@ proptest! {
         let ray = Ray { origin, direction };
         prop_assume!(ray.can_hit());
         match (quadric.filter(&FilterRay::new(&ray)), quadric.exact(&ray)) {
-            (Verdict::Unsure, _) | (Verdict::Miss, None) => {}
-            (Verdict::Hit(bracket), Some(t)) => {
+            (FilterResult::Unsure, _) | (FilterResult::Miss, None) => {}
+            (FilterResult::Hit(bracket), Some(t)) => {
                 prop_assert!(t.compare_with(&Dyadic::from(bracket.low)) != Ordering::Less);
                 let is_high = !bracket.high.is_finite() || t.compare_with(&Dyadic::from(bracket.high)) != Ordering::Greater;
                 prop_assert!(is_high);
@@ -163,7 +163,7 @@ fn nothing_is_left_open_where_a_cylinder_is_seen_along_its_axis() {
             };
             assert_eq!(
                 quadric.filter(&FilterRay::new(&ray)),
-                Verdict::Miss,
+                FilterResult::Miss,
                 "{x} {y} {world_from_object:?}"
             );
         }

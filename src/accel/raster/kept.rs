@@ -16,7 +16,7 @@
 use super::corners::{WideTriangles, cross, dot, row_times};
 use super::frame::Frame;
 use super::view::View;
-use crate::shape::{Placed, Primitive, Triangle};
+use crate::shape::{InstancedId, PrimitiveId, Triangle};
 use crate::simd::{F32s, F64s, LANES, Lanes};
 
 /// Triangles in the order in which they were hit. Their number is the slot that pixels hold.
@@ -33,7 +33,7 @@ struct Group {
     triangles: WideTriangles,
     /// What edges are off by, relative to their length.
     edge_rounding: [f32; LANES],
-    primitives: [Placed; LANES],
+    primitives: [InstancedId; LANES],
     /// Nearness: at the tile's first pixel, and what a column and a row add.
     nearness: [[f64; LANES]; 3],
     /// How far depth may be off: relative, orthographic in units of depth.
@@ -73,7 +73,7 @@ impl Kept {
 
     /// Room for one more.
     #[inline(always)]
-    fn next(&mut self, primitive: Placed, edge_rounding: f32) -> (&mut WideTriangles, usize) {
+    fn next(&mut self, primitive: InstancedId, edge_rounding: f32) -> (&mut WideTriangles, usize) {
         let (group, lane) = (self.count / LANES, self.count % LANES);
         if group == self.groups.len() {
             self.groups.push(Group::new());
@@ -89,7 +89,7 @@ impl Kept {
     #[inline(always)]
     pub(super) fn push_narrow(
         &mut self,
-        primitive: Placed,
+        primitive: InstancedId,
         corner: &[[f64; LANES]; 3],
         edges: &[[[f32; LANES]; 3]; 2],
         from: usize,
@@ -103,13 +103,13 @@ impl Kept {
     }
 
     /// Adds a triangle.
-    pub(super) fn push(&mut self, primitive: Placed, triangle: &Triangle) {
+    pub(super) fn push(&mut self, primitive: InstancedId, triangle: &Triangle) {
         let (to, lane) = self.next(primitive, WIDE_ROUNDING);
         to.put(lane, triangle);
     }
 
     #[inline(always)]
-    pub(super) fn primitive(&self, place: usize) -> Placed {
+    pub(super) fn primitive(&self, place: usize) -> InstancedId {
         self.groups[place / LANES].primitives[place % LANES]
     }
 
@@ -137,7 +137,7 @@ impl Group {
         Group {
             triangles: WideTriangles::new(),
             edge_rounding: [0.0; LANES],
-            primitives: [Placed::alone(Primitive::FIRST); LANES],
+            primitives: [InstancedId::alone(PrimitiveId::FIRST); LANES],
             nearness: [[0.0; LANES]; 3],
             error: [0.0; LANES],
         }

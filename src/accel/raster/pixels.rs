@@ -3,7 +3,7 @@
 use super::frame::TILE;
 use super::kept::Kept;
 use crate::accel::Hit;
-use crate::shape::Placed;
+use crate::shape::InstancedId;
 use crate::simd::LANES;
 
 /// Pixels are kept in blocks of 4 x 4, so that a block is a register.
@@ -139,7 +139,7 @@ impl Pixels {
     }
 
     /// What a pixel hit so far.
-    pub(super) fn primitive(&self, pixel: Pixel) -> Option<Placed> {
+    pub(super) fn primitive(&self, pixel: Pixel) -> Option<InstancedId> {
         match self.held(pixel) {
             Held::Nothing => None,
             Held::Triangle(place) => Some(self.kept.primitive(place)),

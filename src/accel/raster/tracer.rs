@@ -9,10 +9,10 @@ use super::view::View;
 use super::view_node::{FilmFromTree, Project, ViewNode};
 use super::walk::ViewTree;
 use super::wide_tree::WideNode;
-use crate::accel::{Aggregate, Fallbacks, Precision, Tracer};
+use crate::accel::{Aggregate, ExactFallbacks, Precision, Tracer};
 use crate::camera::Camera;
 use crate::film::PixelBounds;
-use crate::shape::Shapes;
+use crate::shape::Geometry;
 use crate::simd::Level;
 use rayon::prelude::*;
 
@@ -36,7 +36,7 @@ pub struct TileOptions {
 /// A picture's rays, in tiles of 16 x 16 pixels that travel together.
 pub struct Tiles<'a> {
     camera: &'a Camera,
-    shapes: &'a Shapes,
+    geometry: &'a Geometry,
     aggregate: &'a Aggregate,
     options: TileOptions,
     /// `None` where rays have to travel alone.
@@ -60,10 +60,10 @@ struct Together {
 }
 
 impl<'a> Tiles<'a> {
-    /// For the rays of `camera` through `aggregate`, which was built over `shapes`.
+    /// For the rays of `camera` through `aggregate`, which was built over `geometry`.
     pub fn new(
         camera: &'a Camera,
-        shapes: &'a Shapes,
+        geometry: &'a Geometry,
         aggregate: &'a Aggregate,
         options: TileOptions,
     ) -> Tiles<'a> {
@@ -82,7 +82,7 @@ impl<'a> Tiles<'a> {
         });
         Tiles {
             camera,
-            shapes,
+            geometry,
             aggregate,
             options,
             together,
@@ -98,10 +98,10 @@ impl<'a> Tiles<'a> {
     pub fn tracer(&'a self) -> TileTracer<'a> {
         TileTracer {
             tiles: self,
-            single: Tracer::new(self.aggregate, self.shapes, self.options.precision),
+            single: Tracer::new(self.aggregate, self.geometry, self.options.precision),
             scratch: Scratch::new(),
             traced: TracedTile::new(),
-            fallbacks: Fallbacks::default(),
+            fallbacks: ExactFallbacks::default(),
         }
     }
 }
@@ -112,7 +112,7 @@ pub struct TileTracer<'a> {
     single: Tracer<'a>,
     scratch: Scratch,
     traced: TracedTile,
-    fallbacks: Fallbacks,
+    fallbacks: ExactFallbacks,
 }
 
 impl TileTracer<'_> {
@@ -127,7 +127,7 @@ impl TileTracer<'_> {
     }
 
     /// How often integers were needed so far.
-    pub fn fallbacks(&self) -> Fallbacks {
+    pub fn fallbacks(&self) -> ExactFallbacks {
         let mut sum = self.single.fallbacks();
         sum += self.fallbacks;
         sum
@@ -168,7 +168,7 @@ impl TileTracer<'_> {
         } = together;
         let Tiles {
             camera,
-            shapes,
+            geometry,
             aggregate,
             options,
             ..
@@ -176,7 +176,7 @@ impl TileTracer<'_> {
         let hits_only = self.tiles.hits_only();
         let searcher = Searcher {
             camera,
-            shapes,
+            geometry,
             aggregate,
             view,
             precision: options.precision,

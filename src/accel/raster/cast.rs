@@ -14,9 +14,9 @@ use super::spheres::Seen;
 use super::traced::TracedTile;
 use super::view_node::ViewNode;
 use super::walk::{Occlusion, Stack, ViewTree};
-use crate::accel::Fallbacks;
+use crate::accel::ExactFallbacks;
 use crate::accel::ray::Ties;
-use crate::shape::{Placed, Primitive};
+use crate::shape::{InstancedId, PrimitiveId};
 use crate::simd::{Kernel, LANES, Lanes};
 
 /// What a thread keeps from tile to tile, so that nothing is allocated for each.
@@ -50,7 +50,7 @@ impl Scratch {
 }
 
 /// Has for siblings all that is in no instance.
-const ALONE: Placed = Placed::alone(Primitive::FIRST);
+const ALONE: InstancedId = InstancedId::alone(PrimitiveId::FIRST);
 
 /// One tile.
 pub(super) struct Tile<'a> {
@@ -62,7 +62,7 @@ pub(super) struct Tile<'a> {
     pub(super) wanted: Wanted,
     pub(super) scratch: &'a mut Scratch,
     pub(super) traced: &'a mut TracedTile,
-    pub(super) fallbacks: &'a mut Fallbacks,
+    pub(super) fallbacks: &'a mut ExactFallbacks,
 }
 
 /// With bounds, so that every answer is right.
@@ -147,7 +147,7 @@ impl Tile<'_> {
         simd: S,
         farthest: f32,
         block: &Block,
-        sibling: Placed,
+        sibling: InstancedId,
     ) {
         let batch = Batch {
             primitives: &block.primitives,
@@ -202,7 +202,7 @@ impl Tile<'_> {
         let mut canvas = Canvas {
             batch,
             source,
-            shapes: self.searcher.shapes,
+            geometry: self.searcher.geometry,
             rule,
             pixels,
             contested,
@@ -215,14 +215,17 @@ impl Tile<'_> {
     fn refine<S: Lanes, const EXACT: bool>(&mut self, simd: S, lanes: u32, batch: Batch) {
         let mut triangles = WideTriangles::new();
         for lane in (0..LANES).filter(|lane| lanes >> lane & 1 != 0) {
-            triangles.put(lane, &self.searcher.shapes.placed_triangle(batch.of(lane)));
+            triangles.put(
+                lane,
+                &self.searcher.geometry.placed_triangle(batch.of(lane)),
+            );
         }
         let corners = Corners::of::<EXACT>(simd, &self.frame, &triangles);
         let cover = Cover::of(simd, &self.frame, &corners);
         let planes = &mut self.scratch.planes;
         let Prepared { usable, open } =
             planes.fill_wide::<S, EXACT>(simd, &self.frame, &corners, &cover);
-        self.draw::<S, EXACT>(simd, lanes & usable, batch, Source::Shapes);
+        self.draw::<S, EXACT>(simd, lanes & usable, batch, Source::Geometry);
         let open = lanes & open;
         for lane in (0..LANES).filter(|lane| open >> lane & 1 != 0) {
             let area = self.scratch.planes.areas.of(lane);
@@ -267,7 +270,7 @@ impl Tile<'_> {
 
 impl Scratch {
     /// Has a primitive tested alone at the pixels it may cover and be seen at.
-    fn contest(&mut self, occlusion: Occlusion, area: PixelArea, primitive: Placed) {
+    fn contest(&mut self, occlusion: Occlusion, area: PixelArea, primitive: InstancedId) {
         for row in area.rows[0]..=area.rows[1] {
             for column in area.columns[0]..=area.columns[1] {
                 let pixel = Pixel::at(column as u32, row as u32);

@@ -1,10 +1,10 @@
 //! What stands for the geometry of a scene.
 
-use super::{FirstNumber, Shapes};
+use super::{FirstNumber, Geometry};
 use crate::digest::Digester;
 use crate::shape::{Cut, Disk, Form, Sector};
 
-impl Shapes {
+impl Geometry {
     /// Takes in everything that a picture of the geometry depends on.
     pub fn digest(&self, digester: &mut Digester) {
         digester.list(&self.vertices, |vertex| vertex.to_array().map(f64::to_bits));
@@ -41,7 +41,7 @@ impl Shapes {
         digester.word(self.objects.len() as u64);
         self.objects
             .iter()
-            .for_each(|object| object.shapes().digest(digester));
+            .for_each(|object| object.geometry().digest(digester));
         digester.list(&self.instances, |instance| {
             let mut words = [instance.object.into(); 14];
             words[1] = instance.first_number;

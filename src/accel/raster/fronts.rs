@@ -2,7 +2,7 @@
 
 use super::pixels::{BLOCKS, Pixel};
 use crate::geometry::Ray;
-use crate::shape::{Coincidence, FilterRay, Quadric, Surface, Verdict};
+use crate::shape::{Coincidence, FilterRay, FilterResult, Primitive, Quadric};
 use crate::simd::LANES;
 
 /// The fronts of one such surface, worked out pixel by pixel when they are asked for: no part of it
@@ -13,7 +13,7 @@ pub(super) struct Fronts {
     whole: Option<Quadric>,
     /// Whether there was more than one: a surface by itself needs no front.
     is_shared: bool,
-    known: Vec<Option<Verdict>>,
+    known: Vec<Option<FilterResult>>,
 }
 
 impl Fronts {
@@ -31,8 +31,8 @@ impl Fronts {
     }
 
     /// Turns to the next primitive. Whether it is a part of the same surface as the one before it.
-    pub(super) fn turn_to(&mut self, surface: &Surface) -> bool {
-        let Surface::Quadric(quadric) = surface else {
+    pub(super) fn turn_to(&mut self, surface: &Primitive) -> bool {
+        let Primitive::Quadric(quadric) = surface else {
             return false;
         };
         if surface.is_flat() {
@@ -52,13 +52,13 @@ impl Fronts {
     }
 
     /// Where the ray of `pixel` first meets the whole of the surface that was turned to.
-    pub(super) fn at(&mut self, pixel: Pixel, ray: impl Fn() -> Option<Ray>) -> Verdict {
+    pub(super) fn at(&mut self, pixel: Pixel, ray: impl Fn() -> Option<Ray>) -> FilterResult {
         let Some(whole) = self.whole.as_ref().filter(|_| self.is_shared) else {
-            return Verdict::Unsure;
+            return FilterResult::Unsure;
         };
         let known = &mut self.known[pixel.block() * LANES + pixel.lane()];
         *known.get_or_insert_with(|| {
-            ray().map_or(Verdict::Miss, |ray| {
+            ray().map_or(FilterResult::Miss, |ray| {
                 whole.filter_whole(&FilterRay::new(&ray))
             })
         })

@@ -5,7 +5,7 @@ use super::triangle_block::{BLOCK, place_triangles};
 use super::visibility::Visibility;
 use crate::accel::space::{AnchorSpace, Box32};
 use crate::geometry::{Bounds, Point};
-use crate::shape::{Primitive, Shapes};
+use crate::shape::{Geometry, PrimitiveId};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -88,17 +88,17 @@ pub(in crate::accel) struct Collected {
 
 /// Collects the primitives that `visibility` sees, where that is given.
 pub(in crate::accel) fn collect(
-    shapes: &Shapes,
+    geometry: &Geometry,
     space: &AnchorSpace,
     visibility: Option<&Visibility>,
 ) -> Collected {
     let never_hit = AtomicUsize::new(0);
     let mut primitives = match visibility {
-        None => place_all_triangles(shapes, space, &never_hit),
-        Some(visibility) => place_visible_triangles(shapes, space, visibility, &never_hit),
+        None => place_all_triangles(geometry, space, &never_hit),
+        Some(visibility) => place_visible_triangles(geometry, space, visibility, &never_hit),
     };
     let place_sphere = |index| {
-        let sphere = shapes.sphere(index);
+        let sphere = geometry.sphere(index);
         if !sphere.can_be_hit() {
             never_hit.fetch_add(1, Ordering::Relaxed);
             return BuildPrimitive::DEAD;
@@ -107,9 +107,16 @@ pub(in crate::accel) fn collect(
         if visibility.is_some_and(|visibility| !visibility.may_see_box(&bounds)) {
             return BuildPrimitive::DEAD;
         }
-        BuildPrimitive::new(&space.enclose(&bounds), Primitive::sphere(index).to_bits())
+        BuildPrimitive::new(
+            &space.enclose(&bounds),
+            PrimitiveId::sphere(index).to_bits(),
+        )
     };
-    primitives.par_extend((0..shapes.sphere_count()).into_par_iter().map(place_sphere));
+    primitives.par_extend(
+        (0..geometry.sphere_count())
+            .into_par_iter()
+            .map(place_sphere),
+    );
     let never_hit = never_hit.into_inner();
     if never_hit > 0 || visibility.is_some() {
         remove_dead(&mut primitives);
@@ -137,13 +144,13 @@ fn remove_dead(primitives: &mut Vec<BuildPrimitive>) {
 
 /// All triangles, dead ones too. Their number is known, so that each is written to its place and not moved.
 fn place_all_triangles(
-    shapes: &Shapes,
+    geometry: &Geometry,
     space: &AnchorSpace,
     never_hit: &AtomicUsize,
 ) -> Vec<BuildPrimitive> {
-    let count = shapes.triangle_count();
+    let count = geometry.triangle_count();
     let place = |block: usize| {
-        let placed = place_triangles(shapes, space, block * BLOCK, |_| true);
+        let placed = place_triangles(geometry, space, block * BLOCK, |_| true);
         if placed.never_hit > 0 {
             never_hit.fetch_add(placed.never_hit, Ordering::Relaxed);
         }
@@ -160,17 +167,17 @@ fn place_all_triangles(
 
 /// The triangles that are seen: they may be few.
 fn place_visible_triangles(
-    shapes: &Shapes,
+    geometry: &Geometry,
     space: &AnchorSpace,
     visibility: &Visibility,
     never_hit: &AtomicUsize,
 ) -> Vec<BuildPrimitive> {
-    let is_seen = |index: usize| visibility.may_see_triangle(*shapes.corners_of(index));
+    let is_seen = |index: usize| visibility.may_see_triangle(*geometry.corners_of(index));
     let place = |first: usize| {
-        let end = shapes.triangle_count().min(first + CHUNK);
+        let end = geometry.triangle_count().min(first + CHUNK);
         let mut seen = Vec::new();
         for first in (first..end).step_by(BLOCK) {
-            let placed = place_triangles(shapes, space, first, is_seen);
+            let placed = place_triangles(geometry, space, first, is_seen);
             never_hit.fetch_add(placed.never_hit, Ordering::Relaxed);
             seen.extend(
                 placed
@@ -181,25 +188,25 @@ fn place_visible_triangles(
         }
         seen
     };
-    let firsts = (0..shapes.triangle_count().div_ceil(CHUNK))
+    let firsts = (0..geometry.triangle_count().div_ceil(CHUNK))
         .into_par_iter()
         .map(|chunk| chunk * CHUNK);
     let seen: Vec<Vec<BuildPrimitive>> = firsts.map(place).collect();
     seen.concat()
 }
 
-/// The space of the boxes around the primitives of `shapes`, of which those of instances lie within `instances`.
+/// The space of the boxes around the primitives of `geometry`, of which those of instances lie within `instances`.
 pub(in crate::accel) fn space_around(
-    shapes: &Shapes,
+    geometry: &Geometry,
     instances: &Bounds,
     anchor: Point,
 ) -> AnchorSpace {
-    AnchorSpace::new(anchor, reach(shapes, instances, anchor))
+    AnchorSpace::new(anchor, reach(geometry, instances, anchor))
 }
 
 /// How far any coordinate is from the anchor's, those left out that are not finite themselves. Infinite where instances may be
 /// anywhere.
-fn reach(shapes: &Shapes, instances: &Bounds, anchor: Point) -> f64 {
+fn reach(geometry: &Geometry, instances: &Bounds, anchor: Point) -> f64 {
     let include = |bounds: Bounds, point: &Point| {
         // A NaN is neither, an infinity only one of them, and never at the end.
         let low = |k: usize| {
@@ -222,16 +229,16 @@ fn reach(shapes: &Shapes, instances: &Bounds, anchor: Point) -> f64 {
         }
     };
     let around = |points: &[Point]| points.iter().fold(Bounds::EMPTY, include);
-    let vertices = shapes
+    let vertices = geometry
         .vertices()
         .par_chunks(CHUNK)
         .map(around)
         .reduce(|| Bounds::EMPTY, Bounds::union);
     let sphere = |index| {
-        let bounds = shapes.sphere(index).bounds();
+        let bounds = geometry.sphere(index).bounds();
         around(&[bounds.low, bounds.high])
     };
-    let spheres = (0..shapes.sphere_count())
+    let spheres = (0..geometry.sphere_count())
         .into_par_iter()
         .map(sphere)
         .reduce(|| Bounds::EMPTY, Bounds::union);

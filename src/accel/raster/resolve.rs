@@ -4,7 +4,7 @@ use super::frame::Frame;
 use super::pixels::{BLOCKS, Held, LANE_COLUMNS, LANE_ROWS, Pixel, Pixels};
 use super::search::Searcher;
 use super::traced::TracedTile;
-use crate::accel::{Fallbacks, Precision};
+use crate::accel::{ExactFallbacks, Precision};
 use crate::camera::{Camera, Projection};
 use crate::simd::{F32s, F64s, LANES, Lanes, Mask};
 
@@ -77,7 +77,7 @@ pub(super) fn resolve<S: Lanes>(
     wanted: Wanted,
     pixels: &mut Pixels,
     traced: &mut TracedTile,
-    fallbacks: &mut Fallbacks,
+    fallbacks: &mut ExactFallbacks,
 ) {
     let with_depth = wanted.z || wanted.t;
     if with_depth && searcher.precision == Precision::Exact {
@@ -175,7 +175,7 @@ impl Open {
             self.pixels[self.count] = pixel;
             self.count += 1;
             if let Some(index) = triangle_at(pixels, pixel) {
-                simd.prefetch(searcher.shapes.corners_of(index));
+                simd.prefetch(searcher.geometry.corners_of(index));
             }
         }
     }
@@ -184,8 +184,8 @@ impl Open {
     fn prefetch_corners<S: Lanes>(&self, simd: S, searcher: &Searcher, pixels: &Pixels) {
         for pixel in self.pixels() {
             if let Some(index) = triangle_at(pixels, pixel) {
-                for place in searcher.shapes.corners_of(index) {
-                    simd.prefetch(searcher.shapes.vertex(*place));
+                for place in searcher.geometry.corners_of(index) {
+                    simd.prefetch(searcher.geometry.vertex(*place));
                 }
             }
         }

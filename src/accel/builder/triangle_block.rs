@@ -3,7 +3,7 @@
 use super::build_primitive::BuildPrimitive;
 use crate::accel::space::{AnchorSpace, Box32};
 use crate::geometry::Point;
-use crate::shape::{Primitive, Shapes, Triangle};
+use crate::shape::{Geometry, PrimitiveId, Triangle};
 
 /// Triangles in a block.
 pub(super) const BLOCK: usize = 16;
@@ -29,13 +29,13 @@ pub(super) struct PlacedTriangles {
 /// The build primitives of the triangles from `first` on, of which there are some: of those whose index is `wanted`.
 #[inline]
 pub(super) fn place_triangles(
-    shapes: &Shapes,
+    geometry: &Geometry,
     space: &AnchorSpace,
     first: usize,
     wanted: impl Fn(usize) -> bool,
 ) -> PlacedTriangles {
-    let count = BLOCK.min(shapes.triangle_count() - first);
-    let block = TriangleBlock::fetch(shapes, first, count);
+    let count = BLOCK.min(geometry.triangle_count() - first);
+    let block = TriangleBlock::fetch(geometry, first, count);
     let can_be_hit = block.can_be_hit();
     let never_hit = can_be_hit[..count]
         .iter()
@@ -59,7 +59,7 @@ pub(super) fn place_triangles(
             low: [x.low[k], y.low[k], z.low[k]],
             high: [x.high[k], y.high[k], z.high[k]],
         };
-        BuildPrimitive::new(&bounds, Primitive::triangle(first + k).to_bits())
+        BuildPrimitive::new(&bounds, PrimitiveId::triangle(first + k).to_bits())
     });
     PlacedTriangles {
         primitives,
@@ -74,10 +74,10 @@ struct Faces {
 }
 
 impl TriangleBlock {
-    fn fetch(shapes: &Shapes, first: usize, count: usize) -> TriangleBlock {
+    fn fetch(geometry: &Geometry, first: usize, count: usize) -> TriangleBlock {
         let mut corners = [[[0.0; BLOCK]; 3]; 3];
         for k in 0..count {
-            let Triangle([a, b, c]) = shapes.triangle(first + k);
+            let Triangle([a, b, c]) = geometry.triangle(first + k);
             for (corner, point) in corners.iter_mut().zip([a, b, c]) {
                 (corner[0][k], corner[1][k], corner[2][k]) = (point.x, point.y, point.z);
             }
@@ -140,18 +140,18 @@ mod tests {
         let triangles: Vec<[u32; 3]> = (0..85)
             .map(|k| [corner(k), corner(k + 1), corner(k + k % 5)])
             .collect();
-        let mut shapes = Shapes::default();
-        shapes
+        let mut geometry = Geometry::default();
+        geometry
             .add_mesh(vertices, triangles, &Matrix::IDENTITY, 1)
             .unwrap();
         for reach in [1e7, f64::INFINITY] {
             let space = AnchorSpace::new(Point::new(1.0, 2.0, 3.0), reach);
             let blocks = (0..85)
                 .step_by(BLOCK)
-                .flat_map(|first| place_triangles(&shapes, &space, first, |_| true).primitives);
+                .flat_map(|first| place_triangles(&geometry, &space, first, |_| true).primitives);
             let expected = (0..85).map(|index| {
-                let primitive = Primitive::triangle(index);
-                let surface = shapes.own_surface(primitive);
+                let primitive = PrimitiveId::triangle(index);
+                let surface = geometry.own_surface(primitive);
                 let bounds = space.enclose(&surface.bounds());
                 if surface.can_be_hit() {
                     BuildPrimitive::new(&bounds, primitive.to_bits())

@@ -22,7 +22,7 @@ use self::top_down::TopDown;
 use super::SplitMethod;
 use super::node::{Node, Subtree};
 use crate::progress::Progress;
-use crate::shape::Primitive;
+use crate::shape::PrimitiveId;
 use rayon::prelude::*;
 
 pub(super) use self::build_primitive::{BuildPrimitive, Collected, collect, space_around};
@@ -38,7 +38,7 @@ pub(super) fn build_tree(
     options: BuildOptions,
     progress: Progress,
 ) -> (Subtree, Vec<u32>) {
-    let leaf_size = LeafSize(options.max_leaf.clamp(1, Primitive::MAX_COUNT));
+    let leaf_size = LeafSize(options.max_leaf.clamp(1, PrimitiveId::MAX_COUNT));
     let subtree = match options.method {
         SplitMethod::None => {
             progress.advance(primitives.len());

@@ -3,12 +3,12 @@
 //! A ray passes one point of a pixel, so that a triangle whose rectangle on the film lies between the centres of pixels is seen
 //! by none, wherever it is; of a mesh finer than the film most are like that.
 
+use crate::accel::raster::{MAX_PIXEL_ERROR, OnFilm, View};
 use crate::accel::space::AnchorSpace;
-use crate::accel::tile::{MAX_PIXEL_ERROR, OnFilm, View};
 use crate::camera::Camera;
 use crate::film::PixelBounds;
 use crate::geometry::Bounds;
-use crate::shape::Shapes;
+use crate::shape::Geometry;
 use rayon::prelude::*;
 
 /// Where the vertices of a scene are on the film, and the part of it that is rendered.
@@ -29,11 +29,11 @@ impl Visibility {
     pub(in crate::accel) fn new(
         camera: &Camera,
         window: &PixelBounds,
-        shapes: &Shapes,
+        geometry: &Geometry,
         space: &AnchorSpace,
     ) -> Option<Visibility> {
         let view = View::new(camera, space)?;
-        let vertices = shapes
+        let vertices = geometry
             .vertices()
             .par_iter()
             .with_min_len(1 << 12)

@@ -1,8 +1,8 @@
 //! What of shapes only the channels `N`, `u` and `v` depend on: kept where somebody asks for them, and nowhere else.
 
-use super::Shapes;
+use super::Geometry;
 use crate::digest::Digester;
-use crate::shape::Placed;
+use crate::shape::InstancedId;
 
 /// u and v at the corners of a triangle.
 pub type CornerUv = [[f32; 2]; 3];
@@ -56,7 +56,7 @@ impl Attributes {
     }
 }
 
-impl Shapes {
+impl Geometry {
     /// Has the normals of the shape of this number, which was added last, point to the other side: for pbrt's `ReverseOrientation`,
     /// or where its transform swaps handedness, but not for both.
     pub fn turn_normals(&mut self, shape: u32) {
@@ -88,11 +88,11 @@ impl Shapes {
     }
 
     /// Whether the normals of a primitive are those of its shape, turned round.
-    pub(in crate::shape) fn turns_normal_of(&self, placed: Placed) -> bool {
-        let shapes = placed
+    pub(in crate::shape) fn turns_normal_of(&self, placed: InstancedId) -> bool {
+        let geometry = placed
             .instance()
-            .map_or(self, |instance| self.object_of(instance).shapes());
-        let turned = shapes
+            .map_or(self, |instance| self.object_of(instance).geometry());
+        let turned = geometry
             .attributes
             .as_ref()
             .map_or(&[][..], |attributes| &attributes.turned);
@@ -100,11 +100,11 @@ impl Shapes {
     }
 
     /// The coordinates at the corners of a triangle, where its mesh has any.
-    pub(in crate::shape) fn uv_of(&self, placed: Placed) -> Option<&CornerUv> {
-        let shapes = placed
+    pub(in crate::shape) fn uv_of(&self, placed: InstancedId) -> Option<&CornerUv> {
+        let geometry = placed
             .instance()
-            .map_or(self, |instance| self.object_of(instance).shapes());
-        shapes
+            .map_or(self, |instance| self.object_of(instance).geometry());
+        geometry
             .attributes
             .as_ref()?
             .uv_of(placed.primitive().index() as u32)
@@ -115,10 +115,10 @@ impl Shapes {
 mod tests {
     use super::*;
     use crate::geometry::{Matrix, Point};
-    use crate::shape::Primitive;
+    use crate::shape::PrimitiveId;
 
-    fn add_triangles(shapes: &mut Shapes, count: usize, shape: u32) {
-        shapes
+    fn add_triangles(geometry: &mut Geometry, count: usize, shape: u32) {
+        geometry
             .add_mesh(
                 vec![Point::default(); 3],
                 vec![[0, 1, 2]; count],
@@ -130,19 +130,19 @@ mod tests {
 
     #[test]
     fn triangles_have_the_coordinates_of_their_mesh() {
-        let (mut shapes, plain) = (Shapes::default(), size_of::<Attributes>());
+        let (mut geometry, plain) = (Geometry::default(), size_of::<Attributes>());
         let uv = |first: u8, count: u8| {
             (first..first + count)
                 .map(|k| [[k.into(); 2]; 3])
                 .collect::<Vec<CornerUv>>()
         };
-        add_triangles(&mut shapes, 2, 1);
-        let bytes = shapes.bytes();
+        add_triangles(&mut geometry, 2, 1);
+        let bytes = geometry.bytes();
         assert!(
-            shapes
-                .uv_of(Placed::alone(Primitive::triangle(0)))
+            geometry
+                .uv_of(InstancedId::alone(PrimitiveId::triangle(0)))
                 .is_none()
-                && shapes.attributes.is_none()
+                && geometry.attributes.is_none()
         );
         for (count, shape, coordinates) in [
             (2, 2, uv(1, 2)),
@@ -150,37 +150,37 @@ mod tests {
             (0, 4, Vec::new()),
             (1, 5, uv(3, 1)),
         ] {
-            add_triangles(&mut shapes, count, shape);
-            shapes.add_uv(coordinates);
+            add_triangles(&mut geometry, count, shape);
+            geometry.add_uv(coordinates);
         }
         let found: Vec<Option<f32>> = (0..6)
             .map(|k| {
-                shapes
-                    .uv_of(Placed::alone(Primitive::triangle(k)))
+                geometry
+                    .uv_of(InstancedId::alone(PrimitiveId::triangle(k)))
                     .map(|uv| uv[0][0])
             })
             .collect();
         assert_eq!(found, [None, None, Some(1.0), Some(2.0), None, Some(3.0)]);
-        assert!(shapes.bytes() >= bytes + plain + 3 * size_of::<CornerUv>());
+        assert!(geometry.bytes() >= bytes + plain + 3 * size_of::<CornerUv>());
     }
 
     #[test]
     fn normals_are_turned_by_shape() {
-        let mut object = Shapes::default();
+        let mut object = Geometry::default();
         for shape in 1..4 {
             object
                 .add_object_mesh(vec![Point::default(); 3], vec![[0, 1, 2]], 0, shape)
                 .unwrap();
         }
         object.turn_normals(2);
-        let mut shapes = Shapes::default();
-        let number = shapes.add_object(object);
-        shapes.add_instance(number, Matrix::IDENTITY).unwrap();
-        add_triangles(&mut shapes, 1, 7);
-        shapes.turn_normals(7);
-        let turned: Vec<bool> = shapes
+        let mut geometry = Geometry::default();
+        let number = geometry.add_object(object);
+        geometry.add_instance(number, Matrix::IDENTITY).unwrap();
+        add_triangles(&mut geometry, 1, 7);
+        geometry.turn_normals(7);
+        let turned: Vec<bool> = geometry
             .all()
-            .map(|placed| shapes.turns_normal_of(placed))
+            .map(|placed| geometry.turns_normal_of(placed))
             .collect();
         assert_eq!(turned, [true, false, true, false]);
     }

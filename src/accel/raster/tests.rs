@@ -9,7 +9,7 @@ use super::wide_tree::Run;
 use crate::accel::space::AnchorSpace;
 use crate::camera::{Camera, Projection, ScreenWindow};
 use crate::geometry::{Matrix, Point, Transform, Vector};
-use crate::shape::{Placed, Primitive, Shapes, Triangle};
+use crate::shape::{Geometry, InstancedId, PrimitiveId, Triangle};
 use crate::simd::{Kernel, LANES, Lanes, Level};
 use proptest::prelude::*;
 
@@ -81,7 +81,7 @@ struct Check<'a>(&'a Scene);
 /// A scene as a tile prepares it.
 struct Prepared<'a> {
     scene: &'a Scene,
-    shapes: Shapes,
+    geometry: Geometry,
     planes: Planes,
     kept: Kept,
 }
@@ -97,11 +97,11 @@ impl Kernel for Check<'_> {
             triangles,
             first,
         } = self.0;
-        let mut shapes = Shapes::default();
+        let mut geometry = Geometry::default();
         let indices = (0..triangles.len() as u32)
             .map(|k| [3 * k, 3 * k + 1, 3 * k + 2])
             .collect();
-        shapes
+        geometry
             .add_mesh(
                 triangles.iter().flatten().copied().collect(),
                 indices,
@@ -109,14 +109,14 @@ impl Kernel for Check<'_> {
                 1,
             )
             .unwrap();
-        let order: Vec<Primitive> = (0..triangles.len()).map(Primitive::triangle).collect();
+        let order: Vec<PrimitiveId> = (0..triangles.len()).map(PrimitiveId::triangle).collect();
         let block = &blocks_of(
             &[Run {
                 first: 0,
                 count: LANES as u32,
             }],
             &order,
-            &shapes,
+            &geometry,
         )[0];
         let view = View::new(camera, &AnchorSpace::new(camera.anchor(), 256.0)).unwrap();
         let frame = Frame::new(&view, *first);
@@ -126,12 +126,17 @@ impl Kernel for Check<'_> {
             .usable;
         let mut kept = Kept::new();
         for (lane, primitive) in order.iter().enumerate() {
-            kept.push_narrow(Placed::alone(*primitive), &block.corner, &block.edges, lane);
+            kept.push_narrow(
+                InstancedId::alone(*primitive),
+                &block.corner,
+                &block.edges,
+                lane,
+            );
         }
         kept.fill_planes(simd, &frame);
         let prepared = Prepared {
             scene: self.0,
-            shapes,
+            geometry,
             planes,
             kept,
         };
@@ -154,7 +159,7 @@ impl Prepared<'_> {
         let at = |f: &[[f32; LANES]; 3]| {
             f64::from(f[0][lane] + f[1][lane] * local[0] + f[2][lane] * local[1])
         };
-        let truth = Truth::of(frame, &self.shapes.triangle(lane), pixel.map(f64::from));
+        let truth = Truth::of(frame, &self.geometry.triangle(lane), pixel.map(f64::from));
         for (edge, truth) in planes.edges.iter().zip(truth.edges) {
             let off = (at(edge) - truth).abs();
             assert!(
@@ -189,7 +194,7 @@ impl Prepared<'_> {
         };
         let Scene { camera, first, .. } = self.scene;
         let ray = camera.ray(first[0] + pixel[0], first[1] + pixel[1]);
-        let [a, b, c] = self.shapes.triangle(lane).0;
+        let [a, b, c] = self.geometry.triangle(lane).0;
         let normal = (b - a).cross(c - a);
         let t = normal.dot(a - ray.origin) / normal.dot(ray.direction);
         let allowed = f64::from(plane.error) * if is_perspective { t } else { 1.0 };

@@ -5,15 +5,15 @@ use super::fronts::Fronts;
 use super::pixels::{Held, Pixel, Pixels};
 use super::view::View;
 use crate::accel::ray::{FastSearch, Nearest, Search, Ties};
-use crate::accel::{Aggregate, Depth, Fallbacks, Hit, Precision};
+use crate::accel::{Aggregate, Depth, ExactFallbacks, Hit, Precision};
 use crate::camera::Camera;
 use crate::geometry::Ray;
-use crate::shape::{Coincidence, FilterRay, Placed, Shapes, Surface, Verdict};
+use crate::shape::{Coincidence, FilterRay, FilterResult, Geometry, InstancedId, Primitive};
 
 /// Casts single rays at single primitives.
 pub(super) struct Searcher<'a> {
     pub(super) camera: &'a Camera,
-    pub(super) shapes: &'a Shapes,
+    pub(super) geometry: &'a Geometry,
     pub(super) aggregate: &'a Aggregate,
     pub(super) view: &'a View,
     pub(super) precision: Precision,
@@ -43,10 +43,10 @@ impl Searcher<'_> {
         contested: &mut Vec<Contested>,
         pixels: &mut Pixels,
         Known { ties, fronts }: &mut Known,
-        fallbacks: &mut Fallbacks,
+        fallbacks: &mut ExactFallbacks,
     ) {
         // They come primitive by primitive.
-        let mut last: Option<(Placed, Option<Surface>)> = None;
+        let mut last: Option<(InstancedId, Option<Primitive>)> = None;
         let mut is_part = false;
         for Contested { pixel, primitive } in contested.drain(..) {
             let best = pixels.primitive(pixel);
@@ -56,7 +56,7 @@ impl Searcher<'_> {
             let (_, surface) = match &last {
                 Some(last) if last.0 == primitive => last,
                 _ => {
-                    let last = last.insert((primitive, self.shapes.surface_in_tree(primitive)));
+                    let last = last.insert((primitive, self.geometry.surface_in_tree(primitive)));
                     is_part = last
                         .1
                         .as_ref()
@@ -99,21 +99,21 @@ impl Searcher<'_> {
     /// it is not met, or the pixel has hit another part of it there that comes before in the file.
     fn is_behind(
         &self,
-        front: &Verdict,
+        front: &FilterResult,
         pixels: &Pixels,
         pixel: Pixel,
-        primitive: Placed,
+        primitive: InstancedId,
         ties: &mut Ties,
     ) -> bool {
         match (front, pixels.held(pixel)) {
-            (Verdict::Miss, _) => true,
-            (Verdict::Hit(front), Held::Hit(place)) => {
+            (FilterResult::Miss, _) => true,
+            (FilterResult::Hit(front), Held::Hit(place)) => {
                 let best = &pixels.hits[place];
                 // One bracket for each root, and brackets of two roots that are apart: it is the
                 // same root.
                 best.t == *front
-                    && ties.between(self.shapes, best.primitive, primitive) != Coincidence::None
-                    && self.shapes.precedes(best.primitive, primitive)
+                    && ties.between(self.geometry, best.primitive, primitive) != Coincidence::None
+                    && self.geometry.precedes(best.primitive, primitive)
             }
             _ => false,
         }
@@ -125,26 +125,27 @@ impl Searcher<'_> {
         ray: impl Fn() -> Option<Ray>,
         pixels: &Pixels,
         pixel: Pixel,
-        (primitive, surface): (Placed, &Surface),
+        (primitive, surface): (InstancedId, &Primitive),
         ties: &mut Ties,
-        fallbacks: &mut Fallbacks,
+        fallbacks: &mut ExactFallbacks,
     ) -> Option<(Hit, f32)> {
         let best = pixels.primitive(pixel);
-        let is_tie = best
-            .is_some_and(|best| ties.between(self.shapes, best, primitive) == Coincidence::SameHit);
-        if is_tie && best.is_some_and(|best| self.shapes.precedes(best, primitive)) {
+        let is_tie = best.is_some_and(|best| {
+            ties.between(self.geometry, best, primitive) == Coincidence::SameHit
+        });
+        if is_tie && best.is_some_and(|best| self.geometry.precedes(best, primitive)) {
             return None;
         }
         let ray = ray()?;
-        let mut counted = Fallbacks::default();
-        let mut nearest = Nearest::new(self.shapes, &ray, ties, &mut counted);
+        let mut counted = ExactFallbacks::default();
+        let mut nearest = Nearest::new(self.geometry, &ray, ties, &mut counted);
         // What ties with the best and comes before it only has to be hit.
         if !is_tie {
             match pixels.held(pixel) {
                 Held::Nothing => {}
                 Held::Triangle(place) => {
                     let held = pixels.kept.primitive(place);
-                    nearest.test(held, &self.shapes.surface(held));
+                    nearest.test(held, &self.geometry.surface(held));
                 }
                 Held::Hit(place) => {
                     nearest.hold(pixels.hits[place].primitive, pixels.hits[place].t)
@@ -154,7 +155,7 @@ impl Searcher<'_> {
         let wins = nearest.test(primitive, surface);
         let hit = nearest.into_hit();
         if counted.is_any() {
-            *fallbacks += Fallbacks { rays: 1, ..counted };
+            *fallbacks += ExactFallbacks { rays: 1, ..counted };
         }
         let mut hit = hit.filter(|_| wins)?;
         let width = hit.t.high - hit.t.low;
@@ -173,12 +174,12 @@ impl Searcher<'_> {
     fn search_fast(
         &self,
         ray: &Ray,
-        primitive: Placed,
+        primitive: InstancedId,
         pixels: &Pixels,
         pixel: Pixel,
     ) -> Option<(Hit, f32)> {
         let slab = self.aggregate.space.ray(ray);
-        let mut search = FastSearch::new(self.shapes, &self.aggregate.space, ray, &slab);
+        let mut search = FastSearch::new(self.geometry, &self.aggregate.space, ray, &slab);
         search.test(primitive);
         let hit = search.into_hit()?;
         let nearness = self.view.nearness(hit.t.low);
@@ -186,7 +187,7 @@ impl Searcher<'_> {
         let comes_first = || {
             pixels
                 .primitive(pixel)
-                .is_none_or(|best| self.shapes.precedes(primitive, best))
+                .is_none_or(|best| self.geometry.precedes(primitive, best))
         };
         (nearness > best || (nearness == best && comes_first())).then_some((hit, nearness))
     }
@@ -196,11 +197,11 @@ impl Searcher<'_> {
         &self,
         first: [u32; 2],
         pixel: Pixel,
-        primitive: Placed,
-        fallbacks: &mut Fallbacks,
+        primitive: InstancedId,
+        fallbacks: &mut ExactFallbacks,
     ) -> Depth {
         let ray = self.ray(first, pixel);
-        let surface = self.shapes.surface(primitive);
+        let surface = self.geometry.surface(primitive);
         let t = surface.t_of_hit(&FilterRay::new(&ray));
         let t = t.unwrap_or_else(|| surface.exact_t(&ray).bracket());
         self.depth_of_hit(
@@ -220,18 +221,18 @@ impl Searcher<'_> {
         first: [u32; 2],
         pixel: Pixel,
         hit: &Hit,
-        fallbacks: &mut Fallbacks,
+        fallbacks: &mut ExactFallbacks,
     ) -> Depth {
         self.depth_of_hit(&self.ray(first, pixel), hit, fallbacks)
     }
 
-    fn depth_of_hit(&self, ray: &Ray, hit: &Hit, fallbacks: &mut Fallbacks) -> Depth {
-        let (depth, roundings) = Depth::of(hit, ray, self.shapes, self.precision);
+    fn depth_of_hit(&self, ray: &Ray, hit: &Hit, fallbacks: &mut ExactFallbacks) -> Depth {
+        let (depth, roundings) = Depth::of(hit, ray, self.geometry, self.precision);
         if roundings > 0 {
-            *fallbacks += Fallbacks {
+            *fallbacks += ExactFallbacks {
                 roundings,
                 rays: u64::from(!hit.is_hard),
-                ..Fallbacks::default()
+                ..ExactFallbacks::default()
             };
         }
         depth

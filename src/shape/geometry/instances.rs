@@ -1,17 +1,17 @@
 //! Objects and their instances among the geometry of a scene.
 
-use super::{CapacityError, FirstNumber, Shapes};
+use super::{CapacityError, FirstNumber, Geometry};
 use crate::geometry::Matrix;
 use crate::shape::object::{Instance, Object, Pose};
-use crate::shape::{Placed, Surface, Triangle};
+use crate::shape::{InstancedId, Primitive, Triangle};
 
 /// In place of an object's number, where the object is still to come.
 const UNDEFINED: u32 = u32::MAX;
 
-impl Shapes {
+impl Geometry {
     /// Adds an object, of which there is no instance yet; returns its number. Its geometry has no instances itself.
-    pub fn add_object(&mut self, shapes: Shapes) -> usize {
-        self.objects.push(Object::new(shapes));
+    pub fn add_object(&mut self, geometry: Geometry) -> usize {
+        self.objects.push(Object::new(geometry));
         self.objects.len() - 1
     }
 
@@ -22,11 +22,11 @@ impl Shapes {
         world_from_instance: Matrix,
     ) -> Result<(), CapacityError> {
         self.push_instance(object as u32, world_from_instance)?;
-        self.instanced += self.objects[object].shapes().number_count();
+        self.instanced += self.objects[object].geometry().number_count();
         Ok(())
     }
 
-    /// Adds an instance of an object that is still to come; returns its number for [`Shapes::define_instances`],
+    /// Adds an instance of an object that is still to come; returns its number for [`Geometry::define_instances`],
     /// which has to follow.
     pub fn add_undefined_instance(
         &mut self,
@@ -42,10 +42,10 @@ impl Shapes {
         object: u32,
         world_from_instance: Matrix,
     ) -> Result<(), CapacityError> {
-        if self.instances.len() == Placed::MAX_INSTANCES {
+        if self.instances.len() == InstancedId::MAX_INSTANCES {
             return Err(CapacityError {
                 what: "instances",
-                limit: Placed::MAX_INSTANCES as u64,
+                limit: InstancedId::MAX_INSTANCES as u64,
             });
         }
         let first_number = self.instanced + self.number_count();
@@ -91,7 +91,7 @@ impl Shapes {
     /// Primitive numbers of an instance; none while its object is undefined.
     fn numbers_in(&self, instance: usize) -> u64 {
         let object = self.objects.get(self.instances[instance].object());
-        object.map_or(0, |object| object.shapes().number_count())
+        object.map_or(0, |object| object.geometry().number_count())
     }
 
     /// The objects that instances are of.
@@ -114,7 +114,7 @@ impl Shapes {
     #[inline]
     pub fn pose(&self, instance: usize) -> Pose<'_> {
         Pose::new(
-            self.object_of(instance).shapes(),
+            self.object_of(instance).geometry(),
             self.instances[instance].world_from_instance,
         )
     }
@@ -132,7 +132,7 @@ impl Shapes {
 
     /// A primitive, in world space (rule R4).
     #[inline]
-    pub fn surface(&self, placed: Placed) -> Surface {
+    pub fn surface(&self, placed: InstancedId) -> Primitive {
         match placed.instance() {
             None => self.own_surface(placed.primitive()),
             Some(instance) => self.pose(instance).surface(placed.primitive()),
@@ -142,14 +142,14 @@ impl Shapes {
     /// A primitive of a tree, in world space, if any ray can hit it: trees of objects hold what can be hit in some instance, not
     /// in each.
     #[inline]
-    pub(crate) fn surface_in_tree(&self, placed: Placed) -> Option<Surface> {
+    pub(crate) fn surface_in_tree(&self, placed: InstancedId) -> Option<Primitive> {
         let surface = self.surface(placed);
         (placed.instance().is_none() || surface.can_be_hit()).then_some(surface)
     }
 
     /// A triangle, in world space (rule R4).
     #[inline]
-    pub fn placed_triangle(&self, placed: Placed) -> Triangle {
+    pub fn placed_triangle(&self, placed: InstancedId) -> Triangle {
         let index = placed.primitive().index();
         match placed.instance() {
             None => self.triangle(index),
@@ -158,12 +158,12 @@ impl Shapes {
     }
 
     /// All primitives, those of instances as often as there are instances.
-    pub fn all(&self) -> impl Iterator<Item = Placed> {
+    pub fn all(&self) -> impl Iterator<Item = InstancedId> {
         let instances = 0..self.instances.len();
         let instanced = instances.flat_map(|instance| {
-            let primitives = self.object_of(instance).shapes().primitives();
-            primitives.map(move |primitive| Placed::in_instance(instance, primitive))
+            let primitives = self.object_of(instance).geometry().primitives();
+            primitives.map(move |primitive| InstancedId::in_instance(instance, primitive))
         });
-        self.primitives().map(Placed::alone).chain(instanced)
+        self.primitives().map(InstancedId::alone).chain(instanced)
     }
 }

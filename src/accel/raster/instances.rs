@@ -8,7 +8,7 @@ use super::cast::{Scratch, Tile};
 use super::view_node::{FilmFromTree, project};
 use super::walk::Occlusion;
 use crate::accel::instance::ObjectTree;
-use crate::shape::{Placed, Pose, Primitive, Surface};
+use crate::shape::{InstancedId, Pose, Primitive, PrimitiveId};
 use crate::simd::Lanes;
 
 impl Tile<'_> {
@@ -54,12 +54,12 @@ impl Tile<'_> {
         instance: usize,
         block: &mut Block,
     ) -> f32 {
-        let shapes = self.searcher.shapes;
-        let object: &ObjectTree = self.searcher.aggregate.instances.object(shapes, instance);
-        let placement = object.placement(&shapes.instances()[instance]);
+        let geometry = self.searcher.geometry;
+        let object: &ObjectTree = self.searcher.aggregate.instances.object(geometry, instance);
+        let placement = object.placement(&geometry.instances()[instance]);
         let film = FilmFromTree::of_object(self.frame.view, &object.space, &placement);
-        let mut pose = shapes.pose(instance);
-        let sibling = Placed::in_instance(instance, Primitive::FIRST);
+        let mut pose = geometry.pose(instance);
+        let sibling = InstancedId::in_instance(instance, PrimitiveId::FIRST);
         self.scratch.object_stack.start();
         while farthest < f32::INFINITY {
             let Scratch {
@@ -87,14 +87,14 @@ impl Tile<'_> {
 }
 
 /// Fills a block with primitives of an object as an instance poses it; without those that are nowhere, or cannot be hit there.
-fn fill(block: &mut Block, primitives: &[Primitive], pose: &mut Pose) {
+fn fill(block: &mut Block, primitives: &[PrimitiveId], pose: &mut Pose) {
     block.clear();
     for primitive in primitives {
         let surface = pose.surface(*primitive);
         let is_there = match &surface {
             // Those without area are left to the tests of rays.
-            Surface::Triangle(triangle) => triangle.0.iter().all(|corner| corner.is_finite()),
-            Surface::Quadric(quadric) => quadric.can_be_hit(),
+            Primitive::Triangle(triangle) => triangle.0.iter().all(|corner| corner.is_finite()),
+            Primitive::Quadric(quadric) => quadric.can_be_hit(),
         };
         if is_there {
             block.push(*primitive, &surface);

@@ -1,10 +1,10 @@
 //! Shapes that turn out to be no surface after they have been stored.
 
-use super::Shapes;
+use super::Geometry;
 use crate::geometry::Point;
 use std::collections::HashSet;
 
-impl Shapes {
+impl Geometry {
     /// Sees to it that no ray meets what is stored for the `Shape` statements `hidden`, in objects too; its numbers stay.
     pub fn hide(&mut self, hidden: &HashSet<u32>) {
         let ends = self

@@ -1,25 +1,25 @@
 //! References to primitives of the whole scene, those of instances among them.
 
-use super::Primitive;
+use super::PrimitiveId;
 
 /// A primitive where it stands in the world: by itself, or in an instance of the object that it belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Placed {
+pub struct InstancedId {
     instance: u32,
-    primitive: Primitive,
+    primitive: PrimitiveId,
 }
 
 /// In place of an instance's number.
 const NO_INSTANCE: u32 = u32::MAX;
 
-impl Placed {
+impl InstancedId {
     /// Instances at most.
     pub const MAX_INSTANCES: usize = NO_INSTANCE as usize;
 
     /// A primitive that belongs to no object.
     #[inline(always)]
-    pub const fn alone(primitive: Primitive) -> Placed {
-        Placed {
+    pub const fn alone(primitive: PrimitiveId) -> InstancedId {
+        InstancedId {
             instance: NO_INSTANCE,
             primitive,
         }
@@ -27,9 +27,9 @@ impl Placed {
 
     /// A primitive of the object that instance number `instance`, from 0, places.
     #[inline(always)]
-    pub fn in_instance(instance: usize, primitive: Primitive) -> Placed {
-        debug_assert!(instance < Placed::MAX_INSTANCES);
-        Placed {
+    pub fn in_instance(instance: usize, primitive: PrimitiveId) -> InstancedId {
+        debug_assert!(instance < InstancedId::MAX_INSTANCES);
+        InstancedId {
             instance: instance as u32,
             primitive,
         }
@@ -43,7 +43,7 @@ impl Placed {
 
     /// Its place in the store: the object's, if it is in an instance.
     #[inline(always)]
-    pub fn primitive(self) -> Primitive {
+    pub fn primitive(self) -> PrimitiveId {
         self.primitive
     }
 
@@ -54,8 +54,8 @@ impl Placed {
 
     /// Another primitive of the same instance, or one by itself too.
     #[inline(always)]
-    pub(crate) fn sibling(self, primitive: Primitive) -> Placed {
-        Placed { primitive, ..self }
+    pub(crate) fn sibling(self, primitive: PrimitiveId) -> InstancedId {
+        InstancedId { primitive, ..self }
     }
 }
 
@@ -65,18 +65,18 @@ mod tests {
 
     #[test]
     fn what_was_put_in_comes_out() {
-        let triangle = Primitive::triangle(7);
+        let triangle = PrimitiveId::triangle(7);
         assert_eq!(
             (
-                Placed::alone(triangle).instance(),
-                Placed::alone(triangle).primitive()
+                InstancedId::alone(triangle).instance(),
+                InstancedId::alone(triangle).primitive()
             ),
             (None, triangle)
         );
-        let last = Placed::in_instance(Placed::MAX_INSTANCES - 1, triangle);
+        let last = InstancedId::in_instance(InstancedId::MAX_INSTANCES - 1, triangle);
         assert_eq!(
             (last.instance(), last.primitive()),
-            (Some(Placed::MAX_INSTANCES - 1), triangle)
+            (Some(InstancedId::MAX_INSTANCES - 1), triangle)
         );
     }
 }

@@ -4,7 +4,7 @@ use super::block::Block;
 use super::pixels::{LANE_COLUMNS, LANE_ROWS, Pixel, Pixels, Slot};
 use super::planes::{Function, Planes};
 use super::walk::blocks_between;
-use crate::shape::{Placed, Primitive, Shapes};
+use crate::shape::{Geometry, InstancedId, PrimitiveId};
 use crate::simd::{F32s, LANES, Lanes, Mask};
 
 /// What to do with what triangles cover.
@@ -35,20 +35,20 @@ impl Rule {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Contested {
     pub(super) pixel: Pixel,
-    pub(super) primitive: Placed,
+    pub(super) primitive: InstancedId,
 }
 
 /// Sixteen primitives of one instance, or in none.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Batch<'a> {
-    pub(super) primitives: &'a [Primitive; LANES],
+    pub(super) primitives: &'a [PrimitiveId; LANES],
     /// One of the instance.
-    pub(super) sibling: Placed,
+    pub(super) sibling: InstancedId,
 }
 
 impl Batch<'_> {
     #[inline(always)]
-    pub(super) fn of(&self, lane: usize) -> Placed {
+    pub(super) fn of(&self, lane: usize) -> InstancedId {
         self.sibling.sibling(self.primitives[lane])
     }
 }
@@ -59,14 +59,14 @@ pub(super) enum Source<'a> {
     /// With edges in `f32`.
     Block(&'a Block),
     /// Those of the scene: what a batch has is not as good as they are.
-    Shapes,
+    Geometry,
 }
 
 /// Where a batch of triangles is drawn.
 pub(super) struct Canvas<'a> {
     pub(super) batch: Batch<'a>,
     pub(super) source: Source<'a>,
-    pub(super) shapes: &'a Shapes,
+    pub(super) geometry: &'a Geometry,
     pub(super) rule: Rule,
     pub(super) pixels: &'a mut Pixels,
     /// Takes what is unsure.
@@ -153,7 +153,7 @@ impl Canvas<'_> {
                 while ties != 0 {
                     let pixel = Pixel::of(block, ties.trailing_zeros() as usize);
                     ties &= ties - 1;
-                    is_kept |= take_tie(pixel, primitive, slot, self.shapes, pixels);
+                    is_kept |= take_tie(pixel, primitive, slot, self.geometry, pixels);
                 }
                 inside & nearness.above(best)
             };
@@ -244,7 +244,7 @@ impl Canvas<'_> {
             let best_primitive = || self.pixels.primitive(pixel);
             nearness > best
                 || nearness == best
-                    && best_primitive().is_some_and(|best| self.shapes.precedes(primitive, best))
+                    && best_primitive().is_some_and(|best| self.geometry.precedes(primitive, best))
         };
         if wins {
             let slot = self.slot_of::<EXACT>(planes, lane, kept);
@@ -297,7 +297,7 @@ impl Canvas<'_> {
             Source::Block(block) if !EXACT || planes.pixel_count(lane) <= MANY_PIXELS => {
                 kept.push_narrow(primitive, &block.corner, &block.edges, lane);
             }
-            _ => kept.push(primitive, &self.shapes.placed_triangle(primitive)),
+            _ => kept.push(primitive, &self.geometry.placed_triangle(primitive)),
         }
     }
 }
@@ -313,14 +313,14 @@ const NOT_KEPT: Slot = Slot::MAX;
 /// Of two hits at the same nearness the first in the file counts (rule E3).
 fn take_tie(
     pixel: Pixel,
-    primitive: Placed,
+    primitive: InstancedId,
     slot: Slot,
-    shapes: &Shapes,
+    geometry: &Geometry,
     pixels: &mut Pixels,
 ) -> bool {
     let wins = pixels
         .primitive(pixel)
-        .is_some_and(|best| shapes.precedes(primitive, best));
+        .is_some_and(|best| geometry.precedes(primitive, best));
     if wins {
         pixels.slots[pixel.block()][pixel.lane()] = f32::from_bits(slot);
     }

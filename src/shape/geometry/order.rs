@@ -1,20 +1,20 @@
 //! Numbers of primitives and shapes, which follow the file.
 
-use super::{FirstNumber, Shapes};
+use super::{FirstNumber, Geometry};
 use crate::geometry::Matrix;
-use crate::shape::{Placed, Primitive};
+use crate::shape::{InstancedId, PrimitiveId};
 use std::ops::Range;
 
-impl Shapes {
+impl Geometry {
     /// The primitive number, from 0 in the order of the file (rule E3).
     #[inline]
-    pub fn number(&self, placed: Placed) -> u64 {
+    pub fn number(&self, placed: InstancedId) -> u64 {
         match placed.instance() {
             None => self.own_number(placed.primitive()).in_all(),
             Some(instance) => {
                 let within = self
                     .object_of(instance)
-                    .shapes()
+                    .geometry()
                     .own_number(placed.primitive())
                     .alone;
                 self.instances[instance].first_number() + u64::from(within)
@@ -23,21 +23,21 @@ impl Shapes {
     }
 
     /// What `prim` channels call a primitive: its number plus 1, counted within the instance, or among the primitives that are in
-    /// none, if there are [too many](Shapes::counts_within_instances).
+    /// none, if there are [too many](Geometry::counts_within_instances).
     #[inline]
-    pub fn image_number(&self, placed: Placed) -> u32 {
+    pub fn image_number(&self, placed: InstancedId) -> u32 {
         if !self.counts_within_instances() {
             return self.number(placed) as u32 + 1;
         }
-        let shapes = placed
+        let geometry = placed
             .instance()
-            .map_or(self, |instance| self.object_of(instance).shapes());
-        shapes.own_number(placed.primitive()).alone + 1
+            .map_or(self, |instance| self.object_of(instance).geometry());
+        geometry.own_number(placed.primitive()).alone + 1
     }
 
     /// The number of a primitive that is in no instance.
     #[inline]
-    fn own_number(&self, primitive: Primitive) -> FirstNumber {
+    fn own_number(&self, primitive: PrimitiveId) -> FirstNumber {
         let index = primitive.index() as u32;
         let (first, place) = if primitive.is_sphere() {
             let run = &self.sphere_runs[self
@@ -80,20 +80,20 @@ impl Shapes {
 
     /// The number of the `Shape` statement, from 1.
     #[inline]
-    pub fn shape_number(&self, placed: Placed) -> u32 {
-        let shapes = placed
+    pub fn shape_number(&self, placed: InstancedId) -> u32 {
+        let geometry = placed
             .instance()
-            .map_or(self, |instance| self.object_of(instance).shapes());
+            .map_or(self, |instance| self.object_of(instance).geometry());
         let primitive = placed.primitive();
         if primitive.is_sphere() {
-            shapes.spheres[primitive.index()].shape
+            geometry.spheres[primitive.index()].shape
         } else {
-            shapes.mesh_of(primitive.index() as u32).shape
+            geometry.mesh_of(primitive.index() as u32).shape
         }
     }
 
     /// Whether `a` comes before `b` in the file: it wins a tie (rule E3).
-    pub fn precedes(&self, a: Placed, b: Placed) -> bool {
+    pub fn precedes(&self, a: InstancedId, b: InstancedId) -> bool {
         let (p, q) = (a.primitive(), b.primitive());
         if a.instance() == b.instance() && p.is_sphere() == q.is_sphere() {
             p < q

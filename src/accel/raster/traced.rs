@@ -3,7 +3,7 @@
 use super::frame::TILE;
 use super::pixels::Pixel;
 use crate::accel::Depth;
-use crate::shape::{Placed, Primitive};
+use crate::shape::{InstancedId, PrimitiveId};
 use crate::simd::LANES;
 
 const PIXELS: usize = (TILE * TILE) as usize;
@@ -15,7 +15,7 @@ pub struct TracedTile {
     z: [f32; PIXELS],
     t: [f32; PIXELS],
     /// Of hits; of misses anything.
-    primitives: [Placed; PIXELS],
+    primitives: [InstancedId; PIXELS],
     /// Of each row, the columns that hit, column k as bit k.
     hits: [u16; TILE as usize],
 }
@@ -26,7 +26,7 @@ fn place(column: u32, row: u32) -> usize {
 
 impl TracedTile {
     pub(super) fn new() -> TracedTile {
-        let primitives = [Placed::alone(Primitive::FIRST); PIXELS];
+        let primitives = [InstancedId::alone(PrimitiveId::FIRST); PIXELS];
         TracedTile {
             z: [0.0; PIXELS],
             t: [0.0; PIXELS],
@@ -57,7 +57,7 @@ impl TracedTile {
 
     /// What the rays of a row hit, anything where nothing was hit.
     #[inline]
-    pub fn primitives_of_row(&self, row: u32) -> &[Placed] {
+    pub fn primitives_of_row(&self, row: u32) -> &[InstancedId] {
         &self.primitives[place(0, row)..place(0, row + 1)]
     }
 
@@ -84,7 +84,7 @@ impl TracedTile {
     }
 
     #[inline(always)]
-    pub(super) fn put_hit(&mut self, column: u32, row: u32, primitive: Placed) {
+    pub(super) fn put_hit(&mut self, column: u32, row: u32, primitive: InstancedId) {
         self.hits[row as usize] |= 1 << column;
         self.primitives[place(column, row)] = primitive;
     }

@@ -10,7 +10,7 @@ pub use attributes::CornerUv;
 
 use crate::geometry::{Matrix, Point};
 use crate::shape::object::{Instance, Object};
-use crate::shape::{Cut, Form, Primitive, Quadric, Surface, Triangle};
+use crate::shape::{Cut, Form, Primitive, PrimitiveId, Quadric, Triangle};
 use attributes::Attributes;
 use rayon::prelude::*;
 use std::fmt;
@@ -24,7 +24,7 @@ use std::fmt;
 /// The geometry of an [`Object`] is of the same kind, but for its meshes: they stay as they are in their files, and keep the
 /// number of their transform.
 #[derive(Debug, Default)]
-pub struct Shapes {
+pub struct Geometry {
     vertices: Vec<Point>,
     triangles: Vec<[u32; 3]>,
     meshes: Vec<MeshRun>,
@@ -99,33 +99,34 @@ impl fmt::Display for CapacityError {
 
 /// How many vertices of a mesh have a coordinate that is infinite or NaN.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Broken {
+pub struct NonFiniteCounts {
     /// In the file.
     pub in_object_space: usize,
     /// In the world, where a large number or a broken matrix may have added some.
     pub in_world_space: usize,
 }
 
-impl Broken {
-    /// What [`Shapes::add_mesh`] would tell.
-    pub fn of(vertices: &[Point], world_from_object: &Matrix) -> Broken {
-        let count = |vertex: &Point| Broken::between(vertex, &world_from_object.apply(*vertex));
+impl NonFiniteCounts {
+    /// What [`Geometry::add_mesh`] would tell.
+    pub fn of(vertices: &[Point], world_from_object: &Matrix) -> NonFiniteCounts {
+        let count =
+            |vertex: &Point| NonFiniteCounts::between(vertex, &world_from_object.apply(*vertex));
         vertices
             .par_iter()
             .map(count)
-            .reduce(Broken::default, Broken::plus)
+            .reduce(NonFiniteCounts::default, NonFiniteCounts::plus)
     }
 
-    fn between(in_object_space: &Point, in_world_space: &Point) -> Broken {
+    fn between(in_object_space: &Point, in_world_space: &Point) -> NonFiniteCounts {
         let count = |vertex: &Point| usize::from(!vertex.is_finite());
-        Broken {
+        NonFiniteCounts {
             in_object_space: count(in_object_space),
             in_world_space: count(in_world_space),
         }
     }
 
-    fn plus(self, other: Broken) -> Broken {
-        Broken {
+    fn plus(self, other: NonFiniteCounts) -> NonFiniteCounts {
+        NonFiniteCounts {
             in_object_space: self.in_object_space + other.in_object_space,
             in_world_space: self.in_world_space + other.in_world_space,
         }
@@ -133,15 +134,15 @@ impl Broken {
 }
 
 /// Moves `vertices` to world space, in the one pass over them that has to be.
-fn move_to_world(vertices: &mut [Point], world_from_object: &Matrix) -> Broken {
+fn move_to_world(vertices: &mut [Point], world_from_object: &Matrix) -> NonFiniteCounts {
     let moved = vertices.par_iter_mut().map(|vertex| {
         let in_object_space = std::mem::replace(vertex, world_from_object.apply(*vertex));
-        Broken::between(&in_object_space, vertex)
+        NonFiniteCounts::between(&in_object_space, vertex)
     });
-    moved.reduce(Broken::default, Broken::plus)
+    moved.reduce(NonFiniteCounts::default, NonFiniteCounts::plus)
 }
 
-impl Shapes {
+impl Geometry {
     /// Appends a mesh; its object-space `vertices` are moved to world space (rule R4). Indices must be in range.
     /// Tells how many of the vertices are not finite before and after the move.
     pub fn add_mesh(
@@ -150,7 +151,7 @@ impl Shapes {
         triangles: Vec<[u32; 3]>,
         world_from_object: &Matrix,
         shape: u32,
-    ) -> Result<Broken, CapacityError> {
+    ) -> Result<NonFiniteCounts, CapacityError> {
         self.check_room_for_mesh(&vertices, &triangles)?;
         let broken = move_to_world(&mut vertices, world_from_object);
         self.push_mesh(vertices, triangles, shape, None)?;
@@ -158,7 +159,7 @@ impl Shapes {
     }
 
     /// Appends a mesh of an object: its vertices stay as they are, under transform number `transform`, as
-    /// [`Shapes::add_transform`] gave it. Indices must be in range.
+    /// [`Geometry::add_transform`] gave it. Indices must be in range.
     pub fn add_object_mesh(
         &mut self,
         vertices: Vec<Point>,
@@ -216,7 +217,7 @@ impl Shapes {
         Ok(())
     }
 
-    /// Appends a sphere, whole or cut, under transform number `transform`, as [`Shapes::add_transform`] gave it.
+    /// Appends a sphere, whole or cut, under transform number `transform`, as [`Geometry::add_transform`] gave it.
     pub fn add_sphere(
         &mut self,
         radius: f64,
@@ -227,7 +228,7 @@ impl Shapes {
         self.add_quadric(radius, Form::Sphere(cut), transform, shape)
     }
 
-    /// Appends a sphere, a cylinder or a disk, as [`Shapes::add_sphere`] does.
+    /// Appends a sphere, a cylinder or a disk, as [`Geometry::add_sphere`] does.
     pub fn add_quadric(
         &mut self,
         radius: f64,
@@ -267,7 +268,7 @@ impl Shapes {
     }
 
     fn check_room(&self, count: usize, what: &'static str) -> Result<(), CapacityError> {
-        let limit = Primitive::MAX_COUNT as u64;
+        let limit = PrimitiveId::MAX_COUNT as u64;
         if count as u64 > limit {
             Err(CapacityError { what, limit })
         } else {
@@ -326,7 +327,7 @@ impl Shapes {
             + self
                 .objects
                 .iter()
-                .map(|object| object.shapes().triangles.len())
+                .map(|object| object.geometry().triangles.len())
                 .sum::<usize>()
     }
 
@@ -336,7 +337,7 @@ impl Shapes {
             + self
                 .objects
                 .iter()
-                .map(|object| object.shapes().spheres.len())
+                .map(|object| object.geometry().spheres.len())
                 .sum::<usize>()
     }
 
@@ -357,7 +358,7 @@ impl Shapes {
             + self
                 .objects
                 .iter()
-                .map(|object| size_of::<Object>() + object.shapes().bytes())
+                .map(|object| size_of::<Object>() + object.geometry().bytes())
                 .sum::<usize>()
     }
 
@@ -406,19 +407,19 @@ impl Shapes {
 
     /// A primitive that is in no instance.
     #[inline]
-    pub fn own_surface(&self, primitive: Primitive) -> Surface {
+    pub fn own_surface(&self, primitive: PrimitiveId) -> Primitive {
         let index = primitive.index();
         if primitive.is_sphere() {
-            Surface::Quadric(self.sphere(index))
+            Primitive::Quadric(self.sphere(index))
         } else {
-            Surface::Triangle(self.triangle(index))
+            Primitive::Triangle(self.triangle(index))
         }
     }
 
     /// All primitives that are in no instance, kind by kind.
-    pub fn primitives(&self) -> impl Iterator<Item = Primitive> + use<> {
-        let triangles = (0..self.triangles.len()).map(Primitive::triangle);
-        triangles.chain((0..self.spheres.len()).map(Primitive::sphere))
+    pub fn primitives(&self) -> impl Iterator<Item = PrimitiveId> + use<> {
+        let triangles = (0..self.triangles.len()).map(PrimitiveId::triangle);
+        triangles.chain((0..self.spheres.len()).map(PrimitiveId::sphere))
     }
 
     #[inline]
@@ -436,7 +437,7 @@ impl Shapes {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::Placed;
+    use crate::shape::InstancedId;
 
     fn two_triangles() -> (Vec<Point>, Vec<[u32; 3]>) {
         let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
@@ -451,11 +452,15 @@ mod tests {
         let vertices = [1.0, 1e200, f64::NAN, f64::INFINITY]
             .map(|x| Point::new(x, 0.0, 0.0))
             .to_vec();
-        let moved =
-            Shapes::default().add_mesh(vertices, Vec::new(), &Matrix::scale([1e200, 1.0, 1.0]), 1);
+        let moved = Geometry::default().add_mesh(
+            vertices,
+            Vec::new(),
+            &Matrix::scale([1e200, 1.0, 1.0]),
+            1,
+        );
         assert_eq!(
             moved,
-            Ok(Broken {
+            Ok(NonFiniteCounts {
                 in_object_space: 2,
                 in_world_space: 3
             })
@@ -464,40 +469,40 @@ mod tests {
 
     #[test]
     fn numbers_follow_the_file_through_all_kinds() {
-        let mut shapes = Shapes::default();
-        let transform = shapes.add_transform(Matrix::IDENTITY);
+        let mut geometry = Geometry::default();
+        let transform = geometry.add_transform(Matrix::IDENTITY);
         let (vertices, triangles) = two_triangles();
-        shapes.add_sphere(1.0, None, transform, 1).unwrap();
-        shapes
+        geometry.add_sphere(1.0, None, transform, 1).unwrap();
+        geometry
             .add_mesh(vertices.clone(), triangles.clone(), &Matrix::IDENTITY, 2)
             .unwrap();
-        shapes.add_sphere(2.0, None, transform, 4).unwrap();
-        shapes.add_sphere(3.0, None, transform, 5).unwrap();
-        shapes
+        geometry.add_sphere(2.0, None, transform, 4).unwrap();
+        geometry.add_sphere(3.0, None, transform, 5).unwrap();
+        geometry
             .add_mesh(Vec::new(), Vec::new(), &Matrix::IDENTITY, 6)
             .unwrap();
-        shapes
+        geometry
             .add_mesh(vertices, triangles, &Matrix::translate([0.0, 0.0, 9.0]), 7)
             .unwrap();
 
         let (sphere, triangle) = (
-            |index| Placed::alone(Primitive::sphere(index)),
-            |index| Placed::alone(Primitive::triangle(index)),
+            |index| InstancedId::alone(PrimitiveId::sphere(index)),
+            |index| InstancedId::alone(PrimitiveId::triangle(index)),
         );
         let spheres = (0..3)
             .map(sphere)
-            .map(|p| (shapes.number(p), shapes.shape_number(p)));
+            .map(|p| (geometry.number(p), geometry.shape_number(p)));
         assert_eq!(spheres.collect::<Vec<_>>(), [(0, 1), (3, 4), (4, 5)]);
         let triangles = (0..4)
             .map(triangle)
-            .map(|p| (shapes.number(p), shapes.shape_number(p)));
+            .map(|p| (geometry.number(p), geometry.shape_number(p)));
         assert_eq!(
             triangles.collect::<Vec<_>>(),
             [(1, 2), (2, 2), (5, 7), (6, 7)]
         );
-        assert!(shapes.precedes(sphere(0), triangle(0)));
-        assert!(!shapes.precedes(sphere(1), triangle(1)));
-        assert_eq!(shapes.triangle(3).0[2], Point::new(0.0, 1.0, 9.0));
-        assert_eq!(shapes.sphere_runs.len(), 2, "neighbours share a run");
+        assert!(geometry.precedes(sphere(0), triangle(0)));
+        assert!(!geometry.precedes(sphere(1), triangle(1)));
+        assert_eq!(geometry.triangle(3).0[2], Point::new(0.0, 1.0, 9.0));
+        assert_eq!(geometry.sphere_runs.len(), 2, "neighbours share a run");
     }
 }

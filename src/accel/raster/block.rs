@@ -2,7 +2,7 @@
 
 use super::spheres::Spread;
 use super::wide_tree::Run;
-use crate::shape::{Primitive, Quadric, Shapes, Surface, Triangle};
+use crate::shape::{Geometry, Primitive, PrimitiveId, Quadric, Triangle};
 use crate::simd::LANES;
 use rayon::prelude::*;
 
@@ -18,7 +18,7 @@ pub(crate) struct Block {
     /// Components of the vectors from the first to the second corners, and to the third.
     pub(super) edges: [[[f32; LANES]; 3]; 2],
     /// Those from `count` on mean nothing.
-    pub(super) primitives: [Primitive; LANES],
+    pub(super) primitives: [PrimitiveId; LANES],
     /// Lanes that hold a primitive: the first ones.
     pub(super) count: u32,
     /// Lanes that hold a triangle, lane k as bit k.
@@ -38,7 +38,7 @@ impl Block {
         Block {
             corner: [[0.0; LANES]; 3],
             edges: [[[0.0; LANES]; 3]; 2],
-            primitives: [Primitive::triangle(0); LANES],
+            primitives: [PrimitiveId::triangle(0); LANES],
             count: 0,
             triangles: 0,
         }
@@ -51,13 +51,13 @@ impl Block {
 
     /// Adds a primitive, which is at `surface`, to the up to 15 that there are.
     #[inline]
-    pub(super) fn push(&mut self, primitive: Primitive, surface: &Surface) {
+    pub(super) fn push(&mut self, primitive: PrimitiveId, surface: &Primitive) {
         let lane = self.count as usize;
         self.primitives[lane] = primitive;
         self.count += 1;
         match surface {
-            Surface::Triangle(triangle) => self.put_triangle(lane, triangle),
-            Surface::Quadric(quadric) => self.put_sphere(lane, quadric),
+            Primitive::Triangle(triangle) => self.put_triangle(lane, triangle),
+            Primitive::Quadric(quadric) => self.put_sphere(lane, quadric),
         }
     }
 
@@ -86,14 +86,14 @@ impl Block {
 /// The blocks of runs of up to [`BLOCK`] primitives that are in no instance.
 pub(in crate::accel) fn blocks_of(
     runs: &[Run],
-    order: &[Primitive],
-    shapes: &Shapes,
+    order: &[PrimitiveId],
+    geometry: &Geometry,
 ) -> Vec<Block> {
     let block = |run: &Run| {
         let mut block = Block::empty();
         run.of(order)
             .iter()
-            .for_each(|primitive| block.push(*primitive, &shapes.own_surface(*primitive)));
+            .for_each(|primitive| block.push(*primitive, &geometry.own_surface(*primitive)));
         block
     };
     runs.par_iter().with_min_len(64).map(block).collect()

@@ -4,7 +4,7 @@ use crate::exact::Bracket;
 
 /// The answer of a filter: right where it is given.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Verdict {
+pub enum FilterResult {
     /// Surely no hit.
     Miss,
     /// Surely a hit, at a `t` within the bracket.
