@@ -25,14 +25,24 @@ UNSTABLE |= {"machine", "time", "started", "finished", "error", "warnings", "mes
 TIMEOUT_SECONDS = 300
 
 
-def scenes(root):
-    """Scenes of the repository and of the folder that FEIMOS_CORPUS names, in a fixed order."""
-    folders = [root / "scenes", root / "tests/hard", root / "tests/cases"]
+def roots():
+    """The folders that hold scenes, by the names that they have in hashes."""
+    found = {"feimos": pathlib.Path.cwd()}
     if corpus := os.environ.get("FEIMOS_CORPUS"):
-        folders.append(pathlib.Path(corpus))
-    found = [path.resolve() for folder in folders for path in sorted(folder.rglob("*.pbrt"))]
-    # Huge on purpose: their tests look at limits, not at images.
-    return [path for path in found if path.stat().st_size < 1 << 22]
+        found["corpus"] = pathlib.Path(corpus).resolve()
+    return found
+
+
+def scenes():
+    """Scenes of the repository and of the corpus, relative to the folder of a run, in a fixed order."""
+    found = []
+    for name, root in roots().items():
+        folders = ["scenes", "tests/hard", "tests/cases"] if name == "feimos" else ["."]
+        paths = [path for folder in folders for path in sorted((root / folder).rglob("*.pbrt"))]
+        # Larger ones are huge on purpose: their tests look at limits, not at images.
+        small = [path for path in paths if path.stat().st_size < 1 << 22]
+        found += [pathlib.Path(name) / path.relative_to(root) for path in small]
+    return found
 
 
 def stable(value):
@@ -152,8 +162,11 @@ class Run:
 
 
 def hashes(program, scene):
-    # A folder of the same name for each program: paths stand in outputs.
+    """Hashes of everything that `program` writes of `scene`."""
+    # Paths stand in outputs, so scenes are reached by the same ones from wherever this is run.
     with tempfile.TemporaryDirectory() as folder:
+        for name, root in roots().items():
+            (pathlib.Path(folder) / name).symlink_to(root)
         return Run(program, scene, folder).all()
 
 
@@ -170,7 +183,7 @@ def main():
     parser.add_argument("programs", nargs="+", metavar="PROGRAM")
     parser.add_argument("--only", default="", metavar="TEXT", help="scenes whose path contains TEXT")
     options = parser.parse_args()
-    paths = [path for path in scenes(pathlib.Path.cwd()) if options.only in str(path)]
+    paths = [path for path in scenes() if options.only in str(path)]
     programs = [os.path.realpath(program) for program in options.programs]
     old = all_hashes(programs[0], paths)
     if len(programs) == 1:
