@@ -28,7 +28,7 @@ pub(super) fn report_scene(scene: &Scene, reporter: &Reporter) {
 
 /// What is stored, and how often objects are instanced, if there are any.
 pub(super) fn stored_geometry(geometry: &Geometry) -> String {
-    let quadrics = match geometry.stored_spheres() {
+    let quadrics = match geometry.stored_quadrics() {
         0 => String::new(),
         1 => ", 1 sphere, cylinder or disk".to_owned(),
         count => format!(

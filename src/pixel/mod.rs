@@ -119,7 +119,13 @@ fn contradictions(
             scan.first
         ));
     }
-    let expected = hit.map(|hit| (hit.primitive, hit.depth.z.to_bits(), hit.depth.t.to_bits()));
+    let expected = hit.map(|hit| {
+        (
+            hit.primitive,
+            hit.depth.z.to_bits(),
+            hit.depth.distance.to_bits(),
+        )
+    });
     if let Some(judged) = judged {
         let judged = judged.map(|hit| (hit.primitive, hit.z.to_bits(), hit.t.to_bits()));
         if judged != expected {

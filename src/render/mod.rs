@@ -50,7 +50,7 @@ impl RenderOptions {
         TileOptions {
             precision: self.precision,
             with_z: self.wants(ChannelName::Z),
-            with_t: self.wants(ChannelName::T),
+            with_distance: self.wants(ChannelName::T),
             with_primitives: self
                 .channels
                 .iter()

@@ -118,7 +118,9 @@ impl Segment<'_> {
         for (name, rows) in &mut self.channels {
             match (rows, name) {
                 (Rows::F32(rows), ChannelName::Z) => part.put_depths(rows, TracedTile::z_of_row),
-                (Rows::F32(rows), ChannelName::T) => part.put_depths(rows, TracedTile::t_of_row),
+                (Rows::F32(rows), ChannelName::T) => {
+                    part.put_depths(rows, TracedTile::distances_of_row)
+                }
                 (Rows::F32(rows), ChannelName::A) => part.put_hits(rows, |_| 1.0),
                 (Rows::F32(rows), name) => {
                     let place = ChannelName::SURFACE

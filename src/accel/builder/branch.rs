@@ -1,6 +1,6 @@
 //! Trees whose parts are made by several threads.
 
-use crate::accel::node::{Children, Node, Subtree};
+use crate::accel::tree::{Children, Node, Subtree};
 
 /// A tree in parts, which come together when all are finished: each node is moved once.
 #[derive(Debug)]

@@ -11,7 +11,7 @@ use super::morton::{CurvePlace, along_curve};
 use super::splitter::Splitter;
 use super::top_down::TopDown;
 use crate::accel::SplitMethod;
-use crate::accel::node::{Node, Subtree};
+use crate::accel::tree::{Node, Subtree};
 use crate::progress::Progress;
 use rayon::prelude::*;
 use std::ops::Range;

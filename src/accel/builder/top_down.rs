@@ -3,7 +3,7 @@
 use super::branch::Branch;
 use super::build_primitive::{BuildPrimitive, bounds_of};
 use super::splitter::{Splitter, split_evenly};
-use crate::accel::node::{Children, Node, Subtree};
+use crate::accel::tree::{Children, Node, Subtree};
 use crate::progress::Progress;
 
 /// Lists longer than this are handed to two threads. The tree does not depend on it.

@@ -3,8 +3,8 @@
 //! A ray passes one point of a pixel, so that a triangle whose rectangle on the film lies between the centres of pixels is seen
 //! by none, wherever it is; of a mesh finer than the film most are like that.
 
-use crate::accel::raster::{MAX_PIXEL_ERROR, OnFilm, View};
 use crate::accel::space::AnchorSpace;
+use crate::accel::view::{MAX_PIXEL_ERROR, OnFilm, View};
 use crate::camera::Camera;
 use crate::film::PixelBounds;
 use crate::geometry::Bounds;
@@ -12,7 +12,7 @@ use crate::shape::Geometry;
 use rayon::prelude::*;
 
 /// Where the vertices of a scene are on the film, and the part of it that is rendered.
-pub(in crate::accel) struct Visibility {
+pub(crate) struct Visibility {
     view: View,
     /// Columns and rows, from the first to the last.
     window: [[f32; 2]; 2],
@@ -26,7 +26,7 @@ const RELATIVE_MARGIN: f32 = 1.0 / (1 << 20) as f32;
 
 impl Visibility {
     /// `None` where the view's numbers are too large or small to tell.
-    pub(in crate::accel) fn new(
+    pub(crate) fn new(
         camera: &Camera,
         window: &PixelBounds,
         geometry: &Geometry,
@@ -55,7 +55,7 @@ impl Visibility {
     }
 
     /// Whether a ray may meet something in `bounds`.
-    pub(in crate::accel) fn may_see_box(&self, bounds: &Bounds) -> bool {
+    pub(crate) fn may_see_box(&self, bounds: &Bounds) -> bool {
         self.may_see(bounds.corners().map(|corner| self.view.on_film(corner)))
     }
 

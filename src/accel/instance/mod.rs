@@ -11,10 +11,9 @@ pub(super) use self::object_tree::ObjectTree;
 pub(super) use self::placement::Placement;
 
 use self::outline::Outline;
-use super::builder::{BuildOptions, BuildPrimitive, Visibility};
-use super::raster::{Run, WideTree, runs_of};
+use super::builder::{self, BuildOptions, BuildPrimitive, Visibility};
 use super::space::AnchorSpace;
-use super::tree::Tree;
+use super::tree::{BinaryTree, Run, WideTree, collapse};
 use crate::geometry::Bounds;
 use crate::progress::Progress;
 use crate::shape::Geometry;
@@ -70,7 +69,7 @@ impl Outlines {
 #[derive(Debug, PartialEq)]
 pub(super) struct InstanceTrees {
     /// Over the instances, in the space of the world's tree.
-    pub(super) tree: Tree<u32>,
+    pub(super) tree: BinaryTree<u32>,
     /// The same tree for tiles.
     pub(super) wide: WideTree<Run>,
     /// Of each object; of those that no instance shows `None`.
@@ -101,7 +100,7 @@ impl InstanceTrees {
             max_leaf: options.max_leaf.min(MAX_LEAF),
             ..options
         };
-        let tree = Tree::build(seen, leaf, progress, |instance| instance);
+        let tree = builder::build(seen, leaf, progress, |instance| instance);
         let mut is_shown = vec![false; geometry.objects().len()];
         tree.order.iter().for_each(|instance| {
             is_shown[geometry.instances()[*instance as usize].object()] = true
@@ -116,7 +115,7 @@ impl InstanceTrees {
         );
         let objects = objects.collect();
         InstanceTrees {
-            wide: WideTree::of(&tree, runs_of),
+            wide: collapse(&tree),
             tree,
             objects,
         }

@@ -1,11 +1,10 @@
 //! The tree of an object, in the space of its instances.
 
-use super::Placement;
 use super::outline::{Outline, Terms};
-use crate::accel::builder::{BuildOptions, BuildPrimitive};
-use crate::accel::raster::{Run, WideTree, runs_of};
+use super::placement::Placement;
+use crate::accel::builder::{self, BuildOptions, BuildPrimitive};
 use crate::accel::space::{AnchorSpace, Box32};
-use crate::accel::tree::Tree;
+use crate::accel::tree::{BinaryTree, Run, WideTree, collapse};
 use crate::geometry::{Bounds, Matrix, Point};
 use crate::progress::Progress;
 use crate::shape::{Geometry, Instance, Pose, PrimitiveId};
@@ -13,12 +12,12 @@ use rayon::prelude::*;
 
 /// A tree over what may be hit of an object in some instance.
 #[derive(Debug, PartialEq)]
-pub(in crate::accel) struct ObjectTree {
+pub(crate) struct ObjectTree {
     /// Around the middle of the object.
-    pub(in crate::accel) space: AnchorSpace,
-    pub(in crate::accel) tree: Tree<PrimitiveId>,
+    pub(crate) space: AnchorSpace,
+    pub(crate) tree: BinaryTree<PrimitiveId>,
     /// The same tree for tiles.
-    pub(in crate::accel) wide: WideTree<Run>,
+    pub(crate) wide: WideTree<Run>,
     terms: Terms,
 }
 
@@ -55,17 +54,17 @@ impl ObjectTree {
             .collect();
         let primitives: Vec<BuildPrimitive> = placed.into_iter().flatten().collect();
         progress.advance(all.len() - primitives.len());
-        let tree = Tree::build(primitives, options, progress, PrimitiveId::from_bits);
+        let tree = builder::build(primitives, options, progress, PrimitiveId::from_bits);
         ObjectTree {
             space,
-            wide: WideTree::of(&tree, runs_of),
+            wide: collapse(&tree),
             tree,
             terms: outline.terms,
         }
     }
 
     /// Where an instance of the object puts its boxes.
-    pub(in crate::accel) fn placement(&self, instance: &Instance) -> Placement {
+    pub(crate) fn placement(&self, instance: &Instance) -> Placement {
         Placement::new(instance.world_from_instance(), &self.terms)
     }
 

@@ -14,7 +14,7 @@ pub(super) struct Outline {
 
 /// Of all points of an object, as its shapes' transforms take them from the spaces of their files to that of its instances.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::accel) struct Terms {
+pub(crate) struct Terms {
     /// No sum of the absolute terms of a coordinate is larger. Infinite where sums may overflow.
     pub(super) in_instance: [f64; 3],
     /// Nor is a coordinate in a file.

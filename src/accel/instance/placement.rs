@@ -17,10 +17,10 @@ use crate::geometry::{Bounds, Matrix, Point};
 
 /// Where an instance puts what is in a box of its object.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::accel) struct Placement {
-    pub(in crate::accel) world_from_instance: Matrix,
+pub(crate) struct Placement {
+    pub(crate) world_from_instance: Matrix,
     /// By how much boxes have to be larger: see the head of the file. Infinite where that is not known.
-    pub(in crate::accel) slack: [f64; 3],
+    pub(crate) slack: [f64; 3],
 }
 
 /// Above what a few numbers lose to underflow.
@@ -45,7 +45,7 @@ impl Placement {
     }
 
     /// The box in the world around what is in `bounds` in the space of the instance. A box around another one stays around it.
-    pub(in crate::accel) fn enclose(&self, bounds: &Bounds) -> Bounds {
+    pub(crate) fn enclose(&self, bounds: &Bounds) -> Bounds {
         let ends = |k: usize| {
             let row = &self.world_from_instance.rows[k];
             let products = |j: usize| [row[j] * bounds.low[j], row[j] * bounds.high[j]];

@@ -1,12 +1,10 @@
 //! Numbers that lanes compute are off by no more than their bounds say.
 
-use super::block::blocks_of;
-use super::frame::Frame;
-use super::kept::Kept;
-use super::planes::Planes;
-use super::view::View;
-use super::wide_tree::Run;
+use super::depth_planes::DepthPlanes;
+use super::setup::EdgePlanes;
 use crate::accel::space::AnchorSpace;
+use crate::accel::tree::{Run, primitive_blocks};
+use crate::accel::view::{TileFrame, View};
 use crate::camera::{Camera, Projection, ScreenWindow};
 use crate::geometry::{Matrix, Point, Transform, Vector};
 use crate::shape::{Geometry, InstancedId, PrimitiveId, Triangle};
@@ -82,8 +80,8 @@ struct Check<'a>(&'a Scene);
 struct Prepared<'a> {
     scene: &'a Scene,
     geometry: Geometry,
-    planes: Planes,
-    kept: Kept,
+    planes: EdgePlanes,
+    depth_planes: DepthPlanes,
 }
 
 impl Kernel for Check<'_> {
@@ -110,7 +108,7 @@ impl Kernel for Check<'_> {
             )
             .unwrap();
         let order: Vec<PrimitiveId> = (0..triangles.len()).map(PrimitiveId::triangle).collect();
-        let block = &blocks_of(
+        let block = &primitive_blocks(
             &[Run {
                 first: 0,
                 count: LANES as u32,
@@ -119,31 +117,31 @@ impl Kernel for Check<'_> {
             &geometry,
         )[0];
         let view = View::new(camera, &AnchorSpace::new(camera.anchor(), 256.0)).unwrap();
-        let frame = Frame::new(&view, *first);
-        let mut planes = Planes::new();
+        let frame = TileFrame::new(&view, *first);
+        let mut planes = EdgePlanes::new();
         let usable = planes
-            .fill_narrow::<S, true>(simd, &frame, block, view.least_nearness())
+            .set_up_f32::<S, true>(simd, &frame, block, view.least_nearness())
             .usable;
-        let mut kept = Kept::new();
+        let mut depth_planes = DepthPlanes::new();
         for (lane, primitive) in order.iter().enumerate() {
-            kept.push_narrow(
+            depth_planes.push_f32(
                 InstancedId::alone(*primitive),
                 &block.corner,
                 &block.edges,
                 lane,
             );
         }
-        kept.fill_planes(simd, &frame);
+        depth_planes.compute(simd, &frame);
         let prepared = Prepared {
             scene: self.0,
             geometry,
             planes,
-            kept,
+            depth_planes,
         };
         for lane in (0..LANES).filter(|lane| usable >> lane & 1 != 0) {
-            let area = prepared.planes.areas.of(lane);
-            for row in area.rows[0]..=area.rows[1] {
-                for column in area.columns[0]..=area.columns[1] {
+            let footprint = prepared.planes.footprints.of(lane);
+            for row in footprint.rows[0]..=footprint.rows[1] {
+                for column in footprint.columns[0]..=footprint.columns[1] {
                     prepared.check(&frame, lane, [column as u32, row as u32]);
                 }
             }
@@ -152,7 +150,7 @@ impl Kernel for Check<'_> {
 }
 
 impl Prepared<'_> {
-    fn check(&self, frame: &Frame, lane: usize, pixel: [u32; 2]) {
+    fn check(&self, frame: &TileFrame, lane: usize, pixel: [u32; 2]) {
         let planes = &self.planes;
         let first = planes.first(lane);
         let local = [pixel[0] - first[0], pixel[1] - first[1]].map(|k| k as f32);
@@ -182,8 +180,8 @@ impl Prepared<'_> {
         }
     }
 
-    fn check_depth(&self, frame: &Frame, lane: usize, pixel: [u32; 2]) {
-        let plane = self.kept.plane(lane);
+    fn check_depth(&self, frame: &TileFrame, lane: usize, pixel: [u32; 2]) {
+        let plane = self.depth_planes.plane(lane);
         let [start, per_column, per_row] = plane.nearness;
         let nearness = start + per_column * f64::from(pixel[0]) + per_row * f64::from(pixel[1]);
         let is_perspective = frame.view.is_perspective;
@@ -212,7 +210,7 @@ struct Truth {
 }
 
 impl Truth {
-    fn of(frame: &Frame, triangle: &Triangle, [x, y]: [f64; 2]) -> Truth {
+    fn of(frame: &TileFrame, triangle: &Triangle, [x, y]: [f64; 2]) -> Truth {
         let on_film = triangle.0.map(|corner| {
             let from_eye = corner - frame.eye();
             let row = |k: usize| Vector::from(frame.tile_from_world[k]).dot(from_eye);

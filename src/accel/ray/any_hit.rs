@@ -5,12 +5,12 @@ use crate::accel::hit::Hit;
 use crate::shape::InstancedId;
 
 /// A search that ends with its first hit: which one that is, depends on the tree.
-pub(in crate::accel) struct AnyHit<S> {
+pub(crate) struct AnyHit<S> {
     search: S,
 }
 
 impl<S: Search> AnyHit<S> {
-    pub(in crate::accel) fn new(search: S) -> AnyHit<S> {
+    pub(crate) fn new(search: S) -> AnyHit<S> {
         AnyHit { search }
     }
 }

@@ -9,7 +9,7 @@ use crate::geometry::Ray;
 use crate::shape::{Geometry, InstancedId};
 
 /// The best hit so far of a ray on its way through a tree.
-pub(in crate::accel) struct ExactSearch<'a> {
+pub(crate) struct ExactSearch<'a> {
     geometry: &'a Geometry,
     nearest: Nearest<'a>,
     slab: &'a SlabRay,
@@ -18,7 +18,7 @@ pub(in crate::accel) struct ExactSearch<'a> {
 }
 
 impl<'a> ExactSearch<'a> {
-    pub(in crate::accel) fn new(
+    pub(crate) fn new(
         geometry: &'a Geometry,
         ray: &Ray,
         slab: &'a SlabRay,

@@ -12,7 +12,7 @@ use crate::shape::{Geometry, InstancedId, Primitive, SingleQuadric, intersect_si
 /// Rounding may place a hit a little outside the primitive's box, where a tree would never have looked. So a hit counts
 /// only if the ray enters that box, and not before it does; then every node around it is entered no later, and the answer
 /// is the same for every tree, and for none.
-pub(in crate::accel) struct FastSearch<'a> {
+pub(crate) struct FastSearch<'a> {
     geometry: &'a Geometry,
     space: &'a AnchorSpace,
     ray: SingleRay,
@@ -21,7 +21,7 @@ pub(in crate::accel) struct FastSearch<'a> {
 }
 
 impl<'a> FastSearch<'a> {
-    pub(in crate::accel) fn new(
+    pub(crate) fn new(
         geometry: &'a Geometry,
         space: &'a AnchorSpace,
         ray: &Ray,

@@ -8,7 +8,7 @@ use crate::shape::InstancedId;
 
 /// The best hit so far, as `intersect` tells `t`. Of several at one `t` the one that is tested first wins, and what is entered behind
 /// the best `t` is culled, however wrong that is: answers may depend on the tree, as they do elsewhere.
-pub(in crate::accel) struct ForeignSearch<'a, F> {
+pub(crate) struct ForeignSearch<'a, F> {
     intersect: F,
     slab: &'a SlabRay,
     best: Option<(f32, InstancedId)>,
@@ -16,7 +16,7 @@ pub(in crate::accel) struct ForeignSearch<'a, F> {
 }
 
 impl<'a, F: FnMut(InstancedId) -> Option<f32>> ForeignSearch<'a, F> {
-    pub(in crate::accel) fn new(slab: &'a SlabRay, intersect: F) -> ForeignSearch<'a, F> {
+    pub(crate) fn new(slab: &'a SlabRay, intersect: F) -> ForeignSearch<'a, F> {
         ForeignSearch {
             intersect,
             slab,

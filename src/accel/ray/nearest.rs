@@ -12,7 +12,7 @@ use std::cmp::Ordering;
 /// The answer is that of exact arithmetic on all of them, in whatever order they come: the filter's
 /// verdicts are right, its brackets hold the true `t`, and where two brackets overlap the true
 /// numbers are compared.
-pub(in crate::accel) struct Nearest<'a> {
+pub(crate) struct Nearest<'a> {
     geometry: &'a Geometry,
     ray: FilterRay,
     best: Option<Candidate>,
@@ -28,7 +28,7 @@ struct Candidate {
 }
 
 impl<'a> Nearest<'a> {
-    pub(in crate::accel) fn new(
+    pub(crate) fn new(
         geometry: &'a Geometry,
         ray: &Ray,
         ties: &'a mut Ties,
@@ -44,7 +44,7 @@ impl<'a> Nearest<'a> {
     }
 
     /// Begins with a hit that is known, at a `t` within the bracket.
-    pub(in crate::accel) fn hold(&mut self, primitive: InstancedId, t: Bracket) {
+    pub(crate) fn hold(&mut self, primitive: InstancedId, t: Bracket) {
         self.best = Some(Candidate {
             primitive,
             t,
@@ -54,13 +54,13 @@ impl<'a> Nearest<'a> {
 
     /// Where the best hit is, if there is any.
     #[inline]
-    pub(in crate::accel) fn best_t(&self) -> Option<&Bracket> {
+    pub(crate) fn best_t(&self) -> Option<&Bracket> {
         self.best.as_ref().map(|best| &best.t)
     }
 
     /// Tests a primitive that can be hit. Whether it is the best hit now.
     #[inline]
-    pub(in crate::accel) fn test(&mut self, primitive: InstancedId, surface: &Primitive) -> bool {
+    pub(crate) fn test(&mut self, primitive: InstancedId, surface: &Primitive) -> bool {
         match surface.filter(&self.ray) {
             FilterResult::Miss => false,
             FilterResult::Hit(t) => self.offer(Candidate {
@@ -132,7 +132,7 @@ impl<'a> Nearest<'a> {
         }
     }
 
-    pub(in crate::accel) fn into_hit(self) -> Option<Hit> {
+    pub(crate) fn into_hit(self) -> Option<Hit> {
         let is_hard = self.fallbacks.is_any();
         self.best.map(|best| Hit {
             primitive: best.primitive,

@@ -7,7 +7,7 @@ use crate::shape::{Coincidence, Geometry, InstancedId, Primitive};
 /// The answers depend on the primitives alone, never on what was asked before: what is forgotten is
 /// found out again.
 #[derive(Debug, Default)]
-pub(in crate::accel) struct Ties {
+pub(crate) struct Ties {
     last: Option<(InstancedId, InstancedId, Coincidence)>,
     /// A primitive, and one whose plane it lies in: those with the same one are coplanar.
     leaders: Cache<InstancedId>,
@@ -18,7 +18,7 @@ pub(in crate::accel) struct Ties {
 impl Ties {
     /// What two primitives have in common, both of which can be hit.
     #[inline]
-    pub(in crate::accel) fn between(
+    pub(crate) fn between(
         &mut self,
         geometry: &Geometry,
         a: InstancedId,

@@ -1,16 +1,16 @@
 //! One ray through the trees.
 
 use crate::accel::Aggregate;
-use crate::accel::builder::MAX_DEPTH;
+
 use crate::accel::hit::{Hit, TraversalCounts};
 use crate::accel::instance::{ObjectTree, Placement};
-use crate::accel::node::{Children, PackedNode};
+
 use crate::accel::space::{AnchorSpace, Corners, SlabRay};
-use crate::accel::tree::Tree;
+use crate::accel::tree::{BinaryTree, Children, MAX_DEPTH, PackedNode};
 use crate::shape::{Geometry, InstancedId};
 
 /// What is done with the primitives that a ray may hit, and how far it still has to go.
-pub(in crate::accel) trait Search {
+pub(crate) trait Search {
     /// Tests a primitive.
     fn test(&mut self, primitive: InstancedId);
 
@@ -33,19 +33,19 @@ struct Waiting {
 }
 
 /// Children that wait, farthest first. Each level of the tree leaves one at most.
-pub(in crate::accel) struct Stack {
+pub(crate) struct Stack {
     waiting: [Waiting; MAX_DEPTH + 1],
     len: usize,
 }
 
 /// The stacks of the world's trees, and of an object's.
-pub(in crate::accel) struct Stacks {
+pub(crate) struct Stacks {
     world: Stack,
     object: Stack,
 }
 
 impl Stacks {
-    pub(in crate::accel) fn new() -> Stacks {
+    pub(crate) fn new() -> Stacks {
         Stacks {
             world: Stack::new(),
             object: Stack::new(),
@@ -55,7 +55,7 @@ impl Stacks {
 
 /// Walks down the trees of an aggregate over `geometry`, and has `search` test what the ray may hit.
 #[inline]
-pub(in crate::accel) fn traverse<const COUNTED: bool, S: Search>(
+pub(crate) fn traverse<const COUNTED: bool, S: Search>(
     aggregate: &Aggregate,
     geometry: &Geometry,
     slab: &SlabRay,
@@ -105,7 +105,7 @@ impl<const COUNTED: bool, S: Search> Walk<'_, COUNTED, S> {
     #[inline]
     fn down<T>(
         &mut self,
-        tree: &Tree<T>,
+        tree: &BinaryTree<T>,
         enter: impl Fn(&Corners) -> Option<f32>,
         stack: &mut Stack,
         mut visit: impl FnMut(&mut Self, &[T]),

@@ -47,7 +47,7 @@ use crate::geometry::{Bounds, Point, Ray};
 
 /// Where boxes and rays are compared.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::accel) struct AnchorSpace {
+pub(crate) struct AnchorSpace {
     anchor: Point,
     /// Coordinates are multiplied by this power of two before the anchor's are subtracted; 1 unless that would overflow.
     before: f64,
@@ -62,7 +62,7 @@ const LARGEST_EXPONENT: i32 = 31;
 impl AnchorSpace {
     /// For points around `anchor` whose coordinates differ from it by up to `reach`, which is infinite where a difference
     /// overflows.
-    pub(in crate::accel) fn new(anchor: Point, reach: f64) -> AnchorSpace {
+    pub(crate) fn new(anchor: Point, reach: f64) -> AnchorSpace {
         let before = if reach == f64::INFINITY { 0.25 } else { 1.0 };
         let exponent = match reach {
             f64::INFINITY => 1023,
@@ -90,7 +90,7 @@ impl AnchorSpace {
     }
 
     /// The box around world-space `bounds`, strictly.
-    pub(in crate::accel) fn enclose(&self, bounds: &Bounds) -> Box32 {
+    pub(crate) fn enclose(&self, bounds: &Bounds) -> Box32 {
         let low = |k| self.low_face(bounds.low[k], k);
         let high = |k| self.high_face(bounds.high[k], k);
         Box32 {
@@ -100,7 +100,7 @@ impl AnchorSpace {
     }
 
     /// The box in world space, up to one rounding of each coordinate.
-    pub(in crate::accel) fn reveal(&self, corners: &Corners) -> Bounds {
+    pub(crate) fn reveal(&self, corners: &Corners) -> Bounds {
         let coordinate = |x: f32, axis: usize| {
             (f64::from(x) / self.scale + self.anchor[axis] * self.before) / self.before
         };
@@ -113,18 +113,18 @@ impl AnchorSpace {
 
     /// The low face on `axis` of a box that begins at `x` in world space.
     #[inline(always)]
-    pub(in crate::accel) fn low_face(&self, x: f64, axis: usize) -> f32 {
+    pub(crate) fn low_face(&self, x: f64, axis: usize) -> f32 {
         below(self.along(x, axis))
     }
 
     /// The high face on `axis` of a box that ends at `x` in world space.
     #[inline(always)]
-    pub(in crate::accel) fn high_face(&self, x: f64, axis: usize) -> f32 {
+    pub(crate) fn high_face(&self, x: f64, axis: usize) -> f32 {
         above(self.along(x, axis))
     }
 
     /// The ray as the slab test needs it.
-    pub(in crate::accel) fn ray(&self, ray: &Ray) -> SlabRay {
+    pub(crate) fn ray(&self, ray: &Ray) -> SlabRay {
         let direction_scale = direction_scale(ray);
         let mut slab = SlabRay::new(self.units() / direction_scale);
         for k in 0..3 {
@@ -139,7 +139,7 @@ impl AnchorSpace {
     }
 
     /// The ray as the test in `f32` needs it, each number rounded to the nearest.
-    pub(in crate::accel) fn single_ray(&self, ray: &Ray) -> SingleRay {
+    pub(crate) fn single_ray(&self, ray: &Ray) -> SingleRay {
         let direction_scale = direction_scale(ray);
         SingleRay {
             origin: self.place(&ray.origin),
@@ -155,22 +155,22 @@ impl AnchorSpace {
 
     /// A point in anchor space, each coordinate rounded to the nearest `f32`.
     #[inline]
-    pub(in crate::accel) fn place(&self, point: &Point) -> [f32; 3] {
+    pub(crate) fn place(&self, point: &Point) -> [f32; 3] {
         std::array::from_fn(|k| self.coordinate(point, k) as f32)
     }
 
     /// The origin of anchor space.
-    pub(in crate::accel) fn anchor(&self) -> Point {
+    pub(crate) fn anchor(&self) -> Point {
         self.anchor
     }
 
     /// No coordinate of a primitive differs from the anchor's by more.
-    pub(in crate::accel) fn reach(&self) -> f64 {
+    pub(crate) fn reach(&self) -> f64 {
         power_of_two(LARGEST_EXPONENT + 1) / self.units()
     }
 
     /// Units of anchor space in one of world space.
-    pub(in crate::accel) fn units(&self) -> f64 {
+    pub(crate) fn units(&self) -> f64 {
         self.scale * self.before
     }
 }
@@ -182,18 +182,18 @@ fn direction_scale(ray: &Ray) -> f64 {
 
 /// A ray in anchor space, in `f32`.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::accel) struct SingleRay {
-    pub(in crate::accel) origin: [f32; 3],
+pub(crate) struct SingleRay {
+    pub(crate) origin: [f32; 3],
     /// Times a power of two.
-    pub(in crate::accel) direction: [f32; 3],
-    pub(in crate::accel) largest_axis: usize,
+    pub(crate) direction: [f32; 3],
+    pub(crate) largest_axis: usize,
     direction_scale: f64,
     space: AnchorSpace,
 }
 
 impl SingleRay {
     /// The `t` of the ray in world space for one in anchor space.
-    pub(in crate::accel) fn unscaled(&self, scaled: f32) -> f64 {
+    pub(crate) fn unscaled(&self, scaled: f32) -> f64 {
         f64::from(scaled) * self.direction_scale / self.space.before / self.space.scale
     }
 }

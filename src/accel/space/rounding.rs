@@ -2,18 +2,18 @@
 
 /// The larger of the two; the second where the first is NaN.
 #[inline]
-pub(in crate::accel) fn larger(a: f32, b: f32) -> f32 {
+pub(crate) fn larger(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 
 /// The smaller of the two; the second where the first is NaN.
 #[inline]
-pub(in crate::accel) fn smaller(a: f32, b: f32) -> f32 {
+pub(crate) fn smaller(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
 /// The largest `f32` up to `x`; infinite only where `x` is.
-pub(in crate::accel) fn at_or_below(x: f64) -> f32 {
+pub(crate) fn at_or_below(x: f64) -> f32 {
     let nearest = x as f32;
     if f64::from(nearest) > x {
         nearest.next_down()
@@ -27,7 +27,7 @@ pub(in crate::accel) fn at_or_below(x: f64) -> f32 {
 ///
 /// Without a branch: whether `x` was rounded up is as good as random.
 #[inline(always)]
-pub(in crate::accel) fn below(x: f64) -> f32 {
+pub(crate) fn below(x: f64) -> f32 {
     let nearest = x as f32;
     let rank = rank(nearest) - i32::from(f64::from(nearest) >= x);
     let rank = if rank == ZERO || rank == MINUS_ZERO {
@@ -61,7 +61,7 @@ fn of_rank(rank: i32) -> f32 {
 
 /// An `f32` greater than `x`, and not 0.
 #[inline(always)]
-pub(in crate::accel) fn above(x: f64) -> f32 {
+pub(crate) fn above(x: f64) -> f32 {
     -below(-x)
 }
 

@@ -13,7 +13,7 @@ const GROW: f32 = 1.0 + 8.0 * (f32::EPSILON / 2.0);
 /// The face where the ray enters a slab is measured from the end of the origin's bracket that is nearer to it, and
 /// divided by a direction too large; the other face from the other end, by a direction too small.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::accel) struct SlabRay {
+pub(crate) struct SlabRay {
     /// The corner on whose face the ray enters a slab: the low one (0), or the high one (1) where it runs towards
     /// lower coordinates.
     near_corner: [usize; 3],
@@ -27,7 +27,7 @@ pub(in crate::accel) struct SlabRay {
 
 impl SlabRay {
     /// Of which no axis is prepared. `scaled_t_per_t` tells how many units of its own `t` are one of the ray's.
-    pub(in crate::accel) fn new(scaled_t_per_t: f64) -> SlabRay {
+    pub(crate) fn new(scaled_t_per_t: f64) -> SlabRay {
         SlabRay {
             near_corner: [0; 3],
             near_origin: [0.0; 3],
@@ -44,7 +44,7 @@ impl SlabRay {
     }
 
     /// Prepares axis `k` for a ray from `origin`, in anchor space, along a component that is to be scaled.
-    pub(in crate::accel) fn prepare_axis(
+    pub(crate) fn prepare_axis(
         &mut self,
         k: usize,
         origin: f64,
@@ -68,7 +68,7 @@ impl SlabRay {
 
     /// The scaled `t` at which the ray enters the slab between two faces, never too late, and leaves it, never too early.
     #[inline]
-    pub(in crate::accel) fn slab(&self, corners: &Corners, k: usize) -> (f32, f32) {
+    pub(crate) fn slab(&self, corners: &Corners, k: usize) -> (f32, f32) {
         // The masks spare the checks that the indices are in range.
         let (near_face, far_face) = (
             corners[self.near_corner[k] & 1][k],
@@ -86,7 +86,7 @@ impl SlabRay {
     /// The faces are chosen by their addresses. Choosing with minima and maxima, in four lanes or for two boxes at
     /// once, took 1.1 and 1.9 times as long.
     #[inline]
-    pub(in crate::accel) fn enter(&self, corners: &Corners) -> Option<f32> {
+    pub(crate) fn enter(&self, corners: &Corners) -> Option<f32> {
         let mut near = 0.0f32;
         let mut far = f32::INFINITY;
         for k in 0..3 {
@@ -101,7 +101,7 @@ impl SlabRay {
 
     /// `t` in scaled units, rounded as entries are: nothing at `t` or before it is entered later.
     #[inline]
-    pub(in crate::accel) fn scaled_limit(&self, t: f64) -> f32 {
+    pub(crate) fn scaled_limit(&self, t: f64) -> f32 {
         (t * self.scaled_t_per_t) as f32
     }
 }
