@@ -107,7 +107,7 @@ pub(super) fn report_image(finished: &Finished, reporter: &Reporter) {
 pub(super) fn report_statistics(scene: &Scene, finished: &Finished, reporter: &Reporter) {
     let (tree, ms, geometry) = (&finished.statistics, &finished.ms, &scene.geometry);
     let rays = finished.rendering.image.data_window.area() as f64;
-    let work = finished.rendering.traced.work.unwrap_or_default();
+    let work = finished.rendering.traced.counts.unwrap_or_default();
     let (nodes, primitives) = (work.nodes as f64 / rays, work.primitives as f64 / rays);
     let lines = [
         format!(

@@ -127,7 +127,7 @@ fn contradictions(
         )
     });
     if let Some(judged) = judged {
-        let judged = judged.map(|hit| (hit.primitive, hit.z.to_bits(), hit.t.to_bits()));
+        let judged = judged.map(|hit| (hit.primitive, hit.z.to_bits(), hit.distance.to_bits()));
         if judged != expected {
             found.push(format!("the reference: {judged:?} is not {expected:?}"));
         }

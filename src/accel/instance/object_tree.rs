@@ -1,4 +1,4 @@
-//! The tree of an object, in the space of its instances.
+//! The tree of an object, in the object's own space.
 
 use super::outline::{Outline, Terms};
 use super::placement::Placement;
@@ -10,10 +10,10 @@ use crate::progress::Progress;
 use crate::shape::{Geometry, Instance, Pose, PrimitiveId};
 use rayon::prelude::*;
 
-/// A tree over what may be hit of an object in some instance.
+/// A tree over the primitives of an object that some instance may show.
 #[derive(Debug, PartialEq)]
 pub(crate) struct ObjectTree {
-    /// Around the middle of the object.
+    /// Anchored at the middle of the object.
     pub(crate) space: AnchorSpace,
     pub(crate) tree: BinaryTree<PrimitiveId>,
     /// The same tree for tiles.
@@ -21,14 +21,14 @@ pub(crate) struct ObjectTree {
     terms: Terms,
 }
 
-/// What has no place that is known has this one.
+/// The box of every primitive in an object whose place is unknown.
 const UNIT_BOX: Box32 = Box32 {
     low: [-1.0; 3],
     high: [1.0; 3],
 };
 
 impl ObjectTree {
-    /// `progress` counts primitives.
+    /// Builds the tree. `progress` counts primitives.
     pub(super) fn build(
         object: &Geometry,
         outline: Outline,
@@ -63,12 +63,12 @@ impl ObjectTree {
         }
     }
 
-    /// Where an instance of the object puts its boxes.
+    /// The placement of the object's boxes by an instance.
     pub(crate) fn placement(&self, instance: &Instance) -> Placement {
         Placement::new(instance.world_from_instance(), &self.terms)
     }
 
-    /// Bytes that the trees take.
+    /// The memory of the trees in bytes.
     pub(super) fn bytes(&self) -> usize {
         self.tree.bytes() + self.wide.bytes()
     }

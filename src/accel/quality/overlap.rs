@@ -74,7 +74,7 @@ mod tests {
     use crate::progress::Progress;
     use crate::shape::Geometry;
 
-    /// Triangles side by side, and one across all of their boxes.
+    /// Triangles side by side, and one that crosses all their boxes.
     fn aggregate(method: SplitMethod) -> (Aggregate, Vec<Point>) {
         let corner = |x: f64, y: f64| Point::new(x, y, 1.0);
         let mut vertices: Vec<Point> = (0..8)
@@ -108,9 +108,9 @@ mod tests {
     }
 
     #[test]
-    fn counts_the_nodes_around_a_point_that_are_not_its_own() {
+    fn nodes_around_a_point_count_unless_the_primitive_is_below_them() {
         let (aggregate, vertices) = aggregate(SplitMethod::Sah);
-        // A corner of one beside the others, and a point of the long one that lies in the boxes of others, too.
+        // A corner that only its own box contains, and a point of the long triangle in the boxes of others.
         let points = [
             (PrimitiveId::triangle(3), vertices[10]),
             (PrimitiveId::triangle(8), Point::new(3.1, 0.26, 1.0)),
@@ -137,7 +137,10 @@ mod tests {
             assert_eq!(aggregate.overlap_at(primitive, point), by_hand);
             by_hand
         });
-        assert!(costs[1] >= 1.0, "the long one overlaps a leaf at least");
+        assert!(
+            costs[1] >= 1.0,
+            "the long triangle lies in the box of another leaf"
+        );
     }
 
     fn holds(tree: &BinaryTree<PrimitiveId>, node: &Node, primitive: PrimitiveId) -> bool {

@@ -7,11 +7,12 @@ use crate::geometry::Bounds;
 use crate::shape::Geometry;
 
 impl Aggregate {
-    /// Checks that every primitive that can be hit is in exactly one leaf, and every box around all that is below it, of
-    /// instances in the world; and that no tree is too deep. Tests call it after each build.
+    /// Checks that every primitive that can be hit is in exactly one leaf, that every box encloses
+    /// everything below it (for instances in the world), and that no tree is too deep. Tests call this after
+    /// each build.
     ///
     /// # Errors
-    /// What is wrong, in words.
+    /// Describes the first defect found.
     pub fn validate(&self, geometry: &Geometry) -> Result<(), String> {
         let own = |primitive: &_| {
             self.space
@@ -26,7 +27,7 @@ impl Aggregate {
             .primitives()
             .filter(|primitive| geometry.own_surface(*primitive).can_be_hit());
         if !order.into_iter().eq(expected) {
-            return Err("not every primitive is there once".into());
+            return Err("the leaves do not hold every primitive exactly once".into());
         }
         self.check_instances(geometry)
     }
@@ -53,7 +54,7 @@ impl Aggregate {
                 .any(|primitive| pose.surface(primitive).can_be_hit())
         };
         match (0..geometry.instances().len()).find(|instance| is_missing(*instance)) {
-            Some(instance) => Err(format!("something of instance {instance} is missing")),
+            Some(instance) => Err(format!("a primitive of instance {instance} is missing")),
             None => Ok(()),
         }
     }
@@ -85,7 +86,7 @@ impl Aggregate {
             .all(|primitive| is_in_leaf(&bounds(primitive)))
         {
             return Err(format!(
-                "something of instance {instance} is outside its leaf"
+                "a primitive of instance {instance} is outside its leaf"
             ));
         }
         let in_world =
@@ -98,8 +99,8 @@ impl Aggregate {
     }
 }
 
-/// Checks that every place in the order is in one leaf, that boxes of nodes are within those above, and that what is in
-/// leaves `is_inside`.
+/// Checks that every item belongs to exactly one leaf, that boxes are within those above them, and that
+/// all items satisfy `is_inside` with their leaf.
 fn check<T>(
     tree: &BinaryTree<T>,
     mut is_inside: impl FnMut(&Node, &T) -> bool,
@@ -107,18 +108,16 @@ fn check<T>(
     let mut taken = vec![false; tree.order.len()];
     for (node, depth) in tree.nodes() {
         if depth > MAX_DEPTH {
-            return Err(format!(
-                "a node at depth {depth}, but stacks are for {MAX_DEPTH}"
-            ));
+            return Err(format!("a node has depth {depth}, more than {MAX_DEPTH}"));
         }
         let inside = if node.is_leaf() {
             let places = node.first as usize..node.first as usize + node.count as usize;
             let order = tree
                 .order
                 .get(places.clone())
-                .ok_or("a leaf beyond the end")?;
+                .ok_or("a leaf reaches beyond the last item")?;
             if taken[places.clone()].contains(&true) {
-                return Err(format!("places {places:?} are in two leaves"));
+                return Err(format!("items {places:?} are in two leaves"));
             }
             taken[places].fill(true);
             order.iter().all(|item| is_inside(&node, item))
@@ -132,7 +131,7 @@ fn check<T>(
         }
     }
     if taken.contains(&false) {
-        Err("a place is in no leaf".into())
+        Err("an item is in no leaf".into())
     } else {
         Ok(())
     }

@@ -1,4 +1,4 @@
-//! The nearest hit of a ray, decided exactly.
+//! The nearest hit of a ray, decided exactly, with the limit that culls nodes.
 
 use super::nearest::Nearest;
 use super::ties::Ties;
@@ -8,12 +8,12 @@ use crate::accel::space::SlabRay;
 use crate::geometry::Ray;
 use crate::shape::{Geometry, InstancedId};
 
-/// The best hit so far of a ray on its way through a tree.
+/// The best hit so far of a ray that traverses a tree.
 pub(crate) struct ExactSearch<'a> {
     geometry: &'a Geometry,
     nearest: Nearest<'a>,
     slab: &'a SlabRay,
-    /// The upper end of the best bracket in the units of the slab test: what is entered later is culled.
+    /// The upper end of the best bracket in the units of the slab test. Boxes entered later are culled.
     limit: f32,
 }
 
@@ -73,7 +73,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(20_000))]
 
-        /// Slivers, of which the filter knows the t least well: what lies before the hit must still be looked at.
+        /// Tests slivers, whose t the filter knows least well: nodes before the hit must not be culled.
         #[test]
         fn the_limit_is_not_before_the_hit(
             ends in prop::array::uniform6(-1.0f64..1.0),
@@ -98,7 +98,7 @@ mod tests {
             let (mut ties, mut fallbacks) = (Ties::default(), ExactFallbacks::default());
             let mut search = ExactSearch::new(&geometry, &ray, &slab, &mut ties, &mut fallbacks);
             search.test(primitive);
-            // Narrowed to f32 as the limit is, the true number is not above it.
+            // The true number, rounded to f32 like the limit, does not exceed it.
             let truth = slab.scaled_limit(root.bracket().low);
             prop_assert!(search.limit() >= truth, "{} < {truth}", search.limit());
         }

@@ -1,22 +1,21 @@
-//! Which primitives a ray can only meet at the same `t`, found out once and not for every ray.
+//! A cache of coincident primitives, which every ray hits at the same `t`.
 
 use crate::shape::{Coincidence, Geometry, InstancedId, Primitive};
 
-/// What a thread knows of primitives that coincide.
+/// The coincidences that a thread has found.
 ///
-/// The answers depend on the primitives alone, never on what was asked before: what is forgotten is
-/// found out again.
+/// Answers depend on the primitives alone, never on earlier questions: forgotten ones are computed again.
 #[derive(Debug, Default)]
 pub(crate) struct Ties {
     last: Option<(InstancedId, InstancedId, Coincidence)>,
-    /// A primitive, and one whose plane it lies in: those with the same one are coplanar.
+    /// For a primitive another one in its plane. Primitives with the same leader are coplanar.
     leaders: Cache<InstancedId>,
-    /// Pairs that look coplanar and are not.
+    /// Pairs that look coplanar but are not.
     apart: Cache<()>,
 }
 
 impl Ties {
-    /// What two primitives have in common, both of which can be hit.
+    /// How two primitives that can be hit coincide.
     #[inline]
     pub(crate) fn between(
         &mut self,
@@ -70,7 +69,7 @@ impl Ties {
             self.apart.put(a, b, ());
             return false;
         }
-        // The smaller one, so that groups grow together instead of changing sides.
+        // The smaller leader, so that groups merge instead of exchanging members.
         let [first, second] = leaders;
         let leader = if second < first { second } else { first };
         self.leaders.put(a, a, leader);
@@ -79,11 +78,10 @@ impl Ties {
     }
 }
 
-/// What is known of pairs of primitives, as far as there is room: each has one place, where the
-/// last one to come stays.
+/// Facts about pairs of primitives. Each pair hashes to one place, which keeps the latest entry.
 #[derive(Debug)]
 struct Cache<T> {
-    /// Nothing as long as it is not used.
+    /// Empty until the first use.
     places: Vec<Option<(InstancedId, InstancedId, T)>>,
 }
 
@@ -123,7 +121,7 @@ mod tests {
     use crate::shape::PrimitiveId;
     use proptest::prelude::*;
 
-    /// Triangles with corners that are whole numbers, in planes through the origin, or shifted.
+    /// Triangles with integer corners, in planes through the origin or shifted ones.
     fn shapes_of(triangles: &[([[i32; 2]; 3], [i32; 3])]) -> Geometry {
         let mut geometry = Geometry::default();
         for (corners, [slope, other, height]) in triangles {
@@ -145,7 +143,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(500))]
 
-        /// Whatever was asked before, in whatever order.
+        /// Earlier questions do not matter, nor does their order.
         #[test]
         fn answers_depend_on_the_pair_alone(
             triangles in prop::collection::vec(

@@ -1,43 +1,46 @@
-//! Boxes and rays in `f32`, relative to an anchor, rounded so that no hit is lost.
+//! Anchor space: boxes and rays in `f32` relative to an anchor, rounded so that no hit is lost.
 //!
-//! Anchor space is world space moved so that the anchor (the eye of the view) is the origin, and scaled by a power
-//! of two so that nothing overflows.
+//! Anchor space is world space moved so that the anchor (the eye of the view) is the origin, and scaled by a
+//! power of two so that nothing overflows.
 //!
 //! # Why no box loses a hit
 //!
-//! Let a ray hit a primitive at p = o + T d, T > 0, exactly. In exact anchor space, along one axis, with D the direction
-//! times its own power of two and T in the units that follow, T = (P - O) / D where D is not 0; the primitive's bounds
-//! are L <= P <= H. Let u = 2^-24.
+//! Let a ray hit a primitive at p = o + T d, T > 0, exactly. In exact anchor space, along one axis, with D the
+//! direction times its own power of two and T in the units that follow, T = (P - O) / D if D is not 0; the
+//! primitive's bounds are L <= P <= H. Let u = 2^-24.
 //!
-//! *Boxes* are stored as l < L and h > H, strictly. The difference to the anchor is rounded to the nearest `f64`, and l is the
-//! next `f32` below that result, so at least one unit in the last place of the `f64` below it, where the result is off by
-//! half of one. What underflows in the scaling is by far smaller than the least `f32`. The same rounding is monotone,
-//! and that settles what lies in the plane of a face: of two coordinates the larger one stays the larger or becomes
-//! equal, and only then the strict step is taken.
+//! *Boxes* are stored as l < L and h > H, strictly. The difference to the anchor is rounded to the nearest
+//! `f64`, and l is the next `f32` below that result: at least one unit in the last place of the `f64` below it,
+//! while the error of the result is half of one. Underflow of the scaling is far smaller than the least `f32`.
+//! The same rounding is monotone, which settles points in the plane of a face: of two coordinates the larger
+//! one stays larger or becomes equal, and only then the strict step is taken.
 //!
-//! *Origins* are bracketed by ol <= o' <= oh in `f32`, where o' is the computed difference, which for an eye that is the
-//! anchor is 0, and otherwise is off by 2^-53 |O| at most.
+//! *Origins* are bracketed by ol <= o' <= oh in `f32`, where o' is the computed difference. For an eye that is
+//! the anchor it is 0, otherwise its error is up to 2^-53 |O|.
 //!
-//! *Entry.* Where l - oh is not above 0, its product is not above 0 either, and T is. Else l and oh are different `f32`, so
-//! that l - oh >= u |oh|, of which the error of O is a 2^-29th. The reciprocal of D, its narrowing to `f32`, its product with
-//! `SHRINK` and the difference each round by u at most: before it is rounded itself, the product is at most
-//! (L - O) / D (1 + u)^5 (1 - 8u) < T. A reciprocal too large for `f32` becomes its largest number, which is smaller.
+//! *Entry.* If l - oh is not positive, its product is not positive either, and T is. Otherwise l and oh are
+//! different `f32`, so that l - oh >= u |oh|, of which the error of O is a 2^-29th. The reciprocal of D, its
+//! narrowing to `f32`, its product with `SHRINK` and the difference each round by up to u: before it is rounded
+//! itself, the product is no more than (L - O) / D (1 + u)^5 (1 - 8u) < T. A reciprocal too large for `f32`
+//! becomes its largest number, which is smaller.
 //!
-//! *Exit.* h > H >= P and the monotone rounding of both give h > ol, strictly: the product is above 0 even where the
-//! reciprocal is infinite, and `0 * infinity` cannot occur. By the same count it is more than T before it is rounded.
+//! *Exit.* h > H >= P and the monotone rounding of both give h > ol, strictly: the product is positive even if
+//! the reciprocal is infinite, and `0 * infinity` cannot occur. By the same count it exceeds T before it is
+//! rounded.
 //!
-//! *D = 0*: then P = O, so l < oh and h > ol: the entry is below 0 and the exit infinite. *A component that underflows* when D
-//! is scaled keeps its sign, and the reciprocals are those of 0, of which one is too small and the other too large. *NaN* only
-//! comes from infinite bounds, or from two numbers that rounding made equal times an infinite reciprocal: the comparison
-//! with it fails in favour of what was known before.
+//! *D = 0.* Then P = O, so l < oh and h > ol: the entry is negative and the exit infinite. *A component that
+//! underflows* when D is scaled keeps its sign, and the reciprocals are those of 0, one too small and the other
+//! too large. *NaN* only arises from infinite bounds, or from two numbers that rounding made equal times an
+//! infinite reciprocal: a comparison with it fails, which keeps the previous value.
 //!
-//! So on every axis entry < T < exit before the last rounding, which is monotone, also where it underflows or overflows:
-//! the latest entry is not above the earliest exit, and the box is entered. For the same reason the entry is not above the
-//! upper end of the best hit's bracket, rounded as well, if T is not: what lies as near as the best is visited, since it
-//! may win the tie.
+//! So on every axis entry < T < exit before the last rounding, which is monotone even if it underflows or
+//! overflows: the latest entry is not above the earliest exit, and the ray enters the box. For the same reason
+//! the entry is not above the upper end of the best hit's bracket, rounded as well, if T is not: whatever is as
+//! near as the best is visited, because it may win the tie.
 //!
-//! *Trees.* A node's box is the union of those below it. Every step is monotone: a larger box gives an earlier entry and
-//! a later exit, in floating point too. So whatever enters a primitive's box enters every node around it, no later.
+//! *Trees.* A node's box is the union of those below it. Every step is monotone: a larger box gives an earlier
+//! entry and a later exit, in floating point too. So a ray that enters a primitive's box enters every node
+//! around it, no later.
 
 use super::box32::{Box32, Corners};
 use super::rounding::{above, below};
@@ -45,23 +48,24 @@ use super::slab_ray::SlabRay;
 use crate::exact::{exponent_of, power_of_two};
 use crate::geometry::{Bounds, Point, Ray};
 
-/// Where boxes and rays are compared.
+/// The space in which boxes and rays are compared.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct AnchorSpace {
     anchor: Point,
-    /// Coordinates are multiplied by this power of two before the anchor's are subtracted; 1 unless that would overflow.
+    /// The power of two that coordinates are multiplied by before the anchor's are subtracted; 1 unless the
+    /// difference would overflow.
     before: f64,
-    /// A power of two, for the differences.
+    /// The power of two that the differences are multiplied by.
     scale: f64,
 }
 
-/// Coordinates are scaled to below 2^32, so that areas of boxes and sums of two coordinates stay far from the ends
-/// of the `f32` range.
+/// Coordinates are scaled to below 2^32, so that areas of boxes and sums of two coordinates stay far from the
+/// ends of the `f32` range.
 const LARGEST_EXPONENT: i32 = 31;
 
 impl AnchorSpace {
-    /// For points around `anchor` whose coordinates differ from it by up to `reach`, which is infinite where a difference
-    /// overflows.
+    /// A space for points whose coordinates differ from those of `anchor` by up to `reach`, which is infinite if a
+    /// difference overflows.
     pub(crate) fn new(anchor: Point, reach: f64) -> AnchorSpace {
         let before = if reach == f64::INFINITY { 0.25 } else { 1.0 };
         let exponent = match reach {
@@ -69,7 +73,7 @@ impl AnchorSpace {
             0.0 => 0,
             reach => exponent_of(reach),
         };
-        // Within the exponents of normal numbers; at the ends the outward rounding does what is left.
+        // Within the exponents of normal numbers; the outward rounding covers the rest.
         AnchorSpace {
             anchor,
             before,
@@ -77,19 +81,19 @@ impl AnchorSpace {
         }
     }
 
-    /// A coordinate of a point, before it is narrowed to `f32`.
+    /// A coordinate of a point, before it is rounded to `f32`.
     #[inline]
     fn coordinate(&self, point: &Point, axis: usize) -> f64 {
         self.along(point[axis], axis)
     }
 
-    /// The coordinate on `axis` where it is `x` in world space, before it is narrowed to `f32`.
+    /// The coordinate `x` on `axis` in world space, before it is rounded to `f32`.
     #[inline(always)]
     fn along(&self, x: f64, axis: usize) -> f64 {
         (x * self.before - self.anchor[axis] * self.before) * self.scale
     }
 
-    /// The box around world-space `bounds`, strictly.
+    /// A box strictly around `bounds` in world space.
     pub(crate) fn enclose(&self, bounds: &Bounds) -> Box32 {
         let low = |k| self.low_face(bounds.low[k], k);
         let high = |k| self.high_face(bounds.high[k], k);
@@ -99,7 +103,7 @@ impl AnchorSpace {
         }
     }
 
-    /// The box in world space, up to one rounding of each coordinate.
+    /// The box in world space; each coordinate is rounded once.
     pub(crate) fn reveal(&self, corners: &Corners) -> Bounds {
         let coordinate = |x: f32, axis: usize| {
             (f64::from(x) / self.scale + self.anchor[axis] * self.before) / self.before
@@ -111,19 +115,19 @@ impl AnchorSpace {
         }
     }
 
-    /// The low face on `axis` of a box that begins at `x` in world space.
+    /// The low face across `axis` of a box that begins at `x` in world space.
     #[inline(always)]
     pub(crate) fn low_face(&self, x: f64, axis: usize) -> f32 {
         below(self.along(x, axis))
     }
 
-    /// The high face on `axis` of a box that ends at `x` in world space.
+    /// The high face across `axis` of a box that ends at `x` in world space.
     #[inline(always)]
     pub(crate) fn high_face(&self, x: f64, axis: usize) -> f32 {
         above(self.along(x, axis))
     }
 
-    /// The ray as the slab test needs it.
+    /// Prepares a ray for the slab test.
     pub(crate) fn ray(&self, ray: &Ray) -> SlabRay {
         let direction_scale = direction_scale(ray);
         let mut slab = SlabRay::new(self.units() / direction_scale);
@@ -138,7 +142,7 @@ impl AnchorSpace {
         slab
     }
 
-    /// The ray as the test in `f32` needs it, each number rounded to the nearest.
+    /// The ray in `f32`, each number rounded to the nearest.
     pub(crate) fn single_ray(&self, ray: &Ray) -> SingleRay {
         let direction_scale = direction_scale(ray);
         SingleRay {
@@ -164,18 +168,18 @@ impl AnchorSpace {
         self.anchor
     }
 
-    /// No coordinate of a primitive differs from the anchor's by more.
+    /// Bounds the difference of any coordinate of a primitive from the anchor's.
     pub(crate) fn reach(&self) -> f64 {
         power_of_two(LARGEST_EXPONENT + 1) / self.units()
     }
 
-    /// Units of anchor space in one of world space.
+    /// Units of anchor space per unit of world space.
     pub(crate) fn units(&self) -> f64 {
         self.scale * self.before
     }
 }
 
-/// A power of two by which the largest component of the direction becomes about 1.
+/// The power of two that scales the largest component of the direction to about 1.
 fn direction_scale(ray: &Ray) -> f64 {
     power_of_two(-exponent_of(ray.direction.largest()).clamp(-1000, 1000))
 }
@@ -184,7 +188,7 @@ fn direction_scale(ray: &Ray) -> f64 {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SingleRay {
     pub(crate) origin: [f32; 3],
-    /// Times a power of two.
+    /// The direction, scaled by a power of two.
     pub(crate) direction: [f32; 3],
     pub(crate) largest_axis: usize,
     direction_scale: f64,
@@ -192,7 +196,7 @@ pub(crate) struct SingleRay {
 }
 
 impl SingleRay {
-    /// The `t` of the ray in world space for one in anchor space.
+    /// Converts `t` from anchor space to world space.
     pub(crate) fn unscaled(&self, scaled: f32) -> f64 {
         f64::from(scaled) * self.direction_scale / self.space.before / self.space.scale
     }
@@ -206,7 +210,7 @@ mod tests {
     use proptest::prelude::*;
     use std::cmp::Ordering::{Equal, Greater, Less};
 
-    /// Small whole numbers, numbers with all their bits, and tiny ones.
+    /// Small integers, numbers with all their bits, and tiny ones.
     fn component() -> impl Strategy<Value = f64> {
         let odd = prop_oneof![-80i32..0, -190i32..-100, -600i32..0];
         prop_oneof![
@@ -238,7 +242,7 @@ mod tests {
         assert!(near > slab.scaled_limit(1.0) && near <= slab.scaled_limit(2.0));
     }
 
-    /// Of ordinary sizes, a third of the time.
+    /// A third of them are of ordinary size.
     fn exponent() -> impl Strategy<Value = i32> {
         prop_oneof![-4i32..4, -200i32..200, -1000i32..1000]
     }
@@ -286,7 +290,7 @@ mod tests {
         }
     }
 
-    /// Over so long a way even the least number leads somewhere.
+    /// Over such a long distance even the least number matters.
     #[test]
     fn a_component_that_underflows_keeps_its_sign() {
         let origin = Point::new(-2f64.powi(1000), 0.0, 0.0);
@@ -306,8 +310,8 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(20_000))]
 
-        /// Exactly: whatever point a ray passes, at whatever `t`, the smallest box of f64 around it is entered by then, each
-        /// of its slabs has been entered, and none is left.
+        /// For any point of a ray, at any `t`, the smallest box of f64 around it is entered by then: all its slabs
+        /// have been entered, and none has been left. Checked exactly.
         #[test]
         fn no_hit_is_lost(
             direction in prop::array::uniform3(component()),
@@ -336,7 +340,7 @@ mod tests {
             let units = &Dyadic::from(space.scale) * &Dyadic::from(space.before);
             let per_direction = Dyadic::from(1.0 / direction_scale(&ray));
             let scaled_t = &(&Dyadic::from(t) * &units) * &per_direction;
-            // What a product may lose to underflow.
+            // The loss of a product by underflow.
             let tiny = Dyadic::from(2f64.powi(-150));
             for k in 0..3 {
                 let (entry, exit) = slab.slab(&corners, k);

@@ -1,25 +1,25 @@
-//! Boxes in anchor space.
+//! Boxes in `f32`, in anchor space.
 
 use super::rounding::{larger, smaller};
 
-/// A box in anchor space, a little larger than what it holds.
+/// A box in anchor space, slightly larger than its contents.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Box32 {
     pub(crate) low: [f32; 3],
     pub(crate) high: [f32; 3],
 }
 
-/// The low and the high corner of a box, with a lane to spare in each.
+/// The low and the high corner of a box, each with a spare lane.
 pub(crate) type Corners = [[f32; 4]; 2];
 
 impl Box32 {
-    /// The corners in four lanes, the last one free.
+    /// The corners in four lanes, the last one spare.
     pub(crate) fn corners(&self) -> Corners {
         let ([x0, y0, z0], [x1, y1, z1]) = (self.low, self.high);
         [[x0, y0, z0, 0.0], [x1, y1, z1, 0.0]]
     }
 
-    /// The box of nothing.
+    /// The empty box.
     pub(crate) const EMPTY: Box32 = Box32 {
         low: [f32::INFINITY; 3],
         high: [f32::NEG_INFINITY; 3],
@@ -47,7 +47,7 @@ impl Box32 {
         std::array::from_fn(|k| self.high[k] - self.low[k])
     }
 
-    /// Whether `other` lies within.
+    /// Tests whether `other` lies within.
     pub(crate) fn contains(&self, other: &Box32) -> bool {
         (0..3).all(|k| self.low[k] <= other.low[k] && other.high[k] <= self.high[k])
     }

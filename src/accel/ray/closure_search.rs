@@ -1,4 +1,4 @@
-//! The nearest hit of a ray by somebody else's arithmetic.
+//! The nearest hit of a ray by an intersection test that the caller supplies.
 
 use super::traversal::Search;
 use crate::accel::hit::Hit;
@@ -6,18 +6,20 @@ use crate::accel::space::SlabRay;
 use crate::exact::Bracket;
 use crate::shape::InstancedId;
 
-/// The best hit so far, as `intersect` tells `t`. Of several at one `t` the one that is tested first wins, and what is entered behind
-/// the best `t` is culled, however wrong that is: answers may depend on the tree, as they do elsewhere.
-pub(crate) struct ForeignSearch<'a, F> {
+/// The best hit so far, by the `t` that `intersect` computes.
+///
+/// At equal `t` the primitive that is tested first wins, and nodes behind the best `t` are culled,
+/// however wrong it is: results may depend on the tree, as they do in other renderers.
+pub(crate) struct ClosureSearch<'a, F> {
     intersect: F,
     slab: &'a SlabRay,
     best: Option<(f32, InstancedId)>,
     limit: f32,
 }
 
-impl<'a, F: FnMut(InstancedId) -> Option<f32>> ForeignSearch<'a, F> {
-    pub(crate) fn new(slab: &'a SlabRay, intersect: F) -> ForeignSearch<'a, F> {
-        ForeignSearch {
+impl<'a, F: FnMut(InstancedId) -> Option<f32>> ClosureSearch<'a, F> {
+    pub(crate) fn new(slab: &'a SlabRay, intersect: F) -> ClosureSearch<'a, F> {
+        ClosureSearch {
             intersect,
             slab,
             best: None,
@@ -26,7 +28,7 @@ impl<'a, F: FnMut(InstancedId) -> Option<f32>> ForeignSearch<'a, F> {
     }
 }
 
-impl<F: FnMut(InstancedId) -> Option<f32>> Search for ForeignSearch<'_, F> {
+impl<F: FnMut(InstancedId) -> Option<f32>> Search for ClosureSearch<'_, F> {
     #[inline]
     fn test(&mut self, primitive: InstancedId) {
         let Some(t) = (self.intersect)(primitive) else {
