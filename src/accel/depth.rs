@@ -74,9 +74,9 @@ fn length(direction: Vector) -> f64 {
     scaled.dot(scaled).sqrt() * scale
 }
 
-/// Encloses the exact length: the sum of squares has an error of three units of 2^-53, which the root
-/// halves, and the root adds one. If the length underflows or overflows, the ends of the bracket are one
-/// step away or infinite.
+/// Encloses the exact length: the sum of squares has an error of three units of 2^-53, which the
+/// root halves, and the root adds one. If the length underflows or overflows, the ends of the
+/// bracket are one step away or infinite.
 fn length_bracket(length: f64) -> Bracket {
     let mut bracket = Bracket::around(length, 2.0 * f64::EPSILON * length);
     if bracket.low.is_nan() || bracket.low <= 0.0 {
@@ -102,13 +102,15 @@ mod tests {
             same in any::<bool>(),
         ) {
             let exponent = |k: usize| if same { exponents[0] + k as i32 } else { exponents[k] };
-            let direction = Vector::from(std::array::from_fn(|k| times_power_of_two(components[k], exponent(k))));
+            let component = |k: usize| times_power_of_two(components[k], exponent(k));
+            let direction = Vector::from([0, 1, 2].map(component));
             prop_assume!(direction.is_finite() && direction != Vector::default());
             let bracket = length_bracket(length(direction));
             let exact = ExactVector::from(direction);
             let square = exact.dot(&exact);
             prop_assert!(Dyadic::from(bracket.low).square().cmp(&square) != Greater);
-            prop_assert!(bracket.high == f64::INFINITY || Dyadic::from(bracket.high).square().cmp(&square) != Less);
+            let is_above = |high: f64| Dyadic::from(high).square().cmp(&square) != Less;
+            prop_assert!(bracket.high == f64::INFINITY || is_above(bracket.high));
         }
     }
 }

@@ -9,8 +9,8 @@ use std::ops::AddAssign;
 pub struct Hit {
     /// The primitive that is hit.
     pub primitive: InstancedId,
-    /// Encloses the ray's parameter at the hit. With [`super::Precision::Fast`] both ends are the computed
-    /// number.
+    /// Encloses the ray's parameter at the hit. With [`super::Precision::Fast`] both ends are the
+    /// computed number.
     pub t: Bracket,
     /// Whether exact arithmetic was needed to find the hit.
     pub(super) is_hard: bool,

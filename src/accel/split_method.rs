@@ -14,7 +14,8 @@ pub enum SplitMethod {
     Equal,
     /// Splits where the surface area heuristic is least.
     Sah,
-    /// Groups primitives by Morton codes into treelets, and joins these by the surface area heuristic.
+    /// Groups primitives by Morton codes into treelets, and joins these by the surface area
+    /// heuristic.
     Hlbvh,
 }
 

@@ -19,8 +19,8 @@ const ANYTHING: Bracket = Bracket {
 impl Beam {
     /// The beam of the rays that pass through the rectangle `x` by `y` in the plane at distance 1.
     ///
-    /// Rounding is monotone, so each component of a ray, as rule R5 computes it, is monotone in x and in y: its
-    /// extremes are at the corners.
+    /// Rounding is monotone, so each component of a ray, as rule R5 computes it, is monotone in x
+    /// and in y: its extremes are at the corners.
     pub(super) fn new(camera: &Camera, x: Bracket, y: Bracket) -> Beam {
         let corners = [
             [x.low, y.low],
@@ -45,8 +45,8 @@ impl Beam {
         }
     }
 
-    /// Tests whether any of the rays may meet the box, by interval arithmetic that is rounded outward. Returns
-    /// false only if none does. NaN rules nothing out.
+    /// Tests whether any of the rays may meet the box, by interval arithmetic that is rounded
+    /// outward. Returns false only if none does. NaN rules nothing out.
     pub(super) fn may_meet(&self, bounds: &Bounds) -> bool {
         let way: [Bracket; 3] =
             std::array::from_fn(|k| minus(bounds.low[k], bounds.high[k], &self.origin[k]));
@@ -135,7 +135,8 @@ mod tests {
         /// Every beam that contains a ray meets a box around a point of that ray.
         #[test]
         fn a_beam_never_misses_a_box_that_its_ray_meets(
-            rows in prop::array::uniform3(prop::array::uniform4(prop_oneof![-2.0f64..2.0, Just(0.0), Just(1.0)])),
+            rows in prop::array::uniform3(
+                prop::array::uniform4(prop_oneof![-2.0f64..2.0, Just(0.0), Just(1.0)])),
             tangent in prop_oneof![Just(0.0), 0.01f64..3.0],
             place in prop::array::uniform2(-1.0f64..1.0),
             low in prop::array::uniform2(0.0f64..0.5),
@@ -143,13 +144,16 @@ mod tests {
             t in 0.0f64..10.0,
             size in prop_oneof![Just(0.0), 0.0f64..1.0],
         ) {
-            let projection = if tangent > 0.0 { Projection::Perspective { tangent } } else { Projection::Orthographic };
+            let projection = match tangent > 0.0 {
+                true => Projection::Perspective { tangent },
+                false => Projection::Orthographic,
+            };
             let camera = camera(projection, Matrix { rows });
             let ray = camera.ray_through(place);
             let end = |k: usize| ray.origin[k] + t * ray.direction[k];
             // Room for the rounding of the sum.
             let room = |k: usize| size + 1e-14 * (1.0 + end(k).abs() + ray.origin[k].abs());
-            let corner = |sign: f64| Point::new(end(0) + sign * room(0), end(1) + sign * room(1), end(2) + sign * room(2));
+            let corner = |sign: f64| Point::from([0, 1, 2].map(|k| end(k) + sign * room(k)));
             let bounds = Bounds { low: corner(-1.0), high: corner(1.0) };
             let side = |k: usize| Bracket { low: place[k] - low[k], high: place[k] + high[k] };
             prop_assert!(Beam::new(&camera, side(0), side(1)).may_meet(&bounds));

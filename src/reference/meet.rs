@@ -13,7 +13,8 @@ pub(super) fn intersect(surface: &Primitive, ray: &Ray) -> Option<Root> {
     }
 }
 
-/// Rule E1 by the plane: the point where the ray crosses it must lie on the inner side of all three edges.
+/// Rule E1 by the plane: the point where the ray crosses it must lie on the inner side of all three
+/// edges.
 fn meet_triangle(triangle: &Triangle, ray: &Ray) -> Option<Root> {
     if !triangle.0.iter().all(|corner| corner.is_finite()) {
         return None;
@@ -94,7 +95,8 @@ fn meet_sphere(m: &Matrix, radius: f64, cut: Option<&Cut>, ray: &Ray) -> Option<
         .find(|t| t.sign() == Greater && is_there(t))
 }
 
-/// Rule E5 by Cramer's rule: a coordinate is the determinant with its column replaced, over the determinant.
+/// Rule E5 by Cramer's rule: a coordinate is the determinant with its column replaced, over the
+/// determinant.
 fn meet_cylinder(m: &Matrix, radius: f64, cut: &Cut, ray: &Ray) -> Option<Root> {
     let columns = columns(m);
     let below = determinant(&columns);
@@ -132,8 +134,8 @@ fn meet_cylinder(m: &Matrix, radius: f64, cut: &Cut, ray: &Ray) -> Option<Root> 
         .find(|t| t.sign() == Greater && is_there(t))
 }
 
-/// Rule E6 in the world: the crossing point is the middle plus x and y times the first two columns of the
-/// matrix, which cross products with the normal isolate.
+/// Rule E6 in the world: the crossing point is the middle plus x and y times the first two columns
+/// of the matrix, which cross products with the normal isolate.
 fn meet_disk(m: &Matrix, radius: f64, disk: &Disk, ray: &Ray) -> Option<Root> {
     let [x, y, z] = columns(m);
     let (origin, direction) = (
@@ -150,8 +152,8 @@ fn meet_disk(m: &Matrix, radius: f64, disk: &Disk, ray: &Ray) -> Option<Root> {
     if (&height * &slope).sign() != Greater {
         return None;
     }
-    // The vector from the middle to the point times the slope; x and y times the slope and the square of the
-    // normal.
+    // The vector from the middle to the point times the slope; x and y times the slope and the
+    // square of the normal.
     let point = origin
         .minus(&middle)
         .times(&slope)
@@ -184,8 +186,8 @@ fn remains(cut: &Cut, sign: impl Fn([f64; 3], f64) -> Ordering) -> bool {
 
 /// Tests whether a sector contains a point q. `sign` returns the sign of `weights . q`.
 fn is_in_sector(sector: &Sector, sign: impl Fn([f64; 3]) -> Ordering) -> bool {
-    // The half of the turn in which an angle lies, [0, 180) or [180, 360) degrees. Within a half, the sine of the
-    // difference orders two angles.
+    // The half of the turn in which an angle lies, [0, 180) or [180, 360) degrees. Within a half,
+    // the sine of the difference orders two angles.
     let half = |x, y| y == Less || (y == Equal && x == Less);
     let of_point = half(sign([1.0, 0.0, 0.0]), sign([0.0, 1.0, 0.0]));
     let of_end = half(

@@ -1,11 +1,13 @@
-//! The reference renderer: tests every primitive by exact arithmetic alone, without filters or aggregate.
+//! The reference renderer: tests every primitive by exact arithmetic alone, without filters or
+//! aggregate.
 //!
-//! It is slow and written to be evidently right. It follows rules E1 to E6 with other polynomials than the rest
-//! of the program, where others exist, and tests every primitive. It shares only the comparison and rounding of
-//! roots.
+//! It is slow and written to be evidently right. It follows rules E1 to E6 with other polynomials
+//! than the rest of the program, where others exist, and tests every primitive. It shares only the
+//! comparison and rounding of roots.
 //!
-//! An image has millions of rays, and most miss the box around a primitive. So for many pixels, interval
-//! arithmetic first rules out primitives [area by area](answers); the exact test decides all others.
+//! An image has millions of rays, and most miss the box around a primitive. So for many pixels,
+//! interval arithmetic first rules out primitives [area by area](answers); the exact test decides
+//! all others.
 
 mod beam;
 mod meet;
@@ -29,7 +31,8 @@ pub struct ReferenceHit {
     pub distance: f32,
 }
 
-/// The nearest hit of `ray` in `geometry`. At equal `t`, the primitive that comes first in the file wins.
+/// The nearest hit of `ray` in `geometry`. At equal `t`, the primitive that comes first in the file
+/// wins.
 pub fn closest_hit(geometry: &Geometry, ray: &Ray) -> Option<ReferenceHit> {
     closest_hit_among(geometry.all(), geometry, ray)
 }

@@ -1,5 +1,6 @@
-//! Reference hits of many pixels: halves the film until a part has one of them, and drops the primitives that a
-//! part cannot see (Warnock, "A hidden surface algorithm for computer generated halftone pictures", 1969).
+//! Reference hits of many pixels: halves the film until a part has one of them, and drops the
+//! primitives that a part cannot see (Warnock, "A hidden surface algorithm for computer generated
+//! halftone pictures", 1969).
 
 use super::beam::Beam;
 use super::{ReferenceHit, closest_hit_among};
@@ -11,18 +12,18 @@ use crate::progress::Progress;
 use crate::shape::{Form, Geometry, InstancedId, Primitive, Quadric};
 use rayon::prelude::*;
 
-/// The largest number of primitives in a scene, with those of an object once for each instance. The list of all
-/// takes 8 bytes for each.
+/// The largest number of primitives in a scene, with those of an object once for each instance. The
+/// list of all takes 8 bytes for each.
 pub const MAX_PRIMITIVES: u64 = 1 << 25;
 
 /// All threads share longer lists.
 const SHORT: usize = 1 << 14;
 
-/// The hit of each of some pixels, in their order: the results of [`super::closest_hit`], but faster. `progress`
-/// counts pixels.
+/// The hit of each of some pixels, in their order: the results of [`super::closest_hit`], but
+/// faster. `progress` counts pixels.
 ///
-/// It uses no aggregate. It drops a primitive for a pixel only if interval arithmetic shows that all rays of a
-/// rectangle around the pixel miss the box around the primitive.
+/// It uses no aggregate. It drops a primitive for a pixel only if interval arithmetic shows that
+/// all rays of a rectangle around the pixel miss the box around the primitive.
 ///
 /// # Panics
 /// If there are more than [`MAX_PRIMITIVES`].
@@ -171,7 +172,8 @@ impl<F> Subdivision<'_, F> {
     }
 }
 
-/// A box around a primitive, evidently right: that of its corners, or that of a quadric's box in object space.
+/// A box around a primitive, evidently right: that of its corners, or that of a quadric's box in
+/// object space.
 fn bounds_of(surface: &Primitive) -> Bounds {
     match surface {
         Primitive::Triangle(triangle) => Bounds::of(triangle.0),
@@ -179,8 +181,9 @@ fn bounds_of(surface: &Primitive) -> Bounds {
     }
 }
 
-/// Transforms the box in object space to the world: along an axis it reaches as far as the sum of its absolute
-/// half widths times the absolute entries of the matrix. A factor covers all roundings.
+/// Transforms the box in object space to the world: along an axis it reaches as far as the sum of
+/// its absolute half widths times the absolute entries of the matrix. A factor covers all
+/// roundings.
 fn bounds_of_quadric(
     Quadric {
         world_from_object: m,

@@ -59,8 +59,8 @@ pub(crate) fn allocate(names: &[ChannelName], window: &PixelBounds) -> Result<Ve
         .iter()
         .map(reserve)
         .collect::<Result<Vec<Channel>>>()?;
-    // Now that there is room, allocate memory that the system zeroes on first touch, by the threads. The
-    // reserved memory is freed first, so that no channel takes its memory twice.
+    // Now that there is room, allocate memory that the system zeroes on first touch, by the
+    // threads. The reserved memory is freed first, so that no channel takes its memory twice.
     for channel in &mut channels {
         match &mut channel.samples {
             Samples::F32(values) => {

@@ -9,14 +9,15 @@ use crate::simd::Level;
 pub struct RenderOptions {
     /// The pixels to render: within the film, and not empty.
     pub data_window: PixelBounds,
-    /// The channels to render. `cost` is the cost in the given aggregate, which should then be built over the
-    /// whole scene, not only over the visible part.
+    /// The channels to render. `cost` is the cost in the given aggregate, which should then be
+    /// built over the whole scene, not only over the visible part.
     pub channels: Vec<ChannelName>,
     /// How hits are decided and rounded.
     pub precision: Precision,
     /// The value of `Z` and `t` where nothing is hit.
     pub miss: f32,
-    /// Count the nodes and primitives that rays test when each is traced by itself, with this precision.
+    /// Count the nodes and primitives that rays test when each is traced by itself, with this
+    /// precision.
     pub counted: bool,
     /// The SIMD level. The image does not depend on it.
     pub level: Level,

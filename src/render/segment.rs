@@ -98,8 +98,8 @@ fn divide<'a, T>(
 }
 
 impl Segment<'_> {
-    /// Stores `columns` of a tile with the first pixel `first`, both on the film. `surface` is `Some` if a channel
-    /// needs it.
+    /// Stores `columns` of a tile with the first pixel `first`, both on the film. `surface` is
+    /// `Some` if a channel needs it.
     pub(super) fn put(
         &mut self,
         tile: &TracedTile,

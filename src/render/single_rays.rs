@@ -30,7 +30,8 @@ impl SingleRays<'_> {
             .reduce(Traced::default, Traced::plus)
     }
 
-    /// Traces every ray and stores its cost in `costs`, which has one entry for each pixel of the window.
+    /// Traces every ray and stores its cost in `costs`, which has one entry for each pixel of the
+    /// window.
     pub(super) fn fill(&self, costs: &mut [u32]) -> Traced {
         let rows = (self.window.y0..self.window.y1).into_par_iter();
         let costs = costs.par_chunks_mut(self.window.width() as usize);

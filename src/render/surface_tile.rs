@@ -5,7 +5,8 @@ use crate::camera::Camera;
 use crate::film::ChannelName;
 use crate::shape::{Geometry, SurfacePoint, SurfacePoints, SurfaceWants};
 
-/// The samples of [`ChannelName::SURFACE`] in a tile, rounded once from `f64`; 0 where nothing is hit.
+/// The samples of [`ChannelName::SURFACE`] in a tile, rounded once from `f64`; 0 where nothing is
+/// hit.
 pub(super) struct SurfaceTile<'a> {
     camera: &'a Camera,
     points: SurfacePoints<'a>,
@@ -34,8 +35,8 @@ impl<'a> SurfaceTile<'a> {
         })
     }
 
-    /// Fills the columns and rows from the first to before the second of a `tile` whose first pixel on the film is
-    /// `first`.
+    /// Fills the columns and rows from the first to before the second of a `tile` whose first pixel
+    /// on the film is `first`.
     pub(super) fn fill(
         &mut self,
         tile: &TracedTile,

@@ -7,7 +7,8 @@ use super::lanes::{LaneBox, Lanes};
 /// The largest number of bins along an axis.
 const BINS: usize = 16;
 
-/// The number of bins for a list of `count` primitives. Short lists, the most frequent, do not deserve many.
+/// The number of bins for a list of `count` primitives. Short lists, the most frequent, do not
+/// deserve many.
 fn bins_for(count: usize) -> usize {
     (count / 4).clamp(4, BINS)
 }
@@ -16,8 +17,8 @@ fn bins_for(count: usize) -> usize {
 const LONG: usize = 4 * SAMPLE;
 const SAMPLE: usize = 1 << 10;
 
-/// One primitive from each of [`SAMPLE`] equal parts of the list. Its place varies from part to part, because
-/// lists have patterns, such as the rows of a grid.
+/// One primitive from each of [`SAMPLE`] equal parts of the list. Its place varies from part to
+/// part, because lists have patterns, such as the rows of a grid.
 fn sample(primitives: &[BuildPrimitive]) -> Vec<BuildPrimitive> {
     let step = primitives.len() / SAMPLE;
     // The fractions of multiples of the golden ratio are spread evenly.
@@ -34,7 +35,8 @@ pub(super) struct Plane {
     pub(super) at: f32,
 }
 
-/// Maps doubled centres to bins on each axis. The first and the last bin are half as wide as the others.
+/// Maps doubled centres to bins on each axis. The first and the last bin are half as wide as the
+/// others.
 #[derive(Debug, Clone, Copy)]
 struct Binning {
     low: Lanes,
@@ -105,7 +107,8 @@ impl Bin {
         }
     }
 
-    /// The expected number of leaves that a ray meets in the bin, times an area that all bins share.
+    /// The expected number of leaves that a ray meets in the bin, times an area that all bins
+    /// share.
     fn cost(self, leaf_size: LeafSize) -> f32 {
         if self.count == 0 {
             return 0.0;

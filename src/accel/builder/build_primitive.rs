@@ -13,8 +13,8 @@ pub(crate) struct BuildPrimitive {
 
 const _: () = assert!(size_of::<BuildPrimitive>() == 32);
 
-/// A number from 1 to below 2 with 16 bits in its mantissa. Sums of lanes include it; as the bits of an
-/// `f32` small numbers would be subnormal, which makes sums many times slower.
+/// A number from 1 to below 2 with 16 bits in its mantissa. Sums of lanes include it; as the bits
+/// of an `f32` small numbers would be subnormal, which makes sums many times slower.
 fn with_bits(bits: u32) -> f32 {
     f32::from_bits(1f32.to_bits() | bits & 0xffff)
 }
@@ -71,8 +71,8 @@ impl BuildPrimitive {
 /// Lists longer than this are processed by several threads.
 pub(super) const PARALLEL: usize = 1 << 16;
 
-/// The part of a long list that a thread takes at a time. It does not depend on the number of threads,
-/// so neither does the tree.
+/// The part of a long list that a thread takes at a time. It does not depend on the number of
+/// threads, so neither does the tree.
 pub(super) const CHUNK: usize = PARALLEL / 4;
 
 /// The box around the doubled centres.

@@ -16,7 +16,8 @@ pub(crate) struct Collected {
     pub(crate) never_hit: usize,
 }
 
-/// Collects the primitives of `geometry` that can be hit and, if `visibility` is given, may be seen.
+/// Collects the primitives of `geometry` that can be hit and, if `visibility` is given, may be
+/// seen.
 pub(crate) fn collect(
     geometry: &Geometry,
     space: &AnchorSpace,
@@ -68,7 +69,8 @@ fn remove_dead(primitives: &mut Vec<BuildPrimitive>) {
     }
 }
 
-/// All triangles, including dead ones. Their number is known, so each is written to its final place.
+/// All triangles, including dead ones. Their number is known, so each is written to its final
+/// place.
 fn all_triangles(
     geometry: &Geometry,
     space: &AnchorSpace,

@@ -11,19 +11,20 @@ impl LeafSize {
         count.div_ceil(self.0)
     }
 
-    /// The same as a float, by a multiplication instead of a division. It may be off by one unless the leaf
-    /// size is a power of two.
+    /// The same as a float, by a multiplication instead of a division. It may be off by one unless
+    /// the leaf size is a power of two.
     #[inline]
     pub(super) fn approximate_leaves(self, count: u32) -> f32 {
         let per_primitive = 1.0 / self.0 as f32;
         ((count as f32 + (self.0 - 1) as f32) * per_primitive) as i32 as f32
     }
 
-    /// The split of `len` primitives nearest to `count` for which both parts together need no more leaves than
-    /// the whole, and neither part is empty. The list must be longer than a leaf.
+    /// The split of `len` primitives nearest to `count` for which both parts together need no more
+    /// leaves than the whole, and neither part is empty. The list must be longer than a leaf.
     pub(super) fn full(self, len: usize, count: usize) -> usize {
         let spare = self.leaves(len) * self.0 - len;
-        // With at least this many primitives, the last leaf of the left part uses no more than the spare places.
+        // With at least this many primitives, the last leaf of the left part uses no more than the
+        // spare places.
         let enough = self.0 - spare;
         let last = count % self.0;
         if last == 0 || last >= enough {

@@ -1,9 +1,11 @@
-//! Hierarchical linear BVH (Pantaleoni and Luebke, 2010; Garanzha, Pantaleoni and McAllister, 2011).
+//! Hierarchical linear BVH (Pantaleoni and Luebke, 2010; Garanzha, Pantaleoni and McAllister,
+//! 2011).
 //!
 //! Primitives are sorted along a Morton curve, and runs of codes that share their upper bits become
-//! treelets, so the upper half of the levels costs no more than a sort. The surface area heuristic builds
-//! the tree above the treelets. Within treelets, this implementation departs from the papers and ignores
-//! the codes: splitting such short lists in the middle is as fast and gives better trees.
+//! treelets, so the upper half of the levels costs no more than a sort. The surface area heuristic
+//! builds the tree above the treelets. Within treelets, this implementation departs from the papers
+//! and ignores the codes: splitting such short lists in the middle is as fast and gives better
+//! trees.
 
 use super::branch::Branch;
 use super::build_primitive::BuildPrimitive;
@@ -71,8 +73,8 @@ fn split_into<'a, T>(mut list: &'a mut [T], runs: &[Range<usize>]) -> Vec<&'a mu
     runs.iter().map(part).collect()
 }
 
-/// Cuts the curve into runs of up to `longest` codes, each time where the highest bit changes in which
-/// they differ. Runs of a single code may be longer.
+/// Cuts the curve into runs of up to `longest` codes, each time where the highest bit changes in
+/// which they differ. Runs of a single code may be longer.
 fn runs(curve: &[CurvePlace], longest: usize) -> Vec<Range<usize>> {
     let mut runs = Vec::new();
     // The later parts of all cuts, no more than a code has bits.

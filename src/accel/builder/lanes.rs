@@ -1,7 +1,7 @@
 //! Four `f32` lanes, and boxes of them: one vector instruction for three axes.
 //!
-//! The compiler turns each operation into one instruction of the target's baseline. Boxes ignore the last
-//! lane, so that their owner can use it.
+//! The compiler turns each operation into one instruction of the target's baseline. Boxes ignore
+//! the last lane, so that their owner can use it.
 
 use crate::accel::space::{Box32, larger, smaller};
 
@@ -50,8 +50,8 @@ impl Lanes {
         self.with(other, |a, b| a * b)
     }
 
-    /// The nearest integers of numbers from 0 to below 2^22, in the lowest 22 bits: adding 2^23 shifts out all
-    /// other bits. The result for other numbers is arbitrary.
+    /// The nearest integers of numbers from 0 to below 2^22, in the lowest 22 bits: adding 2^23
+    /// shifts out all other bits. The result for other numbers is arbitrary.
     #[inline(always)]
     pub(super) fn rounded(self) -> [u32; 4] {
         let [a, b, c, d] = self.plus(Lanes::all((1 << 23) as f32)).0;

@@ -8,8 +8,8 @@ use rayon::prelude::*;
 /// The largest number of bits of a code on each axis.
 const MOST_AXIS_BITS: u32 = 10;
 
-/// The number of bits on each axis with which a grid cell holds about ten of `count` primitives, if they lie
-/// on a surface.
+/// The number of bits on each axis with which a grid cell holds about ten of `count` primitives, if
+/// they lie on a surface.
 fn axis_bits(count: usize) -> u32 {
     (count.max(1).ilog2() / 2)
         .saturating_sub(3)
@@ -45,7 +45,8 @@ pub(super) fn along_curve(primitives: &[BuildPrimitive]) -> Vec<CurvePlace> {
     sort_by_digits(places, 3 * axis_bits, |place| place.code())
 }
 
-/// A grid with the same number of cells on each axis. The first and the last are half as wide as the others.
+/// A grid with the same number of cells on each axis. The first and the last are half as wide as
+/// the others.
 struct Grid {
     low: Lanes,
     cells_per_unit: Lanes,

@@ -7,8 +7,8 @@ use crate::accel::SplitMethod;
 pub struct BuildOptions {
     /// The split method.
     pub method: SplitMethod,
-    /// The largest number of primitives in a leaf (pbrt's `maxnodeprims`), 1 or more. [`SplitMethod::None`]
-    /// ignores it.
+    /// The largest number of primitives in a leaf (pbrt's `maxnodeprims`), 1 or more.
+    /// [`SplitMethod::None`] ignores it.
     pub max_leaf: usize,
 }
 

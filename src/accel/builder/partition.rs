@@ -4,8 +4,8 @@ use super::build_primitive::{BuildPrimitive, CHUNK, PARALLEL};
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// Moves the primitives that satisfy `is_left` to the front and returns their number. The resulting order
-/// does not depend on the number of threads.
+/// Moves the primitives that satisfy `is_left` to the front and returns their number. The resulting
+/// order does not depend on the number of threads.
 #[inline]
 pub(super) fn partition(
     primitives: &mut [BuildPrimitive],
@@ -37,8 +37,8 @@ fn partition_serially(
     left
 }
 
-/// Joins partitioned chunks, each with `left_counts` primitives on its left: those in the wrong part of the
-/// whole list change places.
+/// Joins partitioned chunks, each with `left_counts` primitives on its left: those in the wrong
+/// part of the whole list change places.
 fn exchange(primitives: &mut [BuildPrimitive], left_counts: &[usize]) {
     let middle: usize = left_counts.iter().sum();
     let len = primitives.len();

@@ -10,7 +10,8 @@ const DIGITS: usize = 1 << DIGIT_BITS;
 /// The standard library sorts shorter lists.
 const SHORT: usize = 1 << 12;
 
-/// Sorts `items` by their keys, which are below 2^`bits`; equal keys keep their order. `bits` must not be 0.
+/// Sorts `items` by their keys, which are below 2^`bits`; equal keys keep their order. `bits` must
+/// not be 0.
 pub(super) fn sort_by_digits<T: Copy + Send + Sync>(
     mut items: Vec<T>,
     bits: u32,
@@ -33,8 +34,8 @@ pub(super) fn sort_by_digits<T: Copy + Send + Sync>(
 
 /// Writes `items` to `sorted` in the order of a digit.
 ///
-/// Chunks are counted and moved in parallel. Each has its own places for every digit, behind those of earlier
-/// chunks, so the order does not depend on the number of chunks.
+/// Chunks are counted and moved in parallel. Each has its own places for every digit, behind those
+/// of earlier chunks, so the order does not depend on the number of chunks.
 fn sort_by_digit<T: Copy + Send + Sync>(
     items: &[T],
     sorted: &mut [T],

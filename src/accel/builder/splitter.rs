@@ -17,8 +17,8 @@ pub(super) struct Splitter {
 }
 
 impl Splitter {
-    /// Reorders `primitives` so that the left part comes first, and returns its length; `None` if they should
-    /// form a leaf.
+    /// Reorders `primitives` so that the left part comes first, and returns its length; `None` if
+    /// they should form a leaf.
     pub(super) fn split(&self, primitives: &mut [BuildPrimitive]) -> Option<usize> {
         if primitives.len() <= self.leaf_size.0 || self.method == SplitMethod::None {
             return None;
@@ -92,8 +92,8 @@ fn move_boundary(
     wanted
 }
 
-/// Moves the first `count` primitives along `axis` to the front. Their bits break ties, so the selection does
-/// not depend on the order of the list.
+/// Moves the first `count` primitives along `axis` to the front. Their bits break ties, so the
+/// selection does not depend on the order of the list.
 fn select(primitives: &mut [BuildPrimitive], axis: usize, count: usize) {
     let key = |primitive: &BuildPrimitive| {
         u64::from(rank(primitive.centre_along(axis))) << 32 | u64::from(primitive.bits())

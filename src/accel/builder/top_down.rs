@@ -18,8 +18,8 @@ pub(super) struct TopDown<'a> {
 }
 
 impl TopDown<'_> {
-    /// Builds the tree over `primitives`, which must not be empty, and sorts them in the order of its leaves.
-    /// The first primitive gets index `first`.
+    /// Builds the tree over `primitives`, which must not be empty, and sorts them in the order of
+    /// its leaves. The first primitive gets index `first`.
     pub(super) fn build(&self, primitives: &mut [BuildPrimitive], first: usize) -> Subtree {
         self.branch(primitives, first, 0).into_subtree()
     }

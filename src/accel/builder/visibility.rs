@@ -1,7 +1,8 @@
 //! Culls the primitives that no ray of a view can meet: they need no tree.
 //!
-//! A ray passes through the centre of its pixel. So a triangle whose rectangle on the film lies between pixel
-//! centres is invisible, wherever it is; most triangles of a mesh finer than the film are.
+//! A ray passes through the centre of its pixel. So a triangle whose rectangle on the film lies
+//! between pixel centres is invisible, wherever it is; most triangles of a mesh finer than the film
+//! are.
 
 use crate::accel::space::AnchorSpace;
 use crate::accel::view::{MAX_PIXEL_ERROR, OnFilm, View};
@@ -86,8 +87,8 @@ impl Visibility {
     }
 }
 
-/// The least integer not below `x`, for `x` from 0 to 2^24. The standard library's `ceil` is a function call on
-/// targets without the instruction.
+/// The least integer not below `x`, for `x` from 0 to 2^24. The standard library's `ceil` is a
+/// function call on targets without the instruction.
 #[inline]
 fn next_whole(x: f32) -> f32 {
     let below = x as i32 as f32;

@@ -1,7 +1,9 @@
-//! Instances of objects: a tree over their boxes, and for each object a tree in the space of its instances.
+//! Instances of objects: a tree over their boxes, and for each object a tree in the space of its
+//! instances.
 //!
-//! Traversal transforms the boxes of an object to the world, where they still enclose their contents.
-//! Primitives are tested exactly where they are: each is transformed to the world by itself (rule R4).
+//! Traversal transforms the boxes of an object to the world, where they still enclose their
+//! contents. Primitives are tested exactly where they are: each is transformed to the world by
+//! itself (rule R4).
 
 mod object_tree;
 mod outline;
@@ -77,7 +79,8 @@ pub(super) struct InstanceTrees {
 }
 
 impl InstanceTrees {
-    /// Builds the trees over the instances that may be seen, if `visibility` is given, otherwise over all.
+    /// Builds the trees over the instances that may be seen, if `visibility` is given, otherwise
+    /// over all.
     ///
     /// `progress` counts instances and primitives of objects; those left out count at once.
     pub(super) fn build(

@@ -12,8 +12,8 @@ pub(super) struct Outline {
     pub(super) terms: Terms,
 }
 
-/// Magnitudes of all points of an object, as its shapes' transforms take them from the spaces of their
-/// files to the space of its instances.
+/// Magnitudes of all points of an object, as its shapes' transforms take them from the spaces of
+/// their files to the space of its instances.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Terms {
     /// Bounds the sum of the absolute terms of each coordinate. Infinite if sums may overflow.
@@ -26,9 +26,9 @@ pub(crate) struct Terms {
 const LARGEST: f64 = 1e250;
 
 impl Outline {
-    /// The outline of an object. It includes everything that may be hit in some instance: also primitives
-    /// without area in the space of the instances, because rounding may give them one, and those under a
-    /// singular transform.
+    /// The outline of an object. It includes everything that may be hit in some instance: also
+    /// primitives without area in the space of the instances, because rounding may give them one,
+    /// and those under a singular transform.
     pub(super) fn of(object: &Geometry) -> Outline {
         let primitives: Vec<PrimitiveId> = object.primitives().collect();
         let of_chunk = |chunk: &[PrimitiveId]| {

@@ -1,16 +1,16 @@
 //! Transforms the boxes of an object to the world.
 //!
-//! With M the transform of an instance and S that of a mesh, a world vertex is W = fl(fl(M S) v), and the
-//! tree of the object knows p = fl(S v). Let u = 2^-53, let E ([`Terms::in_instance`]) bound the absolute
-//! terms of every component of S v, and let m be the last column of M. Then
+//! With M the transform of an instance and S that of a mesh, a world vertex is W = fl(fl(M S) v),
+//! and the tree of the object knows p = fl(S v). Let u = 2^-53, let E ([`Terms::in_instance`])
+//! bound the absolute terms of every component of S v, and let m be the last column of M. Then
 //! - the error of p from S v is up to 4 u E, which M turns into 4 u |M| E;
-//! - the error of each entry of fl(M S) is up to 5 u of its absolute terms, and that of the product with v
-//!   up to 4 u of its own: the error of W from M (S v) is up to 10 u (|M| E + |m|);
-//! - a face of a box is a coordinate not much larger than E, rounded once on leaving the object's space,
-//!   and followed by three products and sums with M: 6 u (|M| E + |m|).
+//! - the error of each entry of fl(M S) is up to 5 u of its absolute terms, and that of the product
+//!   with v up to 4 u of its own: the error of W from M (S v) is up to 10 u (|M| E + |m|);
+//! - a face of a box is a coordinate not much larger than E, rounded once on leaving the object's
+//!   space, and followed by three products and sums with M: 6 u (|M| E + |m|).
 //!
-//! The sum is less than the 64 u (|M| E + |m|) that [`Placement::slack`] adds. Underflow adds up to 2^-1074
-//! in p, in an entry of M S (which v multiplies), or in a product.
+//! The sum is less than the 64 u (|M| E + |m|) that [`Placement::slack`] adds. Underflow adds up to
+//! 2^-1074 in p, in an entry of M S (which v multiplies), or in a product.
 
 use super::outline::Terms;
 use crate::exact::UNIT_ROUNDOFF as U;
@@ -45,8 +45,8 @@ impl Placement {
         }
     }
 
-    /// The box in the world around the points of `bounds` in the object's space. It is monotone: a larger
-    /// box stays around a smaller one.
+    /// The box in the world around the points of `bounds` in the object's space. It is monotone: a
+    /// larger box stays around a smaller one.
     pub(crate) fn enclose(&self, bounds: &Bounds) -> Bounds {
         let ends = |k: usize| {
             let row = &self.world_from_instance.rows[k];

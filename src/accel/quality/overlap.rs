@@ -8,12 +8,12 @@ use crate::geometry::Point;
 use crate::shape::PrimitiveId;
 
 impl Aggregate {
-    /// The cost of the nodes that contain a point of `primitive` without having that primitive below
-    /// them.
+    /// The cost of the nodes that contain a point of `primitive` without having that primitive
+    /// below them.
     ///
     /// The mean of this over all points of all surfaces is the end-point overlap (EPO) of Aila,
-    /// Karras and Laine, "On quality metrics of bounding volume hierarchies" (2013), section 3. Costs
-    /// are those of [`super::Statistics::sah_cost`]. Primitives of instances do not count.
+    /// Karras and Laine, "On quality metrics of bounding volume hierarchies" (2013), section 3.
+    /// Costs are those of [`super::Statistics::sah_cost`]. Primitives of instances do not count.
     pub fn overlap_at(&self, primitive: PrimitiveId, point: Point) -> f64 {
         let point = box_of(self.space.place(&point));
         let overlap = self
@@ -110,7 +110,8 @@ mod tests {
     #[test]
     fn nodes_around_a_point_count_unless_the_primitive_is_below_them() {
         let (aggregate, vertices) = aggregate(SplitMethod::Sah);
-        // A corner that only its own box contains, and a point of the long triangle in the boxes of others.
+        // A corner that only its own box contains, and a point of the long triangle in the boxes of
+        // others.
         let points = [
             (PrimitiveId::triangle(3), vertices[10]),
             (PrimitiveId::triangle(8), Point::new(3.1, 0.26, 1.0)),

@@ -7,8 +7,8 @@ use crate::shape::Geometry;
 /// The cost of visiting a node, in units of testing a primitive.
 pub(super) const NODE_COST: f64 = 1.0;
 
-/// Counts and costs of all trees of an aggregate: that of the primitives in no instance, that of the
-/// instances, and those of the objects, each counted once.
+/// Counts and costs of all trees of an aggregate: that of the primitives in no instance, that of
+/// the instances, and those of the objects, each counted once.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Statistics {
     /// Inner nodes and leaves.

@@ -8,8 +8,8 @@ use crate::shape::Geometry;
 
 impl Aggregate {
     /// Checks that every primitive that can be hit is in exactly one leaf, that every box encloses
-    /// everything below it (for instances in the world), and that no tree is too deep. Tests call this after
-    /// each build.
+    /// everything below it (for instances in the world), and that no tree is too deep. Tests call
+    /// this after each build.
     ///
     /// # Errors
     /// Describes the first defect found.
@@ -99,8 +99,8 @@ impl Aggregate {
     }
 }
 
-/// Checks that every item belongs to exactly one leaf, that boxes are within those above them, and that
-/// all items satisfy `is_inside` with their leaf.
+/// Checks that every item belongs to exactly one leaf, that boxes are within those above them, and
+/// that all items satisfy `is_inside` with their leaf.
 fn check<T>(
     tree: &BinaryTree<T>,
     mut is_inside: impl FnMut(&Node, &T) -> bool,

@@ -55,8 +55,8 @@ pub(super) const LANE_ROWS: [f32; LANES] = [
     0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 2.0, 2.0, 2.0, 2.0, 3.0, 3.0, 3.0, 3.0,
 ];
 
-/// A [`PixelHit`] as a number: [`NOTHING`], the index of a depth plane, or the index of a hit with the
-/// bit [`SEARCHED`].
+/// A [`PixelHit`] as a number: [`NOTHING`], the index of a depth plane, or the index of a hit with
+/// the bit [`SEARCHED`].
 pub(super) type Slot = u32;
 const NOTHING: Slot = u32::MAX;
 const SEARCHED: Slot = 1 << 31;

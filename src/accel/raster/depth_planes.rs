@@ -1,18 +1,20 @@
 //! The triangles that pixels of a tile see, and their depths as functions of the pixel.
 //!
-//! A ray o + t d passes the plane of a triangle with first corner v and normal n = e1 x e2, the cross
-//! product of its edges, at t = n . (v - o) / n . d. In a perspective, o is the eye and d is linear in
-//! the pixel, so 1/t is linear; in an orthographic view d is constant and o is linear, and so is t.
+//! A ray o + t d passes the plane of a triangle with first corner v and normal n = e1 x e2, the
+//! cross product of its edges, at t = n . (v - o) / n . d. In a perspective, o is the eye and d is
+//! linear in the pixel, so 1/t is linear; in an orthographic view d is constant and o is linear,
+//! and so is t.
 //!
 //! # Bounds
 //!
-//! The true hit is a mean of the true corners. Its distance from the computed plane, times |n|, is the
-//! same mean of the corners' errors along n: no more than sum_k |n_k| s_k, where s_k bounds the errors of
-//! component k. So the error of the computed t is no more than that over |n . d|, and the relative error
-//! that over |n . (v - o)|, no matter how narrow the triangle is. For an edge, s is 2^-24 of its larger
-//! component, or 2^-53 if it was computed in `f64`. The roundings of v - o, of n and of the dot products
-//! act as if s were larger by 2^-49 (|v - o|_k + e_k), and the errors of the ray by t times its own. As n
-//! is rounded, n . e is not quite 0: it is up to 2^-52 of the absolute terms of n times e, 6 e_x e_y e_z.
+//! The true hit is a mean of the true corners. Its distance from the computed plane, times |n|, is
+//! the same mean of the corners' errors along n: no more than sum_k |n_k| s_k, where s_k bounds the
+//! errors of component k. So the error of the computed t is no more than that over |n . d|, and the
+//! relative error that over |n . (v - o)|, no matter how narrow the triangle is. For an edge, s is
+//! 2^-24 of its larger component, or 2^-53 if it was computed in `f64`. The roundings of v - o, of
+//! n and of the dot products act as if s were larger by 2^-49 (|v - o|_k + e_k), and the errors of
+//! the ray by t times its own. As n is rounded, n . e is not quite 0: it is up to 2^-52 of the
+//! absolute terms of n times e, 6 e_x e_y e_z.
 
 use super::setup::{TrianglesF64, cross, dot, row_times};
 use crate::accel::view::{TileFrame, View};
@@ -51,7 +53,8 @@ const ROUNDING: f32 = 1.0 / (1u64 << 49) as f32;
 pub(super) struct DepthPlane {
     /// Nearness at the tile's first pixel, and its steps per column and row.
     pub(super) nearness: [f64; 3],
-    /// Bounds the error of depth: relative, in an orthographic view in units of depth. NaN if unknown.
+    /// Bounds the error of depth: relative, in an orthographic view in units of depth. NaN if
+    /// unknown.
     pub(super) error: f32,
 }
 
@@ -189,8 +192,8 @@ impl PlaneGroup {
     }
 }
 
-/// Bounds the error of depth as the module head derives it. `per_height` is the normal over n . (v - o),
-/// in an orthographic view over n . d.
+/// Bounds the error of depth as the module head derives it. `per_height` is the normal over n . (v
+/// - o), in an orthographic view over n . d.
 #[inline(always)]
 fn depth_error<S: Lanes>(
     simd: S,

@@ -101,9 +101,9 @@ impl Fallback<'_> {
         }
     }
 
-    /// Tests whether a part of a surface cannot win at a pixel, given where the ray first meets the whole
-    /// surface: it does not meet it, or the pixel has already hit another part of it there that comes
-    /// first in the file.
+    /// Tests whether a part of a surface cannot win at a pixel, given where the ray first meets the
+    /// whole surface: it does not meet it, or the pixel has already hit another part of it there
+    /// that comes first in the file.
     fn is_behind(
         &self,
         front: &FilterResult,
@@ -116,8 +116,8 @@ impl Fallback<'_> {
             (FilterResult::Miss, _) => true,
             (FilterResult::Hit(front), PixelHit::Searched(index)) => {
                 let best = &pixels.hits[index];
-                // Each root has one bracket, and brackets of different roots are disjoint: it is the same
-                // root.
+                // Each root has one bracket, and brackets of different roots are disjoint: it is
+                // the same root.
                 best.t == *front
                     && ties.between(self.geometry, best.primitive, primitive) != Coincidence::None
                     && self.geometry.precedes(best.primitive, primitive)

@@ -5,8 +5,8 @@ use crate::geometry::Ray;
 use crate::shape::{Coincidence, FilterRay, FilterResult, Primitive, Quadric};
 use crate::simd::LANES;
 
-/// The first hits of the rays with one such surface, computed on demand. No part of the surface is hit
-/// before its front.
+/// The first hits of the rays with one such surface, computed on demand. No part of the surface is
+/// hit before its front.
 #[derive(Debug)]
 pub(super) struct Fronts {
     /// The last quadric that was not flat. All parts of a surface share its roots.
@@ -30,7 +30,8 @@ impl Fronts {
         (self.whole, self.is_shared) = (None, false);
     }
 
-    /// Turns to the next primitive. Returns whether it is a part of the same surface as the previous one.
+    /// Turns to the next primitive. Returns whether it is a part of the same surface as the
+    /// previous one.
     pub(super) fn turn_to(&mut self, surface: &Primitive) -> bool {
         let Primitive::Quadric(quadric) = surface else {
             return false;

@@ -1,8 +1,8 @@
 //! Rasterizes instances into a tile.
 //!
-//! The boxes of an object's tree are projected for each tile, by the view's matrix times that of the
-//! instance. The primitives of the leaves that may be seen are moved to the world and then rasterized
-//! like all others.
+//! The boxes of an object's tree are projected for each tile, by the view's matrix times that of
+//! the instance. The primitives of the leaves that may be seen are moved to the world and then
+//! rasterized like all others.
 
 use super::tile::{Tile, TileBuffers};
 use super::traversal::{FilmFromTree, HiZ, project};
@@ -45,8 +45,8 @@ pub(super) fn rasterize_instances<S: Lanes, const EXACT: bool>(tile: &mut Tile, 
     }
 }
 
-/// Rasterizes one instance, and returns the new nearness below which the tile sees nothing. `block` is
-/// a buffer.
+/// Rasterizes one instance, and returns the new nearness below which the tile sees nothing. `block`
+/// is a buffer.
 #[inline(always)]
 fn rasterize_instance<S: Lanes, const EXACT: bool>(
     tile: &mut Tile,
@@ -87,8 +87,8 @@ fn rasterize_instance<S: Lanes, const EXACT: bool>(
     cull_nearness
 }
 
-/// Fills a block with primitives of an object in the pose of an instance. Leaves out those that are not
-/// finite or cannot be hit there.
+/// Fills a block with primitives of an object in the pose of an instance. Leaves out those that are
+/// not finite or cannot be hit there.
 fn fill(block: &mut PrimitiveBlock, primitives: &[PrimitiveId], pose: &mut Pose) {
     block.clear();
     for primitive in primitives {

@@ -1,14 +1,14 @@
 //! The tile rasterizer: finds the nearest hits of 16 x 16 rays at once.
 //!
-//! Seen from a camera, the box of a node is a rectangle of pixels with a nearest point. A tile visits
-//! a node if the rectangle overlaps the tile and some pixel of the overlap has not hit anything nearer
-//! yet (hierarchical Z). The triangles of a leaf are then set up sixteen at a time and rasterized into
-//! the tile's depth buffer, sixteen pixels at a time.
+//! Seen from a camera, the box of a node is a rectangle of pixels with a nearest point. A tile
+//! visits a node if the rectangle overlaps the tile and some pixel of the overlap has not hit
+//! anything nearer yet (hierarchical Z). The triangles of a leaf are then set up sixteen at a time
+//! and rasterized into the tile's depth buffer, sixteen pixels at a time.
 //!
 //! Decisions are made in `f32` with bounds on their errors; see [`setup::setup_f32`], and
-//! [`setup::setup_f64`] for the few triangles that need `f64`. Pixels that stay unresolved go to the
-//! exact fallback, which tests single rays. Depths are computed last, for visible primitives only;
-//! see [`depth_planes`].
+//! [`setup::setup_f64`] for the few triangles that need `f64`. Pixels that stay unresolved go to
+//! the exact fallback, which tests single rays. Depths are computed last, for visible primitives
+//! only; see [`depth_planes`].
 
 mod depth_buffer;
 mod depth_planes;

@@ -1,4 +1,4 @@
-//! Numbers that lanes compute are off by no more than their bounds say.
+//! Tests that computed edge functions, nearness and depths stay within their error bounds.
 
 use super::depth_planes::DepthPlanes;
 use super::setup::EdgePlanes;
@@ -11,7 +11,7 @@ use crate::shape::{Geometry, InstancedId, PrimitiveId, Triangle};
 use crate::simd::{Kernel, LANES, Lanes, Level};
 use proptest::prelude::*;
 
-/// Sixteen triangles before a camera, of which the tile from pixel `first` is looked at.
+/// Sixteen triangles in front of a camera, and the first pixel of a tile.
 #[derive(Debug, Clone)]
 struct Scene {
     camera: Camera,
@@ -41,7 +41,8 @@ fn camera(eye: [f64; 3], is_perspective: bool) -> Camera {
     }
 }
 
-/// The triangles lie around points that rays of the tile pass, from small ones to some that are larger than the tile.
+/// The triangles lie around points that rays of the tile pass, from small ones to some that are
+/// larger than the tile.
 fn scene() -> impl Strategy<Value = Scene> {
     let eye = prop::array::uniform3(3.0..9.0f64);
     let corner = prop::array::uniform3(-1.0..1.0f64);
@@ -76,7 +77,7 @@ fn scene() -> impl Strategy<Value = Scene> {
 
 struct Check<'a>(&'a Scene);
 
-/// A scene as a tile prepares it.
+/// A scene after setup.
 struct Prepared<'a> {
     scene: &'a Scene,
     geometry: Geometry,
@@ -87,7 +88,7 @@ struct Prepared<'a> {
 impl Kernel for Check<'_> {
     type Output = ();
 
-    /// Compares numbers and their bounds with what `f64` makes of the scene's own corners.
+    /// Compares computed numbers and their bounds with `f64` results from the scene's own corners.
     #[inline(always)]
     fn run<S: Lanes>(self, simd: S) {
         let Scene {
@@ -203,7 +204,7 @@ impl Prepared<'_> {
     }
 }
 
-/// What `f64` says of a triangle at a pixel of the tile.
+/// A triangle at a pixel of the tile, computed in `f64`.
 struct Truth {
     edges: [f64; 3],
     nearness: f64,
@@ -242,10 +243,13 @@ impl Truth {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(300) })]
+    #![proptest_config(ProptestConfig {
+        failure_persistence: None,
+        ..ProptestConfig::with_cases(300)
+    })]
 
     #[test]
-    fn numbers_are_off_by_no_more_than_their_bounds(scene in scene()) {
+    fn computed_numbers_stay_within_their_bounds(scene in scene()) {
         for level in Level::ALL.iter().filter(|level| level.is_available()) {
             level.run(Check(&scene));
         }

@@ -123,8 +123,8 @@ impl Tile<'_> {
         rasterizer.rasterize::<S, EXACT>(simd, planes, lanes);
     }
 
-    /// Sets triangles up again from their corners in `f64`. Those that are still not sure enough stay
-    /// unresolved at every pixel of their footprint.
+    /// Sets triangles up again from their corners in `f64`. Those that are still not sure enough
+    /// stay unresolved at every pixel of their footprint.
     #[inline(always)]
     fn refine<S: Lanes, const EXACT: bool>(&mut self, simd: S, lanes: u32, batch: PrimitiveBatch) {
         let geometry = self.fallback.geometry;

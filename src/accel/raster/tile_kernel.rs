@@ -31,8 +31,8 @@ impl Kernel for FastTile<'_> {
 /// A sibling of all primitives that belong to no instance.
 const ALONE: InstancedId = InstancedId::alone(PrimitiveId::FIRST);
 
-/// A value that the compiler has to align on the stack. Then it also aligns the registers that it spills
-/// there: without this, three out of four lay across cache lines.
+/// A value that the compiler has to align on the stack. Then it also aligns the registers that it
+/// spills there: without this, three out of four lay across cache lines.
 #[repr(align(64))]
 struct Aligned(#[allow(dead_code)] u8);
 

@@ -66,8 +66,8 @@ impl<'a> Tiles<'a> {
         aggregate: &'a Aggregate,
         options: TileOptions,
     ) -> Tiles<'a> {
-        // The results of f32 depend on where boxes are most precise. If that is not the eye, they are
-        // defined as those of single rays.
+        // The results of f32 depend on where boxes are most precise. If that is not the eye, they
+        // are defined as those of single rays.
         let is_for_view = aggregate.space.anchor() == camera.anchor();
         let view = View::new(camera, &aggregate.space)
             .filter(|_| is_for_view || options.precision == Precision::Exact);

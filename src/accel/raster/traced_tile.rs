@@ -8,8 +8,8 @@ use crate::simd::LANES;
 
 const PIXELS: usize = (TILE * TILE) as usize;
 
-/// The hits of a tile's rays, row by row. It has all pixels of the tile, but only those in the requested
-/// window are meaningful.
+/// The hits of a tile's rays, row by row. It has all pixels of the tile, but only those in the
+/// requested window are meaningful.
 #[derive(Debug)]
 pub struct TracedTile {
     /// Planar depths, with those of misses.

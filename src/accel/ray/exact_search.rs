@@ -13,7 +13,8 @@ pub(crate) struct ExactSearch<'a> {
     geometry: &'a Geometry,
     nearest: Nearest<'a>,
     slab: &'a SlabRay,
-    /// The upper end of the best bracket in the units of the slab test. Boxes entered later are culled.
+    /// The upper end of the best bracket in the units of the slab test. Boxes entered later are
+    /// culled.
     limit: f32,
 }
 
@@ -73,7 +74,8 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(20_000))]
 
-        /// Tests slivers, whose t the filter knows least well: nodes before the hit must not be culled.
+        /// Tests slivers, whose t the filter knows least well: nodes before the hit must not be
+        /// culled.
         #[test]
         fn the_limit_is_not_before_the_hit(
             ends in prop::array::uniform6(-1.0f64..1.0),
@@ -82,13 +84,15 @@ mod tests {
             weights in prop::array::uniform3(0.05f64..1.0),
             origin in prop::array::uniform3(-1.0f64..1.0),
         ) {
-            let (a, b) = (Point::new(ends[0], ends[1], ends[2]), Point::new(ends[3], ends[4], ends[5]));
+            let a = Point::new(ends[0], ends[1], ends[2]);
+            let b = Point::new(ends[3], ends[4], ends[5]);
             let middle = |k: usize| 0.4 * a[k] + 0.6 * b[k] + aside[k] * 2f64.powi(thinness);
             let c = Point::new(middle(0), middle(1), middle(2));
             let mut geometry = Geometry::default();
             geometry.add_mesh(vec![a, b, c], vec![[0, 1, 2]], &Matrix::IDENTITY, 1).unwrap();
             let sum = weights[0] + weights[1] + weights[2];
-            let target = |k: usize| (weights[0] * a[k] + weights[1] * b[k] + weights[2] * c[k]) / sum;
+            let [u, v, w] = weights;
+            let target = |k: usize| (u * a[k] + v * b[k] + w * c[k]) / sum;
             let origin = Point::from(origin);
             let direction = Point::new(target(0), target(1), target(2)) - origin;
             let ray = Ray { origin, direction };

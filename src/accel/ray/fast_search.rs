@@ -7,11 +7,13 @@ use crate::exact::Bracket;
 use crate::geometry::{Point, Ray};
 use crate::shape::{Geometry, InstancedId, Primitive, SingleQuadric, intersect_single};
 
-/// The best hit so far of a ray among the primitives that were tested, in `f32` relative to the anchor.
+/// The best hit so far of a ray among the primitives that were tested, in `f32` relative to the
+/// anchor.
 ///
-/// Rounding may place a hit slightly outside the primitive's box, where a tree would never have looked.
-/// So a hit counts only if the ray enters that box, and is moved to the entry if it lies before it. Every
-/// node around the box is entered no later, so the result is the same for every tree, and without one.
+/// Rounding may place a hit slightly outside the primitive's box, where a tree would never have
+/// looked. So a hit counts only if the ray enters that box, and is moved to the entry if it lies
+/// before it. Every node around the box is entered no later, so the result is the same for every
+/// tree, and without one.
 pub(crate) struct FastSearch<'a> {
     geometry: &'a Geometry,
     space: &'a AnchorSpace,

@@ -10,7 +10,8 @@ use std::cmp::Ordering;
 /// The best hit so far of a ray among the primitives that were tested.
 ///
 /// The result is that of exact arithmetic on all of them, in any order: the filter's decisions are
-/// right, its brackets contain the true `t`, and if two brackets overlap the true numbers are compared.
+/// right, its brackets contain the true `t`, and if two brackets overlap the true numbers are
+/// compared.
 pub(crate) struct Nearest<'a> {
     geometry: &'a Geometry,
     ray: FilterRay,

@@ -4,7 +4,8 @@ use crate::shape::{Coincidence, Geometry, InstancedId, Primitive};
 
 /// The coincidences that a thread has found.
 ///
-/// Answers depend on the primitives alone, never on earlier questions: forgotten ones are computed again.
+/// Answers depend on the primitives alone, never on earlier questions: forgotten ones are computed
+/// again.
 #[derive(Debug, Default)]
 pub(crate) struct Ties {
     last: Option<(InstancedId, InstancedId, Coincidence)>,
@@ -122,7 +123,7 @@ mod tests {
     use proptest::prelude::*;
 
     /// Triangles with integer corners, in planes through the origin or shifted ones.
-    fn shapes_of(triangles: &[([[i32; 2]; 3], [i32; 3])]) -> Geometry {
+    fn geometry_of(triangles: &[([[i32; 2]; 3], [i32; 3])]) -> Geometry {
         let mut geometry = Geometry::default();
         for (corners, [slope, other, height]) in triangles {
             let corner = |[x, y]: [i32; 2]| {
@@ -147,10 +148,15 @@ mod tests {
         #[test]
         fn answers_depend_on_the_pair_alone(
             triangles in prop::collection::vec(
-                (prop::array::uniform3(prop::array::uniform2(-9i32..10)), prop::array::uniform3(1i32..3)), 2..8),
+                (
+                    prop::array::uniform3(prop::array::uniform2(-9i32..10)),
+                    prop::array::uniform3(1i32..3),
+                ),
+                2..8,
+            ),
             order in prop::collection::vec((0usize..8, 0usize..8), 1..40),
         ) {
-            let geometry = shapes_of(&triangles);
+            let geometry = geometry_of(&triangles);
             let mut ties = Ties::default();
             for (a, b) in order {
                 let [a, b] = [a, b].map(|k| k % triangles.len());
@@ -158,7 +164,10 @@ mod tests {
                 if [p, q].iter().any(|placed| !geometry.surface(*placed).can_be_hit()) {
                     continue;
                 }
-                let expected = if triangles[a].1 == triangles[b].1 { Coincidence::SameHit } else { Coincidence::None };
+                let expected = match triangles[a].1 == triangles[b].1 {
+                    true => Coincidence::SameHit,
+                    false => Coincidence::None,
+                };
                 prop_assert_eq!(ties.between(&geometry, p, q), expected);
                 prop_assert_eq!(Ties::default().between(&geometry, p, q), expected);
             }

@@ -41,7 +41,8 @@ impl<'a> Tracer<'a> {
         }
     }
 
-    /// The nearest hit of `ray`. At equal `t` the primitive that comes first in the file wins (rule E3).
+    /// The nearest hit of `ray`. At equal `t` the primitive that comes first in the file wins (rule
+    /// E3).
     pub fn closest_hit(&mut self, ray: &Ray) -> Option<Hit> {
         self.trace::<false, false>(ray, &mut TraversalCounts::default())
     }
@@ -51,15 +52,17 @@ impl<'a> Tracer<'a> {
         self.trace::<false, true>(ray, &mut TraversalCounts::default())
     }
 
-    /// Like [`Tracer::closest_hit`], and adds the nodes and primitives that were tested to `counts`.
+    /// Like [`Tracer::closest_hit`], and adds the nodes and primitives that were tested to
+    /// `counts`.
     pub fn closest_hit_counted(&mut self, ray: &Ray, counts: &mut TraversalCounts) -> Option<Hit> {
         self.trace::<true, false>(ray, counts)
     }
 
-    /// The nearest hit of `ray`, where `intersect` returns the `t` at which the ray hits a primitive.
+    /// The nearest hit of `ray`, where `intersect` returns the `t` at which the ray hits a
+    /// primitive.
     ///
-    /// At equal `t` the first primitive that is tested wins, so the result may depend on the tree. Adds
-    /// the nodes and primitives that were tested to `counts`.
+    /// At equal `t` the first primitive that is tested wins, so the result may depend on the tree.
+    /// Adds the nodes and primitives that were tested to `counts`.
     pub fn closest_hit_by<const COUNTED: bool>(
         &mut self,
         ray: &Ray,

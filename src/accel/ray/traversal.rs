@@ -100,8 +100,8 @@ struct Traversal<'a, const COUNTED: bool, S> {
 }
 
 impl<const COUNTED: bool, S: Search> Traversal<'_, COUNTED, S> {
-    /// Traverses a tree, the nearer child first, and calls `visit` with the items of leaves. `enter`
-    /// returns where the ray enters a box.
+    /// Traverses a tree, the nearer child first, and calls `visit` with the items of leaves.
+    /// `enter` returns where the ray enters a box.
     #[inline]
     fn visit_tree<T>(
         &mut self,
@@ -176,7 +176,8 @@ impl<const COUNTED: bool, S: Search> Traversal<'_, COUNTED, S> {
     }
 }
 
-/// The child that is entered first, if one is entered before `limit`. The other one goes to the stack.
+/// The child that is entered first, if one is entered before `limit`. The other one goes to the
+/// stack.
 #[inline]
 fn nearer_child(
     children: &Children,

@@ -22,8 +22,8 @@ pub(crate) fn at_or_below(x: f64) -> f32 {
     }
 }
 
-/// The largest `f32` less than `x` that is not 0: so a face in the plane of the origin lies on its own side of
-/// it. Minus infinity and NaN stay the same.
+/// The largest `f32` less than `x` that is not 0: so a face in the plane of the origin lies on its
+/// own side of it. Minus infinity and NaN stay the same.
 ///
 /// It has no branch, because rounding up is unpredictable.
 #[inline(always)]
@@ -103,7 +103,9 @@ mod tests {
         #![proptest_config(ProptestConfig::with_cases(20_000))]
 
         #[test]
-        fn below_is_the_next_one_down(x in prop_oneof![any::<f64>(), any::<f32>().prop_map(f64::from), -1e-44..1e-44]) {
+        fn below_agrees_with_its_definition(
+            x in prop_oneof![any::<f64>(), any::<f32>().prop_map(f64::from), -1e-44..1e-44],
+        ) {
             prop_assert_eq!(below(x).to_bits(), slowly_below(x).to_bits());
             prop_assert_eq!(above(x).to_bits(), (-slowly_below(-x)).to_bits());
         }

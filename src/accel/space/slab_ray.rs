@@ -3,19 +3,21 @@
 use super::box32::Corners;
 use super::rounding::{at_or_below, larger, smaller};
 
-/// Four roundings of 2^-24, and very little more, lie between the exact quotient and a computed one: see
-/// [`super::anchor_space`]. Five units would be enough, for boxes that are rounded outward mostly fewer.
+/// Four roundings of 2^-24, and very little more, lie between the exact quotient and a computed
+/// one: see [`super::anchor_space`]. Five units would be enough, for boxes that are rounded outward
+/// mostly fewer.
 const SHRINK: f32 = 1.0 - 8.0 * (f32::EPSILON / 2.0);
 const GROW: f32 = 1.0 + 8.0 * (f32::EPSILON / 2.0);
 
 /// A ray in anchor space, prepared for [`SlabRay::enter`].
 ///
-/// The face where the ray enters a slab is measured from the end of the origin's bracket that is nearer to it,
-/// and divided by a direction that is too large; the other face from the other end, by one that is too small.
+/// The face where the ray enters a slab is measured from the end of the origin's bracket that is
+/// nearer to it, and divided by a direction that is too large; the other face from the other end,
+/// by one that is too small.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SlabRay {
-    /// The corner on whose face the ray enters a slab: the low one (0), or the high one (1) if the ray runs
-    /// towards lower coordinates.
+    /// The corner on whose face the ray enters a slab: the low one (0), or the high one (1) if the
+    /// ray runs towards lower coordinates.
     near_corner: [usize; 3],
     near_origin: [f32; 3],
     far_origin: [f32; 3],
@@ -43,7 +45,8 @@ impl SlabRay {
         }
     }
 
-    /// Prepares axis `k` for a ray from `origin` in anchor space, along a component that has yet to be scaled.
+    /// Prepares axis `k` for a ray from `origin` in anchor space, along a component that has yet to
+    /// be scaled.
     pub(crate) fn prepare_axis(
         &mut self,
         k: usize,
@@ -66,8 +69,8 @@ impl SlabRay {
         self.far_inverse[k] = sign * inverse * GROW;
     }
 
-    /// The scaled `t` at which the ray enters the slab between two faces, never too late, and leaves it, never
-    /// too early.
+    /// The scaled `t` at which the ray enters the slab between two faces, never too late, and
+    /// leaves it, never too early.
     #[inline]
     pub(crate) fn slab(&self, corners: &Corners, k: usize) -> (f32, f32) {
         // The masks spare bounds checks.
@@ -81,11 +84,11 @@ impl SlabRay {
         )
     }
 
-    /// The scaled `t` at which the ray enters the box, never too late; `None` if it misses the box (slabs of Kay
-    /// and Kajiya, 1986; rounding as in Ize, "Robust BVH Ray Traversal", 2013).
+    /// The scaled `t` at which the ray enters the box, never too late; `None` if it misses the box
+    /// (slabs of Kay and Kajiya, 1986; rounding as in Ize, "Robust BVH Ray Traversal", 2013).
     ///
-    /// The faces are chosen by their addresses. Choosing with minima and maxima, in four lanes or for two boxes
-    /// at once, took 1.1 and 1.9 times as long.
+    /// The faces are chosen by their addresses. Choosing with minima and maxima, in four lanes or
+    /// for two boxes at once, took 1.1 and 1.9 times as long.
     #[inline]
     pub(crate) fn enter(&self, corners: &Corners) -> Option<f32> {
         let mut near = 0.0f32;
@@ -95,8 +98,9 @@ impl SlabRay {
             near = larger(entry, near);
             far = smaller(exit, far);
         }
-        // Both are equal if they underflow or overflow. The sum loses no hit and helps the compiler: with a plain
-        // comparison, tracing the dragon from nearby took 1.23 times as long.
+        // Both are equal if they underflow or overflow. The sum loses no hit and helps the
+        // compiler: with a plain comparison, tracing the dragon from nearby took 1.23 times as
+        // long.
         (near <= far + f32::MIN_POSITIVE).then_some(near)
     }
 

@@ -95,12 +95,13 @@ mod tests {
             entries in prop::array::uniform12(-2.0f64..2.0),
             along in prop::array::uniform3(-1.0f64..1.0),
             radius in prop::sample::select(vec![1e-3, 1.0, 50.0]),
-            ends in prop::array::uniform2(prop::sample::select(vec![-1.0, 0.0, 0.3, 40.0, 1e9, 1e9 + 1.0])),
+            ends in prop::array::uniform2(
+                prop::sample::select(vec![-1.0, 0.0, 0.3, 40.0, 1e9, 1e9 + 1.0])),
             kind in 0..3,
             turn in 0.0f64..6.3,
             part in 0.0f64..1.0,
         ) {
-            let row = |k: usize| [entries[4 * k], entries[4 * k + 1], entries[4 * k + 2], entries[4 * k + 3]];
+            let row = |k: usize| [0, 1, 2, 3].map(|column| entries[4 * k + column]);
             let mut world_from_object = Matrix { rows: [row(0), row(1), row(2)] };
             for row in &mut world_from_object.rows {
                 // Far ends are brought back.
@@ -110,25 +111,36 @@ mod tests {
             let (x, y) = (radius * turn.cos(), radius * turn.sin());
             let (form, point) = match kind {
                 0 => {
-                    let (z, from_axis) = (2.0 * part - 1.0, (1.0 - (2.0 * part - 1.0).powi(2)).sqrt());
+                    let z = 2.0 * part - 1.0;
+                    let from_axis = (1.0 - z.powi(2)).sqrt();
                     (Form::Sphere(None), Point::new(x * from_axis, y * from_axis, z * radius))
                 }
-                1 => (Form::Cylinder(cut), Point::new(x, y, cut.z_min + part * (cut.z_max - cut.z_min))),
-                _ => (Form::Disk(Disk::new(ends[0], 0.0, 360.0)), Point::new(x * part.sqrt(), y * part.sqrt(), ends[0])),
+                1 => {
+                    let z = cut.z_min + part * (cut.z_max - cut.z_min);
+                    (Form::Cylinder(cut), Point::new(x, y, z))
+                }
+                _ => {
+                    let disk = Disk::new(ends[0], 0.0, 360.0);
+                    (Form::Disk(disk), Point::new(x * part.sqrt(), y * part.sqrt(), ends[0]))
+                }
             };
-            let BoundingEllipsoid { centre, shape } = BoundingEllipsoid::of(&Quadric { world_from_object, radius, form });
+            let quadric = Quadric { world_from_object, radius, form };
+            let BoundingEllipsoid { centre, shape } = BoundingEllipsoid::of(&quadric);
             let [x, y, z, yz, zx, xy] = shape.map(f64::from);
             let [i, j, k] = along;
-            let square = x * i * i + y * j * j + z * k * k + 2.0 * (yz * j * k + zx * k * i + xy * i * j);
+            let mixed = yz * j * k + zx * k * i + xy * i * j;
+            let square = x * i * i + y * j * j + z * k * k + 2.0 * mixed;
             // Ends of 1e9 are known to 1e-6 here.
             let slack = 1e-6 * (1.0 + ends[0].abs() * 1e-9 + square.abs().sqrt());
             let off = world_from_object.apply(point) - Point::from(centre);
             let distance = off.to_array().iter().zip(along).map(|(x, k)| x * k).sum::<f64>();
-            prop_assert!(distance.abs() <= square.max(0.0).sqrt() + 3.0 * slack, "{distance} {square}");
+            let allowed = square.max(0.0).sqrt() + 3.0 * slack;
+            prop_assert!(distance.abs() <= allowed, "{distance} {square}");
         }
     }
 
-    /// The centre of a cylinder far from the origin of its space is rounded, which makes the ellipsoid larger.
+    /// The centre of a cylinder far from the origin of its space is rounded, which makes the
+    /// ellipsoid larger.
     #[test]
     fn the_error_of_a_centre_widens_the_ellipsoid() {
         let far = |z: f64| {

@@ -1,11 +1,12 @@
 //! A camera as a matrix from the world to the film, with error bounds.
 //!
-//! For a perspective camera, the 3x3 matrix K takes the direction d of the ray of pixel (i, j) to
-//! K d = (i, j, 1), up to roundings that [`View::new`] bounds. Exact decisions hold for any K, since
+//! For a perspective camera, the 3x3 matrix K takes the direction d of the ray of pixel (i, j) to K
+//! d = (i, j, 1), up to roundings that [`View::new`] bounds. Exact decisions hold for any K, since
 //! (K a) . (K b x K c) = det K (a . (b x c)): edge functions and the parameter t = height / slope
 //! are ratios of such products. So triangles are rasterized in K's space, in units of pixels.
 //!
-//! For an orthographic camera, the ray of pixel (i, j) passes (i, j, t) at t, after adding the offset.
+//! For an orthographic camera, the ray of pixel (i, j) passes (i, j, t) at t, after adding the
+//! offset.
 
 use crate::accel::space::AnchorSpace;
 use crate::camera::{Camera, Projection};
@@ -48,8 +49,8 @@ pub(crate) struct View {
     pub(crate) anchor: Vector,
 }
 
-/// The relative tolerance of nearness: so small that hardly two surfaces lie so close, so large that
-/// `f32` can reach it.
+/// The relative tolerance of nearness: so small that hardly two surfaces lie so close, so large
+/// that `f32` can reach it.
 const TOLERANCE: f32 = 1.0 / (1 << 16) as f32;
 
 /// Bounds magnitudes, so that products of three numbers stay in the range of `f32`.
@@ -59,9 +60,9 @@ const LEAST_DEPTH: f64 = 1.0 / (1u64 << 30) as f64;
 const LEAST_REACH: f64 = 1.0 / (1u64 << 30) as f64;
 /// Bounds the error that underflow of `f32` causes in film space.
 ///
-/// [`View::new`] ensures that rows of K times the size of the scene are below 2^40, and that the size
-/// is between 2^-30 and 2^40. So either entries are below 2^70 and what they multiply has an error of
-/// no more than 2^-149, or that is below 2^40 and the entries have the error.
+/// [`View::new`] ensures that rows of K times the size of the scene are below 2^40, and that the
+/// size is between 2^-30 and 2^40. So either entries are below 2^70 and what they multiply has an
+/// error of no more than 2^-149, or that is below 2^40 and the entries have the error.
 pub(crate) const UNDERFLOW: f32 = 1.0 / (1u128 << 70) as f32;
 /// Pixels by which a ray may be off.
 const MAX_RAY_ERROR: f64 = 1.0 / (1u64 << 24) as f64;

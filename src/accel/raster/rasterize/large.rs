@@ -89,8 +89,8 @@ impl Rasterizer<'_> {
         }
     }
 
-    /// Decides with error bounds at which pixels the triangle surely wins, and leaves those where it may
-    /// win unresolved.
+    /// Decides with error bounds at which pixels the triangle surely wins, and leaves those where
+    /// it may win unresolved.
     #[inline(always)]
     fn decide_exactly<S: Lanes>(
         &mut self,
@@ -115,8 +115,8 @@ impl Rasterizer<'_> {
         wins
     }
 
-    /// Decides hits at the nearness of the best: the first in the file wins (rule E3). Returns whether
-    /// the triangle wins any.
+    /// Decides hits at the nearness of the best: the first in the file wins (rule E3). Returns
+    /// whether the triangle wins any.
     #[inline(always)]
     fn decide_ties<S: Lanes>(
         &mut self,
@@ -206,8 +206,8 @@ impl<S: Lanes> Broadcast<S> {
         }
     }
 
-    /// The pixels that the triangle covers by the computed numbers, in its footprint: that is all that
-    /// trees know of it.
+    /// The pixels that the triangle covers by the computed numbers, in its footprint: that is all
+    /// that trees know of it.
     #[inline(always)]
     fn inside(&self, simd: S, rule: &Rule, samples: &Samples<S>) -> S::M {
         let (zero, x, y) = (simd.splat(0.0), samples.x, samples.y);

@@ -10,8 +10,8 @@ use super::setup::EdgePlanes;
 use crate::simd::Lanes;
 
 impl Rasterizer<'_> {
-    /// Rasterizes the triangles of `lanes`. Without `EXACT` nothing stays unresolved: computed numbers
-    /// count as they are.
+    /// Rasterizes the triangles of `lanes`. Without `EXACT` nothing stays unresolved: computed
+    /// numbers count as they are.
     #[inline(always)]
     pub(super) fn rasterize<S: Lanes, const EXACT: bool>(
         &mut self,

@@ -10,7 +10,8 @@ use crate::simd::{F32s, LANES, Lanes};
 /// Decides which hits win.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Rule {
-    /// In a perspective, nearness is positive in front of the eye; in an orthographic view negative.
+    /// In a perspective, nearness is positive in front of the eye; in an orthographic view
+    /// negative.
     pub(crate) is_perspective: bool,
     /// A hit is surely nearer if its nearness exceeds this factor times the best plus this addend.
     pub(crate) surely_nearer: [f32; 2],
@@ -66,8 +67,8 @@ pub(crate) struct Rasterizer<'a> {
     pub(crate) unresolved: &'a mut Vec<Unresolved>,
 }
 
-/// Depth planes from edges in `f32` leave too many depths open for a triangle that covers more pixels:
-/// it is worth fetching its corners.
+/// Depth planes from edges in `f32` leave too many depths open for a triangle that covers more
+/// pixels: it is worth fetching its corners.
 const MANY_PIXELS: u32 = 64;
 
 impl Rasterizer<'_> {

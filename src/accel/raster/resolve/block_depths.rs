@@ -35,8 +35,8 @@ impl BlockPlanes {
         }
     }
 
-    /// Loads the planes of those pixels of a block that may have hit something. Stores their hits in
-    /// `traced` and returns the pixels that have one.
+    /// Loads the planes of those pixels of a block that may have hit something. Stores their hits
+    /// in `traced` and returns the pixels that have one.
     #[inline(always)]
     pub(super) fn gather(
         &mut self,

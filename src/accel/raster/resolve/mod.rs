@@ -69,19 +69,7 @@ pub(super) fn resolve<S: Lanes>(
     }
     if with_depth {
         unsure.prefetch_corners(simd, fallback, pixels);
-        for pixel in unsure.pixels() {
-            let depth = match pixels.hit(pixel) {
-                PixelHit::Nothing => continue,
-                PixelHit::Triangle(index) => {
-                    let primitive = pixels.planes.primitive(index);
-                    fallback.depth(frame.first, pixel, primitive, fallbacks)
-                }
-                PixelHit::Searched(index) => {
-                    fallback.depth_of_searched(frame.first, pixel, &pixels.hits[index], fallbacks)
-                }
-            };
-            traced.put_depth(pixel.column(), pixel.row(), depth);
-        }
+        unsure.resolve(frame.first, fallback, pixels, traced, fallbacks);
     }
 }
 
@@ -103,7 +91,8 @@ impl UnsurePixels {
         self.pixels[..self.count].iter().copied()
     }
 
-    /// Adds pixels of a block and prefetches the triangles that they hit, for when all blocks are done.
+    /// Adds pixels of a block and prefetches the triangles that they hit, for when all blocks are
+    /// done.
     #[inline(always)]
     fn add<S: Lanes>(
         &mut self,
@@ -121,6 +110,30 @@ impl UnsurePixels {
             if let Some(index) = triangle_at(pixels, pixel) {
                 simd.prefetch(fallback.geometry.corners_of(index));
             }
+        }
+    }
+
+    /// Computes the depths of all pixels by the fallback. `first` is the tile's first pixel.
+    fn resolve(
+        &self,
+        first: [u32; 2],
+        fallback: &Fallback,
+        pixels: &DepthBuffer,
+        traced: &mut TracedTile,
+        fallbacks: &mut ExactFallbacks,
+    ) {
+        for pixel in self.pixels() {
+            let depth = match pixels.hit(pixel) {
+                PixelHit::Nothing => continue,
+                PixelHit::Triangle(index) => {
+                    let primitive = pixels.planes.primitive(index);
+                    fallback.depth(first, pixel, primitive, fallbacks)
+                }
+                PixelHit::Searched(index) => {
+                    fallback.depth_of_searched(first, pixel, &pixels.hits[index], fallbacks)
+                }
+            };
+            traced.put_depth(pixel.column(), pixel.row(), depth);
         }
     }
 

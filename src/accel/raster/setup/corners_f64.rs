@@ -2,10 +2,10 @@
 //!
 //! # Errors of corners
 //!
-//! With row r of the tile's matrix K: a corner relative to the eye has the error of one rounding; the
-//! other two corners also that of their edges, 2^-53 |e|; products and sums add up to five roundings of
-//! their absolute terms. [`CornersF64::error`] is sum_k |K_rk| (2^-52 e_k + 2^-48 (|p_k| + e_k)) plus
-//! [`UNDERFLOW`], where e_k is the longer edge.
+//! With row r of the tile's matrix K: a corner relative to the eye has the error of one rounding;
+//! the other two corners also that of their edges, 2^-53 |e|; products and sums add up to five
+//! roundings of their absolute terms. [`CornersF64::error`] is sum_k |K_rk| (2^-52 e_k + 2^-48
+//! (|p_k| + e_k)) plus [`UNDERFLOW`], where e_k is the longer edge.
 
 use super::footprint::MARGIN;
 use super::lane_vectors::row_times;
@@ -61,8 +61,8 @@ impl TrianglesF64 {
     }
 }
 
-/// The first corners and the edges of triangles in tile space: in a perspective pixels times depth, and
-/// depth; in an orthographic view pixels, and depth.
+/// The first corners and the edges of triangles in tile space: in a perspective pixels times depth,
+/// and depth; in an orthographic view pixels, and depth.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct CornersF64<S: Lanes> {
     pub(super) corner: [S::D; 3],

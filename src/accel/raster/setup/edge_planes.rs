@@ -114,8 +114,8 @@ impl EdgePlanes {
 pub(super) struct Extent<S: Lanes> {
     /// The last column and row.
     last: [S::F; 2],
-    /// Columns and rows before the first and after the last, in the blocks of pixels that are tested
-    /// at once.
+    /// Columns and rows before the first and after the last, in the blocks of pixels that are
+    /// tested at once.
     around: S::F,
 }
 

@@ -1,23 +1,26 @@
 //! Error bounds of the triangle setup in `f64`.
 //!
-//! The letters are those of [`super::setup_f64`]. Let |w|_r be the largest absolute component r of the
-//! three corners, and let s_r bound the errors of component r.
+//! The letters are those of [`super::setup_f64`]. Let |w|_r be the largest absolute component r of
+//! the three corners, and let s_r bound the errors of component r.
 //!
-//! *Edge functions.* The determinant det(x, w_1, w_2) is linear in each column: moving w_1 and w_2 by up
-//! to s changes it by sum_r s_r (|w| x |x|)_r twice, where the cross product takes absolute terms, and
-//! |x| is up to (16, 16, 1). Both errors together contribute less than half of that if s is less than a
+//! *Edge functions.* The determinant det(x, w_1, w_2) is linear in each column: moving w_1 and w_2
+//! by up to s changes it by sum_r s_r (|w| x |x|)_r twice, where the cross product takes absolute
+//! terms, and
+//! |x| is up to (16, 16, 1). Both errors together contribute less than half of that if s is less
+//! than a
 //! sixteenth of |w_z|, in pixels too, which [`ErrorBounds::is_small`] checks. The roundings of the
-//! products act as if s were larger by 2^-50 |w|, and the error of the ray moves corners by as much as
-//! it moves the pixel. So with s enlarged,
+//! products act as if s were larger by 2^-50 |w|, and the error of the ray moves corners by as much
+//! as it moves the pixel. So with s enlarged,
 //! |e_k g - exact| < 3 (s_x (|w|_y + 16 |w|_z) + s_y (|w|_x + 16 |w|_z) + 16 s_z (|w|_x + |w|_y)),
 //! and in the same way |g - exact| < 8 (s_x m_y |w|_z + s_y m_x |w|_z + s_z m_x m_y), with
 //! m_r = |w|_r + |w|_z. If g is farther from 0 than that, its sign is sure.
 //!
 //! *Depth.* Let n be the normal of the computed triangle, and t x the true hit, a mean of the true
-//! corners. Its height over the computed plane is the mean of the corners' errors along n, so no more
-//! than sum_r |n_r| s_r. So the error of the computed t is no more than that over |n . x|, and the
-//! relative error sum_r |n_r| s_r / |g|, no matter how narrow the triangle is. The rounding of n itself,
-//! 2^-50 of the absolute terms |e1| x |e2|, changes t by that times |w| or |x| |w|_z, over |g|.
+//! corners. Its height over the computed plane is the mean of the corners' errors along n, so no
+//! more than sum_r |n_r| s_r. So the error of the computed t is no more than that over |n . x|, and
+//! the relative error sum_r |n_r| s_r / |g|, no matter how narrow the triangle is. The rounding of
+//! n itself, 2^-50 of the absolute terms |e1| x |e2|, changes t by that times |w| or |x| |w|_z,
+//! over |g|.
 
 use super::corners_f64::CornersF64;
 use crate::accel::view::{TILE, TileFrame, View};
@@ -88,8 +91,8 @@ impl<S: Lanes> ErrorBounds<S> {
         }
     }
 
-    /// Bounds the error of nearness within a triangle, relative in a perspective. `depth` is the plane
-    /// of nearness, `nearness_size` bounds its absolute terms, `volume` is |g|.
+    /// Bounds the error of nearness within a triangle, relative in a perspective. `depth` is the
+    /// plane of nearness, `nearness_size` bounds its absolute terms, `volume` is |g|.
     #[inline(always)]
     pub(super) fn nearness_error(
         &self,
@@ -120,10 +123,12 @@ impl<S: Lanes> ErrorBounds<S> {
             + nearness_size * farthest * simd.splat(NARROWING)
     }
 
-    /// Bounds how far the errors of corners move the plane of `depth` at a point between the corners.
+    /// Bounds how far the errors of corners move the plane of `depth` at a point between the
+    /// corners.
     ///
-    /// The contribution of the edges is bounded in world space, along the plane's normal there, which is
-    /// a row times K: in tile space the errors of columns, rows and depth are not independent.
+    /// The contribution of the edges is bounded in world space, along the plane's normal there,
+    /// which is a row times K: in tile space the errors of columns, rows and depth are not
+    /// independent.
     #[inline(always)]
     fn plane_error(
         &self,

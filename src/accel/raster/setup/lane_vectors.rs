@@ -1,7 +1,8 @@
 //! Products of vectors in SIMD lanes.
 //!
-//! With `EXACT`, error bounds cover the result, so the compiler may use fused operations. Without it,
-//! results are compared by their bits and must be the same at every SIMD level, so they are never fused.
+//! With `EXACT`, error bounds cover the result, so the compiler may use fused operations. Without
+//! it, results are compared by their bits and must be the same at every SIMD level, so they are
+//! never fused.
 
 use crate::simd::{F32s, F64s, Lanes};
 

@@ -111,8 +111,8 @@ impl<S: Lanes> CornerDepths<S> {
         depths
     }
 
-    /// In a perspective, tests whether all corners are so far in front of the eye that depths have a
-    /// small relative error.
+    /// In a perspective, tests whether all corners are so far in front of the eye that depths have
+    /// a small relative error.
     #[inline(always)]
     pub(super) fn is_steady(&self, simd: S, frame: &TileFrame) -> S::M {
         let allowed = self.nearest * simd.splat(4.0);

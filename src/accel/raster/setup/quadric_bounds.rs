@@ -2,8 +2,8 @@
 //!
 //! A linear function k . x has values between k . c - sqrt(k S k) and k . c + sqrt(k S k) on an
 //! ellipsoid with the centre c and the shape matrix S; see [`PrimitiveBlock`]. With the rows of the
-//! tile's matrix for k, that bounds pixels times depth, and depth. The products of k S k have errors
-//! below 16 u of their absolute terms, u = 2^-24.
+//! tile's matrix for k, that bounds pixels times depth, and depth. The products of k S k have
+//! errors below 16 u of their absolute terms, u = 2^-24.
 
 use super::footprint::{Footprints, MARGIN};
 use super::lane_vectors::row_times;

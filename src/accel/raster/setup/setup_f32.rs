@@ -1,40 +1,39 @@
-//! Triangle setup in `f32`: for all triangles but very large ones, those close to the eye's plane and
-//! those seen edge-on.
+//! Triangle setup in `f32`: for all triangles but very large ones, those close to the eye's plane
+//! and those seen edge-on.
 //!
-//! Only the first corner of a triangle is far from the tile's first pixel. It is transformed in `f64`;
-//! everything after that is small enough for `f32`: the first corner on the film, p, relative to the
-//! tile, and the differences to the other two, d1 and d2. In a perspective, with
-//! (X, Y, Z) = K (corner - eye) and (A, B, C) = K edge, p = (X, Y) / Z and
-//! d = (A - p_x C, B - p_y C) / (Z + C), in which nothing large cancels. In an orthographic view
-//! p = (X, Y) and d = (A, B).
+//! Only the first corner of a triangle is far from the tile's first pixel. It is transformed in
+//! `f64`; everything after that is small enough for `f32`: the first corner on the film, p,
+//! relative to the tile, and the differences to the other two, d1 and d2. In a perspective, with
+//! (X, Y, Z) = K (corner - eye) and (A, B, C) = K edge, p = (X, Y) / Z and d = (A - p_x C, B - p_y
+//! C) / (Z + C), in which nothing large cancels. In an orthographic view p = (X, Y) and d = (A, B).
 //!
 //! # Bounds
 //!
-//! The letters are those of the fields of [`super::projected_corners`]. Let u = 2^-24, let x stand for
-//! either axis, T_r = sum_k |K_rk| max(|edge1_k|, |edge2_k|), and Z' the least depth of the three
-//! corners. The setup checks that Z + 8 T_z <= 4 Z' and that Z' is far above the roundings in `f64`, so
-//! depths have a relative error below 8 u. In an orthographic view all corners must be in front of the
-//! eye.
+//! The letters are those of the fields of [`super::projected_corners`]. Let u = 2^-24, let x stand
+//! for either axis, T_r = sum_k |K_rk| max(|edge1_k|, |edge2_k|), and Z' the least depth of the
+//! three corners. The setup checks that Z + 8 T_z <= 4 Z' and that Z' is far above the roundings in
+//! `f64`, so depths have a relative error below 8 u. In an orthographic view all corners must be in
+//! front of the eye.
 //!
-//! *Corners.* The error of p is P_x = 8 u |p_x|, plus the errors of `f64` and of the ray. The error of
-//! A is u for its own rounding, u for the matrix and 3 u for products and sums, times T_r. With the
-//! quotient and the error of p, the error of d is below 24 u D_x + P_x c, where
-//! D_x = (T_x + |p_x| T_z) / Z' exceeds |d_x|, and c = T_z / Z'.
+//! *Corners.* The error of p is P_x = 8 u |p_x|, plus the errors of `f64` and of the ray. The error
+//! of A is u for its own rounding, u for the matrix and 3 u for products and sums, times T_r. With
+//! the quotient and the error of p, the error of d is below 24 u D_x + P_x c, where D_x = (T_x +
+//! |p_x| T_z) / Z' exceeds |d_x|, and c = T_z / Z'.
 //!
-//! *Edge functions* are cross products of d and the vector from p to a pixel, of which (w, h) is the
-//! longest. The errors of these contribute 24 u (D_x h + D_y w) + P_x (c h + D_y) + P_y (c w + D_x), the
-//! roundings of three products and four sums 8 u (D_x h + D_y w). The third function is the area minus
-//! the other two. The errors of all functions and of the area are below
-//! E = 4 (34 u (D_x h + D_y w) + P_x (c h + D_y) + P_y (c w + D_x)) + 128 u D_x D_y.
+//! *Edge functions* are cross products of d and the vector from p to a pixel, of which (w, h) is
+//! the longest. The errors of these contribute 24 u (D_x h + D_y w) + P_x (c h + D_y) + P_y (c w +
+//! D_x), the roundings of three products and four sums 8 u (D_x h + D_y w). The third function is
+//! the area minus the other two. The errors of all functions and of the area are below E = 4 (34 u
+//! (D_x h + D_y w) + P_x (c h + D_y) + P_y (c w + D_x)) + 128 u D_x D_y.
 //!
-//! *Nearness* is that of the first corner plus the shares that the functions have in the differences
-//! to the others, none of which exceeds G = T_z / (Z Z') = c / Z. Within the triangle, shares are up to
-//! 1, so the errors of the two functions that are used (a quarter of E each), their roundings, and that
-//! of the area contribute less than G E / area, those of the differences 64 u G, and that of the first
-//! corner 16 u / Z.
+//! *Nearness* is that of the first corner plus the shares that the functions have in the
+//! differences to the others, none of which exceeds G = T_z / (Z Z') = c / Z. Within the triangle,
+//! shares are up to 1, so the errors of the two functions that are used (a quarter of E each),
+//! their roundings, and that of the area contribute less than G E / area, those of the differences
+//! 64 u G, and that of the first corner 16 u / Z.
 //!
-//! Underflow of `f32` is covered by the tiny numbers that are added to T, to D, and to the errors of
-//! `f64`.
+//! Underflow of `f32` is covered by the tiny numbers that are added to T, to D, and to the errors
+//! of `f64`.
 
 use super::edge_planes::{EdgePlanes, Setup};
 use super::edge_setup::EdgeSetup;
@@ -43,8 +42,8 @@ use crate::accel::tree::PrimitiveBlock;
 use crate::accel::view::TileFrame;
 use crate::simd::{F32s, Lanes, Mask};
 
-/// The largest error of a corner in pixels. With the margin of footprints it is less than the margin
-/// of nodes, so that a triangle never sticks out of its node.
+/// The largest error of a corner in pixels. With the margin of footprints it is less than the
+/// margin of nodes, so that a triangle never sticks out of its node.
 const MAX_ERROR: f32 = 1.0 / (1 << 13) as f32;
 /// Exceeds the relative error of any nearness in `f32`.
 const NEARER: f32 = 1.0 + 1.0 / (1 << 18) as f32;

@@ -1,13 +1,13 @@
-//! Triangle setup in `f64`: for very large triangles, those that cross the eye's plane, and those seen
-//! edge-on.
+//! Triangle setup in `f64`: for very large triangles, those that cross the eye's plane, and those
+//! seen edge-on.
 //!
-//! Let w_0, w_1, w_2 be the corners in tile space, let x = (i, j, 1) be the point there that the ray of
-//! pixel (i, j) passes, and let n_0 = w_1 x w_2, n_1 = w_2 x w_0, n_2 = w_0 x w_1. The ray passes the
-//! triangle's plane within the triangle, at t > 0, exactly if e_k = (n_k . x) / g are all positive, where
-//! g = w_0 . n_0; and 1/t = e_0 + e_1 + e_2. This holds wherever the corners are: in front of the eye,
-//! behind it, or on both sides (Olano and Greer, "Triangle Scan Conversion using 2D Homogeneous
-//! Coordinates", 1997). In an orthographic view w = (u, v, 1), the e_k are weights of the corners, and t
-//! is the weighted sum of their depths.
+//! Let w_0, w_1, w_2 be the corners in tile space, let x = (i, j, 1) be the point there that the
+//! ray of pixel (i, j) passes, and let n_0 = w_1 x w_2, n_1 = w_2 x w_0, n_2 = w_0 x w_1. The ray
+//! passes the triangle's plane within the triangle, at t > 0, exactly if e_k = (n_k . x) / g are
+//! all positive, where g = w_0 . n_0; and 1/t = e_0 + e_1 + e_2. This holds wherever the corners
+//! are: in front of the eye, behind it, or on both sides (Olano and Greer, "Triangle Scan
+//! Conversion using 2D Homogeneous Coordinates", 1997). In an orthographic view w = (u, v, 1), the
+//! e_k are weights of the corners, and t is the weighted sum of their depths.
 //!
 //! [`super::error_bounds_f64`] bounds the errors.
 
@@ -41,16 +41,8 @@ impl EdgePlanes {
         let homogeneous = Homogeneous::of(simd, corners, is_perspective);
         let normals = homogeneous.normals::<EXACT>(simd);
         let inverse = simd.splat_wide(1.0) / normals.volume;
-        let mut size = simd.splat(0.0);
-        let mut least_edge = simd.splat(f32::INFINITY);
-        for edge in 0..3 {
-            let [x, y, z] = normals.edges[edge];
-            let plane = [x * inverse, y * inverse, z * inverse];
-            let local = shifted::<S, EXACT>(&plane, &first);
-            local.store(&mut self.edges[edge]);
-            least_edge = least_edge.min(local.most_within::<EXACT>(simd, &extent));
-            size = size.max(magnitude::<S>(&local, &extent));
-        }
+        let [size, least_edge] =
+            self.put_edges::<S, EXACT>(simd, &normals, inverse, &first, &extent);
         let depth = depth_plane::<S, EXACT>(simd, corners, &normals, inverse, is_perspective);
         let local = shifted::<S, EXACT>(&depth, &first);
         local.store(&mut self.nearness);
@@ -86,6 +78,31 @@ impl EdgePlanes {
             usable: (usable & !outside).bits() & covers,
             unresolved: !usable.bits() & covers,
         }
+    }
+}
+
+impl EdgePlanes {
+    /// Stores the edge functions. Returns a bound on their absolute terms, and the least of their
+    /// largest values in the footprint.
+    #[inline(always)]
+    fn put_edges<S: Lanes, const EXACT: bool>(
+        &mut self,
+        simd: S,
+        normals: &Normals<S>,
+        inverse: S::D,
+        first: &[S::D; 2],
+        extent: &Extent<S>,
+    ) -> [S::F; 2] {
+        let (mut size, mut least) = (simd.splat(0.0), simd.splat(f32::INFINITY));
+        for edge in 0..3 {
+            let [x, y, z] = normals.edges[edge];
+            let plane = [x * inverse, y * inverse, z * inverse];
+            let local = shifted::<S, EXACT>(&plane, first);
+            local.store(&mut self.edges[edge]);
+            least = least.min(local.most_within::<EXACT>(simd, extent));
+            size = size.max(magnitude::<S>(&local, extent));
+        }
+        [size, least]
     }
 }
 

@@ -29,8 +29,8 @@ impl HiZ {
         best * self.factor - self.difference
     }
 
-    /// Updates the blocks that changed, and returns the nearness below which no pixel of the tile sees
-    /// anything.
+    /// Updates the blocks that changed, and returns the nearness below which no pixel of the tile
+    /// sees anything.
     #[inline(always)]
     pub(crate) fn refresh<S: Lanes>(&self, simd: S, pixels: &mut DepthBuffer) -> f32 {
         let mut changed = pixels.changed;

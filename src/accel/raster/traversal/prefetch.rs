@@ -27,8 +27,8 @@ pub(crate) struct PrefetchQueue {
 }
 
 impl PrefetchQueue {
-    /// Blocks in the queue, a power of two. Smaller stalls on memory; larger rasterizes blocks that a
-    /// nearer one would have culled.
+    /// Blocks in the queue, a power of two. Smaller stalls on memory; larger rasterizes blocks that
+    /// a nearer one would have culled.
     const DEPTH: usize = 4;
 
     /// The next block that some pixel may see. Continues the traversal until the queue is full.

@@ -23,8 +23,8 @@ pub(crate) struct ProjectedNode {
     pub(crate) visible: u32,
 }
 
-/// Pixels by which a rectangle is widened. Footprints of triangles have a smaller margin, so that they
-/// lie within the rectangles of the nodes above them.
+/// Pixels by which a rectangle is widened. Footprints of triangles have a smaller margin, so that
+/// they lie within the rectangles of the nodes above them.
 const MARGIN: f32 = 1.0 / 256.0;
 /// The margin relative to the distance from the film's first pixel.
 const RELATIVE_MARGIN: f32 = 1.0 / (1 << 17) as f32;
@@ -33,8 +33,8 @@ const ERROR: f32 = 1.0 / (1 << 20) as f32;
 /// Exceeds the relative error of nearness.
 const NEARER: f32 = 1.0 + 1.0 / (1 << 15) as f32;
 
-/// The transform from the boxes of a tree to the film: K times the transform to the world, relative to
-/// the eye.
+/// The transform from the boxes of a tree to the film: K times the transform to the world, relative
+/// to the eye.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct FilmFromTree {
     is_perspective: bool,
@@ -53,8 +53,8 @@ impl FilmFromTree {
         let row = |k: usize| view.film_from_world[k].map(|entry| (entry / view.units) as f32);
         let terms =
             |k: usize| [0, 1, 2].map(|axis| view.film_from_world[k][axis] * view.anchor[axis]);
-        // One rounding of the anchor relative to the eye, one of a product and two of sums, where terms
-        // may cancel.
+        // One rounding of the anchor relative to the eye, one of a product and two of sums, where
+        // terms may cancel.
         let slack =
             |k: usize| 16.0 * UNIT_ROUNDOFF * terms(k).iter().map(|term| term.abs()).sum::<f64>();
         FilmFromTree::new(view, row, |k| terms(k).iter().sum(), slack)
@@ -125,8 +125,8 @@ impl Kernel for ProjectNodes<'_> {
     }
 }
 
-/// The terms of a component of the corners of projected boxes: `of_sides[axis][side]`, and that of the
-/// anchor.
+/// The terms of a component of the corners of projected boxes: `of_sides[axis][side]`, and that of
+/// the anchor.
 struct Terms<S: Lanes> {
     of_sides: [[S::F; 2]; 3],
     anchor: S::F,
@@ -276,7 +276,8 @@ fn pixels_along<S: Lanes>(
         let margin = offset.abs() * relative;
         return [low + offset - margin, high + offset + margin];
     }
-    // A box that crosses the eye's plane and lies on one side of the first pixel stays on that side.
+    // A box that crosses the eye's plane and lies on one side of the first pixel stays on that
+    // side.
     let zero = simd.splat(0.0);
     let (least, most) = (low_film - terms.error, high_film + terms.error);
     let shrink = simd.splat(0.999);
