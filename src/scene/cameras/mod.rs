@@ -2,6 +2,7 @@
 
 mod camera_directive;
 mod intrinsics;
+mod json;
 mod poses;
 mod scalar;
 #[cfg(test)]

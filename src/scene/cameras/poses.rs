@@ -15,9 +15,10 @@
 //! and the lens are then those of the scene, but for `fov`.
 
 use super::intrinsics::{self, Intrinsics, Refusal};
+use super::json;
 use super::scalar::Scalar;
 use crate::camera::{Camera, Projection};
-use crate::error::{Diagnostic, Error, Result, SourceLocation, printable};
+use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::geometry::{Matrix, Point, Transform, Vector};
 use crate::input;
 use crate::scene::{Film, Scene};
@@ -78,7 +79,7 @@ pub fn read_poses(path: &Path) -> Result<Vec<Pose>> {
 /// # Errors
 /// As [`read_poses`].
 pub fn parse_poses(path: &Path, bytes: &[u8]) -> Result<Vec<Pose>> {
-    let entries: Vec<Entry> = entries(bytes).map_err(|error| wrong_json(path, bytes, error))?;
+    let entries: Vec<Entry> = json::list(path, bytes)?;
     let refuse = |found: String| {
         let diagnostic = Diagnostic::new(found).at(SourceLocation::file(path));
         Error::bad_input(diagnostic)
@@ -104,80 +105,6 @@ pub fn parse_poses(path: &Path, bytes: &[u8]) -> Result<Vec<Pose>> {
         poses.push(pose);
     }
     Ok(poses)
-}
-
-fn entries(
-    bytes: &[u8],
-) -> std::result::Result<Vec<Entry>, serde_path_to_error::Error<serde_json::Error>> {
-    let mut json = serde_json::Deserializer::from_slice(bytes);
-    let mut track = serde_path_to_error::Track::new();
-    let entries = Vec::<Entry>::deserialize(serde_path_to_error::Deserializer::new(
-        &mut json, &mut track,
-    ));
-    let entries = entries.and_then(|entries| json.end().map(|()| entries));
-    entries.map_err(|error| serde_path_to_error::Error::new(track.path(), error))
-}
-
-/// The camera, from 1, and its field that `path` leads to, in words.
-fn in_words(path: &serde_path_to_error::Path) -> Option<String> {
-    use serde_path_to_error::Segment;
-    let mut segments = path.iter();
-    let Some(Segment::Seq { index }) = segments.next() else {
-        return None;
-    };
-    let camera = format!("camera {}", index + 1);
-    match segments.next() {
-        Some(Segment::Map { key }) => Some(format!("{camera}, `{}`", printable(key))),
-        _ => Some(camera),
-    }
-}
-
-/// How the field that `path` leads to is written.
-fn form_of(path: &serde_path_to_error::Path) -> &'static str {
-    use serde_path_to_error::Segment;
-    let key = path.iter().find_map(|segment| match segment {
-        Segment::Map { key } => Some(key.as_str()),
-        _ => None,
-    });
-    match key {
-        Some("name") => "expected \"name\": \"a\"",
-        Some("lookat") => {
-            "expected \"lookat\": 9 numbers: [eye x, y, z, a point to look at, the direction upwards]"
-        }
-        Some("transform") => {
-            "expected \"transform\": 16 numbers as `Transform` takes them, column by column"
-        }
-        Some("fov") => "expected \"fov\": degrees",
-        Some("K") => "expected \"K\": [[fx, 0, cx], [0, fy, cy], [0, 0, 1]], in pixels",
-        Some("R") => "expected \"R\": three rows of three numbers",
-        Some("t") => "expected \"t\": [x, y, z]",
-        Some("resolution") => "expected \"resolution\": [width, height]",
-        _ => "expected a list of cameras: [{\"name\": \"a\", \"lookat\": [...]}, ...]",
-    }
-}
-
-fn wrong_json(
-    path: &Path,
-    bytes: &[u8],
-    error: serde_path_to_error::Error<serde_json::Error>,
-) -> Error {
-    let (field, form) = (in_words(error.path()), form_of(error.path()));
-    let error = error.into_inner();
-    let line_start = match error.line().saturating_sub(1) {
-        0 => 0,
-        lines => bytes
-            .iter()
-            .enumerate()
-            .filter(|(_, byte)| **byte == b'\n')
-            .nth(lines - 1)
-            .map_or(0, |(at, _)| at + 1),
-    };
-    let at = (line_start + error.column().saturating_sub(1)).min(bytes.len());
-    let place = format!(" at line {} column {}", error.line(), error.column());
-    let message = error.to_string().replace(&place, "");
-    let message = field.map_or(message.clone(), |field| format!("{field}: {message}"));
-    let diagnostic = Diagnostic::new(message).at(SourceLocation::text(path, bytes, at..at + 1));
-    Error::bad_input(diagnostic.note(form))
 }
 
 fn check_name(name: &str) -> std::result::Result<(), Refusal> {

@@ -1,6 +1,6 @@
 //! The camera, film and accelerator of a scene.
 
-use super::transforms::CurrentTransform;
+use super::current_transform::CurrentTransform;
 use crate::camera::Camera;
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::scene::accelerator::AcceleratorParameters;

@@ -6,8 +6,8 @@
 //! `TransformBegin`, which is an `AttributeBegin` there. What one of the two refuses is a warning.
 
 use super::blocks::Block;
+use super::current_transform::{self, CurrentTransform};
 use super::materials::Material;
-use super::transforms::{self, CurrentTransform};
 use crate::error::Result;
 use crate::scene::parameters::{MAX_DEFAULTS, Parameters, ShapeDefaults};
 use crate::scene::parser::Entity;
@@ -32,7 +32,7 @@ pub(super) struct GraphicsState {
 struct OpenBlock {
     block: Block,
     began: SourceSpan,
-    transform: transforms::Saved,
+    transform: current_transform::Saved,
     reverses_orientation: bool,
     material: Material,
     is_light: bool,

@@ -1,71 +1,42 @@
-//! Executes the directives of scene files.
+//! Executes the directives of scene files, and of the files that they include.
 
 mod blocks;
+mod coordinate_systems;
+mod current_transform;
 mod entities;
 mod graphics_state;
 mod includes;
 mod materials;
 mod name;
 mod objects;
+mod scene_builder;
 mod transforms;
 
-use super::census::{Census, MAX_LISTED};
 use super::inputs::Inputs;
-use super::locations::Locations;
-use super::parameters::Parameters;
-use super::parser::{
-    Directive, Directives, Entity, KEYWORDS, Legal, Next, Statement, Text, end_of_arguments,
-    is_last,
-};
-use super::shapes::{self, ShapeTarget};
+use super::parser::{Directives, Next, Statement, Text, end_of_arguments, is_last};
 use super::source_file::{SourceFile, SourceSpan};
-use super::warnings::Warnings;
 use super::{AcceleratorParameters, LoadOptions, Scene};
-use crate::error::{Diagnostic, Error, Result, SourceLocation};
+use crate::error::Result;
 use crate::file_id::InputFiles;
 use crate::input::advise_beside;
 use crate::progress::Progress;
-use blocks::Block;
-use entities::Entities;
-use graphics_state::GraphicsState;
 use includes::{Includes, Tail};
-use materials::{Material, Materials};
-use objects::Objects;
+use scene_builder::{Phase, SceneBuilder};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// A scene under construction.
+/// Reads one scene.
 pub(super) struct Interpreter<'a> {
     path: PathBuf,
-    options: LoadOptions,
     progress: Progress<'a>,
     stops_at_world: bool,
-    phase: Phase,
     inputs: Inputs,
     includes: Includes,
-    state: GraphicsState,
-    entities: Entities,
-    objects: Objects,
-    materials: Materials,
-    /// The number of `Shape` statements so far.
-    shape_count: u32,
-    census: Census,
-    locations: Option<Locations>,
-    warnings: Warnings,
-}
-
-/// How far the scene has been read.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Phase {
-    /// Before `WorldBegin`.
-    Options,
-    /// After `WorldBegin`.
-    World,
-    /// After `WorldEnd`.
-    Ended,
+    scene: SceneBuilder,
 }
 
 impl<'a> Interpreter<'a> {
+    /// For the scene file `path`. `progress` counts bytes of scene files.
     pub(super) fn new(
         path: &Path,
         options: &LoadOptions,
@@ -73,20 +44,11 @@ impl<'a> Interpreter<'a> {
     ) -> Interpreter<'a> {
         Interpreter {
             path: path.to_path_buf(),
-            options: *options,
             progress,
             stops_at_world: false,
-            phase: Phase::Options,
             inputs: Inputs::new(path, options.input_budget),
             includes: Includes::default(),
-            state: GraphicsState::new(options.transform_history),
-            entities: Entities::default(),
-            objects: Objects::default(),
-            materials: Materials::default(),
-            shape_count: 0,
-            census: Census::default(),
-            locations: options.locations.then(Locations::default),
-            warnings: Warnings::default(),
+            scene: SceneBuilder::new(options),
         }
     }
 
@@ -95,7 +57,7 @@ impl<'a> Interpreter<'a> {
     pub(super) fn read_options(mut self) -> Result<(Option<String>, AcceleratorParameters)> {
         self.stops_at_world = true;
         self.read_top_level()?;
-        Ok(self.entities.into_names())
+        Ok(self.scene.into_names())
     }
 
     /// Executes the scene file.
@@ -108,13 +70,18 @@ impl<'a> Interpreter<'a> {
     /// Executes `text` as if it were the scene file.
     pub(super) fn read_text(&mut self, text: Vec<u8>) -> Result<()> {
         self.inputs.budget().enter_bytes(text.len() as u64);
-        self.read(Arc::new(SourceFile::new(&self.path, text)), false)
-            .map(|_| ())
+        let file = SourceFile::new(&self.path, text);
+        self.read(Arc::new(file), false).map(|_| ())
     }
 
     /// The files that were read, or tried.
     pub(super) fn take_files(&mut self) -> InputFiles {
         self.inputs.take_files()
+    }
+
+    /// The scene that the directives have built.
+    pub(super) fn finish(self) -> Result<Scene> {
+        self.scene.finish(&self.path)
     }
 
     /// Executes a file and those that it includes. If arguments follow its `Include`, the file
@@ -139,7 +106,7 @@ impl<'a> Interpreter<'a> {
             let directive = match directives.next() {
                 None => return Ok(None),
                 // Anything may follow the end of the world.
-                Some(Err(_)) if self.phase == Phase::Ended => return Ok(None),
+                Some(Err(_)) if self.scene.phase() == Phase::Ended => return Ok(None),
                 // Perhaps the rest of it is in another file.
                 Some(Err(_)) if is_continued && is_last(file.text(), start) => {
                     return Ok(Some(Tail::new(file, start)));
@@ -151,25 +118,31 @@ impl<'a> Interpreter<'a> {
                 seen = directive.span.end;
             }
             let keyword = SourceSpan::new(file, &directive.keyword);
-            if self.phase == Phase::Ended {
-                let message = "what follows WorldEnd is ignored: one world is one picture";
-                let at = keyword.beside(&directive.span);
-                self.warnings
-                    .add("after the world", || at.diagnostic(message));
+            if self.scene.phase() == Phase::Ended {
+                self.scene
+                    .warn_of_the_rest(&keyword.beside(&directive.span));
                 return Ok(None);
             }
             let includes = matches!(directive.statement, Statement::Include(_));
             if is_continued && !includes && directives.next_is() == Next::End {
                 return Ok(Some(Tail::new(file, start)));
             }
-            self.census.count(&directive);
-            let tail = match &directive.statement {
+            self.scene.count(&directive);
+            self.scene.check_legal(&directive, &keyword)?;
+            let mut tail = None;
+            match &directive.statement {
                 Statement::Include(name) => {
-                    self.include_and_continue(name, &keyword, &mut directives, is_continued)?
+                    tail =
+                        self.include_and_continue(name, &keyword, &mut directives, is_continued)?;
                 }
-                _ => self.execute(&directive, &keyword).map(|()| None)?,
-            };
-            if tail.is_some() || (self.stops_at_world && self.phase != Phase::Options) {
+                Statement::Import(name) => {
+                    let was_in_object = self.scene.begin_import(&keyword);
+                    self.include(name, &keyword, false)?;
+                    self.scene.end_import(was_in_object);
+                }
+                _ => self.scene.execute(&directive, &keyword, &mut self.inputs)?,
+            }
+            if tail.is_some() || (self.stops_at_world && self.scene.phase() != Phase::Options) {
                 return Ok(tail);
             }
         }
@@ -226,214 +199,6 @@ impl<'a> Interpreter<'a> {
             let place = named_at.location();
             let error = advise_beside(&place.path, &name.path(), &path, error);
             error.note(format!("included from {place}"))
-        })
-    }
-
-    /// Like `Include`, but changes of the graphics state and names of coordinate systems end with
-    /// the file; objects and materials stay.
-    fn import(&mut self, name: &Text, keyword: &SourceSpan) -> Result<()> {
-        let is_in_object = self.objects.is_open();
-        self.state.begin(Block::Import, keyword);
-        self.include(name, keyword, false)?;
-        self.state.close_blocks(&mut self.warnings);
-        if !is_in_object {
-            self.objects.end(&mut self.warnings);
-        }
-        self.state.end_import();
-        Ok(())
-    }
-
-    fn execute(&mut self, directive: &Directive, keyword: &SourceSpan) -> Result<()> {
-        self.check_legal(directive, keyword)?;
-        let (state, warnings) = (&mut self.state, &mut self.warnings);
-        match &directive.statement {
-            Statement::Transform(transform) => {
-                let at = keyword.beside(&directive.span);
-                state.transform.apply(transform, &at, warnings);
-            }
-            Statement::ActiveTransform(active) => state.transform.set_active(*active),
-            Statement::CoordinateSystem(name) => state.transform.set_coordinate_system(name),
-            Statement::CoordSysTransform(name) => state.transform.recall(name, keyword, warnings),
-            Statement::ReverseOrientation => state.reverses_orientation ^= true,
-            Statement::AreaLightSource => state.is_light = true,
-            Statement::AttributeBegin => state.begin(Block::Attribute, keyword),
-            Statement::AttributeEnd => state.end(Block::Attribute, keyword, warnings),
-            Statement::TransformBegin => state.begin(Block::Transform, keyword),
-            Statement::TransformEnd => state.end(Block::Transform, keyword, warnings),
-            Statement::Attribute(entity) => state.set_defaults(entity, keyword)?,
-            Statement::Material(name) => state.material = Material::of_type(name),
-            Statement::NamedMaterial(name) => {
-                state.material = self.materials.named(name, &state.material);
-            }
-            Statement::MakeNamedMaterial(entity) => {
-                self.materials.make(entity, keyword, warnings);
-            }
-            Statement::ObjectBegin(name) => {
-                self.objects.begin(name, keyword, warnings);
-                state.begin(Block::Object, keyword);
-            }
-            Statement::ObjectEnd => {
-                state.end(Block::Object, keyword, warnings);
-                self.objects.end(warnings);
-            }
-            Statement::WorldBegin => {
-                self.phase = Phase::World;
-                state.begin_world();
-            }
-            Statement::WorldEnd => self.phase = Phase::Ended,
-            Statement::Camera(entity) => {
-                self.entities
-                    .set_camera(entity, keyword, &mut state.transform, warnings)?;
-            }
-            Statement::Film(entity) => self.entities.set_film(entity, keyword, warnings)?,
-            Statement::Accelerator(entity) => {
-                self.entities.set_accelerator(entity, keyword, warnings)?;
-            }
-            Statement::Import(name) => self.import(name, keyword)?,
-            Statement::ObjectInstance(name) => self.instance(name, keyword)?,
-            Statement::Shape(entity) => self.shape(entity, keyword)?,
-            Statement::Unknown(name) => warnings.add(format!("directive {name}"), || {
-                let message =
-                    format!("`{name}` is not a directive of pbrt: skipped with its arguments");
-                let note = "if it places geometry, that is missing from the picture";
-                keyword.diagnostic(message).note(note)
-            }),
-            Statement::Include(_) | Statement::Skipped => {}
-        }
-        Ok(())
-    }
-
-    /// # Errors
-    /// A directive on the wrong side of `WorldBegin`.
-    fn check_legal(&self, directive: &Directive, keyword: &SourceSpan) -> Result<()> {
-        let Some(description) = directive.description else {
-            return Ok(());
-        };
-        let name = KEYWORDS[description.number];
-        match (description.legal, self.phase) {
-            (Legal::BeforeWorld, Phase::World | Phase::Ended) if name == "WorldBegin" => {
-                Err(keyword.error("a second WorldBegin"))
-            }
-            (Legal::BeforeWorld, Phase::World | Phase::Ended) => {
-                let error = keyword.error(format!("{name} inside the world"));
-                Err(error.note("expected before WorldBegin"))
-            }
-            (Legal::InWorld, Phase::Options) => {
-                let error = keyword.error(format!("{name} outside the world"));
-                let error = error.note("expected after WorldBegin");
-                Err(error.note(match name {
-                    "Import" => "Include reads a file anywhere",
-                    _ => "or is this file a part that another one includes?",
-                }))
-            }
-            _ => Ok(()),
-        }
-    }
-
-    /// Shapes and instances are rendered where they are at the start time.
-    fn warn_if_moving(&mut self, at: &SourceSpan) {
-        if self.state.transform.is_moving() {
-            let message =
-                "moving shapes are not supported: they stand where they are at the start time";
-            self.warnings.add("moving", || at.diagnostic(message));
-        }
-    }
-
-    fn instance(&mut self, name: &Text, keyword: &SourceSpan) -> Result<()> {
-        if self.objects.is_open() {
-            let error = keyword.error("an instance within an object");
-            return Err(error.note("expected ObjectInstance after ObjectEnd: objects do not nest"));
-        }
-        self.state
-            .transform
-            .check_usable("ObjectInstance", keyword)?;
-        self.warn_if_moving(keyword);
-        let world_from_instance = self.state.transform.start().matrix;
-        self.objects
-            .add_instance(name, keyword, world_from_instance, &mut self.warnings)?;
-        self.state.transform.record_instance();
-        if let Some(locations) = &mut self.locations {
-            locations.add_instance(keyword);
-        }
-        Ok(())
-    }
-
-    fn shape(&mut self, entity: &Entity, keyword: &SourceSpan) -> Result<()> {
-        let number = self.next_shape(entity, keyword)?;
-        let name = &entity.name.text;
-        let is_light = self.state.is_light;
-        let bounds_medium = self.state.material.only_bounds_media(is_light);
-        if bounds_medium {
-            self.census.add_boundary(name, || keyword.location());
-        } else if shapes::is_supported(name) {
-            self.state.transform.check_usable("Shape", keyword)?;
-            self.warn_if_moving(keyword);
-        }
-        self.materials.wait(&self.state.material, number, is_light);
-        let world_from_object = self.state.transform.start().matrix;
-        let is_turned = self.state.reverses_orientation != world_from_object.swaps_handedness();
-        let is_in_object = self.objects.is_open();
-        let store = self.objects.store();
-        let mut target = ShapeTarget {
-            geometry: &mut store.geometry,
-            transforms: &mut store.transforms,
-            warnings: &mut self.warnings,
-            inputs: &mut self.inputs,
-            options: &self.options,
-            number,
-            world_from_object,
-            is_in_object,
-            is_turned,
-            bounds_medium,
-        };
-        let before = target.geometry.own_count();
-        let parameters = Parameters::of_shape(entity, keyword.file(), &self.state.defaults)?;
-        let is_added = shapes::add(parameters, &mut target)?;
-        let added = target.geometry.own_count() - before;
-        self.census.count_shape(name, is_added.then_some(added));
-        Ok(())
-    }
-
-    /// Numbers a `Shape` statement.
-    fn next_shape(&mut self, entity: &Entity, keyword: &SourceSpan) -> Result<u32> {
-        let Some(number) = self.shape_count.checked_add(1) else {
-            return Err(keyword.error(format!("the scene has more than {} shapes", u32::MAX)));
-        };
-        self.shape_count = number;
-        self.state.transform.record_shape();
-        if let Some(locations) = &mut self.locations {
-            locations.add_shape(&entity.name.text, keyword);
-        }
-        Ok(number)
-    }
-
-    /// The scene, once all directives have been executed.
-    pub(super) fn finish(mut self) -> Result<Scene> {
-        self.state.close_blocks(&mut self.warnings);
-        self.objects.end(&mut self.warnings);
-        self.objects.define_awaited()?;
-        self.objects.hide(&self.materials.late_boundaries());
-        self.census.set_unused(self.objects.unused(MAX_LISTED));
-        if self.phase == Phase::Options {
-            let diagnostic = Diagnostic::new("the scene has no WorldBegin")
-                .at(SourceLocation::file(&self.path))
-                .note("expected Camera and Film, WorldBegin, and then the shapes");
-            return Err(Error::bad_input(diagnostic));
-        }
-        let resolution = self.options.resolution;
-        let (camera, film, accelerator) = self.entities.resolve(&self.path, resolution)?;
-        let (geometry, transform_count) = self.objects.finish();
-        Ok(Scene {
-            camera,
-            film,
-            accelerator,
-            geometry,
-            shape_count: self.shape_count,
-            transform_count,
-            warnings: self.warnings,
-            census: self.census,
-            locations: self.locations,
-            transform_history: self.state.transform.into_history(),
         })
     }
 }

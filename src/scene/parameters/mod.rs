@@ -1,6 +1,7 @@
 //! The parameters of a directive, looked up by name and checked.
 
 mod declared_type;
+mod known_names;
 mod shape_defaults;
 
 pub(super) use declared_type::DeclaredType;
@@ -11,6 +12,7 @@ use super::source_file::{SourceFile, Span};
 use super::spelling;
 use super::warnings::Warnings;
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
+use known_names::KnownNames;
 use shape_defaults::ShapeDefault;
 use std::path::PathBuf;
 
@@ -22,10 +24,7 @@ pub(super) struct Parameters<'a> {
     file: &'a SourceFile,
     /// Parameters that `Attribute` sets for directives without them.
     defaults: &'a [ShapeDefault],
-    /// The names that were looked up.
-    known: Vec<&'static str>,
-    /// The names that pbrt knows, but that do not matter here.
-    ignored: Vec<&'static str>,
+    known: KnownNames,
 }
 
 /// A parameter, and the file that it stands in.
@@ -46,14 +45,13 @@ impl<'a> Parameters<'a> {
                 ));
             }
         }
-        let (known, ignored) = (Vec::new(), Vec::new());
+        let known = KnownNames::default();
         Ok(Parameters {
             keyword,
             entity,
             file,
             defaults: &[],
             known,
-            ignored,
         })
     }
 
@@ -77,12 +75,7 @@ impl<'a> Parameters<'a> {
 
     /// Marks names as known and without influence.
     pub(super) fn ignore(&mut self, names: &[&'static str]) {
-        self.ignored.extend_from_slice(names);
-    }
-
-    /// The names that are not misspelt.
-    fn known(&self) -> impl Iterator<Item = &'static str> {
-        self.known.iter().chain(&self.ignored).copied()
+        self.known.ignore(names);
     }
 
     /// The last parameter of this name, as in pbrt.
@@ -103,7 +96,7 @@ impl<'a> Parameters<'a> {
     }
 
     fn find(&mut self, name: &'static str) -> Option<Found<'a>> {
-        self.known.push(name);
+        self.known.add(name);
         self.last(name)
     }
 
@@ -157,9 +150,9 @@ impl<'a> Parameters<'a> {
             return Ok(Some(numbers));
         }
         let expected = if N == 1 {
-            "one number".to_owned()
+            "one number"
         } else {
-            format!("{N} numbers")
+            &format!("{N} numbers")
         };
         let message = format!("`{name}` takes {expected}, found {}", numbers.len());
         Err(self.error_at(name, message))
@@ -171,7 +164,7 @@ impl<'a> Parameters<'a> {
         Ok(number.map(|[number]| number))
     }
 
-    /// The value of a parameter of any type, if it is a single number.
+    /// A single number, whatever the declared type.
     pub(super) fn lone_number(&mut self, name: &'static str) -> Option<f64> {
         match &self.find(name)?.0.values {
             Values::Numbers(numbers) if numbers.len() == 1 => Some(numbers[0]),
@@ -302,55 +295,24 @@ impl<'a> Parameters<'a> {
 
     /// Warns of parameters that are unknown, and of those that occur more than once.
     pub(super) fn finish(self, warnings: &mut Warnings) {
-        self.warn_of_repeated(warnings);
-        let (keyword, entity) = (self.keyword, &self.entity.name.text);
-        for parameter in self.unknown() {
-            let kind = format!("unknown {keyword} {entity} {}", parameter.name);
-            warnings.add(kind, || self.unknown_warning(parameter));
-        }
+        self.warn_of_names(false, warnings);
     }
 
     /// Like [`Parameters::finish`], but warns only of unknown parameters that look misspelt: for
     /// directives with many parameters that do not matter.
     pub(super) fn finish_with_suggestions(self, warnings: &mut Warnings) {
-        self.warn_of_repeated(warnings);
-        for parameter in self.unknown() {
-            if spelling::closest(&parameter.name, self.known()).is_some() {
-                let kind = format!("unknown {} {}", self.keyword, parameter.name);
-                warnings.add(kind, || self.unknown_warning(parameter));
-            }
-        }
+        self.warn_of_names(true, warnings);
     }
 
-    fn unknown(&self) -> impl Iterator<Item = &'a Parameter<'a>> {
-        let parameters = self.entity.parameters.iter();
-        parameters.filter(|parameter| !self.known().any(|known| parameter.name == known))
-    }
-
-    fn unknown_warning(&self, parameter: &Parameter) -> Diagnostic {
-        let (keyword, entity) = (self.keyword, &self.entity.name.text);
-        let name = &parameter.name;
-        let message = format!("{keyword} \"{entity}\" has no parameter `{name}`: ignored");
-        let diagnostic = Diagnostic::new(message).at(self.file.at(&parameter.span));
-        match spelling::closest(name, self.known()) {
-            Some(known) => diagnostic.note(format!("did you mean `{known}`?")),
-            None => diagnostic,
-        }
-    }
-
-    /// Warns of parameters that matter and that a later one of the same name overrides, as in pbrt.
-    fn warn_of_repeated(&self, warnings: &mut Warnings) {
-        let mut rest = &self.entity.parameters[..];
-        while let Some((parameter, later)) = rest.split_first() {
-            rest = later;
-            let name = &parameter.name;
-            let matters = || self.known.iter().any(|known| name == known);
-            if !later.is_empty() && matters() && later.iter().any(|other| other.name == *name) {
-                warnings.add(format!("repeated {} {name}", self.keyword), || {
-                    let message = format!("`{name}` is set more than once: the last one counts");
-                    Diagnostic::new(message).at(self.file.at(&parameter.span))
-                });
-            }
-        }
+    fn warn_of_names(self, misspelt: bool, warnings: &mut Warnings) {
+        let Parameters {
+            known,
+            keyword,
+            entity,
+            file,
+            ..
+        } = self;
+        known.warn_of_repeated(keyword, entity, file, warnings);
+        known.warn_of_unknown(misspelt, keyword, entity, file, warnings);
     }
 }
