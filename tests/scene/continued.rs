@@ -185,11 +185,11 @@ fn places_are_those_of_the_files_that_the_tokens_are_in() {
         ("b.pbrt", "\n Shape \"sphere\""),
     ]);
     let options = LoadOptions {
-        places: true,
+        locations: true,
         ..LoadOptions::default()
     };
     let scene = load(&folder.path().join("a.pbrt"), &options, Progress::SILENT).unwrap();
-    let places = scene.places.unwrap();
+    let places = scene.locations.unwrap();
     let place = |number| places.shape(number).unwrap().1.to_string();
     assert!(
         place(1).ends_with("b.pbrt:2:2") && place(2).ends_with("a.pbrt:3:3"),

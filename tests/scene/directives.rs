@@ -207,7 +207,7 @@ fn directives_of_forks_are_skipped_with_their_arguments() {
     ));
     assert_eq!(scene.geometry.triangle_count(), 2);
     let skipped =
-        |name: &str| format!("`{name}` is no directive of pbrt: skipped with its arguments");
+        |name: &str| format!("`{name}` is not a directive of pbrt: skipped with its arguments");
     let expected = [
         (skipped("RenderPass"), 2),
         (skipped("SpectrumOptions2"), 1),

@@ -135,7 +135,7 @@ impl<'a> Runner<'a> {
     /// also returns the files that were read, up to an error too.
     fn load(&self, path: &Path) -> (Result<(Scene, f64)>, InputFiles) {
         let options = LoadOptions {
-            roundings: self.reference == Reference::Exact,
+            transform_history: self.reference == Reference::Exact,
             input_budget: self.input_budget,
             ..LoadOptions::default()
         };

@@ -52,9 +52,9 @@ impl Display for Block<'_> {
             "memory",
             &format!("{transforms}, {}", counted(geometry.bytes() as u64, "byte")),
         )?;
-        list(f, "directives", census.obeyed())?;
+        list(f, "directives", census.executed())?;
         list(f, "skipped", census.skipped())?;
-        list(f, "unknown", census.private())?;
+        list(f, "unknown", census.unknown())?;
         let boundary =
             |of: &Boundary| format!("{}, {}", printable(&of.shape), printable(&of.place));
         listed(

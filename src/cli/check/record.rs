@@ -207,9 +207,9 @@ impl<'a> Content<'a> {
             transforms: scene.transform_count,
             bytes: geometry.bytes(),
             bounds: (!bounds.is_empty()).then(|| BoundsRecord::new(&bounds)),
-            directives: census.obeyed().collect(),
+            directives: census.executed().collect(),
             skipped: census.skipped().collect(),
-            unknown: census.private().collect(),
+            unknown: census.unknown().collect(),
             medium_boundaries: ListRecord::new(census.boundaries(), |of| (&of.shape, &of.place)),
             unused_objects: ListRecord::new(census.unused_objects(), |of| (&of.name, &of.place)),
         }

@@ -106,7 +106,7 @@ impl Block<'_> {
             "primitive",
             &format!("{} {}", hit.surface.name(), self.name(hit.primitive)),
         )?;
-        if let (Some(places), Some(instance)) = (&self.scene.places, hit.primitive.instance())
+        if let (Some(places), Some(instance)) = (&self.scene.locations, hit.primitive.instance())
             && let Some(place) = places.instance(instance)
         {
             line(f, "instance", &format!("{}, {place}", instance + 1))?;
@@ -224,7 +224,7 @@ impl Block<'_> {
         let (prim, id) = (geometry.image_number(placed), geometry.shape_number(placed));
         let of_shape = self
             .scene
-            .places
+            .locations
             .as_ref()
             .and_then(|places| places.shape(id));
         let of_shape = of_shape.map_or(String::new(), |(name, place)| {

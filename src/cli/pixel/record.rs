@@ -160,7 +160,7 @@ impl<'a> Record<'a> {
 impl<'a> PrimitiveRecord<'a> {
     fn new(scene: &'a Scene, placed: InstancedId) -> PrimitiveRecord<'a> {
         let id = scene.geometry.shape_number(placed);
-        let places = scene.places.as_ref();
+        let places = scene.locations.as_ref();
         let shape = places.and_then(|places| places.shape(id));
         let instance = placed.instance();
         let instance_place = places
@@ -169,7 +169,7 @@ impl<'a> PrimitiveRecord<'a> {
         PrimitiveRecord {
             prim: scene.geometry.image_number(placed),
             id,
-            shape: shape.map(|(name, _)| name),
+            shape: shape.as_ref().map(|(name, _)| *name),
             place: shape.map(|(_, place)| place.to_string()),
             instance: instance.map_or(0, |instance| instance + 1),
             instance_place: instance_place.map(|place| place.to_string()),
