@@ -194,7 +194,13 @@ fn split_branches(branches: &str) -> Vec<&str> {
 /// Adds the paths and words that code names without a `use`: `crate::a::b`, `super::c::D`, `E`.
 fn paths_in(code: &str, imports: &mut Vec<Import>) {
     let is_part = |c: char| c.is_alphanumeric() || c == '_' || c == ':';
-    for word in code.split(|c| !is_part(c)) {
+    let words: Vec<&str> = code
+        .split(|c| !is_part(c))
+        .filter(|word| !word.is_empty())
+        .collect();
+    // A declaration `mod name;` needs nothing of the module.
+    let is_declared = |at: usize| at > 0 && words[at - 1] == "mod";
+    for (_, word) in words.iter().enumerate().filter(|(at, _)| !is_declared(*at)) {
         let path: Vec<String> = word
             .split("::")
             .filter(|part| !part.is_empty())
