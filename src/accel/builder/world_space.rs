@@ -26,7 +26,9 @@ fn union_of(bounds: impl ParallelIterator<Item = Bounds>) -> Bounds {
 fn finite_bounds(points: &[Point]) -> Bounds {
     let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
     for point in points {
-        for (axis, x) in point.to_array().into_iter().enumerate() {
+        let coordinates = point.to_array();
+        for axis in 0..3 {
+            let x = coordinates[axis];
             // A NaN passes neither test, an infinity only one of them and never as an end.
             if x < low[axis] && x > f64::NEG_INFINITY {
                 low[axis] = x;

@@ -62,41 +62,27 @@ impl Fallback<'_> {
             let (_, surface) = match &last {
                 Some(last) if last.0 == primitive => last,
                 _ => {
-                    let last = last.insert((primitive, self.geometry.surface_in_tree(primitive)));
-                    is_part = last
-                        .1
+                    let surface = self.geometry.surface_in_tree(primitive);
+                    is_part = surface
                         .as_ref()
                         .is_some_and(|surface| fronts.turn_to(surface));
-                    last
+                    last.insert((primitive, surface))
                 }
             };
             let Some(surface) = surface else { continue };
             let ray = || Some(self.ray(first, pixel)).filter(Ray::can_hit);
-            let is_exact = self.precision == Precision::Exact;
-            if is_exact
-                && is_part
+            let found = if self.precision == Precision::Fast {
+                ray().and_then(|ray| self.search_fast(&ray, primitive, pixels, pixel))
+            } else if is_part
                 && self.is_behind(&fronts.at(pixel, ray), pixels, pixel, primitive, ties)
             {
-                continue;
-            }
-            let found = match self.precision {
-                Precision::Exact => {
-                    self.search_exactly(ray, pixels, pixel, (primitive, surface), ties, fallbacks)
-                }
-                Precision::Fast => {
-                    ray().and_then(|ray| self.search_fast(&ray, primitive, pixels, pixel))
-                }
+                None
+            } else {
+                self.search_exactly(ray, pixels, pixel, (primitive, surface), ties, fallbacks)
             };
             if let Some((hit, nearness)) = found {
-                pixels.set(
-                    pixel,
-                    hit,
-                    if self.hits_only {
-                        f32::INFINITY
-                    } else {
-                        nearness
-                    },
-                );
+                let is_final = self.hits_only;
+                pixels.set(pixel, hit, if is_final { f32::INFINITY } else { nearness });
             }
         }
     }
