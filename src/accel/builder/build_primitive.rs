@@ -104,10 +104,8 @@ fn union_of(
     if primitives.len() < PARALLEL {
         return of_chunk(primitives);
     }
-    primitives
-        .par_chunks(CHUNK)
-        .map(of_chunk)
-        .reduce(|| LaneBox::EMPTY, LaneBox::union)
+    let boxes = primitives.par_chunks(CHUNK).map(of_chunk);
+    boxes.reduce(|| LaneBox::EMPTY, LaneBox::union)
 }
 
 #[cfg(test)]

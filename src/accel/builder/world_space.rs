@@ -48,13 +48,9 @@ fn finite_bounds(points: &[Point]) -> Bounds {
 /// may be anywhere. Rounding is monotone, so no coordinate in between is farther.
 fn reach(bounds: &Bounds, anchor: Point) -> f64 {
     let along = |k: usize| {
-        f64::max(
-            (bounds.low[k] - anchor[k]).abs(),
-            (bounds.high[k] - anchor[k]).abs(),
-        )
+        let [low, high] = [bounds.low[k], bounds.high[k]].map(|end| (end - anchor[k]).abs());
+        low.max(high)
     };
-    (0..3)
-        .filter(|k| bounds.low[*k] <= bounds.high[*k])
-        .map(along)
-        .fold(0.0, f64::max)
+    let axes = (0..3).filter(|k| bounds.low[*k] <= bounds.high[*k]);
+    axes.map(along).fold(0.0, f64::max)
 }

@@ -47,11 +47,8 @@ impl ObjectTree {
         };
         let all: Vec<PrimitiveId> = object.primitives().collect();
         let pose = || Pose::new(object, Matrix::IDENTITY);
-        let placed: Vec<Option<BuildPrimitive>> = all
-            .par_iter()
-            .with_min_len(1 << 10)
-            .map_init(pose, place)
-            .collect();
+        let placed = all.par_iter().with_min_len(1 << 10).map_init(pose, place);
+        let placed: Vec<Option<BuildPrimitive>> = placed.collect();
         let primitives: Vec<BuildPrimitive> = placed.into_iter().flatten().collect();
         progress.advance(all.len() - primitives.len());
         let tree = builder::build(primitives, options, progress, PrimitiveId::from_bits);

@@ -41,15 +41,10 @@ impl Outline {
                 },
             )
         };
-        let outline = primitives
-            .par_chunks(1 << 14)
-            .map(of_chunk)
-            .reduce(|| Outline::NOTHING, Outline::union);
-        let fits = outline
-            .terms
-            .in_instance
-            .iter()
-            .all(|terms| *terms < LARGEST);
+        let outlines = primitives.par_chunks(1 << 14).map(of_chunk);
+        let outline = outlines.reduce(|| Outline::NOTHING, Outline::union);
+        let mut terms = outline.terms.in_instance.iter();
+        let fits = terms.all(|terms| *terms < LARGEST);
         if fits { outline } else { Outline::ANYWHERE }
     }
 
@@ -103,16 +98,10 @@ impl Outline {
     ) -> Option<Outline> {
         let (extent, instance_from_file) = match object.own_surface(primitive) {
             Primitive::Triangle(triangle) => {
-                let corners = triangle.0;
-                corners
-                    .iter()
-                    .all(|corner| corner.is_finite())
-                    .then_some(())?;
-                let extent = [0, 1, 2].map(|axis| {
-                    corners
-                        .iter()
-                        .fold(0.0f64, |most, p| most.max(p[axis].abs()))
-                });
+                let mut corners = triangle.0.iter();
+                corners.all(|corner| corner.is_finite()).then_some(())?;
+                let [a, b, c] = triangle.0;
+                let extent = [0, 1, 2].map(|k| a[k].abs().max(b[k].abs()).max(c[k].abs()));
                 (extent, *object.transform_of_mesh(primitive.index() as u32))
             }
             Primitive::Quadric(quadric) => (quadric.extent()?, quadric.world_from_object),
