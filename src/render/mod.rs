@@ -51,8 +51,8 @@ pub fn render(
     Ok(Rendering { image, traced })
 }
 
-/// Like [`render`], into an image that [`blank_image()`] made for these options. It may already have
-/// been rendered into.
+/// Like [`render`], into an image that [`blank_image()`] made for these options. It may already
+/// have been rendered into.
 pub fn render_into(
     image: &mut Image,
     camera: &Camera,

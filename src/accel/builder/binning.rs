@@ -1,8 +1,8 @@
 //! Finds the split plane of least cost by the binned surface area heuristic (Wald, 2007).
 
 use super::build_primitive::{BuildPrimitive, centre_bounds};
+use super::f32x4::{F32x4, LaneBox};
 use super::full_leaves::LeafSize;
-use super::lanes::{LaneBox, Lanes};
 
 /// The largest number of bins along an axis.
 const BINS: usize = 16;
@@ -29,7 +29,7 @@ fn sample(primitives: &[BuildPrimitive]) -> Vec<BuildPrimitive> {
 
 /// A plane between two bins.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Plane {
+pub(super) struct SplitPlane {
     pub(super) axis: usize,
     /// Primitives with a smaller doubled centre go left.
     pub(super) at: f32,
@@ -39,10 +39,10 @@ pub(super) struct Plane {
 /// others.
 #[derive(Debug, Clone, Copy)]
 struct Binning {
-    low: Lanes,
-    extent: Lanes,
+    low: F32x4,
+    extent: F32x4,
     /// Bins per unit; 0 on an axis without extent.
-    per_unit: Lanes,
+    per_unit: F32x4,
     count: usize,
 }
 
@@ -60,7 +60,7 @@ impl Binning {
         Binning {
             low: centres.low,
             extent,
-            per_unit: Lanes([per_unit(x), per_unit(y), per_unit(z), 0.0]),
+            per_unit: F32x4([per_unit(x), per_unit(y), per_unit(z), 0.0]),
             count,
         }
     }
@@ -77,9 +77,9 @@ impl Binning {
     }
 
     /// The plane behind the first `left_bins`.
-    fn plane(&self, axis: usize, left_bins: usize) -> Plane {
+    fn plane(&self, axis: usize, left_bins: usize) -> SplitPlane {
         let share = (left_bins as f32 - 0.5) / (self.count - 1) as f32;
-        Plane {
+        SplitPlane {
             axis,
             at: self.low.0[axis] + share * self.extent.0[axis],
         }
@@ -160,7 +160,7 @@ impl Bins {
 }
 
 /// The plane of the least cost over all axes; `None` if all centres coincide.
-pub(super) fn best_plane(primitives: &[BuildPrimitive], leaf_size: LeafSize) -> Option<Plane> {
+pub(super) fn best_plane(primitives: &[BuildPrimitive], leaf_size: LeafSize) -> Option<SplitPlane> {
     if primitives.len() > LONG {
         // Each primitive stands for many, so it counts whether or not it fills a leaf.
         return best_plane_of_all(&sample(primitives), LeafSize(1));
@@ -168,7 +168,7 @@ pub(super) fn best_plane(primitives: &[BuildPrimitive], leaf_size: LeafSize) -> 
     best_plane_of_all(primitives, leaf_size)
 }
 
-fn best_plane_of_all(primitives: &[BuildPrimitive], leaf_size: LeafSize) -> Option<Plane> {
+fn best_plane_of_all(primitives: &[BuildPrimitive], leaf_size: LeafSize) -> Option<SplitPlane> {
     let binning = Binning::new(centre_bounds(primitives), bins_for(primitives.len()));
     let bins = Bins::of(&binning, primitives);
     let mut best = None;

@@ -1,7 +1,7 @@
 //! Sorts primitives along a Morton curve.
 
 use super::build_primitive::{BuildPrimitive, centre_bounds};
-use super::lanes::{LaneBox, Lanes};
+use super::f32x4::{F32x4, LaneBox};
 use super::radix_sort::sort_by_digits;
 use rayon::prelude::*;
 
@@ -48,8 +48,8 @@ pub(super) fn along_curve(primitives: &[BuildPrimitive]) -> Vec<CurvePlace> {
 /// A grid with the same number of cells on each axis. The first and the last are half as wide as
 /// the others.
 struct Grid {
-    low: Lanes,
-    cells_per_unit: Lanes,
+    low: F32x4,
+    cells_per_unit: F32x4,
     last: u32,
 }
 
@@ -66,7 +66,7 @@ impl Grid {
         };
         Grid {
             low: centres.low,
-            cells_per_unit: Lanes([cells(x), cells(y), cells(z), 0.0]),
+            cells_per_unit: F32x4([cells(x), cells(y), cells(z), 0.0]),
             last,
         }
     }

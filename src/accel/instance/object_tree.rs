@@ -1,6 +1,6 @@
 //! The tree of an object, in the object's own space.
 
-use super::outline::{Outline, Terms};
+use super::outline::{Outline, TermBounds};
 use super::placement::Placement;
 use crate::accel::builder::{self, BuildOptions, BuildPrimitive};
 use crate::accel::space::{AnchorSpace, Box32};
@@ -18,7 +18,7 @@ pub(crate) struct ObjectTree {
     pub(crate) tree: BinaryTree<PrimitiveId>,
     /// The same tree for tiles.
     pub(crate) wide: WideTree<Run>,
-    terms: Terms,
+    terms: TermBounds,
 }
 
 /// The box of every primitive in an object whose place is unknown.

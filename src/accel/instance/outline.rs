@@ -9,13 +9,13 @@ use rayon::prelude::*;
 pub(super) struct Outline {
     /// Encloses everything that may be hit in some instance.
     pub(super) bounds: Bounds,
-    pub(super) terms: Terms,
+    pub(super) terms: TermBounds,
 }
 
 /// Magnitudes of all points of an object, as its shapes' transforms take them from the spaces of
 /// their files to the space of its instances.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Terms {
+pub(crate) struct TermBounds {
     /// Bounds the sum of the absolute terms of each coordinate. Infinite if sums may overflow.
     pub(super) in_instance: [f64; 3],
     /// Bounds the coordinates in files.
@@ -63,7 +63,7 @@ impl Outline {
             low: Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY),
             high: Point::new(f64::INFINITY, f64::INFINITY, f64::INFINITY),
         },
-        terms: Terms {
+        terms: TermBounds {
             in_instance: [f64::INFINITY; 3],
             in_file: f64::INFINITY,
         },
@@ -71,7 +71,7 @@ impl Outline {
 
     const NOTHING: Outline = Outline {
         bounds: Bounds::EMPTY,
-        terms: Terms {
+        terms: TermBounds {
             in_instance: [0.0; 3],
             in_file: 0.0,
         },
@@ -83,7 +83,7 @@ impl Outline {
         let in_file = self.terms.in_file.max(other.terms.in_file);
         Outline {
             bounds: self.bounds.union(other.bounds),
-            terms: Terms {
+            terms: TermBounds {
                 in_instance,
                 in_file,
             },
@@ -113,7 +113,7 @@ impl Outline {
         let in_file = extent.into_iter().fold(0.0, f64::max);
         Some(Outline {
             bounds: pose.surface(primitive).bounds(),
-            terms: Terms {
+            terms: TermBounds {
                 in_instance,
                 in_file,
             },
