@@ -197,15 +197,12 @@ impl Fallback<'_> {
         let surface = self.geometry.surface(primitive);
         let t = surface.t_of_hit(&FilterRay::new(&ray));
         let t = t.unwrap_or_else(|| surface.exact_t(&ray).bracket());
-        self.depth_of_hit(
-            &ray,
-            &Hit {
-                primitive,
-                t,
-                is_hard: false,
-            },
-            fallbacks,
-        )
+        let hit = Hit {
+            primitive,
+            t,
+            is_hard: false,
+        };
+        Depth::of(&hit, &ray, self.geometry, self.precision, fallbacks)
     }
 
     /// The depth of a hit that the fallback found.
@@ -216,18 +213,7 @@ impl Fallback<'_> {
         hit: &Hit,
         fallbacks: &mut ExactFallbacks,
     ) -> Depth {
-        self.depth_of_hit(&self.ray(first, pixel), hit, fallbacks)
-    }
-
-    fn depth_of_hit(&self, ray: &Ray, hit: &Hit, fallbacks: &mut ExactFallbacks) -> Depth {
-        let (depth, roundings) = Depth::of(hit, ray, self.geometry, self.precision);
-        if roundings > 0 {
-            *fallbacks += ExactFallbacks {
-                roundings,
-                rays: u64::from(!hit.is_hard),
-                ..ExactFallbacks::default()
-            };
-        }
-        depth
+        let ray = self.ray(first, pixel);
+        Depth::of(hit, &ray, self.geometry, self.precision, fallbacks)
     }
 }
