@@ -3,6 +3,7 @@
 mod binning;
 mod branch;
 mod build_primitive;
+mod centre_grid;
 mod collection;
 mod f32x4;
 mod full_leaves;

@@ -147,9 +147,7 @@ impl Fallback<'_> {
         }
         let wins = nearest.test(primitive, surface);
         let hit = nearest.into_hit();
-        if counted.is_any() {
-            *fallbacks += ExactFallbacks { rays: 1, ..counted };
-        }
+        fallbacks.add_ray(counted);
         let mut hit = hit.filter(|_| wins)?;
         let width = hit.t.high - hit.t.low;
         let allowed = if self.view.is_perspective {

@@ -103,12 +103,7 @@ impl<'a> Tracer<'a> {
                 let search = ExactSearch::new(geometry, ray, &slab, &mut self.ties, &mut fallbacks);
                 let hit =
                     run::<COUNTED, ANY, _>(aggregate, geometry, &slab, search, stacks, counts);
-                if fallbacks.is_any() {
-                    self.fallbacks += ExactFallbacks {
-                        rays: 1,
-                        ..fallbacks
-                    };
-                }
+                self.fallbacks.add_ray(fallbacks);
                 hit
             }
             Precision::Fast => {
