@@ -99,9 +99,8 @@ fn parse_within(
 ) -> Result<Loaded> {
     match (format, with_uv) {
         (MeshFormat::Ply, false) => ply::parse_any(path, bytes, budget),
-        (MeshFormat::Obj, false) => obj::parse_any(path, bytes, budget),
+        (MeshFormat::Obj, with_uv) => obj::parse(path, bytes, with_uv, budget),
         (MeshFormat::Ply, true) => ply::parse_with_uv(path, bytes, budget),
-        (MeshFormat::Obj, true) => obj::parse_with_uv(path, bytes, budget),
     }
 }
 
