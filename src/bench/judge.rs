@@ -72,7 +72,7 @@ impl Judge {
         let input = InputError::of(scene, &of_pixels.collect::<Vec<_>>());
         let answer = |hit: reference::ReferenceHit| Answer {
             z: hit.z,
-            t: hit.t,
+            t: hit.distance,
             primitive: geometry.image_number(hit.primitive),
         };
         let expected = strip(hits.into_iter().map(|hit| hit.map(answer)));

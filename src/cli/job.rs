@@ -298,7 +298,7 @@ impl Renderer<'_> {
         };
         let (aggregate, ms) = timed(|| {
             self.bars
-                .during(Phase::Building(Aggregate::work(geometry)), make)
+                .during(Phase::Building(Aggregate::item_count(geometry)), make)
         });
         let built = Built::new(aggregate, geometry);
         summary::report_tree(&built, geometry, build.method, self.reporter);
@@ -328,7 +328,7 @@ fn record(loaded: &LoadedScene, view: &Viewpoint, finished: &Finished) -> Record
         hits: finished.rendering.traced.hits,
         shapes: loaded.scene.shape_count,
         triangles: geometry.stored_triangles(),
-        spheres: geometry.stored_spheres(),
+        spheres: geometry.stored_quadrics(),
         instances: geometry.instances().len(),
         primitives: geometry.primitive_count(),
         ms: finished.ms,

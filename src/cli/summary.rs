@@ -28,7 +28,7 @@ pub(super) fn report_scene(scene: &Scene, reporter: &Reporter) {
 
 /// What is stored, and how often objects are instanced, if there are any.
 pub(super) fn stored_geometry(geometry: &Geometry) -> String {
-    let quadrics = match geometry.stored_spheres() {
+    let quadrics = match geometry.stored_quadrics() {
         0 => String::new(),
         1 => ", 1 sphere, cylinder or disk".to_owned(),
         count => format!(
@@ -107,7 +107,7 @@ pub(super) fn report_image(finished: &Finished, reporter: &Reporter) {
 pub(super) fn report_statistics(scene: &Scene, finished: &Finished, reporter: &Reporter) {
     let (tree, ms, geometry) = (&finished.statistics, &finished.ms, &scene.geometry);
     let rays = finished.rendering.image.data_window.area() as f64;
-    let work = finished.rendering.traced.work.unwrap_or_default();
+    let work = finished.rendering.traced.counts.unwrap_or_default();
     let (nodes, primitives) = (work.nodes as f64 / rays, work.primitives as f64 / rays);
     let lines = [
         format!(

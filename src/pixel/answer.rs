@@ -105,7 +105,7 @@ fn of_hit(scene: &Scene, primitive: InstancedId, depth: Depth) -> Found {
         prim: scene.geometry.image_number(primitive),
         instance,
         z: depth.z,
-        t: depth.t,
+        t: depth.distance,
     }
 }
 

@@ -119,9 +119,15 @@ fn contradictions(
             scan.first
         ));
     }
-    let expected = hit.map(|hit| (hit.primitive, hit.depth.z.to_bits(), hit.depth.t.to_bits()));
+    let expected = hit.map(|hit| {
+        (
+            hit.primitive,
+            hit.depth.z.to_bits(),
+            hit.depth.distance.to_bits(),
+        )
+    });
     if let Some(judged) = judged {
-        let judged = judged.map(|hit| (hit.primitive, hit.z.to_bits(), hit.t.to_bits()));
+        let judged = judged.map(|hit| (hit.primitive, hit.z.to_bits(), hit.distance.to_bits()));
         if judged != expected {
             found.push(format!("the reference: {judged:?} is not {expected:?}"));
         }

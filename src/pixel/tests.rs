@@ -48,7 +48,7 @@ fn a_ray_through_an_edge_has_no_margin() {
             on_film: Some(0.0)
         }
     );
-    assert_eq!((hit.depth.z, hit.depth.t), (2.0, 2.0));
+    assert_eq!((hit.depth.z, hit.depth.distance), (2.0, 2.0));
     assert!(
         hit.z.low <= 2.0 && 2.0 <= hit.z.high && hit.z.high - hit.z.low < 1e-14,
         "{:?}",

@@ -12,8 +12,8 @@ fn included(outer: &str, inner: &str) -> Result<Scene, String> {
 }
 
 fn radii(scene: &Scene) -> Vec<f64> {
-    (0..scene.geometry.sphere_count())
-        .map(|index| scene.geometry.sphere(index).radius)
+    (0..scene.geometry.quadric_count())
+        .map(|index| scene.geometry.quadric(index).radius)
         .collect()
 }
 
@@ -52,7 +52,7 @@ fn arguments_behind_an_include_belong_to_the_last_directive_in_it() {
     }
     let translated = included("Include \"b.pbrt\" 0.5\nShape \"sphere\"", "Translate 0 0").unwrap();
     assert_eq!(
-        translated.geometry.sphere(0).world_from_object.column(3),
+        translated.geometry.quadric(0).world_from_object.column(3),
         [0.0, 0.0, 0.5]
     );
     let matrix = included(
@@ -63,7 +63,7 @@ fn arguments_behind_an_include_belong_to_the_last_directive_in_it() {
         matrix
             .unwrap()
             .geometry
-            .sphere(0)
+            .quadric(0)
             .world_from_object
             .column(3),
         [5.0, 0.0, 0.0]

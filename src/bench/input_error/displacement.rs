@@ -20,9 +20,9 @@ pub(super) fn of_primitive(geometry: &Geometry, roundings: &Roundings, placed: I
         None => *shape,
     };
     let store = instance.map_or(geometry, |instance| geometry.object_of(instance).geometry());
-    if primitive.is_sphere() {
+    if primitive.is_quadric() {
         // Its matrix is off, but none of its points has been rounded.
-        let extent = store.sphere(primitive.index()).extent();
+        let extent = store.quadric(primitive.index()).extent();
         return extent.map_or(f64::INFINITY, |extent| length(of_matrix(&rounded, extent)));
     }
     let corners = store.triangle(primitive.index()).0;

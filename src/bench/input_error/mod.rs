@@ -56,7 +56,7 @@ impl InputError {
             let of_surface = of_primitive(&scene.geometry, &roundings, hit.primitive);
             let displacement = made_up(of_ray + of_surface);
             InputError {
-                max_ulp: in_ulps(displacement, hit.t),
+                max_ulp: in_ulps(displacement, hit.distance),
                 max_pixels: view.in_pixels(displacement, *pixel, hit.z),
             }
         });

@@ -146,7 +146,7 @@ fn what_is_not_finite_is_infinite() {
             ..hit
         },
         ReferenceHit {
-            t: f32::INFINITY,
+            distance: f32::INFINITY,
             ..hit
         },
     ] {

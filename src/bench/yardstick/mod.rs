@@ -47,8 +47,8 @@ impl<'a> Yardstick<'a> {
                 .into_par_iter()
                 .map(triangle)
                 .collect(),
-            quadrics: (0..geometry.sphere_count())
-                .map(|index| Quadric32::new(&geometry.sphere(index)))
+            quadrics: (0..geometry.quadric_count())
+                .map(|index| Quadric32::new(&geometry.quadric(index)))
                 .collect(),
         }
     }
@@ -74,7 +74,7 @@ impl<'a> Yardstick<'a> {
             hit.primitive,
             Depth {
                 z,
-                t: z * dot(direction, direction).sqrt(),
+                distance: z * dot(direction, direction).sqrt(),
             },
         ))
     }
@@ -83,7 +83,7 @@ impl<'a> Yardstick<'a> {
     fn intersect(&self, ray: &Ray32, placed: InstancedId) -> Option<f32> {
         let primitive = placed.primitive();
         let index = primitive.index();
-        match (placed.instance(), primitive.is_sphere()) {
+        match (placed.instance(), primitive.is_quadric()) {
             (None, false) => self.meet_triangle(ray, &self.triangles[index]),
             (None, true) => self.meet_quadric(ray, &self.quadrics[index]),
             (Some(_), _) => match self.geometry.surface(placed) {

@@ -200,7 +200,7 @@ impl<'a> Content<'a> {
             statements: scene.shape_count,
             shapes: of_type.collect(),
             triangles: geometry.stored_triangles(),
-            spheres: geometry.stored_spheres(),
+            spheres: geometry.stored_quadrics(),
             objects: geometry.objects().len(),
             instances: geometry.instances().len(),
             primitives: geometry.primitive_count(),

@@ -93,7 +93,7 @@ impl Block<'_> {
             "hit",
             &format!(
                 "Z {}, t {}; Z is from {} to {}",
-                depth.z, depth.t, z.low, z.high
+                depth.z, depth.distance, z.low, z.high
             ),
         )?;
         line(f, "point", &triple(hit.point.to_array()))?;

@@ -194,7 +194,7 @@ impl<'a> HitRecord<'a> {
             primitive: PrimitiveRecord::new(scene, hit.primitive),
             kind: hit.surface.name(),
             z: hit.depth.z,
-            t: hit.depth.t,
+            t: hit.depth.distance,
             bracket: [hit.z.low, hit.z.high],
             point: hit.point.to_array(),
             normal: hit.normal.map(|normal| normal.to_array()),
