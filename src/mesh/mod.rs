@@ -78,9 +78,11 @@ pub(crate) fn read_within(
 ) -> Result<Loaded> {
     budget.enter(path);
     if (format, with_uv) == (MeshFormat::Ply, false) {
-        let plain =
-            input::Storage::open(path).and_then(|storage| ply::read_plain(path, &storage, budget));
-        return plain.map_or_else(|| ply::parse_odd(path, &input::read(path)?, budget), Ok);
+        let storage = input::Storage::open(path);
+        if let Some(loaded) = storage.and_then(|storage| ply::read_fast(path, &storage, budget)) {
+            return Ok(loaded);
+        }
+        return ply::parse(path, &input::read(path)?, budget);
     }
     parse_within(path, &input::read(path)?, format, with_uv, budget)
 }
@@ -98,7 +100,10 @@ fn parse_within(
     budget: &Budget,
 ) -> Result<Loaded> {
     match (format, with_uv) {
-        (MeshFormat::Ply, false) => ply::parse_any(path, bytes, budget),
+        (MeshFormat::Ply, false) => {
+            let fast = ply::read_fast(path, &input::Storage::Memory(bytes), budget);
+            fast.map_or_else(|| ply::parse(path, bytes, budget), Ok)
+        }
         (MeshFormat::Obj, with_uv) => obj::parse(path, bytes, with_uv, budget),
         (MeshFormat::Ply, true) => ply::parse_with_uv(path, bytes, budget),
     }
