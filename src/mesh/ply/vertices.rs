@@ -25,8 +25,7 @@ pub(super) fn names_of_uv(element: &Element) -> Option<[&'static str; 2]> {
             .iter()
             .any(|property| property.name == **name)
     };
-    UV.into_iter()
-        .find(|names| names.iter().all(|name| has(name)))
+    UV.into_iter().find(|names| names.iter().all(&has))
 }
 
 /// Vertices, and u and v of each if they are wanted and there are any.
