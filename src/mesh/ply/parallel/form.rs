@@ -1,32 +1,69 @@
-//! What a plain header says.
+//! The usual form of a PLY file: its header decides whether the parallel readers can read it.
 
 use crate::mesh::ply::header::{Element, Header, Property, Scalar, Shape};
-use crate::mesh::ply::step::{Layout, Step, plan};
+use crate::mesh::ply::plan::{Step, plan};
+use crate::mesh::ply::values::Run;
 
-/// Vertices and faces of a plain file.
+/// Vertices and faces of a file in the usual form.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Form {
-    /// Vertices; 1 or more.
+    /// The number of vertices, at least 1.
     pub(super) vertices: usize,
-    /// Faces; 1 or more.
+    /// The number of faces, at least 1.
     pub(super) faces: usize,
     /// The properties of a vertex in their order.
     pub(super) properties: Vec<VertexProperty>,
-    /// Where the corners are among the values of a face.
+    /// The place of the corners among the values of a face.
     pub(super) layout: Layout,
 }
 
 /// A property of a vertex.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct VertexProperty {
-    /// Which coordinate it is, if any.
+    /// The coordinate that it is, if any.
     pub(super) axis: Option<usize>,
     /// A coordinate is `F32` or `F64`.
     pub(super) kind: Scalar,
 }
 
+/// Faces whose only list is that of their corners.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Layout {
+    /// Values before the list.
+    pub(super) lead: Run,
+    /// The type of the list's length.
+    pub(super) count: Scalar,
+    /// The type of the corners.
+    pub(super) item: Scalar,
+    /// Values after the list.
+    pub(super) trail: Run,
+}
+
+impl Layout {
+    /// The layout of faces with this plan, if they have no other lists.
+    pub(super) fn of(plan: &[Step]) -> Option<Layout> {
+        let none = Run::default();
+        let (lead, list, trail) = match *plan {
+            [list] => (none, list, none),
+            [Step::Skip(lead), list] => (lead, list, none),
+            [list, Step::Skip(trail)] => (none, list, trail),
+            [Step::Skip(lead), list, Step::Skip(trail)] => (lead, list, trail),
+            _ => return None,
+        };
+        match list {
+            Step::Corners { count, item } => Some(Layout {
+                lead,
+                count,
+                item,
+                trail,
+            }),
+            _ => None,
+        }
+    }
+}
+
 impl Form {
-    /// The form of a file with this header, if it is plain.
+    /// The form of a file with this header, if it is the usual one.
     pub(super) fn of(header: &Header) -> Option<Form> {
         let [vertex, face] = &header.elements[..] else {
             return None;
@@ -70,8 +107,8 @@ fn property(property: &Property) -> Option<VertexProperty> {
     let axis = ["x", "y", "z"]
         .iter()
         .position(|name| *name == property.name);
-    let is_plain = axis.is_none() || !kind.is_integer();
-    is_plain.then_some(VertexProperty { axis, kind })
+    let is_usual = axis.is_none() || !kind.is_integer();
+    is_usual.then_some(VertexProperty { axis, kind })
 }
 
 fn layout(face: &Element) -> Option<Layout> {

@@ -1,15 +1,42 @@
-//! Lines of a face each.
+//! Reads lines of text with one vertex or one face each.
 
-use super::form::Form;
+use super::form::{Form, VertexProperty};
 use super::lines::Lines;
 use crate::geometry::Point;
+use crate::mesh::ply::header::Scalar;
 use crate::mesh::polygon::{self, Clipper};
 
-/// Corners of a face at most: their number is one digit, so that triangles can be counted before anything is read.
+/// Reads `text`, which must have one line for each of `points`.
+pub(super) fn read_vertices(
+    text: &[u8],
+    properties: &[VertexProperty],
+    points: &mut [Point],
+) -> Option<()> {
+    let mut lines = Lines::new(text);
+    for place in points {
+        let mut point = [0.0; 3];
+        for property in properties {
+            match property.axis {
+                Some(axis) if property.kind == Scalar::F32 => {
+                    point[axis] = f64::from(lines.real()? as f32)
+                }
+                Some(axis) => point[axis] = lines.real()?,
+                None => lines.skip()?,
+            }
+        }
+        lines.end_line()?;
+        *place = Point::from(point);
+    }
+    lines.is_done().then_some(())
+}
+
+/// The most corners of a face: their number is one digit, so that triangles can be counted before
+/// anything is read.
 const MOST_CORNERS: usize = 9;
 
-/// Reads `text`, which must be lines of faces over `vertices` that make just as many triangles as there is place for.
-pub(super) fn read(
+/// Reads `text`, which must be lines of faces over `vertices` that make exactly as many triangles as
+/// `triangles` has room for.
+pub(super) fn read_faces(
     text: &[u8],
     form: &Form,
     vertices: &[Point],

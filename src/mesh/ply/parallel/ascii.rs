@@ -1,12 +1,12 @@
-//! Plain text: lines of vertices, then lines of faces.
+//! Reads text files: lines of vertices, then lines of faces.
 
 use std::ops::Range;
 
 use rayon::prelude::*;
 
-use super::blocks::{Block, cut};
+use super::blocks::{Block, HEAD, cut, defaults};
+use super::element_lines;
 use super::form::Form;
-use super::{HEAD, defaults, face_lines, vertex_lines};
 use crate::geometry::Point;
 use crate::input::Storage;
 use crate::mesh::TriangleMesh;
@@ -30,8 +30,9 @@ pub(super) fn read(storage: &Storage, start: u64, form: &Form, block: u64) -> Op
     let room = room(&face_blocks, form)?;
 
     let mut vertices = defaults(form.vertices)?;
-    let read_vertices =
-        |text: &[u8], points: &mut [Point]| vertex_lines::read(text, &form.properties, points);
+    let read_vertices = |text: &[u8], points: &mut [Point]| {
+        element_lines::read_vertices(text, &form.properties, points)
+    };
     fill(
         storage,
         &vertex_blocks,
@@ -40,8 +41,9 @@ pub(super) fn read(storage: &Storage, start: u64, form: &Form, block: u64) -> Op
         read_vertices,
     )?;
     let mut triangles = defaults(room)?;
-    let read_faces =
-        |text: &[u8], places: &mut [[u32; 3]]| face_lines::read(text, form, &vertices, places);
+    let read_faces = |text: &[u8], places: &mut [[u32; 3]]| {
+        element_lines::read_faces(text, form, &vertices, places)
+    };
     fill(
         storage,
         &face_blocks,
@@ -56,7 +58,7 @@ pub(super) fn read(storage: &Storage, start: u64, form: &Form, block: u64) -> Op
     })
 }
 
-/// The end of the last line, without blanks and empty lines.
+/// The end of the last line, without trailing blanks and empty lines.
 fn end(storage: &Storage, start: u64) -> Option<u64> {
     let size = storage.size();
     let mut buffer = Vec::new();
@@ -66,7 +68,7 @@ fn end(storage: &Storage, start: u64) -> Option<u64> {
     Some(from + last as u64 + 1)
 }
 
-/// The blocks of the first `vertices` lines, and those of the others.
+/// Splits the blocks after the first `vertices` lines.
 fn parted(
     storage: &Storage,
     mut blocks: Vec<Block>,
@@ -85,7 +87,8 @@ fn parted(
     Some((blocks, others))
 }
 
-/// The triangles in `blocks`, if 32 bits can number them and the text can hold their corners, and each block its own.
+/// The number of triangles in `blocks`, if 32 bits can number them and each block can hold their
+/// corners.
 fn room(blocks: &[Block], form: &Form) -> Option<usize> {
     let holds = |block: &Block| {
         let corners = block.tally.triangles() + 2 * block.tally.lines();
@@ -97,7 +100,7 @@ fn room(blocks: &[Block], form: &Form) -> Option<usize> {
     is_possible.then_some(triangles)
 }
 
-/// Reads each block to its places among `values`, of which it has as many as `count` says.
+/// Reads each block into its part of `values`, whose length is its `count`.
 fn fill<T: Send>(
     storage: &Storage,
     blocks: &[Block],

@@ -1,12 +1,11 @@
-//! Plain text that comes block by block: while one block is decompressed, the one before it is read.
+//! Reads compressed text: while one block is decompressed, the one before it is read.
 
 use std::io::Read;
 use std::path::Path;
 
-use super::HEAD;
-use super::blocks::{Tally, line_start};
+use super::blocks::{HEAD, Tally, line_start};
+use super::element_lines::{read_faces, read_vertices};
 use super::form::Form;
-use super::{face_lines, vertex_lines};
 use crate::geometry::Point;
 use crate::input::gzip::Stream;
 use crate::mesh::ply::header::{Encoding, Header};
@@ -15,7 +14,7 @@ use crate::mesh::{Loaded, TriangleMesh};
 /// Bytes that are decompressed at a time.
 const BLOCK: usize = 1 << 19;
 
-/// The mesh in `stream`, if it is plain text.
+/// The mesh in `stream`, if it is text in the usual form.
 pub(in crate::mesh::ply) fn read(path: &Path, stream: &mut Stream) -> Option<Loaded> {
     read_in_blocks(path, stream, BLOCK, BLOCK)
 }
@@ -63,7 +62,8 @@ pub(super) fn read_in_blocks(
     Some(Loaded::new(path, mesh.finish()?, header.warnings))
 }
 
-/// Reads until `text` has `size` bytes; whether there may be more. Nothing where the content is damaged.
+/// Reads until `text` has `size` bytes; returns whether there may be more. `None` if the content is
+/// damaged.
 fn fill(text: &mut Vec<u8>, content: &mut (impl Read + ?Sized), size: usize) -> Option<bool> {
     content
         .take((size - text.len()) as u64)
@@ -72,7 +72,7 @@ fn fill(text: &mut Vec<u8>, content: &mut (impl Read + ?Sized), size: usize) -> 
     Some(text.len() == size)
 }
 
-/// A mesh of which the lines come one after the other.
+/// A mesh whose lines come one after the other.
 struct GrowingMesh<'a> {
     form: &'a Form,
     vertices: Vec<Point>,
@@ -81,7 +81,7 @@ struct GrowingMesh<'a> {
 }
 
 impl<'a> GrowingMesh<'a> {
-    /// Bytes of the shortest lines of a vertex and of a face.
+    /// The bytes of the shortest lines of a vertex and of a face.
     const SHORTEST: [usize; 2] = [6, 8];
 
     fn new(form: &'a Form, size: usize) -> GrowingMesh<'a> {
@@ -95,13 +95,13 @@ impl<'a> GrowingMesh<'a> {
         }
     }
 
-    /// Adds what is in `text`, which is whole lines.
+    /// Adds the whole lines `text`.
     fn push(&mut self, text: &[u8]) -> Option<()> {
         let (lines, rest) = first_lines(text, self.form.vertices - self.vertices.len())?;
         let known = self.vertices.len();
         self.vertices
             .resize(known + Tally::of(lines).lines(), Point::default());
-        vertex_lines::read(lines, &self.form.properties, &mut self.vertices[known..])?;
+        read_vertices(lines, &self.form.properties, &mut self.vertices[known..])?;
 
         let (lines, rest) = first_lines(rest, self.form.faces - self.faces)?;
         let tally = Tally::of(lines);
@@ -109,7 +109,7 @@ impl<'a> GrowingMesh<'a> {
         self.faces += tally.lines();
         self.triangles
             .resize(known + tally.triangles(), Default::default());
-        face_lines::read(
+        read_faces(
             lines,
             self.form,
             &self.vertices,
@@ -134,7 +134,7 @@ impl<'a> GrowingMesh<'a> {
     }
 }
 
-/// The first lines of `text`, `most` at most, and what follows.
+/// Splits `text` after its first lines, at most `most`.
 fn first_lines(text: &[u8], most: usize) -> Option<(&[u8], &[u8])> {
     let length = if Tally::of(text).lines() <= most {
         text.len()

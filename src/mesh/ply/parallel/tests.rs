@@ -1,4 +1,4 @@
-//! Plain readers against the reader of everything.
+//! The fast readers against the general one.
 
 use std::path::Path;
 
@@ -41,10 +41,7 @@ fn check(bytes: &[u8]) -> bool {
             assert_eq!(told(&Ok(loaded)), expected, "as a stream of {block} bytes");
         }
     }
-    assert_eq!(
-        told(&ply::parse_any(path, bytes, &Budget::of_bytes(bytes.len()))),
-        expected
-    );
+    assert_eq!(told(&crate::mesh::parse_ply(path, bytes)), expected);
     times_read > 0
 }
 
@@ -64,7 +61,7 @@ fn read_as_stream(bytes: &[u8], block: usize) -> Option<Loaded> {
         content: Box::new(bytes),
         trusted_size: bytes.len(),
     };
-    super::stream::read_in_blocks(Path::new(PATH), &mut stream, first, block)
+    super::compressed::read_in_blocks(Path::new(PATH), &mut stream, first, block)
 }
 
 /// Whether `text` is plain, and read as a stream as well as in blocks.
@@ -315,14 +312,14 @@ fn compressed_files_are_read_as_a_stream() {
     let path = Path::new(PATH);
     let storage = Storage::Memory(&compressed);
     let loaded = gzip::stream(&storage, &Budget::default(), |stream| {
-        super::read_stream(path, stream)
+        super::read_compressed(path, stream)
     })
     .expect("it is plain");
     assert_eq!(told(&Ok(loaded)), slowly(text.as_bytes()));
     for length in 0..compressed.len() {
         let cut = Storage::Memory(&compressed[..length]);
         assert!(
-            gzip::stream(&cut, &Budget::default(), |stream| super::read_stream(
+            gzip::stream(&cut, &Budget::default(), |stream| super::read_compressed(
                 path, stream
             ))
             .is_none(),

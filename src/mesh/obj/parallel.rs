@@ -1,24 +1,120 @@
-//! A part of a simple OBJ file: whole lines, read by themselves.
+//! The fast OBJ reader: all threads, for files in the usual form.
+//!
+//! In the usual form each statement is on one line, vertices have no weight, and corners count from
+//! the first vertex. The mesh is the one that the general reader makes. Anything else makes this
+//! reader give up without a message, and the general reader starts over.
 
-use super::plain::{IGNORED, is_corner};
+use std::ops::Range;
+
+use rayon::prelude::*;
+
+use super::plain::{IGNORED, is_corner, is_one_of};
 use crate::decimal;
 use crate::geometry::Point;
+use crate::input::Budget;
+use crate::mesh::TriangleMesh;
 use crate::mesh::faces::Faces;
 
-/// What the lines of a part say.
+/// Bytes that a task reads, roughly.
+const BLOCK: usize = 1 << 20;
+
+/// The mesh in `text`, if that is in the usual form.
+pub(super) fn read(text: &[u8], budget: &Budget) -> Option<TriangleMesh> {
+    read_in_blocks(text, BLOCK, budget)
+}
+
+pub(super) fn read_in_blocks(text: &[u8], block: usize, budget: &Budget) -> Option<TriangleMesh> {
+    let parts: Option<Vec<Part>> = cut(text, block)
+        .into_par_iter()
+        .map(|lines| Part::read(&text[lines]))
+        .collect();
+    let mut parts = parts?;
+    let positions = positions(&mut parts);
+    let (vertices, corners) =
+        in_order_of_use(&positions, parts.iter_mut().map(|part| &mut part.corners))?;
+    drop(positions);
+    let triangles = corners.iter().map(Vec::len).sum::<usize>()
+        - 2 * parts.iter().map(Part::face_count).sum::<usize>();
+    let mut faces = Faces::new(&vertices, triangles, budget);
+    for (part, corners) in parts.iter().zip(corners) {
+        part.push_faces(&corners, &mut faces)?;
+    }
+    let triangles = faces.finish().ok()?.0;
+    // The general reader warns of a mesh without faces.
+    (!triangles.is_empty()).then_some(TriangleMesh {
+        vertices,
+        triangles,
+        uv: None,
+    })
+}
+
+/// Cuts `text` into whole lines of about `size` bytes.
+fn cut(text: &[u8], size: usize) -> Vec<Range<usize>> {
+    let mut blocks = Vec::new();
+    let mut start = 0;
+    while start < text.len() {
+        let near = text.len().min(start + size);
+        let end = text[near - 1..]
+            .iter()
+            .position(|byte| *byte == b'\n')
+            .map_or(text.len(), |at| near + at);
+        blocks.push(start..end);
+        start = end;
+    }
+    blocks
+}
+
+/// The vertices of the file.
+fn positions(parts: &mut [Part]) -> Vec<Point> {
+    let mut positions = Vec::with_capacity(parts.iter().map(|part| part.positions.len()).sum());
+    for part in parts {
+        positions.extend(std::mem::take(&mut part.positions));
+    }
+    positions
+}
+
+/// The `positions` that are corners, each once and in the order of their first use, and the corners
+/// as indices of them. `None` if a corner is not a position.
+fn in_order_of_use<'a>(
+    positions: &[Point],
+    parts: impl Iterator<Item = &'a mut Vec<u32>>,
+) -> Option<(Vec<Point>, Vec<Vec<u32>>)> {
+    const UNUSED: u32 = u32::MAX;
+    u32::try_from(positions.len())
+        .ok()
+        .filter(|count| *count < UNUSED)?;
+    let mut place = vec![UNUSED; positions.len()];
+    let mut vertices = Vec::with_capacity(positions.len());
+    let mut renumbered = Vec::new();
+    for part in parts {
+        for corner in part.iter_mut() {
+            let place = place.get_mut(*corner as usize)?;
+            if *place == UNUSED {
+                *place = vertices.len() as u32;
+                vertices.push(positions[*corner as usize]);
+            }
+            *corner = *place;
+        }
+        renumbered.push(std::mem::take(part));
+    }
+    vertices.shrink_to_fit();
+    Some((vertices, renumbered))
+}
+
+/// The vertices and faces in some lines of a file.
 #[derive(Debug, Default)]
 pub(super) struct Part {
     /// The vertices.
-    pub(super) positions: Vec<Point>,
-    /// The corners of all faces as numbers of vertices in the file, from 0.
-    pub(super) corners: Vec<u32>,
+    positions: Vec<Point>,
+    /// The corners of all faces: vertices of the file, counted from 0.
+    corners: Vec<u32>,
     /// The number of corners of each face; none as long as all have three.
     sizes: Vec<u32>,
 }
 
 impl Part {
-    /// Reads `text`, if it is simple.
-    pub(super) fn read(text: &[u8]) -> Option<Part> {
+    /// Reads `text`, if that is in the usual form.
+    fn read(text: &[u8]) -> Option<Part> {
         let mut part = Part::default();
         let mut rest = text;
         while !rest.is_empty() {
@@ -30,7 +126,7 @@ impl Part {
     }
 
     /// The number of faces.
-    pub(super) fn face_count(&self) -> usize {
+    fn face_count(&self) -> usize {
         if self.sizes.is_empty() {
             self.corners.len() / 3
         } else {
@@ -38,8 +134,8 @@ impl Part {
         }
     }
 
-    /// Adds the faces, whose corners have become the places `corners`.
-    pub(super) fn push_faces(&self, corners: &[u32], faces: &mut Faces) -> Option<()> {
+    /// Adds the faces, whose renumbered corners are `corners`.
+    fn push_faces(&self, corners: &[u32], faces: &mut Faces) -> Option<()> {
         if self.sizes.is_empty() {
             corners
                 .as_chunks()
@@ -57,7 +153,7 @@ impl Part {
         Some(())
     }
 
-    /// Reads a line; what follows it.
+    /// Reads a line, and returns the text after it.
     #[inline]
     fn line<'a>(&mut self, line: &'a [u8]) -> Option<&'a [u8]> {
         match line {
@@ -65,19 +161,12 @@ impl Part {
             [b'f', b' ', rest @ ..] => self.face(rest),
             [b'#', ..] => skip_line(line),
             _ => {
-                let length = line
-                    .iter()
-                    .position(|byte| *byte <= b' ')
-                    .unwrap_or(line.len());
-                let keyword = &line[..length];
-                let rest = &line[length..];
+                let (keyword, rest) = line.split_at(word_length(line));
                 match keyword {
                     [] => end_line(rest),
                     _ if !matches!(rest, [] | [b' ' | b'\t' | b'\r' | b'\n', ..]) => None,
-                    _ => IGNORED
-                        .iter()
-                        .find(|known| known.as_bytes() == keyword)
-                        .and_then(|_| skip_line(rest)),
+                    _ if is_one_of(keyword, IGNORED) => skip_line(rest),
+                    _ => None,
                 }
             }
         }
@@ -115,24 +204,28 @@ impl Part {
     }
 }
 
-/// The number that `line` begins with, and what follows it.
+/// The number at the start of `line`, and the text after it.
 #[inline]
 fn real(line: &[u8]) -> Option<(f64, &[u8])> {
     let line = skip_blanks(line);
     let (value, length) = match decimal::leading(line) {
         Some((value, length)) if ends_at(line, length) => (value, length),
         _ => {
-            let length = line
-                .iter()
-                .position(|byte| *byte <= b' ')
-                .unwrap_or(line.len());
+            let length = word_length(line);
             (decimal::parse(&line[..length])?, length)
         }
     };
     Some((value, &line[length..]))
 }
 
-/// The vertex, from 0, of the corner that `line` begins with, and what follows the corner.
+/// The number of bytes before the next blank or end.
+fn word_length(line: &[u8]) -> usize {
+    line.iter()
+        .position(|byte| *byte <= b' ')
+        .unwrap_or(line.len())
+}
+
+/// The vertex, counted from 0, of the corner at the start of `line`, and the text after it.
 #[inline]
 fn corner(line: &[u8]) -> Option<(u32, &[u8])> {
     let (number, length) = decimal::leading_whole(line).or_else(|| {
@@ -160,7 +253,7 @@ fn corner(line: &[u8]) -> Option<(u32, &[u8])> {
     }
 }
 
-/// What follows the line that ends here.
+/// The text after the line that ends here.
 #[inline]
 fn end_line(rest: &[u8]) -> Option<&[u8]> {
     match skip_blanks(rest) {
@@ -170,7 +263,7 @@ fn end_line(rest: &[u8]) -> Option<&[u8]> {
     }
 }
 
-/// What follows the line whose end, whatever it says, does not matter.
+/// The text after a line whose content does not matter. `None` if the line is continued.
 fn skip_line(line: &[u8]) -> Option<&[u8]> {
     let end = line
         .iter()
@@ -184,7 +277,7 @@ fn skip_line(line: &[u8]) -> Option<&[u8]> {
     }
 }
 
-/// `line` without the blanks it begins with.
+/// `line` without leading blanks.
 #[inline]
 fn skip_blanks(mut line: &[u8]) -> &[u8] {
     while let [b' ' | b'\t', rest @ ..] = line {

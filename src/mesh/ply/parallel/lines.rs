@@ -1,9 +1,9 @@
-//! Values in lines of text.
+//! Reads the values in lines of text.
 
 use crate::decimal;
 use crate::mesh::ply::ascii::parse_integer;
 
-/// A place in the text of whole lines. Every method gives up where the text is not plain.
+/// The rest of some lines. Every method returns `None` if the text is not in the usual form.
 pub(super) struct Lines<'a> {
     rest: &'a [u8],
 }
@@ -31,7 +31,7 @@ impl<'a> Lines<'a> {
         decimal::parse(self.token())
     }
 
-    /// The next whole number, if it is below `limit`.
+    /// The next integer, if it is below `limit`.
     #[inline]
     pub(super) fn whole(&mut self, limit: u64) -> Option<u64> {
         self.skip_blanks();
@@ -40,13 +40,13 @@ impl<'a> Lines<'a> {
                 self.rest = &self.rest[length..];
                 value
             }
-            // A negative number becomes one that is far too large.
+            // A negative number becomes far too large.
             _ => parse_integer(self.token())? as u64,
         };
         (value < limit).then_some(value)
     }
 
-    /// The next whole number, if it is below 10: one digit in most files.
+    /// The next integer, if it is below 10: one digit in most files.
     #[inline]
     pub(super) fn small(&mut self) -> Option<usize> {
         if let [digit @ b'0'..=b'9', b' ', rest @ ..] = self.rest {
@@ -56,14 +56,14 @@ impl<'a> Lines<'a> {
         self.whole(10).map(|value| value as usize)
     }
 
-    /// Leaves a value out, whatever it is.
+    /// Skips any value.
     #[inline]
     pub(super) fn skip(&mut self) -> Option<()> {
         self.skip_blanks();
         (!self.token().is_empty()).then_some(())
     }
 
-    /// Goes to the next line, if nothing else is left on this one.
+    /// Goes to the next line, if nothing is left on this one.
     #[inline]
     pub(super) fn end_line(&mut self) -> Option<()> {
         self.skip_blanks();

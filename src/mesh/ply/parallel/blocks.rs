@@ -1,11 +1,25 @@
-//! Text cut into blocks of whole lines, and what is counted before they are read.
+//! Cuts text into blocks of whole lines, and counts lines and triangles before they are read.
 
 use std::ops::Range;
 
 use rayon::prelude::*;
 
-use super::HEAD;
 use crate::input::Storage;
+use crate::memory;
+
+/// The longest header, and the longest line.
+pub(super) const HEAD: u64 = 1 << 14;
+
+/// `count` defaults, made by all threads: most of the time goes into the system's allocation of
+/// memory. `None` if there is not enough.
+pub(super) fn defaults<T: Copy + Default + Send + Sync>(count: usize) -> Option<Vec<T>> {
+    let bytes = count.checked_mul(size_of::<T>())?;
+    memory::check(bytes as u64, String::new).ok()?;
+    let mut values = Vec::new();
+    values.try_reserve_exact(count).ok()?;
+    rayon::iter::repeat_n(T::default(), count).collect_into_vec(&mut values);
+    Some(values)
+}
 
 /// Whole lines, the last of which may lack its end.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -15,21 +29,22 @@ pub(super) struct Block {
     pub(super) tally: Tally,
 }
 
-/// What is in some text.
+/// The lines and triangles of some text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct Tally {
-    /// Lines that have an end.
+    /// The number of lines with an end.
     pub(super) ends: usize,
-    /// Triangles of the faces on lines that follow an end, if all lines are faces of 3 to 9 corners; else no matter.
+    /// Triangles of the faces on lines that follow an end, if all lines are faces of 3 to 9 corners;
+    /// else meaningless.
     triangles_after: usize,
-    /// The same of the face on the first line.
+    /// The triangles of the face on the first line, likewise.
     triangles_first: usize,
     /// Whether the last line has no end.
     is_open: bool,
 }
 
 impl Tally {
-    /// Lines of faces are taken to begin with a digit, the number of corners.
+    /// Assumes that lines of faces begin with a digit, the number of corners.
     pub(super) fn of(text: &[u8]) -> Tally {
         let triangles = |first: u8| first.wrapping_sub(b'2') & 7;
         let (ends, triangles_after) = count(text, triangles);
@@ -53,11 +68,11 @@ impl Tally {
     }
 }
 
-/// Ends of line in `text`, and the sum of `value`, at most 7, over the bytes that follow one.
+/// The ends of line in `text`, and the sum of `value`, at most 7, over the bytes that follow one.
 fn count(text: &[u8], value: impl Fn(u8) -> u8) -> (usize, usize) {
-    /// Sums that are made side by side.
+    /// The number of sums that are computed side by side.
     const LANES: usize = 32;
-    /// Rows of them until the sums are moved to where they cannot overflow.
+    /// Rows of them before the sums might overflow and are moved.
     const ROWS: usize = 255 / 7;
     let (mut ends, mut sum) = (0, 0);
     let followed = text.len().saturating_sub(1);
@@ -84,7 +99,7 @@ fn count(text: &[u8], value: impl Fn(u8) -> u8) -> (usize, usize) {
     (ends + usize::from(text.last() == Some(&b'\n')), sum)
 }
 
-/// The lines of the bytes `span` in blocks of about `size` bytes.
+/// Cuts the lines of the bytes `span` into blocks of about `size` bytes.
 pub(super) fn cut(storage: &Storage, span: Range<u64>, size: u64) -> Option<Vec<Block>> {
     let count = (span.end - span.start).div_ceil(size);
     let blocks = (0..count)
@@ -96,14 +111,14 @@ pub(super) fn cut(storage: &Storage, span: Range<u64>, size: u64) -> Option<Vec<
     blocks.collect()
 }
 
-/// The lines that begin within the bytes `near`, of the lines in `all`.
+/// The lines in `all` that begin within the bytes `near`.
 fn block(
     storage: &Storage,
     all: &Range<u64>,
     near: Range<u64>,
     buffer: &mut Vec<u8>,
 ) -> Option<Block> {
-    // One byte more in front tells whether a line begins at the first one.
+    // The byte before tells whether a line begins at the first one.
     let from = near.start.max(all.start + 1) - 1;
     let to = all.end.min(near.end + HEAD);
     let text = storage.piece(from..to, buffer).ok()?;
@@ -127,7 +142,7 @@ fn block(
 }
 
 impl Block {
-    /// The first `lines` lines, all of which have ends, and the others.
+    /// The first `lines` lines, which must have ends, and the others.
     pub(super) fn split(&self, storage: &Storage, lines: usize) -> Option<(Block, Block)> {
         let mut buffer = Vec::new();
         let text = storage.piece(self.span.clone(), &mut buffer).ok()?;
@@ -148,7 +163,7 @@ impl Block {
     }
 }
 
-/// Where the line `number`, from 0, begins in `text`.
+/// The start of line `number`, counted from 0, in `text`.
 pub(super) fn line_start(text: &[u8], number: usize) -> Option<usize> {
     let mut ends = text
         .iter()

@@ -1,10 +1,10 @@
-//! The statements of an OBJ file: lines, with those that a backslash continues.
+//! Splits an OBJ file into statements and words.
 
 use std::ops::Range;
 
 use crate::decimal;
 
-/// The statements of a text as spans. Lines end with LF, CR LF or CR; a backslash right before the end
+/// The statements of a text. Lines end with LF, CR LF or CR; a backslash right before the end
 /// continues a line, but not in a comment.
 #[derive(Clone)]
 pub(super) struct Statements<'a> {
@@ -17,7 +17,7 @@ impl<'a> Statements<'a> {
         Statements { text, at: 0 }
     }
 
-    /// The end of the line that the byte `at` is in.
+    /// The end of the line with the byte `at`.
     fn line_end(&self, at: usize) -> usize {
         let rest = &self.text[at..];
         at + rest
@@ -53,7 +53,7 @@ impl<'a> Iterator for Statements<'a> {
     }
 }
 
-/// A line, with those that continue it.
+/// A line, with the lines that continue it.
 #[derive(Debug, Clone)]
 pub(super) struct Statement<'a> {
     text: &'a [u8],
@@ -62,6 +62,11 @@ pub(super) struct Statement<'a> {
 }
 
 impl<'a> Statement<'a> {
+    /// The first word; empty if there is none.
+    pub(super) fn keyword(&self) -> &'a [u8] {
+        self.words().next().map_or(b"", |word| &self.text[word])
+    }
+
     /// Its words, up to a comment.
     pub(super) fn words(&self) -> Words<'a> {
         Words {
@@ -88,14 +93,14 @@ impl Iterator for Words<'_> {
         let ends =
             |at: &usize| is_blank(rest[*at]) || rest[*at] == b'#' || is_continuation(&rest[*at..]);
         let mut length = (0..rest.len()).find(ends).unwrap_or(rest.len());
-        // What looks like a comment may be a number that is none: `1.#INF`.
+        // What looks like a comment may belong to a number that is not finite: `1.#INF`.
         if rest.get(length) == Some(&b'#')
             && let Some(whole) =
                 decimal::leading_non_finite(rest, |byte| !is_blank(byte) && byte != b'#')
         {
             length = whole;
         }
-        // Nothing but a comment may come after a word that is empty.
+        // Only a comment may follow an empty word.
         self.at = if length == 0 {
             self.text.len()
         } else {
@@ -125,7 +130,7 @@ fn end_length(rest: &[u8]) -> usize {
     }
 }
 
-/// Blanks and continuations at the start of `rest`.
+/// The number of blanks and continuations at the start of `rest`.
 fn gap_length(rest: &[u8]) -> usize {
     let mut at = 0;
     while at < rest.len() && (is_blank(rest[at]) || is_continuation(&rest[at..])) {

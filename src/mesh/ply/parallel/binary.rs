@@ -1,9 +1,9 @@
-//! Plain bytes: records of vertices, then records of faces that all have three corners, or all four.
+//! Reads binary files: records of vertices, then records of faces with three corners each, or four.
 
 use rayon::prelude::*;
 
+use super::blocks::{HEAD, defaults};
 use super::form::Form;
-use super::{HEAD, defaults};
 use crate::geometry::Point;
 use crate::input::Storage;
 use crate::mesh::TriangleMesh;
@@ -50,17 +50,17 @@ pub(super) fn read<Order: ByteOrder>(
 /// Records of one size.
 struct Records<'a> {
     storage: &'a Storage<'a>,
-    /// The first byte of the first one.
+    /// The first byte of the first record.
     start: u64,
-    /// Bytes of one.
+    /// The bytes of a record.
     stride: usize,
     count: usize,
-    /// Bytes that a task reads at a time.
+    /// Bytes that a task reads.
     block: u64,
 }
 
 impl Records<'_> {
-    /// The byte after the last one, if there is one.
+    /// The byte after the last record; `None` beyond the end of the file.
     fn end(&self) -> Option<u64> {
         let size = (self.stride as u64).checked_mul(self.count as u64)?;
         self.start
@@ -68,7 +68,7 @@ impl Records<'_> {
             .filter(|end| *end <= self.storage.size())
     }
 
-    /// Makes `N` values of each, which the file has room for, by `read`.
+    /// Reads `N` values from each record; all records must be within the file.
     fn read<T, const N: usize>(
         &self,
         read: impl Fn(&[u8]) -> Option<[T; N]> + Sync,
@@ -133,7 +133,7 @@ fn vertices<Order: ByteOrder>(records: &Records, form: &Form) -> Option<Vec<Poin
     }
 }
 
-/// The records of faces that have `corners` corners each, if that is possible.
+/// The records of faces that have `corners` corners each.
 fn faces<'a>(
     storage: &'a Storage,
     start: u64,
@@ -158,7 +158,7 @@ fn faces<'a>(
     })
 }
 
-/// The triangles of faces with `CORNERS` corners of 32 bits, all of them below `limit`.
+/// The triangles of faces with `CORNERS` corners of 32 bits, all below `limit`.
 fn triangles<Order: ByteOrder, const CORNERS: usize, const TRIANGLES: usize>(
     records: &Records,
     form: &Form,
@@ -188,7 +188,7 @@ fn value<Order: ByteOrder, const N: usize>(record: &[u8], at: usize) -> Option<[
     record.get(at..at + N)?.try_into().ok().map(Order::ordered)
 }
 
-/// Whether a file may end at the byte `end`.
+/// Whether only padding follows the byte `end`.
 fn is_padding(storage: &Storage, end: u64) -> bool {
     let mut buffer = Vec::new();
     let rest = if storage.size() - end <= HEAD {
