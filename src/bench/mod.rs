@@ -33,7 +33,7 @@ pub use errors::Errors;
 pub use input_error::InputError;
 pub use json::to_json;
 pub use judge::{Judge, can_be_judged, judged_pixels};
-pub use kernel::{Kernel, UnknownKernel};
+pub use kernel::Kernel;
 pub use machine::Machine;
 pub use markdown::to_markdown;
 pub use measure::{Bench, Measured, timed};

@@ -6,9 +6,7 @@ use super::judge::Verdict;
 use crate::accel::{Aggregate, Precision, SplitMethod};
 use crate::compare::picture;
 use crate::error::Result;
-use crate::film::{
-    ChannelName, ColorMap, CostRange, DepthRange, Image, PixelBounds, png_file, view,
-};
+use crate::film::{ChannelName, ColorMap, ColorRange, Image, PixelBounds, png_file, view};
 use crate::progress::Progress;
 use crate::render::{RenderOptions, render};
 use crate::scene::Scene;
@@ -132,9 +130,9 @@ impl Pictures {
     /// All of them as files.
     pub fn encode(self) -> io::Result<PictureFiles> {
         let size = [self.window.width(), self.window.height()];
-        let range = CostRange {
-            low: 0.0,
-            high: self
+        let range = ColorRange {
+            start: 0.0,
+            end: self
                 .costs
                 .iter()
                 .map(|(_, image)| high_cost(image))
@@ -151,16 +149,17 @@ impl Pictures {
             pixels.map(|pixels| file(size, pixels)).transpose()
         };
         let depth = |image: &Image| {
-            let range = DepthRange::of_hits(image).unwrap_or(DepthRange {
-                near: 0.0,
-                far: 1.0,
-            });
+            let unit = ColorRange {
+                start: 0.0,
+                end: 1.0,
+            };
+            let range = ColorRange::of_depths(image).unwrap_or(unit);
             file(size, &view::depth(image, ColorMap::Turbo, range)?)
         };
         Ok(PictureFiles {
             depth: self.depth.as_ref().map(depth).transpose()?,
             costs: self.costs.iter().map(cost).collect::<io::Result<_>>()?,
-            highest_cost: range.high,
+            highest_cost: range.end,
             errors: self.errors.iter().map(errors).collect::<io::Result<_>>()?,
             size,
         })

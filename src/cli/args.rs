@@ -7,6 +7,7 @@ use super::completions::CompletionsArgs;
 use super::man::ManArgs;
 use super::merge::MergeArgs;
 use super::pixel::PixelArgs;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 use feimos::accel::{Precision, SplitMethod};
 use feimos::film::view::Depth16;
@@ -14,6 +15,7 @@ use feimos::film::{Aov, ChannelName, ColorMap, PixelBounds, View};
 use feimos::input::BudgetFactor;
 use feimos::simd::{Level, UnavailableLevel};
 use std::path::PathBuf;
+use std::str::FromStr;
 
 /// Hit and depth images of PBRT scenes.
 #[derive(Debug, Parser)]
@@ -94,16 +96,16 @@ pub(crate) struct OutputArgs {
     #[arg(short, long, alias = "outfile", value_name = "TEMPLATE")]
     pub(crate) output: Option<String>,
     /// What an .exr, .pfm or .npy holds, of Z, t, A, id, prim, instance, N, P, uv and cost [default: Z,t,A,id,prim; of .pfm and .npy: Z].
-    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = aov)]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = named(Aov::ALL, Aov::name))]
     pub(crate) aov: Option<Vec<Aov>>,
     /// What the channel Z of an EXR is called, for programs that know depth by another name, such as Y or R [default: Z].
     #[arg(long, value_name = "NAME", value_parser = depth_channel)]
     pub(crate) depth_channel: Option<String>,
     /// What a PNG shows [default: depth].
-    #[arg(long)]
+    #[arg(long, value_name = "VIEW", value_parser = named(View::ALL, View::name))]
     pub(crate) view: Option<View>,
     /// Colours of a PNG's depths or costs [default: turbo].
-    #[arg(long)]
+    #[arg(long, value_name = "MAP", value_parser = named(ColorMap::ALL, ColorMap::name))]
     pub(crate) colormap: Option<ColorMap>,
     /// Depths at the ends of the colours, in scene units [default: of the hits]; of a cost view, low,high in tests a ray
     /// [default: from 0 to the largest].
@@ -134,11 +136,12 @@ pub(crate) struct RegionArgs {
 #[derive(Debug, Args)]
 pub(crate) struct EngineArgs {
     /// How primitives are aggregated: none, middle, equal, sah or hlbvh [default: as the scene says, else sah].
-    #[arg(long, value_name = "METHOD")]
+    #[arg(long, value_name = "METHOD", value_parser = named(SplitMethod::ALL, SplitMethod::name))]
     pub(crate) accel: Option<SplitMethod>,
     /// How hits are decided: exact gives the right answer for every pixel, to the last bit of the depth; fast what comes of
     /// computing in f32.
     #[arg(long, value_name = "HOW", default_value = "exact")]
+    #[arg(value_parser = named(Precision::ALL, Precision::name))]
     pub(crate) precision: Precision,
     /// Instruction set of the kernels: auto (the widest that this machine has), avx512, avx2, sse4.1 or portable.
     /// Images are the same with each.
@@ -296,6 +299,18 @@ impl PbrtArgs {
     }
 }
 
+/// Parses one of `values` by its name, and lists the names in help, completions and errors.
+pub(super) fn named<T: FromStr, const N: usize>(
+    values: [T; N],
+    name: fn(T) -> &'static str,
+) -> impl TypedValueParser<Value = T>
+where
+    T: Clone + Send + Sync + 'static,
+    T::Err: std::error::Error + Send + Sync + 'static,
+{
+    PossibleValuesParser::new(values.map(name)).try_map(|name| name.parse())
+}
+
 fn simd(name: &str) -> Result<Level, String> {
     match name {
         "auto" => Ok(Level::detect()),
@@ -303,11 +318,6 @@ fn simd(name: &str) -> Result<Level, String> {
             .parse()
             .map_err(|error: UnavailableLevel| format!("{error}; auto takes the widest")),
     }
-}
-
-fn aov(name: &str) -> Result<Aov, String> {
-    name.parse()
-        .map_err(|_| format!("expected some of {}", Aov::ALL.map(Aov::as_str).join(", ")))
 }
 
 /// Longer names are not read by older programs.
@@ -322,7 +332,7 @@ fn depth_channel(name: &str) -> Result<String, String> {
             "expected 1 to {MAX_CHANNEL_NAME} letters, digits or signs of ASCII"
         ));
     }
-    if name != "Z" && ChannelName::ALL.iter().any(|known| known.as_str() == name) {
+    if name != "Z" && ChannelName::ALL.iter().any(|known| known.name() == name) {
         return Err("it is the name of another channel".to_owned());
     }
     Ok(name.to_owned())

@@ -7,7 +7,7 @@ use super::reporter::Reporter;
 use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::error::{Error, Result};
 use feimos::film::view::Depth16;
-use feimos::film::{Aov, ChannelName, ColorMap, CostRange, DepthRange, Format, PixelBounds, View};
+use feimos::film::{Aov, ChannelName, ColorMap, ColorRange, Format, PixelBounds, View};
 use feimos::scene::{self, AcceleratorParameters, Film, LoadOptions, Pose, spelling};
 use feimos::simd::Level;
 
@@ -36,7 +36,7 @@ pub(crate) struct Plan {
     view: Option<View>,
     colors: Option<ColorMap>,
     /// The values at the two ends of the colours, the smaller one first.
-    range: Option<[f32; 2]>,
+    range: Option<ColorRange>,
     cropwindow: Option<[f64; 4]>,
     pixelbounds: Option<[u32; 4]>,
 }
@@ -61,7 +61,7 @@ impl Plan {
         if let Some(repeated) = aov.as_deref().and_then(first_repeated) {
             return Err(Error::usage(format!(
                 "--aov names `{}` twice",
-                repeated.as_str()
+                repeated.name()
             )));
         }
         if args.report.json && output.as_deref() == Some("-") {
@@ -162,7 +162,7 @@ impl Plan {
 
     fn exr(&self, destination: &Destination) -> Result<Picture> {
         let aovs = self.aov.clone().unwrap_or_else(|| Aov::USUAL.to_vec());
-        if self.depth_channel.is_some() && !aovs.contains(&Aov::Lone(ChannelName::Z)) {
+        if self.depth_channel.is_some() && !aovs.contains(&Aov::Z) {
             return Err(
                 Error::usage("--depth-channel has no meaning without Z").note("add Z to --aov")
             );
@@ -171,7 +171,7 @@ impl Plan {
         let depth_channel = self
             .depth_channel
             .clone()
-            .filter(|name| name != ChannelName::Z.as_str());
+            .filter(|name| name != ChannelName::Z.name());
         self.holding(aovs, destination, DataFormat::Exr { depth_channel })
     }
 
@@ -201,9 +201,7 @@ impl Plan {
             "a file without a header for it; an .exr has one",
         )?;
         self.holding(
-            self.aov
-                .clone()
-                .unwrap_or_else(|| vec![Aov::Lone(ChannelName::Z)]),
+            self.aov.clone().unwrap_or_else(|| vec![Aov::Z]),
             destination,
             format,
         )
@@ -253,10 +251,7 @@ impl Plan {
             refuse(
                 &of_colors,
                 destination,
-                &format!(
-                    "a PNG of the view {}, whose colours are fixed",
-                    view.as_str()
-                ),
+                &format!("a PNG of the view {}, whose colours are fixed", view.name()),
             )?;
         }
         let of_depth16 = [
@@ -277,11 +272,11 @@ impl Plan {
             View::Id => Shown::Id,
             View::Depth => Shown::Depth {
                 colors,
-                range: self.range.map(|[near, far]| DepthRange { near, far }),
+                range: self.range,
             },
             View::Cost => Shown::Cost {
                 colors,
-                range: self.range.map(|[low, high]| CostRange { low, high }),
+                range: self.range,
             },
             View::Depth16 => {
                 let miss = self.miss.map_or(Ok(0), whole_miss)?;
@@ -377,7 +372,7 @@ fn whole_miss(miss: f32) -> Result<u16> {
     )
 }
 
-fn color_range([near, far]: [f64; 2]) -> Result<[f32; 2]> {
+fn color_range([near, far]: [f64; 2]) -> Result<ColorRange> {
     let range = [near as f32, far as f32];
     if !range.iter().all(|end| end.is_finite()) {
         let error = Error::usage(format!(
@@ -390,7 +385,8 @@ fn color_range([near, far]: [f64; 2]) -> Result<[f32; 2]> {
         )));
     }
     if near < far && range[0] < range[1] {
-        return Ok(range);
+        let [start, end] = range;
+        return Ok(ColorRange { start, end });
     }
     Err(Error::usage(format!("--range {near},{far} is empty"))
         .note("expected near,far with near < far"))

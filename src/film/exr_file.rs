@@ -266,7 +266,7 @@ mod tests {
             .iter()
             .zip(sorted_channels(image, &Metadata::default()))
         {
-            assert_eq!(found.name.to_string(), expected.name.as_str());
+            assert_eq!(found.name.to_string(), expected.name.to_string());
             let samples = decoded_bits(&found.sample_data);
             assert_eq!(
                 std::mem::discriminant(&samples),

@@ -49,7 +49,7 @@ impl Metadata {
     pub(super) fn name_in_file(&self, name: ChannelName) -> &str {
         match (name, &self.depth_channel) {
             (ChannelName::Z, Some(depth_channel)) => depth_channel,
-            _ => name.as_str(),
+            _ => name.name(),
         }
     }
 }

@@ -24,7 +24,7 @@ pub fn write(image: &Image, fields: &[Field], out: &mut impl Write) -> io::Resul
     image.validate().map_err(invalid)?;
     let channel = |name: &ChannelName| {
         let found = image.channels.iter().find(|channel| channel.name == *name);
-        found.ok_or_else(|| invalid(format!("no channel {}", name.as_str())))
+        found.ok_or_else(|| invalid(format!("no channel {name}")))
     };
     let names = fields.iter().flat_map(|field| &field.channels);
     let channels = names.map(channel).collect::<io::Result<Vec<&Channel>>>()?;

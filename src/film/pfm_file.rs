@@ -15,7 +15,7 @@ pub fn write(image: &Image, channels: &[ChannelName], out: &mut impl Write) -> i
     let samples = |name: &ChannelName| {
         image
             .measures(*name)
-            .ok_or_else(|| invalid(format!("no channel {} of floats", name.as_str())))
+            .ok_or_else(|| invalid(format!("no channel {name} of floats")))
     };
     let samples = channels
         .iter()

@@ -49,7 +49,7 @@ impl Image {
             ));
         }
         for (index, channel) in self.channels.iter().enumerate() {
-            let name = channel.name.as_str();
+            let name = channel.name;
             if channel.samples.len() as u64 != window.area() {
                 return Err(format!(
                     "{} samples of {name} for {window:?}",

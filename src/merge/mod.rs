@@ -113,7 +113,7 @@ fn check_alike(first: &Outline, other: &Outline) -> std::result::Result<(), Stri
             outline
                 .channels
                 .iter()
-                .map(|name| name.as_str())
+                .map(|name| name.name())
                 .collect::<Vec<_>>()
                 .join(", ")
         });
@@ -233,7 +233,7 @@ fn check_same(image: &Image, crop: &Image, part: &PixelBounds) -> std::result::R
             if let Some(place) = different {
                 return Err(format!(
                     "{} differs in pixel ({}, {y})",
-                    a.name.as_str(),
+                    a.name,
                     part.x0 + place as u32
                 ));
             }

@@ -1,6 +1,6 @@
 //! Options of `bench` as typed.
 
-use crate::cli::args::{InputArgs, TalkArgs, threads};
+use crate::cli::args::{InputArgs, TalkArgs, named, threads};
 use clap::{Args, ValueEnum};
 use feimos::accel::SplitMethod;
 use feimos::bench::Kernel;
@@ -30,7 +30,7 @@ pub(crate) struct ConfigurationArgs {
     pub(crate) accel: Option<Vec<SplitMethod>>,
     /// How hits are decided, separated by commas: exact and fast as in render, exact-single a ray at a time; moeller-trumbore and
     /// watertight, which are yardsticks [default: all].
-    #[arg(long, value_name = "HOW", value_delimiter = ',')]
+    #[arg(long, value_name = "HOW", value_delimiter = ',', value_parser = named(Kernel::ALL, Kernel::name))]
     pub(crate) precision: Option<Vec<Kernel>>,
     /// Threads to use [default: all that the process may use].
     #[arg(long, alias = "nthreads", value_name = "N", value_parser = threads)]

@@ -136,7 +136,7 @@ impl Display for Report<'_> {
         if !numbers.is_empty() {
             let wrong: Vec<String> = numbers
                 .iter()
-                .map(|(name, wrong)| format!("{} {}", HumanCount(*wrong), name.as_str()))
+                .map(|(name, wrong)| format!("{} {name}", HumanCount(*wrong)))
                 .collect();
             line(f, "wrong", &wrong.join(", "))?;
         }
@@ -144,7 +144,7 @@ impl Display for Report<'_> {
         let alone: Vec<String> = self
             .alone
             .iter()
-            .map(|(name, image)| format!("{} (only in {image})", name.as_str()))
+            .map(|(name, image)| format!("{name} (only in {image})"))
             .collect();
         if !alone.is_empty() {
             line(f, "left out", &alone.join(", "))?;
@@ -192,7 +192,7 @@ fn measure_table(
         let mean = mean.map_or("-".to_owned(), |mean| format!("{mean:.3}"));
         let [compared, above] = [compared, above].map(|count| HumanCount(count).to_string());
         rows.push([
-            name.as_str().to_owned(),
+            name.name().to_owned(),
             compared,
             ulps(largest),
             mean,
@@ -275,7 +275,7 @@ impl<'a> Record<'a> {
         let measures = details
             .measures
             .iter()
-            .map(|(name, ulps)| (name.as_str(), Measure::of(ulps, *max_ulp)));
+            .map(|(name, ulps)| (name.name(), Measure::of(ulps, *max_ulp)));
         Record {
             expected: args.expected.display().to_string(),
             found: args.found.display().to_string(),
@@ -292,12 +292,12 @@ impl<'a> Record<'a> {
             wrong: details
                 .numbers
                 .iter()
-                .map(|(name, wrong)| (name.as_str(), *wrong))
+                .map(|(name, wrong)| (name.name(), *wrong))
                 .collect(),
             ulps: measures.collect(),
             not_compared: alone
                 .iter()
-                .map(|(name, image)| (name.as_str(), *image))
+                .map(|(name, image)| (name.name(), *image))
                 .collect(),
             first,
         }

@@ -79,7 +79,7 @@ impl Values {
             image
                 .channels
                 .iter()
-                .map(|channel| (channel.name.as_str(), sample(&channel.samples)))
+                .map(|channel| (channel.name.name(), sample(&channel.samples)))
                 .collect(),
         )
     }
@@ -109,7 +109,7 @@ impl Display for Values {
         let names = ChannelName::ALL
             .into_iter()
             .filter(|name| *name != ChannelName::A);
-        let samples = names.filter_map(|name| Some((name.as_str(), self.0.get(name.as_str())?)));
+        let samples = names.filter_map(|name| Some((name.name(), self.0.get(name.name())?)));
         for (place, (name, sample)) in samples.enumerate() {
             let gap = if place == 0 { "" } else { ", " };
             match sample {

@@ -31,14 +31,18 @@ pub(crate) enum DataFormat {
 
 impl Data {
     pub(super) fn channels(&self) -> Vec<ChannelName> {
-        self.aovs.iter().flat_map(|aov| aov.channels()).collect()
+        self.aovs
+            .iter()
+            .flat_map(|aov| aov.channels())
+            .copied()
+            .collect()
     }
 
     pub(super) fn for_scene(mut self, geometry: &Geometry, reporter: &Reporter) -> Data {
         self.within_instances = geometry.counts_within_instances();
-        let has = |name| self.aovs.contains(&Aov::Lone(name));
-        if self.within_instances && has(ChannelName::Prim) && !has(ChannelName::Instance) {
-            self.aovs.push(Aov::Lone(ChannelName::Instance));
+        let has = |name| self.aovs.contains(&name);
+        if self.within_instances && has(Aov::Prim) && !has(Aov::Instance) {
+            self.aovs.push(Aov::Instance);
             reporter.note(format_args!(
                 "{} primitives are more than `prim` can count: it counts within the instance, and the channel `instance` \
                  tells which",
@@ -66,8 +70,8 @@ impl Data {
             }
             DataFormat::Npy => {
                 let field = |aov: &Aov| Field {
-                    name: aov.as_str(),
-                    channels: aov.channels(),
+                    name: aov.name(),
+                    channels: aov.channels().to_vec(),
                 };
                 npy_file::write(
                     image,

@@ -7,7 +7,7 @@ use super::{Data, DataFormat, Picture, Shown};
 use feimos::accel::{Precision, SplitMethod};
 use feimos::digest::Digest;
 use feimos::film::view::Depth16;
-use feimos::film::{Aov, CostRange, DEPTH_CHANNEL, DepthRange, MISS, PixelBounds};
+use feimos::film::{Aov, ColorRange, DEPTH_CHANNEL, MISS, PixelBounds};
 use serde_json::{Map, Value, json};
 
 /// Where the pixels come from.
@@ -55,7 +55,7 @@ fn of_data(data: &Data, header: &mut Map<String, Value>) {
     header.insert(MISS.into(), number(data.miss));
     for aov in &data.aovs {
         header.insert(
-            aov.as_str().into(),
+            aov.name().into(),
             meaning(aov, data.within_instances).into(),
         );
     }
@@ -78,7 +78,7 @@ fn number(value: f32) -> Value {
 
 /// What an AOV holds.
 fn meaning(aov: &Aov, within_instances: bool) -> &'static str {
-    match aov.as_str() {
+    match aov.name() {
         "Z" => "planar depth along the view axis, in camera units",
         "t" => "distance from the ray's origin, in world units",
         "A" => "1 hit, 0 miss",
@@ -99,23 +99,14 @@ fn meaning(aov: &Aov, within_instances: bool) -> &'static str {
 
 fn of_view(shown: &Shown, origin: &Origin, header: &mut Map<String, Value>) {
     let PixelBounds { x0, x1, y0, y1 } = origin.window;
-    header.insert("view".into(), shown.view().as_str().into());
+    header.insert("view".into(), shown.view().name().into());
     header.insert("film".into(), json!(origin.film));
     header.insert("window".into(), json!([x0, x1, y0, y1]));
     match shown {
-        Shown::Depth { colors, range } => {
-            header.insert("colormap".into(), colors.as_str().into());
-            header.insert(
-                "range".into(),
-                json!(range.map(|DepthRange { near, far }| [near, far])),
-            );
-        }
-        Shown::Cost { colors, range } => {
-            header.insert("colormap".into(), colors.as_str().into());
-            header.insert(
-                "range".into(),
-                json!(range.map(|CostRange { low, high }| [low, high])),
-            );
+        Shown::Depth { colors, range } | Shown::Cost { colors, range } => {
+            let range = range.map(|ColorRange { start, end }| [start, end]);
+            header.insert("colormap".into(), colors.name().into());
+            header.insert("range".into(), json!(range));
         }
         Shown::Depth16(Depth16 { scale, miss }) => {
             header.insert("scale".into(), json!(scale));

@@ -55,9 +55,7 @@ impl Picture {
     pub(crate) fn lacks_range(&self) -> Option<(&'static str, &'static str)> {
         match self {
             Picture::Data(_) => None,
-            Picture::View(shown) => shown
-                .lacks_range()
-                .map(|ends| (shown.view().as_str(), ends)),
+            Picture::View(shown) => shown.lacks_range().map(|ends| (shown.view().name(), ends)),
         }
     }
 

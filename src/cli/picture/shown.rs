@@ -3,7 +3,7 @@
 use feimos::error::{Error, Result};
 use feimos::film::png_file::{self, Text};
 use feimos::film::view::{self, Depth16, Unfit};
-use feimos::film::{ColorMap, CostRange, DepthRange, Image, View};
+use feimos::film::{ColorMap, ColorRange, Image, View};
 use std::io::{self, Write};
 
 /// A view with all that decides its colours.
@@ -12,7 +12,7 @@ pub(crate) enum Shown {
     /// The range is that of the hits where none is given.
     Depth {
         colors: ColorMap,
-        range: Option<DepthRange>,
+        range: Option<ColorRange>,
     },
     Hit,
     Normal,
@@ -20,10 +20,16 @@ pub(crate) enum Shown {
     /// The range is from 0 to the largest cost where none is given.
     Cost {
         colors: ColorMap,
-        range: Option<CostRange>,
+        range: Option<ColorRange>,
     },
     Depth16(Depth16),
 }
+
+/// The range of costs that are all 0.
+const NO_COST: ColorRange = ColorRange {
+    start: 0.0,
+    end: 0.0,
+};
 
 /// Values of pixels, row by row from the top.
 pub(super) enum Pixels {
@@ -68,8 +74,8 @@ impl Shown {
 
     pub(super) fn with_range_of(mut self, image: &Image) -> Shown {
         match &mut self {
-            Shown::Depth { range, .. } => *range = range.or_else(|| DepthRange::of_hits(image)),
-            Shown::Cost { range, .. } => *range = range.or_else(|| CostRange::of_image(image)),
+            Shown::Depth { range, .. } => *range = range.or_else(|| ColorRange::of_depths(image)),
+            Shown::Cost { range, .. } => *range = range.or_else(|| ColorRange::of_costs(image)),
             Shown::Hit | Shown::Normal | Shown::Id | Shown::Depth16(_) => {}
         }
         self
@@ -80,7 +86,11 @@ impl Shown {
         match self {
             Shown::Depth {
                 colors,
-                range: Some(DepthRange { near, far }),
+                range:
+                    Some(ColorRange {
+                        start: near,
+                        end: far,
+                    }),
             } => {
                 let [at_near, at_far] = colors.ends();
                 format!("depth {near} ({at_near}) to {far} ({at_far}), misses pale blue")
@@ -92,10 +102,10 @@ impl Shown {
             }
             Shown::Id => "a colour for each shape, misses black".to_owned(),
             Shown::Cost { colors, range } => {
-                let CostRange { low, high } = range.unwrap_or(CostRange {
-                    low: 0.0,
-                    high: 0.0,
-                });
+                let ColorRange {
+                    start: low,
+                    end: high,
+                } = range.unwrap_or(NO_COST);
                 let [at_high, at_low] = colors.ends();
                 format!("cost {low} ({at_low}) to {high} ({at_high})")
             }
@@ -114,13 +124,21 @@ impl Shown {
         ];
         match self {
             Shown::Depth {
-                range: Some(DepthRange { near, far }),
+                range:
+                    Some(ColorRange {
+                        start: near,
+                        end: far,
+                    }),
                 ..
             } => {
                 texts.extend([text("near", near.to_string()), text("far", far.to_string())]);
             }
             Shown::Cost {
-                range: Some(CostRange { low, high }),
+                range:
+                    Some(ColorRange {
+                        start: low,
+                        end: high,
+                    }),
                 ..
             } => {
                 texts.extend([text("low", low.to_string()), text("high", high.to_string())]);
@@ -139,23 +157,16 @@ impl Shown {
         let pixels = match self {
             Shown::Depth { colors, range } => {
                 // Without a hit there is no range, and no pixel that would ask for it.
-                let range = range.unwrap_or(DepthRange {
-                    near: 0.0,
-                    far: 1.0,
+                let range = range.unwrap_or(ColorRange {
+                    start: 0.0,
+                    end: 1.0,
                 });
                 view::depth(image, *colors, range)
             }
             Shown::Hit => view::hit(image),
             Shown::Normal => view::normal(image),
             Shown::Id => view::id(image),
-            Shown::Cost { colors, range } => view::cost(
-                image,
-                *colors,
-                range.unwrap_or(CostRange {
-                    low: 0.0,
-                    high: 0.0,
-                }),
-            ),
+            Shown::Cost { colors, range } => view::cost(image, *colors, range.unwrap_or(NO_COST)),
             Shown::Depth16(depth16) => {
                 let numbers = depth16.of(image).map_err(internal)?;
                 return numbers

@@ -236,8 +236,7 @@ fn put(part: &Part, block: &Block, pixels: &[u8], samples: &mut [Samples]) -> Re
                 );
                 let found = format!(
                     "channel {} holds {} in pixel ({x}, {y})",
-                    channel.name.as_str(),
-                    unfit.value
+                    channel.name, unfit.value
                 );
                 wrong(found, unfit.expected)
             })?;

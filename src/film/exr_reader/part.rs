@@ -159,7 +159,7 @@ fn unknown_channels(meta: &MetaData) -> Error {
         .map(|channel| channel.name.to_string());
     let mut found: Vec<String> = names.by_ref().take(MAX_NAMES).collect();
     found.extend(names.next().map(|_| "...".to_owned()));
-    let known = ChannelName::ALL.map(ChannelName::as_str).join(", ");
+    let known = ChannelName::ALL.map(ChannelName::name).join(", ");
     let found = format!(
         "no channel of this image is one of feimos's; it has {}",
         found.join(", ")

@@ -66,7 +66,7 @@ fn all_encodings_read_alike() {
     for encoding in encodings() {
         let mut channels: Vec<_> = ChannelName::ALL
             .iter()
-            .map(|name| (name.as_str(), samples(*name)))
+            .map(|name| (name.name(), samples(*name)))
             .collect();
         // Channels of others lie before, between and after those that are read.
         channels.extend(["B", "R", "depth", "zz"].map(|name| (name, as_f16(&small(20 * 37)))));
@@ -106,7 +106,7 @@ fn encodings_for_colours_are_refused_but_for_one() {
 #[test]
 fn any_type_is_read_where_it_holds_the_same_numbers() {
     let values = small(12);
-    let all = ChannelName::ALL.map(ChannelName::as_str);
+    let all = ChannelName::ALL.map(ChannelName::name);
     for to_samples in [as_f16, as_u32, |values: &[f32]| {
         FlatSamples::F32(values.to_vec())
     }] {

@@ -105,7 +105,7 @@ fn assert_same(expected: &Image, found: &Image) {
         assert!(
             bits(expected, channel.name) == bits(found, channel.name),
             "{}",
-            channel.name.as_str()
+            channel.name
         );
     }
 }
