@@ -6,17 +6,18 @@ mod page;
 
 pub(crate) use args::BenchArgs;
 
-use super::counted::counted;
-use super::failures::Failures;
-use super::inputs::Inputs;
-use super::panics::guarded;
-use super::plan::{build_options, first_repeated};
-use super::progress_bar::{Phase, ProgressBars};
-use super::reporter::Reporter;
-use super::result_files::refuse_results;
-use super::stdout::{self, write_to_stdout};
-use super::summary;
-use super::thread_pool::thread_pool;
+use super::files::inputs::Inputs;
+use super::files::results::refuse_results;
+use super::options::engine::build_options;
+use super::options::values::refuse_repeated;
+use super::process::panics::guarded;
+use super::process::threads::thread_pool;
+use super::terminal::failures::Failures;
+use super::terminal::progress::{Phase, ProgressBars};
+use super::terminal::reporter::Reporter;
+use super::terminal::scene_summary::report_scene;
+use super::terminal::stdout::{self, write_to_stdout};
+use super::terminal::words::counted;
 use args::Reference;
 use feimos::accel::SplitMethod;
 use feimos::bench::{
@@ -39,10 +40,10 @@ use std::path::Path;
 pub(crate) fn bench(args: &BenchArgs, reporter: &Reporter) -> Result<u8> {
     refuse_results(&args.scenes, args.output.json, Some("--json-file"))?;
     let outputs = Outputs::new(&args.output, &Inputs::of_scenes(&args.scenes))?;
-    stdout::check_if(!args.talk.quiet || outputs.replace_tables())?;
+    stdout::check_if(!args.messages.quiet || outputs.replace_tables())?;
     let runner = Runner::new(args, outputs.need_pictures(), reporter)?;
     // All of it: pictures are encoded in parallel, too.
-    thread_pool(args.configurations.threads, reporter)?
+    thread_pool(args.configurations.threads.count, reporter)?
         .install(|| measure_all(args, &runner, outputs, reporter))
 }
 
@@ -78,7 +79,7 @@ fn measure_all(
             }
         };
         // Where nobody reads tables any more, files still want what was measured.
-        if !outputs.replace_tables() && !args.talk.quiet && told.is_ok() {
+        if !outputs.replace_tables() && !args.messages.quiet && told.is_ok() {
             told = print_tables(rows.is_empty(), &machine, &title, &measured.rows);
         }
         rows.extend(measured.rows.iter().cloned());
@@ -127,7 +128,7 @@ impl<'a> Runner<'a> {
             with_pictures,
             input_budget: args.input.input_budget,
             reporter,
-            bars: ProgressBars::new(&args.talk),
+            bars: ProgressBars::new(&args.messages),
         })
     }
 
@@ -148,7 +149,7 @@ impl<'a> Runner<'a> {
     /// Judges and measures the scene `path`, on the threads of the current pool; with a title that
     /// says so.
     fn measure(&self, path: &Path, (scene, load_ms): (Scene, f64)) -> Result<(String, Measured)> {
-        summary::report_scene(&scene, self.reporter);
+        report_scene(&scene, self.reporter);
         let builds = self
             .methods
             .iter()
@@ -187,7 +188,7 @@ impl<'a> Runner<'a> {
             return None;
         }
         let pixels = judged_pixels(scene);
-        Some(self.bars.during(Phase::Judging(pixels), |progress| {
+        Some(self.bars.during(Phase::Reference(pixels), |progress| {
             Judge::new(scene, pixels, progress)
         }))
     }
@@ -203,16 +204,6 @@ impl<'a> Runner<'a> {
             counted(rayon::current_num_threads() as u64, "thread"),
             counted(self.rounds.runs as u64, "run"),
         )
-    }
-}
-
-fn refuse_repeated<T: Copy + PartialEq + std::fmt::Display>(
-    flag: &str,
-    items: Option<&[T]>,
-) -> Result<()> {
-    match items.and_then(first_repeated) {
-        Some(repeated) => Err(Error::usage(format!("{flag} names `{repeated}` twice"))),
-        None => Ok(()),
     }
 }
 

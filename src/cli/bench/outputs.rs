@@ -2,13 +2,13 @@
 
 use super::args::OutputArgs;
 use super::page;
-use crate::cli::inputs::{Inputs, check_against_scene};
-use crate::cli::new_folders::NewFolders;
-use crate::cli::output_name::Destination;
-use crate::cli::place::Places;
-use crate::cli::reporter::Reporter;
-use crate::cli::result_files::check_extension;
-use crate::cli::stdout::write_to_stdout;
+use crate::cli::files::destination::Destination;
+use crate::cli::files::folders::NewFolders;
+use crate::cli::files::inputs::{Inputs, check_against_scene};
+use crate::cli::files::places::Places;
+use crate::cli::files::results::check_extension;
+use crate::cli::terminal::reporter::Reporter;
+use crate::cli::terminal::stdout::write_to_stdout;
 use feimos::bench::{Machine, Row, Section, to_csv, to_html, to_json, to_markdown, to_svg, totals};
 use feimos::error::{Error, Result};
 use feimos::file_id::InputFiles;

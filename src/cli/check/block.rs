@@ -1,8 +1,8 @@
 //! What a person reads about a scene: a line a subject, in aligned columns.
 
-use crate::cli::columns::{INDENT, line};
-use crate::cli::counted::counted;
-use crate::cli::summary::stored_geometry;
+use crate::cli::terminal::scene_summary::stored_geometry;
+use crate::cli::terminal::words::counted;
+use crate::cli::terminal::words::{INDENT, line};
 use feimos::camera::Camera;
 use feimos::error::printable;
 use feimos::film::PixelBounds;

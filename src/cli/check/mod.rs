@@ -3,40 +3,41 @@
 mod args;
 mod block;
 mod record;
+mod scenes;
 
 pub(crate) use args::CheckArgs;
 
-use super::WARNED;
-use super::failures::Failures;
-use super::panics::guarded;
-use super::plan::note_on;
-use super::progress_bar::{Phase, ProgressBars};
-use super::reporter::Reporter;
-use super::result_files::refuse_results;
-use super::scene_files::scenes_of;
-use super::stdout::{self, write_json_line, write_to_stdout};
-use super::thread_pool::thread_pool;
+use super::files::results::refuse_results;
+use super::options::engine::accelerator_note;
+use super::options::messages::WARNED;
+use super::process::panics::guarded;
+use super::process::threads::thread_pool;
+use super::terminal::failures::Failures;
+use super::terminal::progress::{Phase, ProgressBars};
+use super::terminal::reporter::Reporter;
+use super::terminal::stdout::{self, write_json_line, write_to_stdout};
 use block::Block;
 use feimos::error::Result;
 use feimos::progress::Progress;
 use feimos::scene::{self, LoadOptions, Scene};
 use record::Record;
+use scenes::scenes_of;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// Checks all scenes and returns the exit code: the highest of any scene.
 pub(crate) fn check(args: &CheckArgs, reporter: &Reporter) -> Result<u8> {
     refuse_results(&args.scenes, args.json, None)?;
-    stdout::check_if(args.json || !args.talk.quiet)?;
+    stdout::check_if(args.json || !args.messages.quiet)?;
     // All of it: printing counts in parallel, too.
-    thread_pool(args.threads, reporter)?.install(|| check_all(args, reporter))
+    thread_pool(args.threads.count, reporter)?.install(|| check_all(args, reporter))
 }
 
 fn check_all(args: &CheckArgs, reporter: &Reporter) -> Result<u8> {
     let mut check = Check {
         args,
         reporter,
-        bars: ProgressBars::new(&args.talk),
+        bars: ProgressBars::new(&args.messages),
         failures: Failures::default(),
         tried: 0,
     };
@@ -115,12 +116,12 @@ impl Check<'_> {
     }
 
     fn tell_of_scene(&self, path: &Path, scene: &Scene) -> Result<()> {
-        if !self.args.json && !self.args.talk.quiet {
+        if !self.args.json && !self.args.messages.quiet {
             let gap = if self.tried > 1 { "\n" } else { "" };
             write_to_stdout(Ok(format!("{gap}{}", Block::new(path, scene)).into_bytes()))?;
         }
         self.reporter.warnings(&scene.warnings);
-        note_on(&scene.accelerator)
+        accelerator_note(&scene.accelerator)
             .into_iter()
             .for_each(|note| self.reporter.note(note));
         Ok(())

@@ -1,6 +1,6 @@
 //! The difference picture's file.
 
-use crate::cli::inputs::Inputs;
+use crate::cli::files::inputs::Inputs;
 use feimos::error::{Error, Result};
 use feimos::film::atomic_file::{self, Overwrite};
 use feimos::film::{Format, png_file};

@@ -3,9 +3,9 @@
 use super::pixel::Pixel;
 use super::verdict::Verdict;
 use super::{CompareArgs, diff, listed, print, sizes};
-use crate::cli::columns::line;
-use crate::cli::counted::counted;
-use crate::cli::reporter::Reporter;
+use crate::cli::terminal::reporter::Reporter;
+use crate::cli::terminal::words::counted;
+use crate::cli::terminal::words::line;
 use feimos::compare::{Comparison, Details, Incomparable, Ulps, difference_picture};
 use feimos::error::{Diagnostic, Error, Result};
 use feimos::film::{ChannelName, Image};

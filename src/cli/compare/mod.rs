@@ -10,9 +10,9 @@ mod verdict;
 
 pub(crate) use args::CompareArgs;
 
-use super::reporter::Reporter;
-use super::stdout::{self, write_json_line, write_to_stdout};
-use super::thread_pool::thread_pool;
+use super::process::threads::thread_pool;
+use super::terminal::reporter::Reporter;
+use super::terminal::stdout::{self, write_json_line, write_to_stdout};
 use feimos::error::{Diagnostic, Error, ErrorKind, Result};
 use feimos::film::ImageFile;
 use serde::Serialize;
@@ -30,7 +30,7 @@ pub(crate) fn compare(args: &CompareArgs, reporter: &Reporter) -> Result<u8> {
     args.diff.as_ref().map_or(Ok(()), |diff| {
         diff::check(diff, [&args.expected, &args.found])
     })?;
-    stdout::check_if(args.json || !args.talk.quiet)?;
+    stdout::check_if(args.json || !args.messages.quiet)?;
     thread_pool(None, reporter)?.install(|| compare_files(args, reporter))
 }
 
@@ -60,7 +60,7 @@ fn compare_files(args: &CompareArgs, reporter: &Reporter) -> Result<u8> {
 
 /// How many differing pixels are to be listed.
 fn listed(args: &CompareArgs) -> usize {
-    if args.talk.verbose {
+    if args.messages.verbose {
         LISTED_VERBOSE
     } else {
         LISTED
@@ -69,7 +69,7 @@ fn listed(args: &CompareArgs) -> usize {
 
 /// Prints what was found, as a block for people or a line of JSON.
 fn print(args: &CompareArgs, block: &impl Display, record: &impl Serialize) -> Result<()> {
-    match (args.json, args.talk.quiet) {
+    match (args.json, args.messages.quiet) {
         (true, _) => write_json_line(record),
         (false, true) => Ok(()),
         (false, false) => write_to_stdout(Ok(block.to_string().into_bytes())),

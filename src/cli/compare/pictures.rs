@@ -2,8 +2,8 @@
 
 use super::verdict::Verdict;
 use super::{CompareArgs, diff, listed, print, sizes};
-use crate::cli::columns::line;
-use crate::cli::reporter::Reporter;
+use crate::cli::terminal::reporter::Reporter;
+use crate::cli::terminal::words::line;
 use feimos::compare::picture::color_difference_picture;
 use feimos::compare::{ColorComparison, ColorTally, Hits};
 use feimos::error::Result;

@@ -1,8 +1,8 @@
 //! Two images of different pixels.
 
 use super::{CompareArgs, DIFFERENT, print};
-use crate::cli::columns::line;
-use crate::cli::reporter::Reporter;
+use crate::cli::terminal::reporter::Reporter;
+use crate::cli::terminal::words::line;
 use feimos::error::Result;
 use serde::Serialize;
 use std::fmt::{self, Display, Formatter};

@@ -1,7 +1,7 @@
 //! Whether two images differ by more than they may.
 
 use super::{CompareArgs, DIFFERENT};
-use crate::cli::counted::counted;
+use crate::cli::terminal::words::counted;
 use indicatif::HumanCount;
 use std::fmt::{self, Display, Formatter};
 

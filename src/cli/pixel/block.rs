@@ -1,7 +1,7 @@
 //! What a person reads about a pixel: a line a subject, in aligned columns.
 
-use crate::cli::columns::line;
-use crate::cli::counted::counted;
+use crate::cli::terminal::words::counted;
+use crate::cli::terminal::words::line;
 use feimos::accel::Precision;
 use feimos::error::printable;
 use feimos::pixel::{

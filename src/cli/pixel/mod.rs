@@ -6,12 +6,12 @@ mod record;
 
 pub(crate) use args::PixelArgs;
 
-use super::plan::build_options;
-use super::progress_bar::{Phase, ProgressBars};
-use super::reporter::Reporter;
-use super::stdout::{self, write_json_line, write_to_stdout};
-use super::summary;
-use super::thread_pool::thread_pool;
+use super::options::engine::build_options;
+use super::process::threads::thread_pool;
+use super::terminal::progress::{Phase, ProgressBars};
+use super::terminal::reporter::Reporter;
+use super::terminal::scene_summary::report_scene;
+use super::terminal::stdout::{self, write_json_line, write_to_stdout};
 use block::Block;
 use feimos::accel::{BuildOptions, SplitMethod};
 use feimos::error::{Diagnostic, Error, ErrorKind, Result};
@@ -22,8 +22,8 @@ use record::Record;
 
 /// Explains a pixel and returns the exit code.
 pub(crate) fn pixel(args: &PixelArgs, reporter: &Reporter) -> Result<u8> {
-    stdout::check_if(args.json || !args.talk.quiet)?;
-    let pool = thread_pool(args.threads, reporter)?;
+    stdout::check_if(args.json || !args.messages.quiet)?;
+    let pool = thread_pool(args.threads.count, reporter)?;
     let options = LoadOptions {
         resolution: args.resolution,
         places: true,
@@ -32,13 +32,13 @@ pub(crate) fn pixel(args: &PixelArgs, reporter: &Reporter) -> Result<u8> {
     };
     let load =
         |progress: Progress<'_>| pool.install(|| scene::load(&args.scene, &options, progress));
-    let scene = ProgressBars::new(&args.talk).during(Phase::Loading, load)?;
-    summary::report_scene(&scene, reporter);
+    let scene = ProgressBars::new(&args.messages).during(Phase::Loading, load)?;
+    report_scene(&scene, reporter);
     check_within_film(&scene, args.pixel)?;
     let explanation = pool.install(|| explain(&scene, args.pixel, &builds(args, &scene)))?;
     if args.json {
         write_json_line(&Record::new(&args.scene, &scene, &explanation))?;
-    } else if !args.talk.quiet {
+    } else if !args.messages.quiet {
         write_to_stdout(Ok(Block::new(&args.scene, &scene, &explanation)
             .to_string()
             .into_bytes()))?;
