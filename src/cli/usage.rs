@@ -42,7 +42,7 @@ const PBRT_FLAGS: [(&str, &[&str]); 6] = [
         &["--rendering-space"],
     ),
     (
-        "--quiet and --verbose choose its messages",
+        "its messages depend on --quiet and --verbose",
         &["--log-level"],
     ),
 ];

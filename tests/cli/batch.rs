@@ -101,7 +101,7 @@ fn skip_existing_renders_the_others() {
         let run = folder.render(&command).succeeded();
         assert!(
             run.stderr.contains(&format!(
-                "ball.pbrt: skipped, ball.{extension} is there already"
+                "ball.pbrt: skipped, ball.{extension} exists already"
             )),
             "{}",
             run.stderr
@@ -156,7 +156,7 @@ fn skip_existing_looks_at_scene_and_options_and_not_at_names() {
     let run = folder
         .render("ball.pbrt -o a.png --colormap gray --skip-existing -v")
         .succeeded();
-    run.said("a.png: of other options, made anew")
+    run.said("a.png: exists with other options, rendering it again")
         .did_not_say("skipped");
 }
 
@@ -175,12 +175,14 @@ fn skip_existing_makes_anew_what_was_cut_off() {
             folder
                 .render(&command)
                 .succeeded()
-                .said(&format!("{name}: was cut off, made anew"));
+                .said(&format!("{name}: is truncated, rendering it again"));
             assert!(folder.bytes(name) == whole);
         }
         // Without its header there is nothing to tell whose it is.
         std::fs::write(folder.path(name), &whole[..whole.len().min(40)]).unwrap();
-        folder.render(&command).failed(73, "is no image of feimos");
+        folder
+            .render(&command)
+            .failed(73, "is not an image by feimos");
     }
 }
 
@@ -191,7 +193,7 @@ fn skip_existing_leaves_alone_what_is_not_its_own() {
         let run = folder
             .render(&format!("ball.pbrt -o {file} --skip-existing"))
             .exited(73);
-        let expected = format!("error: {file}: exists already, and is no image of feimos\n");
+        let expected = format!("error: {file}: exists already, and is not an image by feimos\n");
         assert!(run.stderr.starts_with(&expected), "{}", run.stderr);
         assert_eq!(folder.text(file), "old");
     }
@@ -256,7 +258,7 @@ fn scenes_of_one_name_are_not_told_to_use_what_they_use() {
         .render("ball.pbrt ./ball.pbrt -o {stem}.exr")
         .exited(2);
     let expected = "error: ball.pbrt and ./ball.pbrt would both be written to ball.exr
-   = scenes of the same name need a command each
+   = render scenes of the same name by separate commands
 ";
     assert_eq!(run.stderr, expected);
 }

@@ -419,12 +419,12 @@ fn what_cannot_be_measured_is_refused() {
         ),
         (
             "--accel sah,kd",
-            "invalid value 'kd' for '--accel <METHODS>': expected one of none, middle, equal, sah, hlbvh",
+            "invalid value 'kd' for '--accel <METHODS>'\n  [possible values: none, middle, equal, sah, hlbvh]",
         ),
         ("--accel sah,none,sah", "--accel names `sah` twice"),
         (
             "--precision slow",
-            "invalid value 'slow' for '--precision <HOW>': expected some of exact, fast, exact-single, moeller-trumbore, watertight",
+            "invalid value 'slow' for '--precision <HOW>'\n  [possible values: exact, fast, exact-single, moeller-trumbore, watertight]",
         ),
         ("--precision fast,fast", "--precision names `fast` twice"),
         (
@@ -457,7 +457,7 @@ fn progress_is_drawn_where_it_is_asked_for() {
     folder
         .bench(&format!("ball.pbrt {ONCE} --progress always"))
         .succeeded()
-        .said("judging   [")
+        .said("reference [")
         .said("measuring [");
     folder
         .bench(&format!("ball.pbrt {ONCE}"))

@@ -130,7 +130,7 @@ fn images_of_several_cameras_need_names_of_their_own() {
     assert_eq!(run.stderr, expected);
     folder
         .render("ball.pbrt -o {camera}.exr")
-        .failed(2, "the output name has {camera}, and there is no --cameras");
+        .failed(2, "the output name has {camera}, but --cameras is missing");
     folder
         .render("ball.pbrt second.pbrt --cameras poses.json -o {camera}.exr")
         .failed(2, "would both be written to");
@@ -149,10 +149,7 @@ fn lists_that_are_wrong_are_refused_before_any_work() {
         .render("ball.pbrt --cameras gone.json -o {camera}.exr")
         .failed(66, "gone.json: cannot read");
     let run = folder.render("ball.pbrt --cameras one.json -o {camera}.exr --resolution 4x4");
-    run.failed(
-        2,
-        "--resolution and the resolution of camera `1` contradict",
-    );
+    run.failed(2, "--resolution contradicts the resolution of camera `1`");
 }
 
 #[test]
@@ -164,7 +161,7 @@ fn cameras_that_are_done_are_left_out() {
     let run = folder.render(command).succeeded();
     assert!(
         run.stderr
-            .contains("ball.pbrt, camera front: skipped, front.exr is there already"),
+            .contains("ball.pbrt, camera front: skipped, front.exr exists already"),
         "{}",
         run.stderr
     );

@@ -186,7 +186,7 @@ fn check_says_what_render_says() {
     folder
         .check("kd.pbrt")
         .succeeded()
-        .said("note: the scene asks for the accelerator `kdtree`");
+        .said("note: the scene asks for the unknown accelerator `kdtree`");
     folder
         .check("ball.pbrt -v")
         .succeeded()

@@ -195,7 +195,7 @@ fn fast_makes_the_same_bytes_with_every_accelerator_too() {
 
 #[test]
 fn an_unknown_precision_is_answered_with_the_known_ones() {
-    let message = "invalid value 'f64' for '--precision <HOW>': expected one of exact, fast";
+    let message = "invalid value 'f64' for '--precision <HOW>'\n  [possible values: exact, fast]";
     Folder::new()
         .render("ball.pbrt --precision f64")
         .failed(2, message);
@@ -282,7 +282,7 @@ fn a_scene_with_an_unknown_accelerator_is_rendered_by_sah() {
     let run = folder
         .render("kd.pbrt --json")
         .succeeded()
-        .said("`kdtree`, which is unknown here: sah is used");
+        .said("the unknown accelerator `kdtree`: using sah");
     assert_eq!(run.json()[0]["accel"], "sah");
     for (wrong, meant) in [
         ("\"bhv\"", "bvh"),
@@ -292,13 +292,13 @@ fn a_scene_with_an_unknown_accelerator_is_rendered_by_sah() {
         folder
             .render("a.pbrt")
             .succeeded()
-            .said(&format!("sah is used; did you mean `{meant}`?\n"));
+            .said(&format!("using sah; did you mean `{meant}`?\n"));
     }
 }
 
 #[test]
 fn an_unknown_accelerator_on_the_command_line_is_answered_with_the_known_ones() {
-    let message = "invalid value 'kdtree' for '--accel <METHOD>': expected one of none, middle, equal, sah, hlbvh";
+    let message = "invalid value 'kdtree' for '--accel <METHOD>'\n  [possible values: none, middle, equal, sah, hlbvh]";
     Folder::new()
         .render("ball.pbrt --accel kdtree")
         .failed(2, message);

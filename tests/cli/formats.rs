@@ -112,13 +112,13 @@ fn names_that_are_taken_or_odd_are_no_depth_channel() {
     let folder = Folder::new();
     folder
         .render("ball.pbrt --depth-channel A")
-        .failed(2, "it is the name of another channel");
+        .failed(2, "another channel has this name");
     folder
         .render("ball.pbrt --depth-channel N.X")
-        .failed(2, "it is the name of another channel");
+        .failed(2, "another channel has this name");
     folder
         .render("ball.pbrt --depth-channel Tiefe\u{e4}")
-        .failed(2, "expected 1 to 31 letters");
+        .failed(2, "expected 1 to 31 ASCII characters");
     folder
         .render("ball.pbrt --aov t --depth-channel Y")
         .failed(2, "--depth-channel has no meaning without Z");
@@ -171,7 +171,7 @@ fn a_depth_beyond_16_bits_is_an_error_with_a_scale_that_fits() {
         run.stderr
     );
     assert!(
-        run.stderr.contains("of pixel (") && run.stderr.contains("--scale 5000 would fit"),
+        run.stderr.contains("of pixel (") && run.stderr.contains("--scale 5000 fits"),
         "{}",
         run.stderr
     );

@@ -43,7 +43,10 @@ fn what_is_no_manifest_is_not_added_to() {
     ] {
         let folder = Folder::new().with("all.jsonl", other);
         let run = folder.render("ball.pbrt -o a.exr --manifest all.jsonl");
-        run.failed(73, "all.jsonl: exists already, and is no manifest");
+        run.failed(
+            73,
+            "all.jsonl: exists already, and is not a manifest by feimos",
+        );
         assert_eq!(
             (
                 folder.text("all.jsonl").as_str(),

@@ -190,7 +190,7 @@ fn what_is_no_crop_is_refused() {
     folder.merge(". -o b.exr").failed(66, "cannot read");
     folder
         .merge("a.exr -o b.png")
-        .failed(2, "b.png: the whole is an EXR");
+        .failed(2, "b.png: the merged image is an EXR");
     folder
         .merge("a.exr -o out/b.exr")
         .failed(73, "out/b.exr: cannot create");

@@ -287,7 +287,7 @@ fn a_range_is_stretched_over_the_colours_and_clamps() {
         .failed(2, "is empty");
     folder
         .render("ball.pbrt -o c.png --range 1,1e39")
-        .failed(2, "beyond the depths that an image can hold");
+        .failed(2, "exceeds the depths of an image");
 }
 
 #[test]
@@ -329,7 +329,7 @@ fn flags_without_a_meaning_for_the_format_are_refused() {
 fn where_an_unfit_name_comes_from_is_said() {
     let scene = crate::folder::BALL.replace("film.exr", "film.tga");
     let folder = Folder::new().with("old.pbrt", scene);
-    let note = "\n   = this name comes from the scene; -o gives another one\n";
+    let note = "\n   = the scene names this file; use -o to name another one\n";
     folder
         .render("ball.pbrt --view hit")
         .failed(2, "--view has no meaning for film.exr")

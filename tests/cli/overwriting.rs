@@ -94,11 +94,11 @@ fn results_keep_to_their_extensions() {
     let cases = [
         (
             "bench ball.pbrt --json-file a.txt",
-            "a.txt: --json-file writes no file of this kind\n   = expected a name that ends in .json or .jsonl",
+            "a.txt: --json-file writes another kind of file\n   = expected a name that ends in .json or .jsonl",
         ),
         (
             "bench ball.pbrt --csv a",
-            "a: --csv writes no file of this kind\n   = expected a name that ends in .csv",
+            "a: --csv writes another kind of file\n   = expected a name that ends in .csv",
         ),
         (
             "bench ball.pbrt --csv part.inc",
@@ -114,7 +114,7 @@ fn results_keep_to_their_extensions() {
         ),
         (
             "render ball.pbrt --manifest part.inc",
-            "part.inc: --manifest writes no file of this kind\n   = expected a name that ends in .jsonl or .json",
+            "part.inc: --manifest writes another kind of file\n   = expected a name that ends in .jsonl or .json",
         ),
     ];
     for (command, message) in cases {
@@ -128,8 +128,8 @@ fn results_keep_to_their_extensions() {
 #[test]
 fn json_is_a_switch_and_says_so_to_those_who_give_it_a_file() {
     let folder = folder();
-    let message = "results.json: this is the name of a file of results, not of a scene\n   = --json takes no file: it \
-                   prints on standard output\n   = did you mean --json-file results.json?";
+    let message = "results.json: this is a result file, not a scene\n   = --json takes no file name: it \
+                   prints to standard output\n   = did you mean --json-file results.json?";
     refused(&folder, "bench --json results.json ball.pbrt", message);
     refused(
         &folder,
@@ -144,7 +144,7 @@ fn json_is_a_switch_and_says_so_to_those_who_give_it_a_file() {
     refused(
         &folder,
         "check --json a.json ball.pbrt",
-        "a.json: this is the name of a file of results",
+        "a.json: this is a result file",
     );
     // Two scenes are two scenes.
     let run = folder
@@ -239,8 +239,7 @@ fn links_to_what_is_read_are_no_outputs() {
         ),
         (
             "render mesh.ply --resolution 2x2",
-            "mesh.png: the name that the scene gives to its image would overwrite a scene"
-                .to_owned(),
+            "mesh.png: the image name in the scene would overwrite a scene".to_owned(),
         ),
         (
             "render mesh.ply --resolution 2x2 --force",
@@ -263,7 +262,10 @@ fn links_to_what_is_read_are_no_outputs() {
         refused(&folder, command, &message);
     }
     let run = folder.render("ball.pbrt parts.pbrt -o {stem}.exr --manifest part.jsonl");
-    run.failed(73, "part.jsonl: exists already, and is no manifest");
+    run.failed(
+        73,
+        "part.jsonl: exists already, and is not a manifest by feimos",
+    );
     assert_eq!(folder.text("part.inc"), "Shape \"sphere\"\n");
     // Another line would still be one of a scene that cannot be read.
     let part = "{\"scene\":";
@@ -330,7 +332,7 @@ fn a_scene_does_not_overwrite_itself() {
     refused(
         &folder,
         "render self.png",
-        "self.png: the name that the scene gives to its image would overwrite a scene",
+        "self.png: the image name in the scene would overwrite a scene",
     );
     refused(
         &folder,
@@ -342,10 +344,13 @@ fn a_scene_does_not_overwrite_itself() {
 #[test]
 fn a_name_from_the_scene_replaces_images_of_feimos_alone() {
     let folder = Folder::new().with("film.exr", "my holidays");
-    let advice = "give another one by -o, move it away, or use --force to overwrite it";
+    let advice = "use -o to name another one, move it away, or use --force to overwrite it";
     folder
         .render("ball.pbrt")
-        .failed(73, "film.exr: exists already, and is no image of feimos")
+        .failed(
+            73,
+            "film.exr: exists already, and is not an image by feimos",
+        )
         .said(advice);
     assert_eq!(folder.text("film.exr"), "my holidays");
     folder.render("ball.pbrt --force").succeeded();
@@ -369,15 +374,16 @@ fn a_name_from_the_scene_replaces_images_of_feimos_alone() {
     folder.render("f.pbrt").succeeded();
     folder
         .render("f.pbrt")
-        .failed(73, "f.pfm: exists already, and is no image of feimos");
+        .failed(73, "f.pfm: exists already, and is not an image by feimos");
     folder.render("f.pbrt -o f.pfm").succeeded();
 }
 
 #[test]
 fn a_bare_mesh_does_not_replace_its_photograph() {
     let folder = folder().with("mesh.png", "a photograph");
-    folder
-        .render("mesh.ply --resolution 2x2")
-        .failed(73, "mesh.png: exists already, and is no image of feimos");
+    folder.render("mesh.ply --resolution 2x2").failed(
+        73,
+        "mesh.png: exists already, and is not an image by feimos",
+    );
     assert_eq!(folder.text("mesh.png"), "a photograph");
 }

@@ -146,11 +146,11 @@ fn regions_that_make_no_sense_are_refused() {
             "--pixelbounds 0,1,0,1 --cropwindow 0,1,0,1",
             "cannot be used with",
         ),
-        ("--resolution 0x4", "a film needs a pixel at least"),
+        ("--resolution 0x4", "a film needs at least one pixel"),
         ("--resolution 4", "expected 2 values separated by `x`"),
         (
             "--resolution 16777217x1",
-            "at most 16777216 pixels along a side",
+            "expected sides of 16777216 pixels or fewer",
         ),
     ];
     for (flags, message) in cases {

@@ -33,7 +33,7 @@ fn quiet_says_nothing_but_errors() {
     let folder = Folder::new().with("warned.pbrt", WARNED);
     for flags in [
         "ball.pbrt -q",
-        "ball.pbrt --quiet --spp 4",
+        "ball.pbrt --quiet --nthreads 1",
         "warned.pbrt -q --resolution 2x2",
     ] {
         assert_eq!(folder.render(flags).succeeded().stderr, "");
@@ -214,20 +214,33 @@ fn json_and_an_image_do_not_share_standard_output() {
 }
 
 #[test]
-fn flags_of_pbrt_without_a_meaning_are_taken_with_a_note() {
+fn flags_of_pbrt_without_a_meaning_are_refused_with_the_reason() {
     let folder = Folder::new();
-    let flags = "--spp 16 --seed 7 --quick --gpu --gpu-device 0 --wavefront --interactive --force-diffuse \
-                 --disable-pixel-jitter --disable-wavelength-jitter --disable-texture-filtering \
-                 --write-partial-images --display-server here:1 --rendering-space world --log-level error";
-    let mut run = folder.render(&format!("ball.pbrt {flags}")).succeeded();
-    for flag in flags
-        .split_whitespace()
-        .filter(|flag| flag.starts_with("--"))
-    {
-        run = run.said(&format!(
-            "note: {flag} has no meaning here and is ignored\n"
-        ));
+    for flags in [
+        "--spp 16",
+        "--seed=7",
+        "--quick",
+        "--gpu",
+        "--gpu-device 0",
+        "--wavefront",
+        "--interactive",
+        "--force-diffuse",
+        "--disable-pixel-jitter",
+        "--disable-wavelength-jitter",
+        "--disable-texture-filtering",
+        "--write-partial-images",
+        "--display-server here:1",
+        "--rendering-space world",
+        "--log-level error",
+    ] {
+        let flag = flags.split([' ', '=']).next().unwrap();
+        let message = format!("{flag} has no meaning in feimos: it");
+        let run = folder
+            .render(&format!("ball.pbrt {flags}"))
+            .failed(2, &message);
+        run.said("; leave it out\n");
     }
+    assert!(folder.images().is_empty());
 }
 
 #[test]
