@@ -9,6 +9,7 @@
 mod lanes;
 mod level;
 mod portable;
+mod unrolled;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 

@@ -1,5 +1,6 @@
 //! Lanes as plain arrays: for machines without a level of their own, and to compare the others with.
 
+use super::unrolled::unrolled;
 use super::{F32s, F64s, LANES, Lanes, Mask};
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Not, Sub};
 
@@ -43,24 +44,13 @@ impl Lanes for Portable {
     fn prefetch<T>(self, _what: &T) {}
 }
 
-/// One value for each lane, of an expression in its number.
-macro_rules! each {
-    ($lane:ident => $value:expr) => {{
-        let mut all = [Default::default(); LANES];
-        for $lane in 0..LANES {
-            all[$lane] = $value;
-        }
-        all
-    }};
-}
-
 macro_rules! operators {
     ($type:ident: $($operator:ident $method:ident $sign:tt),*) => {
         $(impl $operator for $type {
             type Output = $type;
             #[inline(always)]
             fn $method(self, other: $type) -> $type {
-                $type(each!(k => self.0[k] $sign other.0[k]))
+                $type(unrolled!(16, K => self.0[K] $sign other.0[K]))
             }
         })*
     };
@@ -74,7 +64,7 @@ impl Not for M {
     type Output = M;
     #[inline(always)]
     fn not(self) -> M {
-        M(each!(k => !self.0[k]))
+        M(unrolled!(16, K => !self.0[K]))
     }
 }
 
@@ -88,23 +78,23 @@ impl F32s for F {
     }
     #[inline(always)]
     fn min(self, other: F) -> F {
-        F(each!(k => if self.0[k] < other.0[k] { self.0[k] } else { other.0[k] }))
+        F(unrolled!(16, K => if self.0[K] < other.0[K] { self.0[K] } else { other.0[K] }))
     }
     #[inline(always)]
     fn max(self, other: F) -> F {
-        F(each!(k => if self.0[k] > other.0[k] { self.0[k] } else { other.0[k] }))
+        F(unrolled!(16, K => if self.0[K] > other.0[K] { self.0[K] } else { other.0[K] }))
     }
     #[inline(always)]
     fn abs(self) -> F {
-        F(each!(k => self.0[k].abs()))
+        F(unrolled!(16, K => self.0[K].abs()))
     }
     #[inline(always)]
     fn floor(self) -> F {
-        F(each!(k => self.0[k].floor()))
+        F(unrolled!(16, K => self.0[K].floor()))
     }
     #[inline(always)]
     fn ceil(self) -> F {
-        F(each!(k => self.0[k].ceil()))
+        F(unrolled!(16, K => self.0[K].ceil()))
     }
     #[inline(always)]
     fn fused_or_not(self, factor: F, addend: F) -> F {
@@ -112,7 +102,7 @@ impl F32s for F {
     }
     #[inline(always)]
     fn above(self, other: F) -> M {
-        M(each!(k => self.0[k] > other.0[k]))
+        M(unrolled!(16, K => self.0[K] > other.0[K]))
     }
     #[inline(always)]
     fn least(self) -> f32 {
@@ -120,11 +110,11 @@ impl F32s for F {
     }
     #[inline(always)]
     fn widen(self) -> D {
-        D(each!(k => f64::from(self.0[k])))
+        D(unrolled!(16, K => f64::from(self.0[K])))
     }
     #[inline(always)]
     fn store_whole(self, to: &mut [i32; LANES]) {
-        *to = each!(k => self.0[k] as i32);
+        *to = unrolled!(16, K => self.0[K] as i32);
     }
 }
 
@@ -137,7 +127,7 @@ impl F64s for D {
     }
     #[inline(always)]
     fn sqrt(self) -> D {
-        D(each!(k => self.0[k].sqrt()))
+        D(unrolled!(16, K => self.0[K].sqrt()))
     }
     #[inline(always)]
     fn fused_or_not(self, factor: D, addend: D) -> D {
@@ -145,7 +135,7 @@ impl F64s for D {
     }
     #[inline(always)]
     fn narrow(self) -> F {
-        F(each!(k => self.0[k] as f32))
+        F(unrolled!(16, K => self.0[K] as f32))
     }
 }
 
@@ -154,14 +144,11 @@ impl Mask for M {
 
     #[inline(always)]
     fn bits(self) -> u32 {
-        let mut bits = 0;
-        for k in 0..LANES {
-            bits |= u32::from(self.0[k]) << k;
-        }
-        bits
+        let bits = unrolled!(16, K => u32::from(self.0[K]) << K);
+        bits.into_iter().fold(0, |all, bit| all | bit)
     }
     #[inline(always)]
     fn select(self, yes: F, no: F) -> F {
-        F(each!(k => if self.0[k] { yes.0[k] } else { no.0[k] }))
+        F(unrolled!(16, K => if self.0[K] { yes.0[K] } else { no.0[K] }))
     }
 }

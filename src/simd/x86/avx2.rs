@@ -1,11 +1,12 @@
 //! AVX2 and FMA: sixteen `f32` are two registers, a truth value is all bits of a lane.
 
 use super::level::level;
+use crate::simd::unrolled::unrolled;
 use crate::simd::{F32s, F64s, Kernel, LANES, Lanes, Mask};
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Not, Sub};
 
-level!(Avx2, "avx2,fma", ["avx2", "fma"], 2 x 8, __m256, __m256d, __m256);
+level!(Avx2, "avx2,fma", ["avx2", "fma"], 2 x 8, 4 wide, __m256, __m256d, __m256);
 
 /// On one register.
 mod ops {
@@ -23,9 +24,6 @@ mod ops {
     }
 
     instructions! {
-        zero() -> __m256 = _mm256_setzero_ps();
-        zero_wide() -> __m256d = _mm256_setzero_pd();
-        none() -> __m256 = _mm256_setzero_ps();
         splat(x: f32) -> __m256 = _mm256_set1_ps(x);
         splat_wide(x: f64) -> __m256d = _mm256_set1_pd(x);
         // SAFETY: the pointer is to eight numbers.

@@ -1,6 +1,7 @@
 //! AVX-512: sixteen `f32` are one register, truth values a mask of bits.
 
 use super::level::level;
+use crate::simd::unrolled::unrolled;
 use crate::simd::{F32s, F64s, Kernel, LANES, Lanes, Mask};
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Not, Sub};
@@ -9,7 +10,7 @@ level!(
     Avx512,
     "avx2,fma,avx512f,avx512dq,avx512bw,avx512vl",
     ["avx2", "fma", "avx512f", "avx512dq", "avx512bw", "avx512vl"],
-    1 x 16, __m512, __m512d, __mmask16
+    1 x 16, 2 wide, __m512, __m512d, __mmask16
 );
 
 /// On one register.
@@ -28,9 +29,6 @@ mod ops {
     }
 
     instructions! {
-        zero() -> __m512 = _mm512_setzero_ps();
-        zero_wide() -> __m512d = _mm512_setzero_pd();
-        none() -> __mmask16 = 0;
         splat(x: f32) -> __m512 = _mm512_set1_ps(x);
         splat_wide(x: f64) -> __m512d = _mm512_set1_pd(x);
         // SAFETY: the pointer is to sixteen numbers.

@@ -1,9 +1,9 @@
 //! A level of lanes from the operations on its registers.
 
 /// Defines the token `$token` and its lanes, and implements the traits through the functions of the module `ops`, which
-/// are the same for every level. `F` has `$n` registers of `$w` lanes, `D` twice as many of half the lanes.
+/// are the same for every level. `F` has `$n` registers of `$w` lanes, `D` twice as many, `$wide`, of half the lanes.
 macro_rules! level {
-    ($token:ident, $features:literal, [$($feature:tt),*], $n:literal x $w:literal, $f:ty, $d:ty, $m:ty) => {
+    ($token:ident, $features:literal, [$($feature:tt),*], $n:tt x $w:tt, $wide:tt wide, $f:ty, $d:ty, $m:ty) => {
         /// Proof that the machine has the instructions of this level.
         #[derive(Debug, Clone, Copy)]
         pub(in crate::simd) struct $token(());
@@ -14,10 +14,7 @@ macro_rules! level {
 
         /// Sixteen `f64`: registers 2k and 2k + 1 are the lanes of register k of [`F`].
         #[derive(Debug, Clone, Copy)]
-        pub(in crate::simd) struct D([$d; 2 * $n]);
-
-        /// Registers of [`D`].
-        const WIDE: usize = 2 * $n;
+        pub(in crate::simd) struct D([$d; $wide]);
 
         /// Sixteen truth values.
         #[derive(Debug, Clone, Copy)]
@@ -43,15 +40,10 @@ macro_rules! level {
 
         /// A value of `$type`, register by register.
         macro_rules! registers {
-            ($type:ident, $zero:ident, $count:expr, $k:ident => $value:expr) => {{
-                // SAFETY: whoever has lanes or a token of this level has its instructions.
-                let mut registers = [unsafe { ops::$zero() }; $count];
-                for $k in 0..$count {
-                    // SAFETY: as above.
-                    registers[$k] = unsafe { $value };
-                }
-                $type(registers)
-            }};
+            ($type:ident, $count:tt, $k:ident => $value:expr) => {
+                // SAFETY: lanes and tokens of this level exist only where its instructions do.
+                $type(unrolled!($count, $k => unsafe { $value }))
+            };
         }
 
         impl Lanes for $token {
@@ -61,21 +53,21 @@ macro_rules! level {
 
             #[inline(always)]
             fn splat(self, x: f32) -> F {
-                registers!(F, zero, $n, _k => ops::splat(x))
+                registers!(F, $n, _K => ops::splat(x))
             }
             #[inline(always)]
             fn load(self, from: &[f32; LANES]) -> F {
                 let (parts, _) = from.as_chunks::<$w>();
-                registers!(F, zero, $n, k => ops::load(&parts[k]))
+                registers!(F, $n, K => ops::load(&parts[K]))
             }
             #[inline(always)]
             fn splat_wide(self, x: f64) -> D {
-                registers!(D, zero_wide, 2 * $n, _k => ops::splat_wide(x))
+                registers!(D, $wide, _K => ops::splat_wide(x))
             }
             #[inline(always)]
             fn load_wide(self, from: &[f64; LANES]) -> D {
                 let (parts, _) = from.as_chunks::<{ $w / 2 }>();
-                registers!(D, zero_wide, 2 * $n, k => ops::load_wide(&parts[k]))
+                registers!(D, $wide, K => ops::load_wide(&parts[K]))
             }
             #[inline(always)]
             fn prefetch<T>(self, what: &T) {
@@ -88,32 +80,32 @@ macro_rules! level {
         }
 
         macro_rules! operators {
-            ($type:ident, $zero:ident, $count:expr, $trait:ident $method:ident $function:ident) => {
+            ($type:ident, $count:tt, $trait:ident $method:ident $function:ident) => {
                 impl $trait for $type {
                     type Output = $type;
                     #[inline(always)]
                     fn $method(self, other: $type) -> $type {
-                        registers!($type, $zero, $count, k => ops::$function(self.0[k], other.0[k]))
+                        registers!($type, $count, K => ops::$function(self.0[K], other.0[K]))
                     }
                 }
             };
         }
-        operators!(F, zero, $n, Add add add);
-        operators!(F, zero, $n, Sub sub sub);
-        operators!(F, zero, $n, Mul mul mul);
-        operators!(F, zero, $n, Div div div);
-        operators!(D, zero_wide, WIDE, Add add add_wide);
-        operators!(D, zero_wide, WIDE, Sub sub sub_wide);
-        operators!(D, zero_wide, WIDE, Mul mul mul_wide);
-        operators!(D, zero_wide, WIDE, Div div div_wide);
-        operators!(M, none, $n, BitAnd bitand both);
-        operators!(M, none, $n, BitOr bitor either);
+        operators!(F, $n, Add add add);
+        operators!(F, $n, Sub sub sub);
+        operators!(F, $n, Mul mul mul);
+        operators!(F, $n, Div div div);
+        operators!(D, $wide, Add add add_wide);
+        operators!(D, $wide, Sub sub sub_wide);
+        operators!(D, $wide, Mul mul mul_wide);
+        operators!(D, $wide, Div div div_wide);
+        operators!(M, $n, BitAnd bitand both);
+        operators!(M, $n, BitOr bitor either);
 
         impl Not for M {
             type Output = M;
             #[inline(always)]
             fn not(self) -> M {
-                registers!(M, none, $n, k => ops::neither(self.0[k]))
+                registers!(M, $n, K => ops::neither(self.0[K]))
             }
         }
 
@@ -124,38 +116,36 @@ macro_rules! level {
             #[inline(always)]
             fn store(self, to: &mut [f32; LANES]) {
                 let (parts, _) = to.as_chunks_mut::<$w>();
-                for k in 0..$n {
-                    // SAFETY: lanes of this level exist only where its instructions do.
-                    unsafe { ops::store(self.0[k], &mut parts[k]) }
-                }
+                // SAFETY: lanes of this level exist only where its instructions do.
+                unrolled!($n, K => unsafe { ops::store(self.0[K], &mut parts[K]) });
             }
             #[inline(always)]
             fn min(self, other: F) -> F {
-                registers!(F, zero, $n, k => ops::min(self.0[k], other.0[k]))
+                registers!(F, $n, K => ops::min(self.0[K], other.0[K]))
             }
             #[inline(always)]
             fn max(self, other: F) -> F {
-                registers!(F, zero, $n, k => ops::max(self.0[k], other.0[k]))
+                registers!(F, $n, K => ops::max(self.0[K], other.0[K]))
             }
             #[inline(always)]
             fn abs(self) -> F {
-                registers!(F, zero, $n, k => ops::abs(self.0[k]))
+                registers!(F, $n, K => ops::abs(self.0[K]))
             }
             #[inline(always)]
             fn floor(self) -> F {
-                registers!(F, zero, $n, k => ops::floor(self.0[k]))
+                registers!(F, $n, K => ops::floor(self.0[K]))
             }
             #[inline(always)]
             fn ceil(self) -> F {
-                registers!(F, zero, $n, k => ops::ceil(self.0[k]))
+                registers!(F, $n, K => ops::ceil(self.0[K]))
             }
             #[inline(always)]
             fn fused_or_not(self, factor: F, addend: F) -> F {
-                registers!(F, zero, $n, k => ops::fused_or_not(self.0[k], factor.0[k], addend.0[k]))
+                registers!(F, $n, K => ops::fused_or_not(self.0[K], factor.0[K], addend.0[K]))
             }
             #[inline(always)]
             fn above(self, other: F) -> M {
-                registers!(M, none, $n, k => ops::above(self.0[k], other.0[k]))
+                registers!(M, $n, K => ops::above(self.0[K], other.0[K]))
             }
             #[inline(always)]
             fn least(self) -> f32 {
@@ -169,17 +159,15 @@ macro_rules! level {
             }
             #[inline(always)]
             fn widen(self) -> D {
-                registers!(D, zero_wide, 2 * $n, k => {
-                    if k % 2 == 0 { ops::widen_lower(self.0[k / 2]) } else { ops::widen_upper(self.0[k / 2]) }
+                registers!(D, $wide, K => {
+                    if K % 2 == 0 { ops::widen_lower(self.0[K / 2]) } else { ops::widen_upper(self.0[K / 2]) }
                 })
             }
             #[inline(always)]
             fn store_whole(self, to: &mut [i32; LANES]) {
                 let (parts, _) = to.as_chunks_mut::<$w>();
-                for k in 0..$n {
-                    // SAFETY: lanes of this level exist only where its instructions do.
-                    unsafe { ops::store_whole(self.0[k], &mut parts[k]) }
-                }
+                // SAFETY: lanes of this level exist only where its instructions do.
+                unrolled!($n, K => unsafe { ops::store_whole(self.0[K], &mut parts[K]) });
             }
         }
 
@@ -189,22 +177,20 @@ macro_rules! level {
             #[inline(always)]
             fn store(self, to: &mut [f64; LANES]) {
                 let (parts, _) = to.as_chunks_mut::<{ $w / 2 }>();
-                for k in 0..2 * $n {
-                    // SAFETY: lanes of this level exist only where its instructions do.
-                    unsafe { ops::store_wide(self.0[k], &mut parts[k]) }
-                }
+                // SAFETY: lanes of this level exist only where its instructions do.
+                unrolled!($wide, K => unsafe { ops::store_wide(self.0[K], &mut parts[K]) });
             }
             #[inline(always)]
             fn sqrt(self) -> D {
-                registers!(D, zero_wide, 2 * $n, k => ops::sqrt_wide(self.0[k]))
+                registers!(D, $wide, K => ops::sqrt_wide(self.0[K]))
             }
             #[inline(always)]
             fn fused_or_not(self, factor: D, addend: D) -> D {
-                registers!(D, zero_wide, 2 * $n, k => ops::fused_or_not_wide(self.0[k], factor.0[k], addend.0[k]))
+                registers!(D, $wide, K => ops::fused_or_not_wide(self.0[K], factor.0[K], addend.0[K]))
             }
             #[inline(always)]
             fn narrow(self) -> F {
-                registers!(F, zero, $n, k => ops::narrow(self.0[2 * k], self.0[2 * k + 1]))
+                registers!(F, $n, K => ops::narrow(self.0[2 * K], self.0[2 * K + 1]))
             }
         }
 
@@ -213,16 +199,13 @@ macro_rules! level {
 
             #[inline(always)]
             fn bits(self) -> u32 {
-                let mut bits = 0;
-                for k in 0..$n {
-                    // SAFETY: lanes of this level exist only where its instructions do.
-                    bits |= unsafe { ops::bits(self.0[k]) } << ($w * k);
-                }
-                bits
+                // SAFETY: lanes of this level exist only where its instructions do.
+                let parts = unrolled!($n, K => unsafe { ops::bits(self.0[K]) } << ($w * K));
+                parts.into_iter().fold(0, |bits, part| bits | part)
             }
             #[inline(always)]
             fn select(self, yes: F, no: F) -> F {
-                registers!(F, zero, $n, k => ops::select(self.0[k], yes.0[k], no.0[k]))
+                registers!(F, $n, K => ops::select(self.0[K], yes.0[K], no.0[K]))
             }
         }
     };

@@ -1,11 +1,12 @@
 //! SSE 4.1: sixteen `f32` are four registers, a truth value is all bits of a lane.
 
 use super::level::level;
+use crate::simd::unrolled::unrolled;
 use crate::simd::{F32s, F64s, Kernel, LANES, Lanes, Mask};
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Not, Sub};
 
-level!(Sse, "sse4.1", ["sse4.1"], 4 x 4, __m128, __m128d, __m128);
+level!(Sse, "sse4.1", ["sse4.1"], 4 x 4, 8 wide, __m128, __m128d, __m128);
 
 /// On one register.
 mod ops {
@@ -23,9 +24,6 @@ mod ops {
     }
 
     instructions! {
-        zero() -> __m128 = _mm_setzero_ps();
-        zero_wide() -> __m128d = _mm_setzero_pd();
-        none() -> __m128 = _mm_setzero_ps();
         splat(x: f32) -> __m128 = _mm_set1_ps(x);
         splat_wide(x: f64) -> __m128d = _mm_set1_pd(x);
         // SAFETY: the pointer is to four numbers.
