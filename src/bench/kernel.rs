@@ -1,6 +1,6 @@
 //! The kernels that `bench` compares.
 
-use super::Classic;
+use super::baseline::Baseline;
 use crate::accel::Precision;
 use crate::named::named;
 
@@ -12,17 +12,17 @@ pub enum Kernel {
     /// Exact answers, one ray at a time: the same traversal as the baseline kernels.
     ExactSingle,
     /// A baseline kernel, one ray at a time.
-    Classic(Classic),
+    Baseline(Baseline),
 }
 
 named!(Kernel:
     Tiles(Precision::Exact) => "exact", Tiles(Precision::Fast) => "fast",
-    ExactSingle => "exact-single", Classic(Classic::MoellerTrumbore) => "moeller-trumbore",
-    Classic(Classic::Watertight) => "watertight",
+    ExactSingle => "exact-single", Baseline(Baseline::MoellerTrumbore) => "moeller-trumbore",
+    Baseline(Baseline::Watertight) => "watertight",
 );
 
 impl Kernel {
-    /// Returns true if the exact fallback decides what `f64` cannot.
+    /// Returns true if exact fallbacks decide what `f64` cannot.
     pub fn is_exact(self) -> bool {
         matches!(self, Kernel::Tiles(Precision::Exact) | Kernel::ExactSingle)
     }

@@ -22,9 +22,9 @@ fn explained(scene: &Scene, pixel: [u32; 2]) -> Explanation {
     let builds = SplitMethod::ALL.map(BuildOptions::new);
     let explanation = explain(scene, pixel, &builds).unwrap();
     assert_eq!(explanation.contradictions, [""; 0]);
-    assert!(explanation.is_judged);
+    assert!(explanation.has_reference);
     assert_eq!(explanation.costs.len(), builds.len());
-    // Ours alone and in a tile, exact and fast, and two yardsticks.
+    // Ours alone and in a tile, exact and fast, and two baselines.
     assert_eq!(explanation.answers.len(), 6);
     explanation
 }

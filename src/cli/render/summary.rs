@@ -3,7 +3,7 @@
 use super::record::Finished;
 use super::scene::Built;
 use crate::cli::terminal::reporter::Reporter;
-use crate::cli::terminal::scene_summary::stored_geometry;
+use crate::cli::terminal::scene_summary::StoredGeometry;
 use feimos::accel::{ExactFallbacks, Precision, SplitMethod};
 use feimos::scene::Scene;
 use feimos::shape::Geometry;
@@ -70,7 +70,7 @@ pub(super) fn report_statistics(scene: &Scene, finished: &Finished, reporter: &R
                 scene.shape_count, scene.transform_count
             ),
         ),
-        ("primitives", stored_geometry(geometry)),
+        ("primitives", StoredGeometry::of(geometry).to_string()),
         ("geometry", format!("{} bytes", geometry.bytes())),
         ("precision", precision.to_string()),
         (
