@@ -1,39 +1,41 @@
-//! Two images, pixel by pixel.
+//! Compares two images pixel by pixel.
 
-use super::ulps_between;
-use crate::film::{ChannelName, Image, PixelBounds};
+use super::ulps::ulps_between;
+use crate::film::{ChannelName, Image, PixelBounds, Samples};
 use std::fmt;
 
-/// Channels that hold depths.
+/// Channels of depths.
 const DEPTHS: [ChannelName; 2] = [ChannelName::Z, ChannelName::T];
 
-/// Channels that tell what was hit.
+/// Channels that identify what was hit.
 const NUMBERS: [ChannelName; 3] = [ChannelName::Id, ChannelName::Prim, ChannelName::Instance];
 
-/// What is wrong with a pixel: the worst of it, where several things are.
+/// The worst difference of a pixel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Difference {
-    /// Nothing.
+    /// No difference.
     None,
-    /// A hit where a miss was expected.
+    /// A hit, but a miss was expected.
     FalseHit,
-    /// A miss where a hit was expected.
+    /// A miss, but a hit was expected.
     MissedHit,
-    /// A hit of something else: a number of it is another one.
+    /// A hit with a wrong number: `id`, `prim` or `instance`.
     WrongPrimitive,
-    /// A hit of the right primitive whose depth is off by so many units in the last place; of `Z` and `t`, the larger error.
+    /// A hit of the right primitive with a wrong depth: the larger error of `Z` and `t`, in units in
+    /// the last place.
     Depth(u32),
-    /// A hit of the right primitive of which something else is farther off than its depth: the largest error of `N.X` to `v`.
-    Primitive(u32),
+    /// A hit of the right primitive, and `N.X` to `v` are worse than its depth: their largest error.
+    Surface(u32),
 }
 
 impl Difference {
-    /// Whether it is one where depths, and what surfaces are like, may be off by `max_ulp` units in the last place.
+    /// Returns true if the difference exceeds a tolerance of `max_ulp` units in the last place for
+    /// depths and surfaces.
     pub fn is_beyond(self, max_ulp: u32) -> bool {
         match self {
             Difference::None => false,
             Difference::FalseHit | Difference::MissedHit | Difference::WrongPrimitive => true,
-            Difference::Depth(ulps) | Difference::Primitive(ulps) => ulps > max_ulp,
+            Difference::Depth(ulps) | Difference::Surface(ulps) => ulps > max_ulp,
         }
     }
 }
@@ -41,10 +43,12 @@ impl Difference {
 /// Why two images cannot be compared.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Incomparable {
-    /// They do not show the same pixels: those of the image expected, those of the one found.
+    /// They show different pixels: those of the expected and of the found image.
     Windows(PixelBounds, PixelBounds),
-    /// Nothing in one of them tells hits from misses.
+    /// No channel of one of them distinguishes hits from misses.
     NoHits,
+    /// One has depths in scene units, the other in steps of an unknown size.
+    Units,
 }
 
 impl fmt::Display for Incomparable {
@@ -54,15 +58,14 @@ impl fmt::Display for Incomparable {
                 let words = |PixelBounds { x0, x1, y0, y1 }: &PixelBounds| {
                     format!("x {x0} to {x1}, y {y0} to {y1}")
                 };
-                write!(
-                    f,
-                    "they show different pixels: {} and {}",
-                    words(expected),
-                    words(found)
-                )
+                let (expected, found) = (words(expected), words(found));
+                write!(f, "they show different pixels: {expected} and {found}")
             }
-            Incomparable::NoHits => {
-                f.write_str("no channel tells hits from misses: expected one of A, id, prim, Z, t")
+            Incomparable::NoHits => f.write_str(
+                "no channel distinguishes hits from misses: expected one of A, id, prim, Z, t",
+            ),
+            Incomparable::Units => {
+                f.write_str("16-bit depths have no known unit: they compare with each other only")
             }
         }
     }
@@ -70,62 +73,101 @@ impl fmt::Display for Incomparable {
 
 impl std::error::Error for Incomparable {}
 
-/// An image with the right answers, and another one.
+/// An image with the expected answers, and another one.
 ///
-/// Hits are told by `A`, where an image lacks it by the numbers of what was hit, and where it lacks these too, by depths
-/// that are finite. Numbers, depths and what surfaces are like are compared as far as both images have them, and the latter two only
-/// where the numbers are right.
+/// `A` distinguishes hits from misses; without it the numbers of what was hit do, and without these
+/// depths that are finite. Channels are compared if both images have them. Depths and surfaces count
+/// only where the numbers are right.
 #[derive(Debug, Clone)]
 pub struct Comparison<'a> {
     expected: Hits<'a>,
     found: Hits<'a>,
-    numbers: Vec<Pair<'a, u32>>,
-    depths: Vec<Pair<'a, f32>>,
-    surfaces: Vec<Pair<'a, f32>>,
+    numbers: Vec<NumberPair<'a>>,
+    depths: Vec<MeasurePair<'a>>,
+    surfaces: Vec<MeasurePair<'a>>,
 }
 
-/// The samples of a channel that both images have.
+/// The samples of a channel of numbers in both images.
 #[derive(Debug, Clone, Copy)]
-pub struct Pair<'a, T> {
-    /// Which channel.
+pub struct NumberPair<'a> {
+    /// The channel.
     pub name: ChannelName,
-    /// Those of the image expected.
-    pub expected: &'a [T],
-    /// Those of the other one.
-    pub found: &'a [T],
+    expected: &'a [u32],
+    found: &'a [u32],
+}
+
+impl NumberPair<'_> {
+    /// Returns true if the numbers of pixel number `pixel` differ.
+    pub fn differs(&self, pixel: usize) -> bool {
+        self.expected[pixel] != self.found[pixel]
+    }
+}
+
+/// The samples of a channel of depths or surfaces in both images.
+#[derive(Debug, Clone, Copy)]
+pub struct MeasurePair<'a> {
+    /// The channel.
+    pub name: ChannelName,
+    /// Of the same type as `found`.
+    expected: &'a Samples,
+    found: &'a Samples,
+}
+
+impl MeasurePair<'_> {
+    /// The error in pixel number `pixel`: units in the last place, or steps of integer depths.
+    pub fn error(&self, pixel: usize) -> u32 {
+        match (self.expected, self.found) {
+            (Samples::F32(a), Samples::F32(b)) => ulps_between(a[pixel], b[pixel]),
+            (Samples::U32(a), Samples::U32(b)) => a[pixel].abs_diff(b[pixel]),
+            _ => u32::MAX,
+        }
+    }
 }
 
 impl<'a> Comparison<'a> {
-    /// Of two images of the same pixels.
+    /// Compares two images of the same pixels. Depths that are integers are steps of an unknown
+    /// size, as in a 16-bit PNG.
     ///
     /// # Errors
-    /// Where they are not, or nothing tells their hits.
+    /// The images show different pixels, have depths of different units, or no hits.
     pub fn new(expected: &'a Image, found: &'a Image) -> Result<Comparison<'a>, Incomparable> {
-        if expected.data_window != found.data_window {
-            return Err(Incomparable::Windows(
-                expected.data_window,
-                found.data_window,
-            ));
+        let windows = [expected, found].map(|image| image.data_window);
+        if windows[0] != windows[1] {
+            return Err(Incomparable::Windows(windows[0], windows[1]));
         }
         let numbers = |name| {
-            Some(Pair {
+            let (expected, found) = (expected.numbers(name)?, found.numbers(name)?);
+            Some(NumberPair {
                 name,
-                expected: expected.numbers(name)?,
-                found: found.numbers(name)?,
+                expected,
+                found,
             })
         };
         let measures = |name| {
-            Some(Pair {
+            let samples = |image: &'a Image| {
+                let channel = image.channels.iter().find(|channel| channel.name == name);
+                channel.map(|channel| &channel.samples)
+            };
+            let (expected, found) = (samples(expected)?, samples(found)?);
+            Some(MeasurePair {
                 name,
-                expected: expected.measures(name)?,
-                found: found.measures(name)?,
+                expected,
+                found,
             })
         };
+        let depths: Vec<MeasurePair> = DEPTHS.into_iter().filter_map(measures).collect();
+        let is_integer = |samples: &Samples| matches!(samples, Samples::U32(_));
+        if depths
+            .iter()
+            .any(|pair| is_integer(pair.expected) != is_integer(pair.found))
+        {
+            return Err(Incomparable::Units);
+        }
         Ok(Comparison {
             expected: Hits::of(expected).ok_or(Incomparable::NoHits)?,
             found: Hits::of(found).ok_or(Incomparable::NoHits)?,
             numbers: NUMBERS.into_iter().filter_map(numbers).collect(),
-            depths: DEPTHS.into_iter().filter_map(measures).collect(),
+            depths,
             surfaces: ChannelName::SURFACE
                 .into_iter()
                 .filter_map(measures)
@@ -133,80 +175,78 @@ impl<'a> Comparison<'a> {
         })
     }
 
-    /// What is different in pixel number `pixel`, counted from the upper left corner row by row.
+    /// The difference in pixel number `pixel`, counted row by row from the upper left corner.
     pub fn difference(&self, pixel: usize) -> Difference {
         match (self.expected.is_hit(pixel), self.found.is_hit(pixel)) {
-            (false, false) => Difference::None,
-            (false, true) => Difference::FalseHit,
-            (true, false) => Difference::MissedHit,
-            (true, true)
-                if self
-                    .numbers
-                    .iter()
-                    .any(|pair| pair.expected[pixel] != pair.found[pixel]) =>
-            {
-                Difference::WrongPrimitive
-            }
-            (true, true) => {
-                let ulps = |pair: &Pair<f32>| ulps_between(pair.expected[pixel], pair.found[pixel]);
-                let [depth, surface] = [&self.depths, &self.surfaces]
-                    .map(|pairs| pairs.iter().map(ulps).max().unwrap_or(0));
-                match (depth, surface) {
-                    (0, 0) => Difference::None,
-                    _ if surface > depth => Difference::Primitive(surface),
-                    _ => Difference::Depth(depth),
-                }
-            }
+            (false, false) => return Difference::None,
+            (false, true) => return Difference::FalseHit,
+            (true, false) => return Difference::MissedHit,
+            (true, true) => {}
+        }
+        if self.numbers.iter().any(|pair| pair.differs(pixel)) {
+            return Difference::WrongPrimitive;
+        }
+        let largest = |pairs: &[MeasurePair]| {
+            pairs
+                .iter()
+                .map(|pair| pair.error(pixel))
+                .max()
+                .unwrap_or(0)
+        };
+        match (largest(&self.depths), largest(&self.surfaces)) {
+            (0, 0) => Difference::None,
+            (depth, surface) if surface > depth => Difference::Surface(surface),
+            (depth, _) => Difference::Depth(depth),
         }
     }
 
-    /// Whether the image expected has a hit in this pixel.
+    /// Returns true if the expected image has a hit in this pixel.
     pub fn is_hit(&self, pixel: usize) -> bool {
         self.expected.is_hit(pixel)
     }
 
-    /// Whether depths are compared: both images have some.
+    /// Returns true if both images have depths.
     pub fn has_depths(&self) -> bool {
         !self.depths.is_empty()
     }
 
-    /// The channels that tell what was hit and are compared.
-    pub fn numbers(&self) -> &[Pair<'a, u32>] {
+    /// The compared channels of numbers.
+    pub fn numbers(&self) -> &[NumberPair<'a>] {
         &self.numbers
     }
 
-    /// The channels of depths that are compared.
-    pub fn depths(&self) -> &[Pair<'a, f32>] {
-        &self.depths
+    /// The compared channels of depths, then those of surfaces.
+    pub fn measures(&self) -> impl Iterator<Item = &MeasurePair<'a>> {
+        self.depths.iter().chain(&self.surfaces)
     }
 
-    /// The channels that say what surfaces are like and are compared.
-    pub fn surfaces(&self) -> &[Pair<'a, f32>] {
+    /// The compared channels that describe the surface at the hit.
+    pub fn surfaces(&self) -> &[MeasurePair<'a>] {
         &self.surfaces
     }
 }
 
-/// What tells hits from misses.
+/// The channel that distinguishes hits from misses.
 #[derive(Debug, Clone, Copy)]
 enum Hits<'a> {
-    /// Not 0 where something is hit.
+    /// Not 0 at a hit.
     Coverage(&'a [f32]),
-    /// Likewise.
+    /// Not 0 at a hit.
     Numbers(&'a [u32]),
-    /// Finite where something is hit.
+    /// Finite at a hit.
     Depths(&'a [f32]),
 }
 
 impl<'a> Hits<'a> {
     fn of(image: &'a Image) -> Option<Hits<'a>> {
-        let coverage = || image.measures(ChannelName::A).map(Hits::Coverage);
         let numbers = || {
-            [ChannelName::Id, ChannelName::Prim]
-                .iter()
-                .find_map(|name| image.numbers(*name))
+            image
+                .numbers(ChannelName::Id)
+                .or(image.numbers(ChannelName::Prim))
         };
         let depths = || DEPTHS.iter().find_map(|name| image.measures(*name));
-        coverage()
+        let coverage = image.measures(ChannelName::A).map(Hits::Coverage);
+        coverage
             .or_else(|| numbers().map(Hits::Numbers))
             .or_else(|| depths().map(Hits::Depths))
     }
@@ -246,7 +286,7 @@ mod tests {
     }
 
     #[test]
-    fn the_worst_is_told() {
+    fn the_worst_difference_counts() {
         let next = 1f32.next_up();
         let expected = image(vec![
             (ChannelName::A, Samples::F32(vec![0.0, 0.0, 1.0, 1.0, 1.0])),
@@ -274,7 +314,7 @@ mod tests {
     }
 
     #[test]
-    fn surfaces_count_where_they_are_farther_off_than_depths() {
+    fn surfaces_count_if_they_are_worse_than_depths() {
         let next = 1f32.next_up();
         let measures = |z: [f32; 4], normal: [f32; 4]| {
             let channel = |name, values: [f32; 4]| (name, Samples::F32(values.to_vec()));
@@ -290,16 +330,16 @@ mod tests {
             [1.0, 1.0, next, next.next_up()],
             [9.0, next, next.next_up(), next],
         );
-        use Difference::{Depth, None, Primitive};
+        use Difference::{Depth, None, Surface};
         assert_eq!(
             differences(&expected, &found),
-            [None, Primitive(1), Primitive(2), Depth(2)]
+            [None, Surface(1), Surface(2), Depth(2)]
         );
-        assert!(Primitive(2).is_beyond(1) && !Primitive(1).is_beyond(1));
+        assert!(Surface(2).is_beyond(1) && !Surface(1).is_beyond(1));
     }
 
     #[test]
-    fn what_only_one_image_has_is_not_compared() {
+    fn channels_of_one_image_alone_are_not_compared() {
         let depths = image(vec![(
             ChannelName::Z,
             Samples::F32(vec![f32::INFINITY, 1.0, f32::NAN, 2.0]),
@@ -314,7 +354,7 @@ mod tests {
     }
 
     #[test]
-    fn images_of_other_pixels_and_without_hits_cannot_be_compared() {
+    fn images_of_other_pixels_units_or_without_hits_cannot_be_compared() {
         let one = image(vec![(ChannelName::A, Samples::F32(vec![0.0]))]);
         let two = image(vec![(ChannelName::A, Samples::F32(vec![0.0; 2]))]);
         assert!(matches!(
@@ -326,5 +366,24 @@ mod tests {
             Comparison::new(&one, &instances).unwrap_err(),
             Incomparable::NoHits
         );
+        let depths = image(vec![(ChannelName::Z, Samples::F32(vec![1.0]))]);
+        let steps = image(vec![(ChannelName::Z, Samples::U32(vec![1]))]);
+        assert_eq!(
+            Comparison::new(&depths, &steps).unwrap_err(),
+            Incomparable::Units
+        );
+    }
+
+    #[test]
+    fn integer_depths_differ_by_steps() {
+        let steps = |z: [u32; 3]| {
+            image(vec![
+                (ChannelName::A, Samples::F32(vec![0.0, 1.0, 1.0])),
+                (ChannelName::Z, Samples::U32(z.to_vec())),
+            ])
+        };
+        use Difference::{Depth, None};
+        let (expected, found) = (steps([0, 1000, 7]), steps([9, 1003, 7]));
+        assert_eq!(differences(&expected, &found), [None, Depth(3), None]);
     }
 }

@@ -3,7 +3,7 @@
 //! An [`Image`] holds the requested channels over the requested pixels. [`Format`] selects the
 //! writer by the file's extension; a [`view`] turns channels into the colours of a PNG;
 //! [`atomic_file`] writes a file completely or not at all. [`exr_reader`] reads images back, also
-//! those of other programs; [`png_reader`] reads PNG files.
+//! those of other programs; [`npy_reader`], [`pfm_reader`] and [`png_reader`] read feimos's own.
 
 mod aov;
 pub mod atomic_file;
@@ -18,8 +18,10 @@ mod format;
 mod image_file;
 mod metadata;
 pub mod npy_file;
+pub mod npy_reader;
 mod permissions;
 pub mod pfm_file;
+pub mod pfm_reader;
 mod pixel_bounds;
 mod place;
 pub mod png_file;
@@ -36,7 +38,7 @@ pub use channel::{Channel, ChannelName, Samples};
 pub use color_map::ColorMap;
 pub use color_range::ColorRange;
 pub use format::Format;
-pub use image_file::ImageFile;
+pub use image_file::read_image;
 pub use metadata::{DEPTH_CHANNEL, MISS, Metadata};
 pub use pixel_bounds::PixelBounds;
 pub use raster::Image;

@@ -56,7 +56,7 @@ fn what_is_left_out_and_what_is_skipped_is_told() {
     let found = run.text();
     let lines = [
         "  camera      orthographic, at (0, 0, 0), towards (0, 0, 1)\n",
-        "  film        8 x 4 pixels, of which 2 to 8 and 0 to 3\n",
+        "  film        8 x 4 pixels, cropped to x 2 to 8, y 0 to 3\n",
         "              nurbs            1    left out\n              sphere           2           2\n",
         "2 instances of 1 object: 4 primitives in all\n",
         "  bounds      (-1, -1, -1) to (11, 1, 1)\n",

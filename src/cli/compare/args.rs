@@ -13,9 +13,15 @@ pub(crate) struct CompareArgs {
     /// The image to test.
     #[arg(value_name = "B")]
     pub(super) found: PathBuf,
-    /// Allow this error of depths and of N, P and uv, in units in the last place [default: 0].
-    #[arg(long, value_name = "ULPS", help_heading = "Tolerance")]
-    pub(super) max_ulp: Option<u32>,
+    /// Allow this error of depths and of N, P and uv, in units in the last place; for depths of a
+    /// .png in steps.
+    #[arg(
+        long,
+        value_name = "ULPS",
+        default_value_t = 0,
+        help_heading = "Tolerance"
+    )]
+    pub(super) max_ulp: u32,
     /// Allow this many pixels to differ.
     #[arg(
         long,
