@@ -297,13 +297,13 @@ fn results_that_would_meet_in_one_place_are_refused() {
     std::os::unix::fs::symlink("a.json", folder.path("a.csv")).unwrap();
     folder
         .bench("ball.pbrt --json-file a.json --csv ./a.csv")
-        .failed(2, "two results would both go to `./a.csv`");
+        .failed(2, "two outputs would both go to `./a.csv`");
     folder
         .bench("ball.pbrt --json-file - --plot -")
-        .failed(2, "two results would both go to `-`");
+        .failed(2, "two outputs would both go to `-`");
     folder.bench("ball.pbrt --json --plot -").failed(
         2,
-        "two results would both go to `-`\n   = of --json and --plot",
+        "two outputs would both go to `-`\n   = of --json and --plot",
     );
     folder
         .bench("ball.pbrt --report ball.pbrt")
@@ -384,7 +384,7 @@ fn none_is_sampled_where_it_would_take_long_and_says_so() {
     let text = stdout(&run);
     assert!(
         text.contains("\nnone is sampled: ")
-            && text.contains(" of 102,400 rays, some tiles chosen at random"),
+            && text.contains(" of 102,400 rays, in some tiles chosen at random"),
         "{text}"
     );
     let rows = rows(

@@ -3,7 +3,7 @@
 use crate::folder::Folder;
 use flate2::Compression;
 use flate2::write::GzEncoder;
-use image::{GrayImage, ImageFormat};
+use image::{ImageBuffer, ImageFormat, Luma};
 use std::io::{Cursor, Write};
 
 const WORLD: &str = "Camera \"perspective\"\nWorldBegin\n";
@@ -99,7 +99,7 @@ fn meshes_named_again_and_again_have_one_limit() {
 
 #[test]
 fn images_take_no_more_memory_than_their_files_justify() {
-    let image = GrayImage::new(8000, 8000);
+    let image = ImageBuffer::<Luma<u16>, _>::new(8000, 8000);
     let mut file = Cursor::new(Vec::new());
     image.write_to(&mut file, ImageFormat::Png).unwrap();
     let folder = Folder::new().with("a.png", file.into_inner());

@@ -203,7 +203,7 @@ fn a_page_of_somebody_else_is_no_place_for_a_report() {
     let folder = Folder::new().with("index.html", "<html>my site</html>");
     folder
         .bench(&format!("ball.pbrt {ONCE} --report ."))
-        .failed(73, "./index.html: exists already, and is no report");
+        .failed(73, "./index.html: exists already, and is not a report");
     assert_eq!(folder.text("index.html"), "<html>my site</html>");
 }
 
@@ -301,7 +301,7 @@ fn an_image_that_is_compared_or_put_together_stays() {
     refused(
         &folder,
         "compare a.png a.png --diff ./a.png",
-        "./a.png: --diff would overwrite an image that is compared",
+        "./a.png: --diff would overwrite a compared image",
     );
     refused(
         &folder,
@@ -314,7 +314,7 @@ fn an_image_that_is_compared_or_put_together_stays() {
         refused(
             &folder,
             "compare a.exr a.exr --diff b.png",
-            "b.png: --diff would overwrite an image that is compared",
+            "b.png: --diff would overwrite a compared image",
         );
         std::os::unix::fs::symlink("a.exr", folder.path("c.exr")).unwrap();
         refused(
