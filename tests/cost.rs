@@ -93,7 +93,7 @@ fn is_what_a_ray_alone_tests() {
         let rendering = rendered(&scene, &tree, &counted, 2);
         assert_eq!(costs(&rendering.image), expected, "{name} {method}");
         assert_eq!(
-            (rendering.traced.hits, rendering.traced.work),
+            (rendering.traced.hits, rendering.traced.counts),
             (hits, Some(sum)),
             "{name} {method}"
         );
@@ -167,7 +167,7 @@ fn changes_no_other_channel() {
         .map(|names| rendered(&scene, &tree, &options(&scene, names), 2));
     assert_eq!(usual.image.channels[..], with.image.channels[..5]);
     assert_eq!(
-        (usual.traced.hits, usual.traced.work),
+        (usual.traced.hits, usual.traced.counts),
         (with.traced.hits, None)
     );
 }

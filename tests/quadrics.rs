@@ -120,7 +120,7 @@ fn disks_facing_the_view() {
             .collect::<Vec<_>>(),
         [(message, 2)]
     );
-    assert_eq!(nothing.geometry.sphere_count(), 2);
+    assert_eq!(nothing.geometry.quadric_count(), 2);
 }
 
 /// The columns of the matrix are x, y + z and z: the disk lies in the plane z = y + 5, and rays go along (+-1/2, +-1/2, 1).

@@ -11,8 +11,8 @@ use std::path::Path;
 
 const SURFACE: LoadOptions = LoadOptions {
     resolution: None,
-    places: false,
-    roundings: false,
+    locations: false,
+    transform_history: false,
     orientation: true,
     uv: true,
     input_budget: BudgetFactor::ONCE,

@@ -2,7 +2,7 @@
 #![no_main]
 
 use feimos::scene::parser::Directives;
-use feimos::scene::{LoadOptions, parse};
+use feimos::scene::{LoadOptions, SourceFile, parse};
 use libfuzzer_sys::{Corpus, fuzz_target};
 use std::path::Path;
 
@@ -12,7 +12,7 @@ fuzz_target!(|bytes: &[u8]| -> Corpus {
         return Corpus::Reject;
     }
     let path = Path::new("/no such folder/fuzz.pbrt");
-    Directives::new(path, bytes).for_each(drop);
+    Directives::new(&SourceFile::new(path, bytes.to_vec())).for_each(drop);
     let _ = parse(path, bytes.to_vec(), &LoadOptions::default());
     Corpus::Keep
 });

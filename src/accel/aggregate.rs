@@ -1,11 +1,9 @@
-//! The finished aggregate.
+//! The finished aggregate: trees over the primitives and instances of a scene.
 
-use super::Statistics;
-use super::builder::{BuildOptions, Collected, Visibility, collect, space_around};
+use super::builder::{self, BuildOptions, Collected, Visibility, collect, space_around};
 use super::instance::{InstanceTrees, Outlines};
-use super::raster::{BLOCK, Block, WideTree, blocks_of};
 use super::space::AnchorSpace;
-use super::tree::Tree;
+use super::tree::{BLOCK_SIZE, BinaryTree, PrimitiveBlock, WideTree, collapse, primitive_blocks};
 use crate::camera::Camera;
 use crate::error::Result;
 use crate::film::PixelBounds;
@@ -14,25 +12,26 @@ use crate::memory;
 use crate::progress::Progress;
 use crate::shape::{Geometry, PrimitiveId};
 
-/// Trees over the primitives and the instances of a scene. They refer to them by number; the geometry stays where it is.
+/// Trees over the primitives and the instances of a scene. They refer to them by number; the
+/// geometry stays where it is.
 #[derive(Debug, PartialEq)]
 pub struct Aggregate {
-    /// Of the boxes in the world.
+    /// The space of the boxes in the world.
     pub(super) space: AnchorSpace,
-    /// Over the primitives that are in no instance and can be hit.
-    pub(super) tree: Tree<PrimitiveId>,
+    /// The tree over the primitives in no instance that can be hit.
+    pub(super) tree: BinaryTree<PrimitiveId>,
     /// The same tree for tiles.
-    pub(super) wide: WideTree<Block>,
-    /// Over all others; of most scenes empty.
+    pub(super) wide: WideTree<PrimitiveBlock>,
+    /// The trees over the instances; empty for most scenes.
     pub(super) instances: InstanceTrees,
     never_hit: usize,
 }
 
 impl Aggregate {
-    /// Builds over all primitives of `geometry` that can be hit. `anchor` is the point near which boxes are the most
-    /// precise: the eye. The tree depends on nothing else, on the number of threads least of all.
+    /// Builds trees over all primitives of `geometry` that can be hit.
     ///
-    /// `progress` counts [`Aggregate::work`].
+    /// `anchor`, normally the eye, is the point near which boxes are most precise. The trees do not
+    /// depend on the number of threads. `progress` counts [`Aggregate::item_count`] items.
     pub fn build(
         geometry: &Geometry,
         anchor: Point,
@@ -46,10 +45,10 @@ impl Aggregate {
         Aggregate::over(collected, instances, space, geometry, options, progress)
     }
 
-    /// Builds for one picture: over the primitives that a ray of `camera` through a pixel of `window` may meet. Other rays
-    /// must not be cast.
+    /// Builds trees for one image, over the primitives that a ray of `camera` through a pixel of
+    /// `window` may meet. No other rays may be cast.
     ///
-    /// `progress` counts [`Aggregate::work`], what is left out at once.
+    /// `progress` counts [`Aggregate::item_count`] items; those left out count at once.
     pub fn build_for_view(
         geometry: &Geometry,
         camera: &Camera,
@@ -60,36 +59,31 @@ impl Aggregate {
         let outlines = Outlines::of(geometry);
         let space = space_around(geometry, &outlines.bounds_of_all(geometry), camera.anchor());
         let visibility = Visibility::new(camera, window, geometry, &space);
-        let collected = collect(geometry, &space, visibility.as_ref());
-        let instances = InstanceTrees::build(
-            geometry,
-            outlines,
-            &space,
-            visibility.as_ref(),
-            options,
-            progress,
-        );
+        let visible = visibility.as_ref();
+        let collected = collect(geometry, &space, visible);
+        let instances =
+            InstanceTrees::build(geometry, outlines, &space, visible, options, progress);
         drop(visibility);
         progress.advance(geometry.own_count() - collected.primitives.len());
         Aggregate::over(collected, instances, space, geometry, options, progress)
     }
 
-    /// Whether there is memory for a build: over all of `geometry`, or `for_view`, which may be over none of them.
+    /// Checks that there is memory for a build over all of `geometry`. A build `for_view` may leave
+    /// out all primitives, so it needs less.
     ///
     /// # Errors
-    /// Where less is left than any such build takes.
+    /// If less memory is free than the smallest such build takes.
     pub fn check_memory(geometry: &Geometry, for_view: bool) -> Result<()> {
-        // A primitive has a lane of a block, and a place in the order of leaves; a view looks at vertices first.
-        let each = size_of::<Block>() / BLOCK + size_of::<PrimitiveId>();
+        // A primitive has a lane of a block and an entry in the order of leaves. A view first
+        // projects the vertices.
+        let each = size_of::<PrimitiveBlock>() / BLOCK_SIZE + size_of::<PrimitiveId>();
         let bytes = match for_view {
             false => geometry.own_count() as u64 * each as u64,
             true => size_of_val(geometry.vertices()) as u64 / 2,
         };
         let message = || {
-            format!(
-                "a tree over {} primitives is too large for this machine's memory",
-                geometry.own_count()
-            )
+            let count = geometry.own_count();
+            format!("a tree over {count} primitives is too large for this machine's memory")
         };
         memory::check(bytes, message)
     }
@@ -106,8 +100,13 @@ impl Aggregate {
             primitives,
             never_hit,
         } = collected;
-        let tree = Tree::build(primitives, options, progress, PrimitiveId::from_bits);
-        let wide = WideTree::of(&tree, |runs| blocks_of(&runs, &tree.order, geometry));
+        let tree = builder::build(primitives, options, progress, PrimitiveId::from_bits);
+        let WideTree {
+            nodes,
+            blocks: runs,
+        } = collapse(&tree);
+        let blocks = primitive_blocks(&runs, &tree.order, geometry);
+        let wide = WideTree { nodes, blocks };
         Aggregate {
             space,
             tree,
@@ -117,42 +116,26 @@ impl Aggregate {
         }
     }
 
-    /// What a build has to look at: primitives, those of an object once, and instances.
-    pub fn work(geometry: &Geometry) -> usize {
-        let of_objects: usize = geometry
-            .objects()
-            .iter()
-            .map(|object| object.geometry().own_count())
-            .sum();
-        geometry.own_count() + geometry.instances().len() + of_objects
+    /// The number of items that a build processes: primitives, with those of each object once, and
+    /// instances.
+    pub fn item_count(geometry: &Geometry) -> usize {
+        let objects = geometry.objects().iter();
+        let in_objects: usize = objects.map(|object| object.geometry().own_count()).sum();
+        geometry.own_count() + geometry.instances().len() + in_objects
     }
 
-    /// Primitives in no instance that no ray can hit: without area, or not finite.
+    /// The number of primitives in no instance that no ray can hit: without area, or not finite.
     pub fn never_hit(&self) -> usize {
         self.never_hit
     }
 
-    /// Primitives in the trees, those of instances as often as they are instanced.
+    /// The number of primitives in the trees. Those of an object count once for each instance.
     pub fn primitive_count(&self, geometry: &Geometry) -> u64 {
         let in_instance = |instance: &u32| {
-            self.instances
-                .object(geometry, *instance as usize)
-                .tree
-                .order
-                .len() as u64
+            let object = self.instances.object(geometry, *instance as usize);
+            object.tree.order.len() as u64
         };
-        self.tree.order.len() as u64
-            + self
-                .instances
-                .tree
-                .order
-                .iter()
-                .map(in_instance)
-                .sum::<u64>()
-    }
-
-    /// Counts and costs of the trees.
-    pub fn statistics(&self, geometry: &Geometry) -> Statistics {
-        Statistics::of(self, geometry)
+        let in_instances: u64 = self.instances.tree.order.iter().map(in_instance).sum();
+        self.tree.order.len() as u64 + in_instances
     }
 }

@@ -1,44 +1,45 @@
-//! What a ray meets first, and what it took to know.
+//! Hits of rays, traversal counts, and counts of exact fallbacks.
 
 use crate::exact::Bracket;
 use crate::shape::InstancedId;
 use std::ops::AddAssign;
 
-/// What a ray meets first.
+/// The nearest hit of a ray.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hit {
-    /// What was hit.
+    /// The primitive that is hit.
     pub primitive: InstancedId,
-    /// Where the ray's parameter lies at the hit; with [`super::Precision::Fast`] both ends are the computed one.
+    /// Encloses the ray's parameter at the hit. With [`super::Precision::Fast`] both ends are the
+    /// computed number.
     pub t: Bracket,
-    /// Whether integers were needed to find it.
+    /// Whether exact arithmetic was needed to find the hit.
     pub(super) is_hard: bool,
 }
 
-/// What rays cost.
+/// The nodes and primitives that rays test.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct TraversalCounts {
-    /// Boxes of nodes that were tested.
+    /// Tests of a node's box.
     pub nodes: u64,
-    /// Primitives that were tested, those of instances too.
+    /// Tests of a primitive, including those of instances.
     pub primitives: u64,
 }
 
-/// How often `f64` was not enough.
+/// How often `f64` was not precise enough, so that exact integer arithmetic decided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct ExactFallbacks {
-    /// Tests of a primitive that were decided on integers.
+    /// Exact tests of a primitive.
     pub unsure_tests: u64,
-    /// Comparisons of two hits that were decided on integers.
+    /// Exact comparisons of two hits.
     pub comparisons: u64,
-    /// Depths and distances that were rounded by comparing integers.
+    /// Exact roundings of a depth or a distance.
     pub roundings: u64,
-    /// Rays for which any of this was needed.
+    /// Rays that needed any of these.
     pub rays: u64,
 }
 
 impl ExactFallbacks {
-    /// What came after `before`.
+    /// The fallbacks since `before`.
     pub fn since(&self, before: &ExactFallbacks) -> ExactFallbacks {
         ExactFallbacks {
             unsure_tests: self.unsure_tests - before.unsure_tests,
@@ -48,7 +49,7 @@ impl ExactFallbacks {
         }
     }
 
-    /// Whether integers were needed at all, the rays not counted.
+    /// Tests whether there was any fallback.
     pub(super) fn is_any(&self) -> bool {
         self.unsure_tests + self.comparisons + self.roundings > 0
     }

@@ -1,15 +1,15 @@
-//! How sure an answer is.
+//! Exact or fast decisions.
 
 use std::fmt;
 use std::str::FromStr;
 
-/// How hits are decided and rounded. The traversal is the same.
+/// How hits are decided and rounded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Precision {
-    /// The right answer: `f64` where its error is known to be small enough, integers where it is not.
+    /// The right result: `f64` if its error is known to be small enough, otherwise exact integers.
     #[default]
     Exact,
-    /// What comes of computing in `f32`.
+    /// Plain `f32` arithmetic without error bounds.
     Fast,
 }
 

@@ -1,4 +1,4 @@
-//! The ways to split a set of primitives in two.
+//! The methods of building a tree.
 
 use std::fmt;
 use std::str::FromStr;
@@ -6,15 +6,16 @@ use std::str::FromStr;
 /// How an aggregate is built (PBR book, 3rd edition, section 4.3).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum SplitMethod {
-    /// Not at all: one list of all primitives. Slow, and what the others are checked against.
+    /// No tree: one list of all primitives. Slow; a baseline for tests.
     None,
-    /// At the middle of the centroids' extent.
+    /// Splits at the middle of the centroids' extent.
     Middle,
-    /// Into two halves of equal count.
+    /// Splits into two halves of equal count.
     Equal,
-    /// Where the surface area heuristic is least.
+    /// Splits where the surface area heuristic is least.
     Sah,
-    /// By Morton codes into treelets, joined by the surface area heuristic.
+    /// Groups primitives by Morton codes into treelets, and joins these by the surface area
+    /// heuristic.
     Hlbvh,
 }
 

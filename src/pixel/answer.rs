@@ -95,7 +95,7 @@ fn of_hit(scene: &Scene, primitive: InstancedId, depth: Depth) -> Found {
             .instance()
             .map_or(0, |instance| instance as u32 + 1),
         z: depth.z,
-        t: depth.t,
+        t: depth.distance,
     }
 }
 

@@ -119,9 +119,10 @@ fn contradictions(
             scan.first
         ));
     }
-    let expected = hit.map(|hit| (hit.primitive, hit.depth.z.to_bits(), hit.depth.t.to_bits()));
+    let bits = |z: f32, distance: f32| [z.to_bits(), distance.to_bits()];
+    let expected = hit.map(|hit| (hit.primitive, bits(hit.depth.z, hit.depth.distance)));
     if let Some(reference) = reference {
-        let reference = reference.map(|hit| (hit.primitive, hit.z.to_bits(), hit.t.to_bits()));
+        let reference = reference.map(|hit| (hit.primitive, bits(hit.z, hit.distance)));
         if reference != expected {
             found.push(format!("the reference: {reference:?} is not {expected:?}"));
         }

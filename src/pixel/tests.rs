@@ -11,7 +11,7 @@ fn scene(camera: &str, world: &str) -> Scene {
         Path::new("a.pbrt"),
         text.into_bytes(),
         &LoadOptions {
-            places: true,
+            locations: true,
             ..LoadOptions::default()
         },
     )
@@ -48,7 +48,7 @@ fn a_ray_through_an_edge_has_no_margin() {
             on_film: Some(0.0)
         }
     );
-    assert_eq!((hit.depth.z, hit.depth.t), (2.0, 2.0));
+    assert_eq!((hit.depth.z, hit.depth.distance), (2.0, 2.0));
     assert!(
         hit.z.low <= 2.0 && 2.0 <= hit.z.high && hit.z.high - hit.z.low < 1e-14,
         "{:?}",
@@ -83,7 +83,7 @@ fn of_two_in_one_place_the_first_wins() {
         (1, 2)
     );
     assert_eq!((next.is_tie, next.farther, scan.met), (true, 0.0, 3));
-    let places = scene.places.as_ref().unwrap();
+    let places = scene.locations.as_ref().unwrap();
     let place = |shape| {
         places
             .shape(shape)
@@ -222,7 +222,7 @@ fn instances_are_told_with_their_places() {
         explanation.scan.unwrap().next.unwrap().primitive.instance(),
         Some(0)
     );
-    let places = scene.places.unwrap();
+    let places = scene.locations.unwrap();
     assert_eq!(places.instance(1).unwrap().to_string(), "a.pbrt:10:2");
     assert_eq!(places.shape(1).unwrap().1.to_string(), "a.pbrt:5:3");
     assert!(

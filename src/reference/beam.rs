@@ -1,10 +1,10 @@
-//! The rays of a rectangle of pixels, all at once.
+//! A beam: intervals around all rays of a rectangle of pixels.
 
 use crate::camera::Camera;
 use crate::exact::Bracket;
 use crate::geometry::{Bounds, Ray};
 
-/// Intervals that hold the origins and the directions of some rays.
+/// Intervals that contain the origins and the directions of some rays.
 #[derive(Debug)]
 pub(super) struct Beam {
     origin: [Bracket; 3],
@@ -17,10 +17,10 @@ const ANYTHING: Bracket = Bracket {
 };
 
 impl Beam {
-    /// Of the rays that pass the plane at distance 1 between `x` and `y`.
+    /// The beam of the rays that pass through the rectangle `x` by `y` in the plane at distance 1.
     ///
-    /// Rounding is monotone, so each component of a ray, as rule R5 computes it, goes up or down with x and with y; its extremes are
-    /// at the corners.
+    /// Rounding is monotone, so each component of a ray, as rule R5 computes it, is monotone in x
+    /// and in y: its extremes are at the corners.
     pub(super) fn new(camera: &Camera, x: Bracket, y: Bracket) -> Beam {
         let corners = [
             [x.low, y.low],
@@ -45,8 +45,8 @@ impl Beam {
         }
     }
 
-    /// Whether any of the rays may meet the box: false only where none does. Interval arithmetic, rounded outward; whatever is
-    /// no number leaves everything open.
+    /// Tests whether any of the rays may meet the box, by interval arithmetic that is rounded
+    /// outward. Returns false only if none does. NaN rules nothing out.
     pub(super) fn may_meet(&self, bounds: &Bounds) -> bool {
         let way: [Bracket; 3] =
             std::array::from_fn(|k| minus(bounds.low[k], bounds.high[k], &self.origin[k]));
@@ -55,23 +55,23 @@ impl Beam {
             let (enter, exit) = crossing(way, direction);
             (t.low, t.high) = (t.low.max(enter), t.high.min(exit));
         }
-        // An axis along which rays go either way says nothing about t, but t says how far they get.
+        // An axis along which rays go both ways does not limit t, but t limits how far they get.
         let is_reached = |(way, direction): (&Bracket, &Bracket)| {
             let reach = |speed: f64| if speed == 0.0 { 0.0 } else { t.high * speed };
             let misses = reach(direction.low).next_down() > way.high
                 || reach(direction.high).next_up() < way.low;
-            !(goes_either_way(direction) && misses)
+            !(goes_both_ways(direction) && misses)
         };
-        // Neither end is ever a NaN: `max` and `min` pass over them.
+        // Neither end is ever NaN: `max` and `min` ignore it.
         t.low <= t.high && way.iter().zip(&self.direction).all(is_reached)
     }
 }
 
-fn goes_either_way(direction: &Bracket) -> bool {
+fn goes_both_ways(direction: &Bracket) -> bool {
     !(direction.low > 0.0 || direction.high < 0.0)
 }
 
-/// From any of the origins to any place between `low` and `high`.
+/// The difference from any of the origins to any coordinate between `low` and `high`.
 fn minus(low: f64, high: f64, origin: &Bracket) -> Bracket {
     Bracket {
         low: (low - origin.high).next_down(),
@@ -79,12 +79,12 @@ fn minus(low: f64, high: f64, origin: &Bracket) -> Bracket {
     }
 }
 
-/// The `t` at which rays can be in a slab: after the first, before the second.
+/// The range of `t` in which rays can be in a slab.
 fn crossing(way: &Bracket, direction: &Bracket) -> (f64, f64) {
-    if goes_either_way(direction) {
+    if goes_both_ways(direction) {
         return (0.0, f64::INFINITY);
     }
-    // Mirrored, if need be, so that rays go up.
+    // Mirrored if necessary, so that rays go up.
     let (way, direction) = match direction.low > 0.0 {
         true => (*way, *direction),
         false => (
@@ -132,10 +132,11 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(2000))]
 
-        /// A box around a point of a ray is met by every beam that holds the ray.
+        /// Every beam that contains a ray meets a box around a point of that ray.
         #[test]
-        fn never_misses_what_a_ray_meets(
-            rows in prop::array::uniform3(prop::array::uniform4(prop_oneof![-2.0f64..2.0, Just(0.0), Just(1.0)])),
+        fn a_beam_never_misses_a_box_that_its_ray_meets(
+            rows in prop::array::uniform3(
+                prop::array::uniform4(prop_oneof![-2.0f64..2.0, Just(0.0), Just(1.0)])),
             tangent in prop_oneof![Just(0.0), 0.01f64..3.0],
             place in prop::array::uniform2(-1.0f64..1.0),
             low in prop::array::uniform2(0.0f64..0.5),
@@ -143,13 +144,16 @@ mod tests {
             t in 0.0f64..10.0,
             size in prop_oneof![Just(0.0), 0.0f64..1.0],
         ) {
-            let projection = if tangent > 0.0 { Projection::Perspective { tangent } } else { Projection::Orthographic };
+            let projection = match tangent > 0.0 {
+                true => Projection::Perspective { tangent },
+                false => Projection::Orthographic,
+            };
             let camera = camera(projection, Matrix { rows });
             let ray = camera.ray_through(place);
             let end = |k: usize| ray.origin[k] + t * ray.direction[k];
-            // The sum is rounded: some room.
+            // Room for the rounding of the sum.
             let room = |k: usize| size + 1e-14 * (1.0 + end(k).abs() + ray.origin[k].abs());
-            let corner = |sign: f64| Point::new(end(0) + sign * room(0), end(1) + sign * room(1), end(2) + sign * room(2));
+            let corner = |sign: f64| Point::from([0, 1, 2].map(|k| end(k) + sign * room(k)));
             let bounds = Bounds { low: corner(-1.0), high: corner(1.0) };
             let side = |k: usize| Bracket { low: place[k] - low[k], high: place[k] + high[k] };
             prop_assert!(Beam::new(&camera, side(0), side(1)).may_meet(&bounds));
@@ -157,7 +161,7 @@ mod tests {
     }
 
     #[test]
-    fn rules_out_what_is_beside_behind_and_too_far_up() {
+    fn rules_out_boxes_beside_behind_and_above() {
         let camera = camera(Projection::perspective(90.0), Matrix::IDENTITY);
         let beam = Beam::new(
             &camera,
@@ -184,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_leaves_everything_open() {
+    fn nan_rules_nothing_out() {
         let broken = camera(
             Projection::perspective(90.0),
             Matrix::scale([f64::NAN, 1.0, 1.0]),

@@ -1,11 +1,11 @@
-//! Whether and where a ray meets a primitive (rules E1, E2, E5 and E6).
+//! Exact intersection of a ray with a primitive (rules E1, E2, E5 and E6).
 
 use crate::exact::{Dyadic, ExactVector, Root};
 use crate::geometry::{Matrix, Ray};
 use crate::shape::{Cut, Disk, Form, Primitive, Quadric, Sector, Triangle};
 use std::cmp::Ordering::{self, Equal, Greater, Less};
 
-/// The `t` at which `ray` meets `surface` first, if it does.
+/// The least `t` at which `ray` meets `surface`.
 pub(super) fn intersect(surface: &Primitive, ray: &Ray) -> Option<Root> {
     match surface {
         Primitive::Triangle(triangle) => meet_triangle(triangle, ray),
@@ -13,7 +13,8 @@ pub(super) fn intersect(surface: &Primitive, ray: &Ray) -> Option<Root> {
     }
 }
 
-/// Rule E1 by the plane: the point where the ray crosses it lies on the inner side of all three edges.
+/// Rule E1 by the plane: the point where the ray crosses it must lie on the inner side of all three
+/// edges.
 fn meet_triangle(triangle: &Triangle, ray: &Ray) -> Option<Root> {
     if !triangle.0.iter().all(|corner| corner.is_finite()) {
         return None;
@@ -33,7 +34,7 @@ fn meet_triangle(triangle: &Triangle, ray: &Ray) -> Option<Root> {
     if (&height * &slope).sign() != Greater {
         return None;
     }
-    // The point times the slope.
+    // The crossing point times the slope.
     let point = origin.times(&slope).plus(&direction.times(&height));
     let is_inside = |k: usize| {
         let (from, to) = (&corners[k], &corners[(k + 1) % 3]);
@@ -69,7 +70,7 @@ fn determinant([x, y, z]: &[ExactVector; 3]) -> Dyadic {
     x.dot(&y.cross(z))
 }
 
-/// Rule E2 in object space, by the exact inverse: a fraction with the determinant below.
+/// Rule E2 in object space, by the exact inverse: the adjugate over the determinant.
 fn meet_sphere(m: &Matrix, radius: f64, cut: Option<&Cut>, ray: &Ray) -> Option<Root> {
     let (inverse, determinant) = m.exact_adjugate();
     let apply = |v: &ExactVector| ExactVector::new([0, 1, 2].map(|k| inverse[k].dot(v)));
@@ -81,9 +82,8 @@ fn meet_sphere(m: &Matrix, radius: f64, cut: Option<&Cut>, ray: &Ray) -> Option<
     let c = &origin.dot(&origin) - &radius.square();
     let roots = Root::of_quadratic(&a, &b, &c)?;
     let is_there = |t: &Root| {
-        // The sign of `weights . q - offset`.
         cut.is_none_or(|cut| {
-            is_left(cut, |weights, offset| {
+            remains(cut, |weights, offset| {
                 let weights = ExactVector::from(weights).times(&determinant);
                 let offset = &Dyadic::from(offset) * &determinant.square();
                 t.sign_of_linear(&(&weights.dot(&origin) - &offset), &weights.dot(&direction))
@@ -95,7 +95,8 @@ fn meet_sphere(m: &Matrix, radius: f64, cut: Option<&Cut>, ray: &Ray) -> Option<
         .find(|t| t.sign() == Greater && is_there(t))
 }
 
-/// Rule E5 by Cramer's rule: a coordinate is the determinant with that column replaced, over the determinant.
+/// Rule E5 by Cramer's rule: a coordinate is the determinant with its column replaced, over the
+/// determinant.
 fn meet_cylinder(m: &Matrix, radius: f64, cut: &Cut, ray: &Ray) -> Option<Root> {
     let columns = columns(m);
     let below = determinant(&columns);
@@ -116,7 +117,7 @@ fn meet_cylinder(m: &Matrix, radius: f64, cut: &Cut, ray: &Ray) -> Option<Root> 
     let c = &across(&start, &start) - &(&Dyadic::from(radius) * &below).square();
     let roots = Root::of_quadratic(&a, &across(&start, &step), &c)?;
     let is_there = |t: &Root| {
-        is_left(cut, |weights, offset| {
+        remains(cut, |weights, offset| {
             let sum =
                 |of: &[Dyadic; 3]| ExactVector::from(weights).dot(&ExactVector::new(of.clone()));
             let offset = &Dyadic::from(offset) * &below;
@@ -133,7 +134,8 @@ fn meet_cylinder(m: &Matrix, radius: f64, cut: &Cut, ray: &Ray) -> Option<Root> 
         .find(|t| t.sign() == Greater && is_there(t))
 }
 
-/// Rule E6 in the world: where the ray crosses the plane, a point is x and y times the first two columns, which the normal tells.
+/// Rule E6 in the world: the crossing point is the middle plus x and y times the first two columns
+/// of the matrix, which cross products with the normal isolate.
 fn meet_disk(m: &Matrix, radius: f64, disk: &Disk, ray: &Ray) -> Option<Root> {
     let [x, y, z] = columns(m);
     let (origin, direction) = (
@@ -150,7 +152,8 @@ fn meet_disk(m: &Matrix, radius: f64, disk: &Disk, ray: &Ray) -> Option<Root> {
     if (&height * &slope).sign() != Greater {
         return None;
     }
-    // From the middle to the point, times the slope; x and y times the slope and the square of the normal.
+    // The vector from the middle to the point times the slope; x and y times the slope and the
+    // square of the normal.
     let point = origin
         .minus(&middle)
         .times(&slope)
@@ -172,8 +175,8 @@ fn meet_disk(m: &Matrix, radius: f64, disk: &Disk, ray: &Ray) -> Option<Root> {
         .then(|| Root::ratio(height, slope))
 }
 
-/// Whether a cut leaves the point of which `sign` tells the sign of `weights . q - offset`.
-fn is_left(cut: &Cut, sign: impl Fn([f64; 3], f64) -> Ordering) -> bool {
+/// Tests whether a point q remains after a cut. `sign` returns the sign of `weights . q - offset`.
+fn remains(cut: &Cut, sign: impl Fn([f64; 3], f64) -> Ordering) -> bool {
     if sign([0.0, 0.0, 1.0], cut.z_min) == Less || sign([0.0, 0.0, 1.0], cut.z_max) == Greater {
         return false;
     }
@@ -181,10 +184,10 @@ fn is_left(cut: &Cut, sign: impl Fn([f64; 3], f64) -> Ordering) -> bool {
         .is_none_or(|sector| is_in_sector(&sector, |weights| sign(weights, 0.0)))
 }
 
-/// Whether a sector holds the point of which `sign` tells the sign of `weights . q`.
+/// Tests whether a sector contains a point q. `sign` returns the sign of `weights . q`.
 fn is_in_sector(sector: &Sector, sign: impl Fn([f64; 3]) -> Ordering) -> bool {
-    // In which half of the turn an angle lies, [0, 180) or [180, 360) degrees; within a half the sine of the difference
-    // tells which of two comes first.
+    // The half of the turn in which an angle lies, [0, 180) or [180, 360) degrees. Within a half,
+    // the sine of the difference orders two angles.
     let half = |x, y| y == Less || (y == Equal && x == Less);
     let of_point = half(sign([1.0, 0.0, 0.0]), sign([0.0, 1.0, 0.0]));
     let of_end = half(

@@ -1,10 +1,13 @@
-//! The judge: every primitive by exact arithmetic alone, with no filter and no aggregate.
+//! The reference renderer: tests every primitive by exact arithmetic alone, without filters or
+//! aggregate.
 //!
-//! It is slow, and made to be seen to be right: it follows rules E1 to E6 by other polynomials than the rest of the
-//! program where there are others, and looks at every primitive. Comparing and rounding of roots it shares.
+//! It is slow and written to be evidently right. It follows rules E1 to E6 with other polynomials
+//! than the rest of the program, where others exist, and tests every primitive. It shares only the
+//! comparison and rounding of roots.
 //!
-//! A picture has millions of rays, and for most of them a glance at the box around a primitive tells that it is not met. So for many
-//! pixels the primitives are first sorted out [by area](answers), which leaves to the exact test all that intervals cannot rule out.
+//! An image has millions of rays, and most miss the box around a primitive. So for many pixels,
+//! interval arithmetic first rules out primitives [area by area](answers); the exact test decides
+//! all others.
 
 mod beam;
 mod meet;
@@ -17,7 +20,7 @@ use crate::geometry::Ray;
 use crate::shape::{Geometry, InstancedId};
 use meet::intersect;
 
-/// What a ray meets first.
+/// The nearest hit of a ray.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ReferenceHit {
     /// The primitive that is hit.
@@ -25,10 +28,11 @@ pub struct ReferenceHit {
     /// The ray's parameter: the planar depth in units of camera space.
     pub z: f32,
     /// The distance from the ray's origin in units of world space.
-    pub t: f32,
+    pub distance: f32,
 }
 
-/// The nearest hit of `ray` in `geometry`; of several at one `t`, the first in the file.
+/// The nearest hit of `ray` in `geometry`. At equal `t`, the primitive that comes first in the file
+/// wins.
 pub fn closest_hit(geometry: &Geometry, ray: &Ray) -> Option<ReferenceHit> {
     closest_hit_among(geometry.all(), geometry, ray)
 }
@@ -50,8 +54,12 @@ fn closest_hit_among(
     let direction = ExactVector::from(ray.direction);
     let square = direction.dot(&direction);
     let z = nearest_f32(&Bracket::POSITIVE, |x| root.compare_with(x));
-    let t = nearest_f32(&Bracket::POSITIVE, |x| {
+    let distance = nearest_f32(&Bracket::POSITIVE, |x| {
         root.times_root_compare_with(&square, x)
     });
-    Some(ReferenceHit { primitive, z, t })
+    Some(ReferenceHit {
+        primitive,
+        z,
+        distance,
+    })
 }

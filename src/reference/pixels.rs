@@ -1,5 +1,6 @@
-//! Many pixels at once: the film is halved until a part holds one of them, and what a part cannot meet is left out (Warnock, "A
-//! hidden surface algorithm for computer generated halftone pictures", 1969).
+//! Reference hits of many pixels: halves the film until a part has one of them, and drops the
+//! primitives that a part cannot see (Warnock, "A hidden surface algorithm for computer generated
+//! halftone pictures", 1969).
 
 use super::beam::Beam;
 use super::{ReferenceHit, closest_hit_among};
@@ -11,20 +12,21 @@ use crate::progress::Progress;
 use crate::shape::{Form, Geometry, InstancedId, Primitive, Quadric};
 use rayon::prelude::*;
 
-/// Primitives of a scene, those of instances as often as they are instanced, at most: the list of all of them takes 8 bytes each.
+/// The largest number of primitives in a scene, with those of an object once for each instance. The
+/// list of all takes 8 bytes for each.
 pub const MAX_PRIMITIVES: u64 = 1 << 25;
 
-/// Lists longer than this are gone through by all threads.
+/// All threads share longer lists.
 const SHORT: usize = 1 << 14;
 
-/// The exact answer for each of some pixels of a film, in their order: what [`super::closest_hit`] says, sooner. `progress`
-/// counts pixels.
+/// The hit of each of some pixels, in their order: the results of [`super::closest_hit`], but
+/// faster. `progress` counts pixels.
 ///
-/// No aggregate is made and no part of it is asked. A primitive is left out for a pixel only if interval arithmetic shows that
-/// the box around it lies beside all rays of a rectangle around the pixel.
+/// It uses no aggregate. It drops a primitive for a pixel only if interval arithmetic shows that
+/// all rays of a rectangle around the pixel miss the box around the primitive.
 ///
 /// # Panics
-/// Where there are more than [`MAX_PRIMITIVES`].
+/// If there are more than [`MAX_PRIMITIVES`].
 pub fn answers(
     camera: &Camera,
     geometry: &Geometry,
@@ -37,7 +39,7 @@ pub fn answers(
     })
 }
 
-/// For each of some pixels, how many primitives its answer takes an exact test of.
+/// The number of primitives that are tested exactly for each of some pixels.
 pub fn candidates(camera: &Camera, geometry: &Geometry, pixels: &[[u32; 2]]) -> Vec<usize> {
     by_area(camera, geometry, pixels, |_, primitives| primitives.len())
 }
@@ -54,7 +56,7 @@ fn by_area<T: Send + Clone>(
         "too many primitives for one list"
     );
     let [width, height] = camera.resolution;
-    let sorter = Sorter {
+    let subdivision = Subdivision {
         geometry,
         camera,
         columns: (0..width)
@@ -66,44 +68,44 @@ fn by_area<T: Send + Clone>(
         visit,
     };
     let mut answers: Vec<Option<T>> = vec![None; pixels.len()];
-    let mut pending: Vec<Pixel<T>> = answers
+    let mut pending: Vec<PendingPixel<T>> = answers
         .iter_mut()
         .zip(pixels)
-        .map(|(answer, pixel)| Pixel {
+        .map(|(answer, pixel)| PendingPixel {
             place: *pixel,
             answer,
         })
         .collect();
     let all: Vec<InstancedId> = geometry.all().collect();
-    sorter.sort(PixelBounds::of_film(width, height), &mut pending, &all);
+    subdivision.answer(PixelBounds::of_film(width, height), &mut pending, &all);
     answers
         .into_iter()
-        .map(|answer| answer.expect("every pixel lies in some part of the film"))
+        .map(|answer| answer.expect("every pixel lies in a part of the film"))
         .collect()
 }
 
-/// A pixel, and where its answer goes.
-struct Pixel<'a, T> {
+/// A pixel, and the place for its answer.
+struct PendingPixel<'a, T> {
     place: [u32; 2],
     answer: &'a mut Option<T>,
 }
 
-struct Sorter<'a, F> {
+struct Subdivision<'a, F> {
     geometry: &'a Geometry,
     camera: &'a Camera,
-    /// Where the rays of a column pass the plane at distance 1.
+    /// The coordinates of the rays of each column in the plane at distance 1.
     columns: Vec<f64>,
-    /// Those of a row.
+    /// The coordinates of the rays of each row.
     rows: Vec<f64>,
     visit: F,
 }
 
-impl<F> Sorter<'_, F> {
-    /// Answers all `pixels`, which lie in `area`, by the `primitives` that rays through it may meet.
-    fn sort<T: Send + Clone>(
+impl<F> Subdivision<'_, F> {
+    /// Answers all `pixels` of `area`, given the `primitives` that its rays may meet.
+    fn answer<T: Send + Clone>(
         &self,
         area: PixelBounds,
-        pixels: &mut [Pixel<T>],
+        pixels: &mut [PendingPixel<T>],
         primitives: &[InstancedId],
     ) where
         F: Fn([u32; 2], &[InstancedId]) -> T + Sync,
@@ -111,7 +113,7 @@ impl<F> Sorter<'_, F> {
         let Some(first) = pixels.first().map(|pixel| pixel.place) else {
             return;
         };
-        // Where one pixel is left, its own rectangle tells the most.
+        // The rectangle of a single pixel rules out the most.
         let is_one = pixels.iter().all(|pixel| pixel.place == first);
         let area = match is_one {
             true => PixelBounds {
@@ -147,12 +149,12 @@ impl<F> Sorter<'_, F> {
         let (before, after) =
             pixels.split_at_mut(pixels.partition_point(|pixel| pixel.place[axis] < middle));
         rayon::join(
-            || self.sort(low, before, &met),
-            || self.sort(high, after, &met),
+            || self.answer(low, before, &met),
+            || self.answer(high, after, &met),
         );
     }
 
-    /// Those of the `primitives` that a ray through `area` may meet.
+    /// The `primitives` that a ray of `area` may meet.
     fn met(&self, area: &PixelBounds, primitives: &[InstancedId]) -> Vec<InstancedId> {
         let hull = |values: &[f64]| Bracket {
             low: values.iter().copied().fold(f64::INFINITY, f64::min),
@@ -170,7 +172,8 @@ impl<F> Sorter<'_, F> {
     }
 }
 
-/// A box around a primitive that is seen to be right: of its corners, or of the box around a quadric in object space.
+/// A box around a primitive, evidently right: that of its corners, or that of a quadric's box in
+/// object space.
 fn bounds_of(surface: &Primitive) -> Bounds {
     match surface {
         Primitive::Triangle(triangle) => Bounds::of(triangle.0),
@@ -178,8 +181,9 @@ fn bounds_of(surface: &Primitive) -> Bounds {
     }
 }
 
-/// The box in object space is taken to the world: along an axis it reaches as far as the absolute values of its half widths add up
-/// to, times those of the matrix. A factor makes up for all roundings.
+/// Transforms the box in object space to the world: along an axis it reaches as far as the sum of
+/// its absolute half widths times the absolute entries of the matrix. A factor covers all
+/// roundings.
 fn bounds_of_quadric(
     Quadric {
         world_from_object: m,
@@ -196,7 +200,7 @@ fn bounds_of_quadric(
     let reach = |k: usize| {
         let [x, y, z, offset] = m.rows[k].map(f64::abs);
         let reach = (x + y) * radius + z * highest;
-        // Of the sum with the offset, too, and of what underflows.
+        // Covers the rounding of the sum with the offset, and underflow.
         reach * (1.0 + 16.0 * f64::EPSILON) + offset * f64::EPSILON + f64::MIN_POSITIVE
     };
     let corner = |sign: f64| {

@@ -1,81 +1,44 @@
-//! Tiles of rays in parallel, from a scene and its aggregate to an image.
+//! Renders an image: tiles of rays in parallel, from a scene and its aggregate to channels.
 
-mod alone;
+mod blank_image;
+mod options;
 mod segment;
+mod single_rays;
 mod surface_tile;
+mod traced;
 
-use crate::accel::{
-    Aggregate, ExactFallbacks, Precision, TILE, TileOptions, TileTracer, Tiles, TraversalCounts,
-};
+use crate::accel::{Aggregate, Precision, TILE, TileTracer, Tiles};
 use crate::camera::Camera;
-use crate::error::{Diagnostic, Error, ErrorKind, Result};
-use crate::film::{Channel, ChannelName, Image, PixelBounds, Samples};
-use crate::memory;
+use crate::error::Result;
+use crate::film::{ChannelName, Image, PixelBounds, Samples};
 use crate::progress::Progress;
 use crate::shape::Geometry;
-use crate::simd::Level;
-use alone::Alone;
 use rayon::prelude::*;
 use segment::{Segment, segments_of};
+use single_rays::SingleRays;
 use surface_tile::SurfaceTile;
 
-/// Pixels that can be rendered at once: more take more memory than a machine has.
-const MAX_PIXELS: u64 = 1 << 30;
+pub(crate) use blank_image::allocate;
+pub use blank_image::blank_image;
+pub use options::RenderOptions;
+pub use traced::Traced;
 
-/// What to render.
-#[derive(Debug, Clone, PartialEq)]
-pub struct RenderOptions {
-    /// The pixels wanted; within the film, and not empty.
-    pub data_window: PixelBounds,
-    /// The channels wanted; only these are made. `cost` is that of the aggregate, which should be over everything, and not only
-    /// over what a view shows.
-    pub channels: Vec<ChannelName>,
-    /// How hits are decided and rounded.
-    pub precision: Precision,
-    /// What `Z` and `t` hold where nothing is hit.
-    pub miss: f32,
-    /// Whether to count the nodes and primitives that rays test one by one, with this precision.
-    pub counted: bool,
-    /// The instructions to use. The picture does not depend on it.
-    pub level: Level,
-}
-
-impl RenderOptions {
-    fn wants(&self, name: ChannelName) -> bool {
-        self.channels.contains(&name)
-    }
-
-    /// What tiles have to find out for it.
-    pub(crate) fn of_tiles(&self) -> TileOptions {
-        TileOptions {
-            precision: self.precision,
-            with_z: self.wants(ChannelName::Z),
-            with_t: self.wants(ChannelName::T),
-            with_primitives: self
-                .channels
-                .iter()
-                .any(|channel| channel.is_number_of_hit() || channel.is_of_surface()),
-            miss: self.miss,
-            level: self.level,
-        }
-    }
-}
-
-/// An image and how it came about.
+/// An image and the totals over its rays.
 #[derive(Debug)]
 pub struct Rendering {
-    /// The channels asked for.
+    /// The requested channels.
     pub image: Image,
-    /// What came of its rays.
+    /// Totals over the rays.
     pub traced: Traced,
 }
 
-/// Casts one ray through the centre of every pixel wanted, on the threads of the current rayon pool.
+/// Traces one ray through the centre of every requested pixel, on the threads of the current rayon
+/// pool.
 ///
 /// `progress` counts pixels.
 ///
 /// # Errors
-/// Where the image is larger than memory can hold.
+/// If the image does not fit into memory.
 pub fn render(
     camera: &Camera,
     geometry: &Geometry,
@@ -88,44 +51,8 @@ pub fn render(
     Ok(Rendering { image, traced })
 }
 
-/// An image for [`render_into`].
-///
-/// # Errors
-/// Where it is larger than memory can hold.
-pub fn blank_image(camera: &Camera, options: &RenderOptions) -> Result<Image> {
-    let [width, height] = camera.resolution;
-    let channels = allocate(&options.channels, &options.data_window)?;
-    Ok(Image {
-        display_window: (width, height),
-        data_window: options.data_window,
-        channels,
-    })
-}
-
-/// What came of the rays of an image.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Traced {
-    /// Pixels that hit something.
-    pub hits: u64,
-    /// What all rays together cost, if that was asked for.
-    pub work: Option<TraversalCounts>,
-    /// How often integers were needed for the exact answer.
-    pub fallbacks: ExactFallbacks,
-}
-
-impl Traced {
-    /// What came of the rays of both.
-    fn plus(mut self, other: Traced) -> Traced {
-        self.hits += other.hits;
-        self.fallbacks += other.fallbacks;
-        if let Some(work) = other.work {
-            *self.work.get_or_insert_default() += work;
-        }
-        self
-    }
-}
-
-/// As [`render`], into an image that [`blank_image`] made for these options: into one that was rendered into before, too.
+/// Like [`render`], into an image that [`blank_image`] made for these options. It may already have
+/// been rendered into.
 pub fn render_into(
     image: &mut Image,
     camera: &Camera,
@@ -138,18 +65,15 @@ pub fn render_into(
         .channels
         .iter_mut()
         .partition(|channel| channel.name == ChannelName::Cost);
-    let alone = |precision, progress| {
-        let window = options.data_window;
-        Alone {
-            camera,
-            geometry,
-            aggregate,
-            window,
-            precision,
-            progress,
-        }
+    let single_rays = |precision, progress| SingleRays {
+        camera,
+        geometry,
+        aggregate,
+        window: options.data_window,
+        precision,
+        progress,
     };
-    // Hits are known on the way: whoever wants nothing but costs needs no tiles.
+    // Single rays count hits as well: if only costs are requested, no tile is rasterized.
     let by_tiles = (!channels.is_empty() || costs.is_empty()).then(|| {
         let tiles = Tiles::new(camera, geometry, aggregate, options.of_tiles());
         let renderer = Renderer {
@@ -160,90 +84,32 @@ pub fn render_into(
         };
         renderer.fill_all(&tiles, segments_of(channels, &options.data_window))
     });
-    let by_cost = costs
-        .into_iter()
-        .find_map(|channel| match &mut channel.samples {
-            Samples::U32(costs) => {
-                let progress = if by_tiles.is_some() {
-                    Progress::SILENT
-                } else {
-                    progress
-                };
-                Some(alone(Precision::Exact, progress).fill(costs))
-            }
-            Samples::F32(_) => None,
-        });
-    let work = match &by_cost {
+    let by_cost = costs.into_iter().find_map(|channel| {
+        let Samples::U32(costs) = &mut channel.samples else {
+            return None;
+        };
+        let progress = match &by_tiles {
+            Some(_) => Progress::SILENT,
+            None => progress,
+        };
+        Some(single_rays(Precision::Exact, progress).fill(costs))
+    });
+    let counts = match &by_cost {
         _ if !options.counted => None,
-        Some(traced) if options.precision == Precision::Exact => traced.work,
-        _ => alone(options.precision, Progress::SILENT).count().work,
+        Some(traced) if options.precision == Precision::Exact => traced.counts,
+        _ => {
+            single_rays(options.precision, Progress::SILENT)
+                .count()
+                .counts
+        }
     };
     Traced {
-        work,
+        counts,
         ..by_tiles.or(by_cost).unwrap_or_default()
     }
 }
 
-const IN_PARTS: &str = "render it in parts, with --pixelbounds";
-
-/// Channels of zeros over the pixels of `window`.
-///
-/// # Errors
-/// Where they are larger than memory can hold.
-pub(crate) fn allocate(names: &[ChannelName], window: &PixelBounds) -> Result<Vec<Channel>> {
-    let message = || {
-        let (width, height) = (window.width(), window.height());
-        format!("an image of {width} x {height} pixels is too large for this machine's memory")
-    };
-    let too_large = |kind| Error::new(kind, Diagnostic::new(message()).note(IN_PARTS));
-    let count = match window.area() {
-        area if area <= MAX_PIXELS => area as usize,
-        _ => return Err(too_large(ErrorKind::Usage)),
-    };
-    let bytes = (names.len() * size_of::<f32>()) as u64 * count as u64;
-    // To write the file takes some more.
-    memory::check(bytes.saturating_add(bytes / 8), message)
-        .map_err(|error| error.note(IN_PARTS))?;
-    // All of them before the first is touched, so that too much is refused at once.
-    let reserve = |name: &ChannelName| {
-        let samples = if name.is_integer() {
-            reserved(count).map(Samples::U32)
-        } else {
-            reserved(count).map(Samples::F32)
-        };
-        Ok(Channel {
-            name: *name,
-            samples: samples.map_err(|_| too_large(ErrorKind::TryAgain))?,
-        })
-    };
-    let mut channels = names
-        .iter()
-        .map(reserve)
-        .collect::<Result<Vec<Channel>>>()?;
-    // Now that there is room, memory that the system clears when it is first touched: by the threads, then. What was reserved is
-    // given back first, so that no channel is there twice.
-    for channel in &mut channels {
-        match &mut channel.samples {
-            Samples::F32(values) => {
-                *values = Vec::new();
-                *values = vec![0.0; count];
-            }
-            Samples::U32(values) => {
-                *values = Vec::new();
-                *values = vec![0; count];
-            }
-        }
-    }
-    Ok(channels)
-}
-
-/// An empty list with room for `count` values, if there is memory for it.
-fn reserved<T>(count: usize) -> std::result::Result<Vec<T>, std::collections::TryReserveError> {
-    let mut values = Vec::new();
-    values.try_reserve_exact(count)?;
-    Ok(values)
-}
-
+/// Renders tiles into segments.
 struct Renderer<'a> {
     camera: &'a Camera,
     geometry: &'a Geometry,
@@ -292,7 +158,7 @@ impl Renderer<'_> {
         self.progress.advance(segment.bounds.area() as usize);
         Traced {
             hits,
-            work: None,
+            counts: None,
             fallbacks: tracer.fallbacks().since(&before),
         }
     }

@@ -1,16 +1,16 @@
-//! Parts of an image that threads fill independently.
+//! Segments of an image, which threads fill independently.
 
 use super::surface_tile::SurfaceTile;
 use crate::accel::{TILE, TracedTile};
 use crate::film::{Channel, ChannelName, PixelBounds, Samples};
 use crate::shape::{Geometry, InstancedId, Numbers};
 
-/// Columns of a segment: enough for a thread to be busy for a while, few enough for threads to end together.
+/// Columns of a segment: enough to keep a thread busy, few enough for threads to end together.
 const WIDTH: u32 = 8 * TILE;
 
-/// Some columns of the rows of one row of tiles, of every channel.
+/// Some columns of one row of tiles, in every channel.
 pub(super) struct Segment<'a> {
-    /// In film pixels.
+    /// The pixels of the segment on the film.
     pub(super) bounds: PixelBounds,
     channels: Vec<(ChannelName, Rows<'a>)>,
 }
@@ -21,7 +21,7 @@ enum Rows<'a> {
     U32(Vec<&'a mut [u32]>),
 }
 
-/// Cuts between `low` and `high` at the multiples of `step`.
+/// Cuts the range from `low` to `high` at the multiples of `step`.
 fn cuts(low: u32, high: u32, step: u32) -> Vec<[u32; 2]> {
     (low / step * step..high)
         .step_by(step as usize)
@@ -29,7 +29,7 @@ fn cuts(low: u32, high: u32, step: u32) -> Vec<[u32; 2]> {
         .collect()
 }
 
-/// All of `window`, whose samples the channels hold, in segments. Tiles know what these channels want.
+/// Cuts `channels`, which hold the pixels of `window`, into segments.
 pub(super) fn segments_of<'a>(
     channels: Vec<&'a mut Channel>,
     window: &PixelBounds,
@@ -51,21 +51,21 @@ pub(super) fn segments_of<'a>(
         })
         .collect();
     for channel in channels {
+        let name = channel.name;
+        let mut next = segments.iter_mut();
+        let mut add = |rows| {
+            next.next()
+                .map(|segment| segment.channels.push((name, rows)))
+        };
         match &mut channel.samples {
             Samples::F32(values) => {
-                for (segment, rows) in segments
-                    .iter_mut()
-                    .zip(divide(values, window, &columns, &rows))
-                {
-                    segment.channels.push((channel.name, Rows::F32(rows)));
+                for rows in divide(values, window, &columns, &rows) {
+                    add(Rows::F32(rows));
                 }
             }
             Samples::U32(values) => {
-                for (segment, rows) in segments
-                    .iter_mut()
-                    .zip(divide(values, window, &columns, &rows))
-                {
-                    segment.channels.push((channel.name, Rows::U32(rows)));
+                for rows in divide(values, window, &columns, &rows) {
+                    add(Rows::U32(rows));
                 }
             }
         }
@@ -73,7 +73,7 @@ pub(super) fn segments_of<'a>(
     segments
 }
 
-/// The samples of every segment, row by row.
+/// Cuts the samples of a channel into the rows of every segment.
 fn divide<'a, T>(
     values: &'a mut [T],
     window: &PixelBounds,
@@ -98,8 +98,8 @@ fn divide<'a, T>(
 }
 
 impl Segment<'_> {
-    /// Takes over the columns of a tile, the first pixel of which is `first`, both in film pixels. `surface` is there where a channel
-    /// wants it.
+    /// Stores `columns` of a tile with the first pixel `first`, both on the film. `surface` is
+    /// `Some` if a channel needs it.
     pub(super) fn put(
         &mut self,
         tile: &TracedTile,
@@ -108,7 +108,7 @@ impl Segment<'_> {
         columns: [u32; 2],
         geometry: &Geometry,
     ) {
-        let part = Part {
+        let part = TilePart {
             tile,
             first,
             columns,
@@ -118,7 +118,9 @@ impl Segment<'_> {
         for (name, rows) in &mut self.channels {
             match (rows, name) {
                 (Rows::F32(rows), ChannelName::Z) => part.put_depths(rows, TracedTile::z_of_row),
-                (Rows::F32(rows), ChannelName::T) => part.put_depths(rows, TracedTile::t_of_row),
+                (Rows::F32(rows), ChannelName::T) => {
+                    part.put_depths(rows, TracedTile::distances_of_row)
+                }
                 (Rows::F32(rows), ChannelName::A) => part.put_hits(rows, |_| 1.0),
                 (Rows::F32(rows), name) => {
                     let place = ChannelName::SURFACE
@@ -143,17 +145,17 @@ impl Segment<'_> {
 }
 
 /// The part of a tile that belongs to a segment.
-struct Part<'a> {
+struct TilePart<'a> {
     tile: &'a TracedTile,
     /// The tile's first pixel.
     first: [u32; 2],
     columns: [u32; 2],
-    /// Of the segment.
+    /// The pixels of the segment.
     bounds: PixelBounds,
 }
 
-impl Part<'_> {
-    /// The rows of the tile, each with what of the segment's row it fills.
+impl TilePart<'_> {
+    /// The rows of the tile, each with the part of the segment's row that it fills.
     fn rows<'a, T>(&self, rows: &'a mut [&mut [T]]) -> impl Iterator<Item = (u32, &'a mut [T])> {
         let place = self.columns.map(|x| (x - self.bounds.x0) as usize);
         let part = move |row: &'a mut &mut [T]| &mut row[place[0]..place[1]];
@@ -167,7 +169,7 @@ impl Part<'_> {
         }
     }
 
-    /// Puts what is at `place` among the samples of surfaces.
+    /// Stores the samples at `place` of the surface.
     fn put_surface(&self, rows: &mut [&mut [f32]], surface: &SurfaceTile, place: usize) {
         let [first, end] = self.columns.map(|x| (x - self.first[0]) as usize);
         for (y, to) in self.rows(rows) {
@@ -177,7 +179,7 @@ impl Part<'_> {
         }
     }
 
-    /// Puts a value for each hit, and 0 for misses.
+    /// Stores a value for each hit, and 0 for misses.
     fn put_hits<T: Copy + Default>(
         &self,
         rows: &mut [&mut [T]],

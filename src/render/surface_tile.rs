@@ -1,11 +1,12 @@
-//! What surfaces are like at the pixels of a tile.
+//! Normals, positions and texture coordinates at the pixels of a tile.
 
 use crate::accel::{TILE, TracedTile};
 use crate::camera::Camera;
 use crate::film::ChannelName;
 use crate::shape::{Geometry, SurfacePoint, SurfacePoints, SurfaceWants};
 
-/// The samples of [`ChannelName::SURFACE`] of a tile, rounded once from `f64`; 0 where nothing is hit.
+/// The samples of [`ChannelName::SURFACE`] in a tile, rounded once from `f64`; 0 where nothing is
+/// hit.
 pub(super) struct SurfaceTile<'a> {
     camera: &'a Camera,
     points: SurfacePoints<'a>,
@@ -13,7 +14,7 @@ pub(super) struct SurfaceTile<'a> {
 }
 
 impl<'a> SurfaceTile<'a> {
-    /// A tile for these channels, if some are of surfaces.
+    /// A tile for these channels; `None` if none of them describes surfaces.
     pub(super) fn of_channels(
         channels: &[ChannelName],
         camera: &'a Camera,
@@ -34,7 +35,8 @@ impl<'a> SurfaceTile<'a> {
         })
     }
 
-    /// Fills the columns and rows of `tile` from the first to before the second; its first pixel is `first`, in film pixels.
+    /// Fills the columns and rows from the first to before the second of a `tile` whose first pixel
+    /// on the film is `first`.
     pub(super) fn fill(
         &mut self,
         tile: &TracedTile,
@@ -55,13 +57,13 @@ impl<'a> SurfaceTile<'a> {
         }
     }
 
-    /// The samples of a row, all columns.
+    /// The samples of a row.
     pub(super) fn row(&self, y: u32) -> &[[f32; ChannelName::SURFACE.len()]] {
         &self.samples[(y * TILE) as usize..((y + 1) * TILE) as usize]
     }
 }
 
-/// In the order of [`ChannelName::SURFACE`]; a 0 has no sign.
+/// The samples of a point in the order of [`ChannelName::SURFACE`]. Zeros are positive.
 fn samples(SurfacePoint { normal, point, uv }: &SurfacePoint) -> [f32; ChannelName::SURFACE.len()] {
     [
         normal.x, normal.y, normal.z, point.x, point.y, point.z, uv[0], uv[1],

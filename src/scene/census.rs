@@ -1,6 +1,5 @@
-//! What a scene file says, counted.
+//! Counts the directives and shapes of a scene.
 
-use super::objects::UnusedObject;
 use super::parser::{Directive, KEYWORDS, Statement};
 use crate::error::SourceLocation;
 use std::collections::BTreeMap;
@@ -8,26 +7,26 @@ use std::collections::BTreeMap;
 /// How often each directive and each type of shape occurs, in all files of a scene.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Census {
-    /// By the place of the keyword.
-    obeyed: [u64; KEYWORDS.len()],
-    /// Those without influence on hit and depth.
+    /// By the index of the keyword.
+    executed: [u64; KEYWORDS.len()],
+    /// Directives that hits and depths do not depend on.
     skipped: [u64; KEYWORDS.len()],
-    private: BTreeMap<String, u64>,
+    unknown: BTreeMap<String, u64>,
     shapes: BTreeMap<String, ShapeCount>,
     boundaries: Listed<Boundary>,
     unused_objects: Listed<UnusedObject>,
 }
 
-/// The first 20 of something, and the number of all.
+/// The first 20 items, and the number of all.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Listed<T> {
-    /// The first of them.
+    /// The first items.
     pub first: Vec<T>,
-    /// How many there are.
+    /// The number of all items.
     pub count: u64,
 }
 
-/// A shape that only bounds a medium: rays pass through.
+/// A shape that only bounds a medium: rays pass through it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Boundary {
     /// The type of the shape.
@@ -36,7 +35,16 @@ pub struct Boundary {
     pub place: String,
 }
 
-/// Places that are listed, at most.
+/// An object that no instance shows.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct UnusedObject {
+    /// Its name as the file spells it.
+    pub name: String,
+    /// File, line and column of the name.
+    pub place: String,
+}
+
+/// The most items that are listed.
 pub(super) const MAX_LISTED: usize = 20;
 
 impl<T> Default for Listed<T> {
@@ -53,36 +61,40 @@ impl<T> Default for Listed<T> {
 pub struct ShapeCount {
     /// `Shape` statements.
     pub statements: u64,
-    /// What is stored for them, that of an object once.
+    /// The primitives stored for them; those of an object count once.
     pub primitives: u64,
-    /// Whether they are not in the picture, since the type is not supported.
+    /// Whether they are left out of the picture because the type is not supported.
     pub is_left_out: bool,
 }
 
-/// Names from files that are told apart.
+/// The most names that are counted separately.
 const MAX_NAMES: usize = 200;
 
-/// In place of the names after them.
+/// Stands for all further names.
 const OTHER_NAMES: &str = "(other names)";
 
 impl Census {
     /// Counts one directive.
     pub(super) fn count(&mut self, directive: &Directive) {
-        let counts = match &directive.statement {
-            Statement::Private(name) => return *count_of(&mut self.private, name) += 1,
-            Statement::Ignored(_) | Statement::TransformTimes(_) => &mut self.skipped,
-            Statement::Material(_)
-            | Statement::MakeNamedMaterial(_)
-            | Statement::NamedMaterial(_) => &mut self.skipped,
-            Statement::Attribute(target) if target.name.text != "shape" => &mut self.skipped,
-            _ => &mut self.obeyed,
+        let Some(description) = directive.description else {
+            if let Statement::Unknown(name) = directive.statement {
+                *count_of(&mut self.unknown, name) += 1;
+            }
+            return;
         };
-        if let Some(number) = directive.keyword_number {
-            counts[number] += 1;
-        }
+        let matters = match &directive.statement {
+            Statement::Attribute(target) => target.name.text == "shape",
+            _ => description.matters,
+        };
+        let counts = if matters {
+            &mut self.executed
+        } else {
+            &mut self.skipped
+        };
+        counts[description.number] += 1;
     }
 
-    /// Counts one `Shape` of type `name`, for which so many primitives are stored, or `None` where it is left out.
+    /// Counts one `Shape` of type `name` and its stored primitives; `None` if it is left out.
     pub(super) fn count_shape(&mut self, name: &str, primitives: Option<usize>) {
         let count = count_of(&mut self.shapes, name);
         count.statements += 1;
@@ -106,7 +118,7 @@ impl Census {
         self.unused_objects = Listed { first, count };
     }
 
-    /// Shapes that only bound a medium, in the order of the file: no ray meets them.
+    /// Shapes that only bound a medium, in the order of the file.
     pub fn boundaries(&self) -> &Listed<Boundary> {
         &self.boundaries
     }
@@ -116,15 +128,15 @@ impl Census {
         &self.unused_objects
     }
 
-    /// Directives that were obeyed, sorted by keyword.
-    pub fn obeyed(&self) -> impl Iterator<Item = (&'static str, u64)> {
+    /// Directives that were executed, sorted by keyword.
+    pub fn executed(&self) -> impl Iterator<Item = (&'static str, u64)> {
         KEYWORDS
             .into_iter()
-            .zip(self.obeyed)
+            .zip(self.executed)
             .filter(|(_, count)| *count > 0)
     }
 
-    /// Directives that were skipped because hit and depth do not depend on them, sorted by keyword.
+    /// Directives that were skipped because hits and depths do not depend on them, sorted by keyword.
     pub fn skipped(&self) -> impl Iterator<Item = (&'static str, u64)> {
         KEYWORDS
             .into_iter()
@@ -132,9 +144,9 @@ impl Census {
             .filter(|(_, count)| *count > 0)
     }
 
-    /// Directives that no pbrt knows, sorted by keyword.
-    pub fn private(&self) -> impl Iterator<Item = (&str, u64)> {
-        self.private
+    /// Directives that no version of pbrt knows, sorted by keyword.
+    pub fn unknown(&self) -> impl Iterator<Item = (&str, u64)> {
+        self.unknown
             .iter()
             .map(|(name, count)| (name.as_str(), *count))
     }
@@ -146,7 +158,7 @@ impl Census {
             .map(|(name, count)| (name.as_str(), *count))
     }
 
-    /// `Shape` statements whose geometry is not in the picture, since their type is not supported.
+    /// The number of `Shape` statements that are left out because their type is not supported.
     pub fn left_out(&self) -> u64 {
         self.shapes
             .values()
@@ -155,7 +167,8 @@ impl Census {
             .sum()
     }
 
-    /// One line on what was skipped or left out since rays do not meet it, where anything was.
+    /// One line on everything that was skipped or left out because rays do not meet it, if anything
+    /// was.
     pub fn summary(&self) -> Option<String> {
         let counts: Vec<String> = self
             .skipped()
@@ -183,9 +196,9 @@ impl Default for Census {
     fn default() -> Census {
         let none = [0; KEYWORDS.len()];
         Census {
-            obeyed: none,
+            executed: none,
             skipped: none,
-            private: BTreeMap::new(),
+            unknown: BTreeMap::new(),
             shapes: BTreeMap::new(),
             boundaries: Listed::default(),
             unused_objects: Listed::default(),
@@ -193,7 +206,7 @@ impl Default for Census {
     }
 }
 
-/// What is counted under `name`; a file has no end of names.
+/// The count of `name`. A file may have any number of names, so the last ones share a count.
 fn count_of<'a, T: Default>(counts: &'a mut BTreeMap<String, T>, name: &str) -> &'a mut T {
     let name = if counts.contains_key(name) || counts.len() < MAX_NAMES {
         name

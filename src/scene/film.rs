@@ -1,7 +1,6 @@
 //! The `Film` directive: resolution, crop, name.
 
-use super::declared_type::DeclaredType;
-use super::parameters::Parameters;
+use super::parameters::{DeclaredType, Parameters};
 use super::warnings::Warnings;
 use crate::error::{Diagnostic, Result};
 use crate::film::PixelBounds;

@@ -1,10 +1,10 @@
-//! Scenes by the names of their files.
+//! Loads scenes by the names of their files.
 
 use super::accelerator::AcceleratorParameters;
-use super::auto_frame::scene_of_mesh;
-use super::builder::Builder;
+use super::bare_mesh::scene_of_mesh;
+use super::interpreter::Interpreter;
 use super::parser;
-use super::source::Source;
+use super::source_file::SourceFile;
 use super::{LoadOptions, Scene};
 use crate::error::Result;
 use crate::file_id::InputFiles;
@@ -13,14 +13,15 @@ use crate::mesh::{self, MeshFormat};
 use crate::progress::Progress;
 use std::path::Path;
 
-/// Reads a scene with all that it names, or a bare `.ply` or `.obj`; `-` is a scene on standard input.
+/// Reads a scene with all files that it names, or a bare `.ply` or `.obj`; `-` is a scene on
+/// standard input.
 ///
 /// `progress` counts bytes of scene files.
 pub fn load(path: &Path, options: &LoadOptions, progress: Progress) -> Result<Scene> {
     load_listing_files(path, options, progress).0
 }
 
-/// As [`load`]; also returns the files that were read, or tried, up to an error too.
+/// Like [`load`]; also returns the files that were read, or tried before an error.
 pub fn load_listing_files(
     path: &Path,
     options: &LoadOptions,
@@ -36,48 +37,59 @@ pub fn load_listing_files(
             files,
         );
     }
-    let mut builder = Builder::with_options(path, options, progress);
-    let read = builder.read_top_level();
-    let files = std::mem::take(&mut builder.files);
-    (read.and_then(|()| builder.finish(options)), files)
+    let mut interpreter = Interpreter::new(path, options, progress);
+    let read = interpreter.read_top_level();
+    let files = interpreter.take_files();
+    (read.and_then(|()| interpreter.finish()), files)
 }
 
-/// Reads the bytes of a scene file that `path` would name: errors call it so, and what it includes is sought beside it.
+/// Reads `bytes` as the content of the scene file `path`, which errors name and whose directory has
+/// the included files.
 pub fn parse(path: &Path, bytes: Vec<u8>, options: &LoadOptions) -> Result<Scene> {
-    let mut builder = Builder::with_options(path, options, Progress::SILENT);
-    builder.read_text(bytes)?;
-    builder.finish(options)
+    let mut interpreter = Interpreter::new(path, options, Progress::SILENT);
+    interpreter.read_text(bytes)?;
+    interpreter.finish()
 }
 
-/// What a scene says before its world begins, as far as names of images depend on it.
+/// What a scene says before `WorldBegin`, as far as names of images depend on it.
 #[derive(Debug, Clone, Default)]
 pub struct SceneOptions {
-    /// Where the scene's `Film` wants the picture.
+    /// The file name in the scene's `Film`.
     pub film_filename: Option<String>,
-    /// How the scene wants to be aggregated.
+    /// How the scene asks to be aggregated.
     pub accelerator: AcceleratorParameters,
 }
 
-/// Reads a scene no further than `WorldBegin`, and no mesh; its files may expand to so many times the usual limits.
+/// Reads a scene no further than `WorldBegin`, and no mesh. Its files may expand to `factor` times
+/// the usual limits.
 pub fn read_options(path: &Path, factor: BudgetFactor) -> Result<SceneOptions> {
     if is_bare_mesh(path) {
         return Ok(SceneOptions::default());
     }
-    Builder::new(path, factor, Progress::SILENT).read_options()
+    let options = LoadOptions {
+        input_budget: factor,
+        ..LoadOptions::default()
+    };
+    let interpreter = Interpreter::new(path, &options, Progress::SILENT);
+    let (film_filename, accelerator) = interpreter.read_options()?;
+    Ok(SceneOptions {
+        film_filename,
+        accelerator,
+    })
 }
 
-/// Whether a path names a mesh and not a scene: by its extension, `.gz` left aside.
+/// Whether the extension of a path, apart from `.gz`, is that of a mesh.
 pub fn is_bare_mesh(path: &Path) -> bool {
     bare_mesh(path).is_some()
 }
 
-/// Whether the file `path` is a scene by itself: it begins a world, or cannot be read to find out.
+/// Whether the file `path` is a scene of its own: it has a `WorldBegin`, or cannot be read.
 pub fn is_top_level(path: &Path) -> bool {
-    Source::read_top_level(path, &Budget::default())
-        .map_or(true, |source| parser::begins_world(&source.text))
+    SourceFile::read_top_level(path, &Budget::default())
+        .map_or(true, |file| parser::begins_world(file.text()))
 }
 
-/// What a scene would call the mesh, and its format.
+/// The shape that a scene would call the mesh, and its format.
 fn bare_mesh(path: &Path) -> Option<(&'static str, MeshFormat)> {
     let name = path.file_name()?.to_str()?.to_ascii_lowercase();
     let name = name.strip_suffix(".gz").unwrap_or(&name);

@@ -1,49 +1,34 @@
-//! A scene: what a file says, as far as hit and depth depend on it.
+//! Scenes: what the files say, as far as hits and depths depend on it.
 
 mod accelerator;
-mod auto_frame;
-mod blocks;
-mod builder;
-mod camera_parameters;
+mod bare_mesh;
+mod cameras;
 mod census;
-mod declared_type;
 mod digest;
-mod entity_directives;
 mod film;
-mod graphics_state;
-mod includes;
+mod inputs;
+mod interpreter;
 mod load;
-mod materials;
-mod mesh_cache;
-mod name;
-mod objects;
+mod locations;
 mod parameters;
 pub mod parser;
-mod places;
-mod poses;
-mod roundings;
-mod shape_defaults;
-mod shape_directive;
-mod shape_refusal;
-mod shape_statement;
 mod shapes;
-mod source;
+mod source_file;
 pub mod spelling;
-mod transform_cache;
-mod transform_directives;
+mod transform_history;
 mod warnings;
 
 pub use accelerator::AcceleratorParameters;
-pub use census::{Boundary, Census, Listed, ShapeCount};
+pub use cameras::{Pose, parse_poses, read_poses};
+pub use census::{Boundary, Census, Listed, ShapeCount, UnusedObject};
 pub use digest::SceneDigest;
 pub use film::Film;
 pub use load::{
     SceneOptions, is_bare_mesh, is_top_level, load, load_listing_files, parse, read_options,
 };
-pub use objects::UnusedObject;
-pub use places::{Place, Places};
-pub use poses::{Pose, parse_poses, read_poses};
-pub use roundings::Roundings;
+pub use locations::Locations;
+pub use source_file::{SourceFile, SourceSpan, Span};
+pub use transform_history::{TransformHistory, TransformId, TransformStep};
 pub use warnings::{Warning, Warnings};
 
 use crate::camera::Camera;
@@ -55,39 +40,39 @@ use crate::shape::Geometry;
 pub struct Scene {
     /// Decides the rays.
     pub camera: Camera,
-    /// Decides which pixels are wanted, and the name of the picture.
+    /// Decides the pixels and the name of the picture.
     pub film: Film,
-    /// How the scene wants to be aggregated.
+    /// How the scene asks to be aggregated.
     pub accelerator: AcceleratorParameters,
     /// The geometry.
     pub geometry: Geometry,
-    /// `Shape` statements, those without geometry among them.
+    /// The number of `Shape` statements, including those without geometry.
     pub shape_count: u32,
-    /// Different transforms of those shapes: each is stored once.
+    /// The number of different transforms of those shapes: each is stored once.
     pub transform_count: usize,
-    /// What was rendered other than the file may have meant.
+    /// Where the picture may differ from what the file means.
     pub warnings: Warnings,
-    /// What the file says, counted.
+    /// The directives and shapes of the files, counted.
     pub census: Census,
-    /// Where the file says it, if that was asked for: no picture needs it.
-    pub places: Option<Places>,
-    /// How far transforms are rounded, where that was asked for.
-    pub roundings: Option<Roundings>,
+    /// The places of shapes and instances, if [`LoadOptions::locations`] asked for them.
+    pub locations: Option<Locations>,
+    /// The transform directives, if [`LoadOptions::transform_history`] asked for them.
+    pub transform_history: Option<TransformHistory>,
 }
 
-/// What the command line says about loading.
+/// What to keep of a scene, and the limits for reading it.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct LoadOptions {
-    /// Width and height of the film, in place of the file's.
+    /// Width and height of the film in pixels; overrides the file's.
     pub resolution: Option<[u32; 2]>,
-    /// Whether to keep the [places](Scene::places) of statements.
-    pub places: bool,
-    /// Whether to follow how far transforms are rounded; the picture does not depend on it.
-    pub roundings: bool,
-    /// Whether to keep which normals are turned round, for the channels `N.X`, `N.Y` and `N.Z`.
+    /// Whether to keep the [places of statements](Scene::locations).
+    pub locations: bool,
+    /// Whether to keep the [transform directives](Scene::transform_history).
+    pub transform_history: bool,
+    /// Whether to keep the sides of normals, for the channels `N.X`, `N.Y` and `N.Z`.
     pub orientation: bool,
-    /// Whether to keep the coordinates that meshes give to their surface, for the channels `u` and `v`.
+    /// Whether to keep the surface coordinates of meshes, for the channels `u` and `v`.
     pub uv: bool,
-    /// How many times the usual limits the scene's files may expand to.
+    /// The files of the scene may expand to this many times the usual limits.
     pub input_budget: BudgetFactor,
 }

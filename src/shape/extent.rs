@@ -22,9 +22,9 @@ impl Geometry {
             .into_par_iter()
             .map(PrimitiveId::triangle);
         let own = triangles.chain(
-            (0..self.sphere_count())
+            (0..self.quadric_count())
                 .into_par_iter()
-                .map(PrimitiveId::sphere),
+                .map(PrimitiveId::quadric),
         );
         let surfaces = own
             .map(|primitive| self.own_surface(primitive))

@@ -27,7 +27,7 @@ impl<'a> Numbers<'a> {
         // No index of a triangle is as large as the bits of a sphere, but for the end of the last mesh.
         let primitive = placed.primitive();
         let index = primitive.to_bits();
-        if !self.mesh.contains(&index) || primitive.is_sphere() || placed.instance().is_some() {
+        if !self.mesh.contains(&index) || primitive.is_quadric() || placed.instance().is_some() {
             return self.of_another(placed);
         }
         self.first_number + (index - self.mesh.start)
@@ -36,7 +36,7 @@ impl<'a> Numbers<'a> {
     fn of_another(&mut self, placed: InstancedId) -> u32 {
         let number = self.geometry.image_number(placed);
         let primitive = placed.primitive();
-        if placed.instance().is_none() && !primitive.is_sphere() {
+        if placed.instance().is_none() && !primitive.is_quadric() {
             self.mesh = self.geometry.mesh_around(primitive.to_bits());
             self.first_number = number - (primitive.to_bits() - self.mesh.start);
         }

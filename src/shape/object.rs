@@ -81,8 +81,8 @@ impl<'a> Pose<'a> {
     #[inline]
     pub fn surface(&mut self, primitive: PrimitiveId) -> Primitive {
         let index = primitive.index();
-        if primitive.is_sphere() {
-            let quadric = self.object.sphere(index);
+        if primitive.is_quadric() {
+            let quadric = self.object.quadric(index);
             let world_from_object = self.world_from_instance.times(&quadric.world_from_object);
             return Primitive::Quadric(Quadric {
                 world_from_object,
@@ -158,7 +158,7 @@ mod tests {
             };
             assert_eq!(triangle.0.contains(&expected[0]), index != 2);
         }
-        let Primitive::Quadric(sphere) = pose.surface(PrimitiveId::sphere(0)) else {
+        let Primitive::Quadric(sphere) = pose.surface(PrimitiveId::quadric(0)) else {
             panic!("a sphere")
         };
         assert_eq!(

@@ -1,18 +1,17 @@
 //! References to primitives.
 
-/// One triangle or sphere of [`super::Shapes`], by its place in the store of its kind. Cylinders and disks are in the store of
-/// spheres.
+/// One triangle or quadric of [`super::Geometry`], by its index in the list of its kind.
 ///
-/// Packed into 32 bits: the top bit tells a sphere, the lower 31 are the index. Among primitives of one kind the
+/// Packed into 32 bits: the top bit marks a quadric, the lower 31 are the index. Among primitives of one kind the
 /// order of the indices is the order of the primitive numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct PrimitiveId(u32);
 
-const SPHERE: u32 = 1 << 31;
+const QUADRIC: u32 = 1 << 31;
 
 impl PrimitiveId {
-    /// Triangles or spheres at most.
-    pub const MAX_COUNT: usize = SPHERE as usize;
+    /// The number of triangles, and of quadrics, that a scene may have.
+    pub const MAX_COUNT: usize = QUADRIC as usize;
 
     /// The first triangle of the store, for places that have to hold something.
     pub(crate) const FIRST: PrimitiveId = PrimitiveId(0);
@@ -23,10 +22,10 @@ impl PrimitiveId {
         PrimitiveId(index as u32)
     }
 
-    /// Sphere `index` of the store.
-    pub fn sphere(index: usize) -> PrimitiveId {
+    /// Quadric `index` of the store.
+    pub fn quadric(index: usize) -> PrimitiveId {
         debug_assert!(index < Self::MAX_COUNT);
-        PrimitiveId(index as u32 | SPHERE)
+        PrimitiveId(index as u32 | QUADRIC)
     }
 
     /// What [`PrimitiveId::to_bits`] gave.
@@ -39,14 +38,14 @@ impl PrimitiveId {
         self.0
     }
 
-    /// Whether this is a sphere.
-    pub fn is_sphere(self) -> bool {
-        self.0 & SPHERE != 0
+    /// Tests whether this is a quadric: a sphere, a cylinder or a disk.
+    pub fn is_quadric(self) -> bool {
+        self.0 & QUADRIC != 0
     }
 
     /// The place in the store of its kind.
     pub fn index(self) -> usize {
-        (self.0 & !SPHERE) as usize
+        (self.0 & !QUADRIC) as usize
     }
 }
 
@@ -58,10 +57,12 @@ mod tests {
     fn fits_in_32_bits_and_comes_back() {
         assert_eq!(size_of::<PrimitiveId>(), 4);
         let last = PrimitiveId::MAX_COUNT - 1;
-        assert!(PrimitiveId::sphere(last).is_sphere() && !PrimitiveId::triangle(last).is_sphere());
+        assert!(
+            PrimitiveId::quadric(last).is_quadric() && !PrimitiveId::triangle(last).is_quadric()
+        );
         assert_eq!(
             (
-                PrimitiveId::sphere(last).index(),
+                PrimitiveId::quadric(last).index(),
                 PrimitiveId::triangle(last).index()
             ),
             (last, last)

@@ -1,12 +1,12 @@
-//! What algorithms may ask of lanes.
+//! The operations on lanes that kernels can use, as traits.
 
 use std::fmt::Debug;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Not, Sub};
 
-/// Numbers in a group, at every level.
+/// The number of lanes, the same at every level.
 pub(crate) const LANES: usize = 16;
 
-/// The instructions of one level. Having a value proves that the machine has them.
+/// The instruction set of one level. A value proves that the machine has it.
 pub(crate) trait Lanes: Copy + Debug {
     /// Sixteen `f32`.
     type F: F32s<D = Self::D, M = Self::M>;
@@ -19,7 +19,7 @@ pub(crate) trait Lanes: Copy + Debug {
     fn load(self, from: &[f32; LANES]) -> Self::F;
     fn splat_wide(self, x: f64) -> Self::D;
     fn load_wide(self, from: &[f64; LANES]) -> Self::D;
-    /// Has the machine fetch what is soon to be read, if it can.
+    /// Prefetches a value that will soon be read, if the level can.
     fn prefetch<T>(self, what: &T);
 }
 
@@ -31,21 +31,21 @@ pub(crate) trait F32s:
     type M: Mask<F = Self>;
 
     fn store(self, to: &mut [f32; LANES]);
-    /// The smaller of the two; `other` where one is NaN.
+    /// The smaller of the two; `other` if one is NaN.
     fn min(self, other: Self) -> Self;
-    /// The larger of the two; `other` where one is NaN.
+    /// The larger of the two; `other` if one is NaN.
     fn max(self, other: Self) -> Self;
     fn abs(self) -> Self;
     fn floor(self) -> Self;
     fn ceil(self) -> Self;
-    /// `self * factor + addend`, rounded once or twice: not the same number at every level.
+    /// `self * factor + addend`, rounded once or twice depending on the level.
     fn fused_or_not(self, factor: Self, addend: Self) -> Self;
-    /// Where `self > other`; nowhere where one is NaN.
+    /// The lanes with `self > other`; false if one is NaN.
     fn above(self, other: Self) -> Self::M;
-    /// The smallest of all, none of them NaN.
+    /// The smallest lane. None may be NaN.
     fn least(self) -> f32;
     fn widen(self) -> Self::D;
-    /// Whole numbers that fit.
+    /// Stores the lanes as integers. They must be whole and fit.
     fn store_whole(self, to: &mut [i32; LANES]);
 }
 
@@ -57,7 +57,7 @@ pub(crate) trait F64s:
 
     fn store(self, to: &mut [f64; LANES]);
     fn sqrt(self) -> Self;
-    /// As [`F32s::fused_or_not`].
+    /// See [`F32s::fused_or_not`].
     fn fused_or_not(self, factor: Self, addend: Self) -> Self;
     /// The nearest `f32` to each.
     fn narrow(self) -> Self::F;
@@ -71,6 +71,14 @@ pub(crate) trait Mask:
 
     /// Lane k as bit k.
     fn bits(self) -> u32;
-    /// Lane by lane, `yes` or `no`.
+    /// Selects `yes` or `no`, lane by lane.
     fn select(self, yes: Self::F, no: Self::F) -> Self::F;
+}
+
+/// A computation that is compiled for each level.
+pub(crate) trait Kernel {
+    type Output;
+
+    /// Must be `#[inline(always)]`.
+    fn run<S: Lanes>(self, simd: S) -> Self::Output;
 }

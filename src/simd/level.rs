@@ -1,36 +1,28 @@
-//! Which instructions there are, and running a kernel with them.
+//! Instruction sets: detection, names, and running a kernel with one.
 
-use super::Lanes;
+use super::lanes::Kernel;
 use super::portable::Portable;
 use std::fmt;
 use std::str::FromStr;
 
-/// A set of instructions.
+/// An instruction set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Level {
-    /// Whatever the compiler makes of plain loops, on any machine.
+    /// Plain code that the compiler may vectorize, on any machine.
     Portable,
-    /// SSE 4.1: four lanes a register.
+    /// SSE 4.1: four lanes per register.
     #[cfg(target_arch = "x86_64")]
     Sse,
-    /// AVX2 and FMA: eight lanes.
+    /// AVX2 and FMA: eight lanes per register.
     #[cfg(target_arch = "x86_64")]
     Avx2,
-    /// AVX-512 F, DQ, BW, VL: sixteen lanes.
+    /// AVX-512 F, DQ, BW, VL: sixteen lanes per register.
     #[cfg(target_arch = "x86_64")]
     Avx512,
 }
 
-/// Work to be compiled for a level.
-pub(crate) trait Kernel {
-    type Output;
-
-    /// Must be `#[inline(always)]`.
-    fn run<S: Lanes>(self, simd: S) -> Self::Output;
-}
-
 impl Level {
-    /// All levels of this architecture, the plainest first.
+    /// All levels of this architecture, the simplest first.
     pub const ALL: &[Level] = &[
         Level::Portable,
         #[cfg(target_arch = "x86_64")]
@@ -50,7 +42,7 @@ impl Level {
             .unwrap_or(Level::Portable)
     }
 
-    /// Whether this machine has the instructions.
+    /// Tests whether this machine has the instruction set.
     pub fn is_available(self) -> bool {
         match self {
             Level::Portable => true,
@@ -63,7 +55,7 @@ impl Level {
         }
     }
 
-    /// The name, as in reports and on the command line.
+    /// The name in reports and on the command line.
     pub fn as_str(self) -> &'static str {
         match self {
             Level::Portable => "portable",
@@ -76,7 +68,7 @@ impl Level {
         }
     }
 
-    /// Runs `kernel` with the instructions of this level, or plainly where the machine does not have them.
+    /// Runs `kernel` with this instruction set, or as plain code if the machine does not have it.
     pub(crate) fn run<K: Kernel>(self, kernel: K) -> K::Output {
         #[cfg(target_arch = "x86_64")]
         {
@@ -118,7 +110,7 @@ impl FromStr for Level {
     }
 }
 
-/// The name is not one of an instruction set that this machine has.
+/// The error for a name that is no instruction set of this machine.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct UnavailableLevel;
 

@@ -1,10 +1,11 @@
-//! Sixteen numbers at once, by whatever instructions the machine has.
+//! Sixteen SIMD lanes, with the best instruction set that the machine has.
 //!
-//! An algorithm is written once, over the trait `Lanes`, as a `Kernel`; `Level::run` compiles it for each level and runs
-//! the one asked for. All that a kernel calls on lanes must be inlined into it (`#[inline(always)]`), or it would be
-//! compiled without the instructions.
+//! An algorithm is written once, over the trait `Lanes`, as a `Kernel`. `Level::run` compiles it
+//! for each level and runs the chosen one. Every function that a kernel calls on lanes must be
+//! inlined into it (`#[inline(always)]`), or it would be compiled without the instruction set.
 //!
-//! Another level (NEON, say) is a file that implements the four traits and a line in [`Level`].
+//! To add a level, such as NEON, implement the four traits in a file and add a variant to
+//! [`Level`].
 
 mod lanes;
 mod level;
@@ -13,8 +14,7 @@ mod unrolled;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
-pub(crate) use lanes::{F32s, F64s, LANES, Lanes, Mask};
-pub(crate) use level::Kernel;
+pub(crate) use lanes::{F32s, F64s, Kernel, LANES, Lanes, Mask};
 pub use level::{Level, UnavailableLevel};
 
 #[cfg(test)]

@@ -1,10 +1,10 @@
-//! Lanes as plain arrays: for machines without a level of their own, and to compare the others with.
+//! Lanes as plain arrays: for machines without another level, and as a baseline for tests.
 
+use super::lanes::{F32s, F64s, LANES, Lanes, Mask};
 use super::unrolled::unrolled;
-use super::{F32s, F64s, LANES, Lanes, Mask};
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Not, Sub};
 
-/// No instructions that not every machine has.
+/// The level that every machine has.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Portable;
 

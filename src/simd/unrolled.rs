@@ -2,8 +2,8 @@
 
 /// An array of `$value` for the indices `$k` from 0 to before the count.
 ///
-/// A loop does the same, and the compiler unrolls it. But some ten thousand such loops in one kernel
-/// cost it 27 s for each instruction set; written out, they cost XX s.
+/// A loop does the same, and the compiler unrolls it. But some ten thousand such loops in one
+/// kernel cost it 27 s for each instruction set; written out, they cost XX s.
 macro_rules! unrolled {
     (@ $index:literal, $k:ident, $value:expr) => {{
         const $k: usize = $index;

@@ -229,7 +229,7 @@ pub(crate) fn judged(camera: &Camera, geometry: &Geometry) -> Vec<[u32; 3]> {
         [
             geometry.image_number(hit.primitive),
             hit.z.to_bits(),
-            hit.t.to_bits(),
+            hit.distance.to_bits(),
         ]
     };
     ray_by_ray

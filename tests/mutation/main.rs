@@ -12,7 +12,7 @@ mod mutate;
 
 use feimos::mesh::{self, MeshFormat, parse_obj, parse_ply};
 use feimos::scene::parser::Directives;
-use feimos::scene::{LoadOptions, parse};
+use feimos::scene::{LoadOptions, SourceFile, parse};
 use mutate::{Random, mutate};
 use peak_alloc::PeakAlloc;
 use std::fs;
@@ -103,7 +103,7 @@ impl Original {
         let path = Path::new("/no such folder").join(&self.name);
         match self.format {
             Format::Scene => {
-                Directives::new(&path, bytes).for_each(drop);
+                Directives::new(&SourceFile::new(&path, bytes.to_vec())).for_each(drop);
                 let options = LoadOptions {
                     orientation: true,
                     uv: true,

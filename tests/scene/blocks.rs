@@ -5,8 +5,8 @@ use feimos::scene::Scene;
 
 /// The x coordinates of the spheres, as far as they are translated.
 fn places(scene: &Scene) -> Vec<f64> {
-    (0..scene.geometry.sphere_count())
-        .map(|index| scene.geometry.sphere(index).world_from_object.column(3)[0])
+    (0..scene.geometry.quadric_count())
+        .map(|index| scene.geometry.quadric(index).world_from_object.column(3)[0])
         .collect()
 }
 
@@ -110,8 +110,8 @@ fn the_blocks_of_an_object_may_cross_it() {
 
 fn places_in_object(scene: &Scene) -> Vec<f64> {
     let geometry = scene.geometry.objects()[0].geometry();
-    (0..geometry.sphere_count())
-        .map(|index| geometry.sphere(index).world_from_object.column(3)[0])
+    (0..geometry.quadric_count())
+        .map(|index| geometry.quadric(index).world_from_object.column(3)[0])
         .collect()
 }
 
@@ -126,9 +126,9 @@ fn an_object_ends_where_the_next_begins_and_with_the_file() {
         .geometry
         .objects()
         .iter()
-        .map(|object| object.geometry().sphere_count());
+        .map(|object| object.geometry().quadric_count());
     assert_eq!(
-        (counts.collect::<Vec<_>>(), scene.geometry.sphere_count()),
+        (counts.collect::<Vec<_>>(), scene.geometry.quadric_count()),
         (vec![1, 2, 1], 0)
     );
     assert_warned(

@@ -12,8 +12,8 @@ fn included(outer: &str, inner: &str) -> Result<Scene, String> {
 }
 
 fn radii(scene: &Scene) -> Vec<f64> {
-    (0..scene.geometry.sphere_count())
-        .map(|index| scene.geometry.sphere(index).radius)
+    (0..scene.geometry.quadric_count())
+        .map(|index| scene.geometry.quadric(index).radius)
         .collect()
 }
 
@@ -52,7 +52,7 @@ fn arguments_behind_an_include_belong_to_the_last_directive_in_it() {
     }
     let translated = included("Include \"b.pbrt\" 0.5\nShape \"sphere\"", "Translate 0 0").unwrap();
     assert_eq!(
-        translated.geometry.sphere(0).world_from_object.column(3),
+        translated.geometry.quadric(0).world_from_object.column(3),
         [0.0, 0.0, 0.5]
     );
     let matrix = included(
@@ -63,7 +63,7 @@ fn arguments_behind_an_include_belong_to_the_last_directive_in_it() {
         matrix
             .unwrap()
             .geometry
-            .sphere(0)
+            .quadric(0)
             .world_from_object
             .column(3),
         [5.0, 0.0, 0.0]
@@ -185,11 +185,11 @@ fn places_are_those_of_the_files_that_the_tokens_are_in() {
         ("b.pbrt", "\n Shape \"sphere\""),
     ]);
     let options = LoadOptions {
-        places: true,
+        locations: true,
         ..LoadOptions::default()
     };
     let scene = load(&folder.path().join("a.pbrt"), &options, Progress::SILENT).unwrap();
-    let places = scene.places.unwrap();
+    let places = scene.locations.unwrap();
     let place = |number| places.shape(number).unwrap().1.to_string();
     assert!(
         place(1).ends_with("b.pbrt:2:2") && place(2).ends_with("a.pbrt:3:3"),

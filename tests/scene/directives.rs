@@ -62,9 +62,9 @@ fn an_imported_file_leaves_no_state_behind() {
         ),
     ];
     let scene = load_files(&files).unwrap();
-    let place = |index: usize| scene.geometry.sphere(index).world_from_object.column(3);
+    let place = |index: usize| scene.geometry.quadric(index).world_from_object.column(3);
     assert_eq!((place(0), place(1)), ([1.0, 0.0, 0.0], [1.0, 0.0, 0.0]));
-    assert_eq!(scene.geometry.sphere(0).radius, 1.0);
+    assert_eq!(scene.geometry.quadric(0).radius, 1.0);
     assert_eq!(
         messages(&scene),
         ["no coordinate system is called `there`: ignored"]
@@ -150,9 +150,9 @@ fn attributes_are_defaults_of_shapes() {
         AttributeEnd
         Shape \"sphere\"",
     );
-    let radii = [0, 1, 2, 3].map(|index| scene.geometry.sphere(index).radius);
+    let radii = [0, 1, 2, 3].map(|index| scene.geometry.quadric(index).radius);
     assert_eq!(radii, [2.0, 3.0, 4.0, 2.0]);
-    let is_cut = [0, 1, 2, 3].map(|index| scene.geometry.sphere(index).form != Form::Sphere(None));
+    let is_cut = [0, 1, 2, 3].map(|index| scene.geometry.quadric(index).form != Form::Sphere(None));
     assert_eq!(is_cut, [false, true, true, false]);
     assert_eq!(warnings(&scene), []);
     assert_eq!(
@@ -207,7 +207,7 @@ fn directives_of_forks_are_skipped_with_their_arguments() {
     ));
     assert_eq!(scene.geometry.triangle_count(), 2);
     let skipped =
-        |name: &str| format!("`{name}` is no directive of pbrt: skipped with its arguments");
+        |name: &str| format!("`{name}` is not a directive of pbrt: skipped with its arguments");
     let expected = [
         (skipped("RenderPass"), 2),
         (skipped("SpectrumOptions2"), 1),

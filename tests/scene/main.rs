@@ -301,7 +301,7 @@ fn shapes_count_whether_they_are_supported_or_not() {
         geometry.shape_number(InstancedId::alone(PrimitiveId::triangle(1))),
         6
     );
-    let sphere = InstancedId::alone(PrimitiveId::sphere(0));
+    let sphere = InstancedId::alone(PrimitiveId::quadric(0));
     assert_eq!(
         (geometry.shape_number(sphere), geometry.number(sphere)),
         (4, 1)
@@ -445,11 +445,11 @@ fn what_is_rendered_otherwise_is_warned_of() {
     assert_eq!(warnings(&scene), found);
     let geometry = &scene.geometry;
     assert_eq!(
-        geometry.sphere_count(),
+        geometry.quadric_count(),
         4,
         "those that are never hit keep their numbers"
     );
-    let is_cut = |index: usize| geometry.sphere(index).form != Form::Sphere(None);
+    let is_cut = |index: usize| geometry.quadric(index).form != Form::Sphere(None);
     assert_eq!([0, 1, 2, 3].map(is_cut), [false, true, false, false]);
 }
 

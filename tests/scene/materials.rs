@@ -37,7 +37,7 @@ fn what_bounds_a_medium_is_left_out_with_its_numbers() {
         assert_eq!(
             (
                 scene.geometry.triangle_count(),
-                scene.geometry.sphere_count()
+                scene.geometry.quadric_count()
             ),
             (2, 0),
             "{material}"
@@ -83,7 +83,7 @@ fn other_materials_are_surfaces() {
         assert_eq!(
             (
                 scene.geometry.triangle_count(),
-                scene.geometry.sphere_count()
+                scene.geometry.quadric_count()
             ),
             (4, 1),
             "{material}"

@@ -139,7 +139,7 @@ fn files_may_have_names_that_are_not_utf8() {
         load_folder(&folder, "a.pbrt")
             .unwrap()
             .geometry
-            .sphere_count(),
+            .quadric_count(),
         1
     );
 }
@@ -152,7 +152,7 @@ fn coordinate_systems_of_an_import_end_with_it() {
         );
         load_files(&[("a.pbrt", &text), ("b.pbrt", part)]).unwrap()
     };
-    let place = |scene: &Scene| scene.geometry.sphere(0).world_from_object.column(3)[0];
+    let place = |scene: &Scene| scene.geometry.quadric(0).world_from_object.column(3)[0];
     let leaking = "Translate 9 0 0 CoordinateSystem \"q\" CoordinateSystem \"r\" Translate 1 0 0 CoordinateSystem \"q\"";
     assert_eq!(place(&import(leaking, "")), 0.0);
     let unknown = import(leaking, "CoordSysTransform \"r\"");

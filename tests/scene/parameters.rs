@@ -161,7 +161,7 @@ fn the_last_of_several_counts_with_a_warning() {
         Shape \"trianglemesh\" \"point P\" [ 0 0 0 1 0 0 0 1 0 ] \"float uv\" [ 1 ] \"float uv\" [ 2 ]",
     );
     assert_eq!(
-        [0, 1].map(|index| scene.geometry.sphere(index).radius),
+        [0, 1].map(|index| scene.geometry.quadric(index).radius),
         [3.0, 5.0]
     );
     assert_eq!(scene.film.resolution[0], 2);
@@ -195,7 +195,7 @@ fn numbers_may_be_spelled_as_other_programs_print_them() {
     let blanks = commas.replace(',', " ");
     let (commas, blanks) = (scene(commas), scene(&blanks));
     assert_eq!(commas.camera, blanks.camera);
-    assert_eq!(commas.geometry.sphere(0), blanks.geometry.sphere(0));
+    assert_eq!(commas.geometry.quadric(0), blanks.geometry.quadric(0));
     assert_eq!(warnings(&commas), []);
     let windows = scene(
         "WorldBegin LightSource \"point\" \"rgb I\" [-nan(ind) 1.#QNAN 1] \"float scale\" 1.#INF # a comment
@@ -204,7 +204,7 @@ fn numbers_may_be_spelled_as_other_programs_print_them() {
     );
     let vertices = windows.geometry.vertices();
     assert!(vertices[0].z.is_nan() && vertices[1].x == f64::INFINITY);
-    assert_eq!(windows.geometry.sphere(0).radius, 1.0);
+    assert_eq!(windows.geometry.quadric(0).radius, 1.0);
 }
 
 #[test]
@@ -259,7 +259,7 @@ fn a_wrong_mesh_is_left_out_with_its_number() {
         );
         let found = scene
             .geometry
-            .shape_number(InstancedId::alone(PrimitiveId::sphere(0)));
+            .shape_number(InstancedId::alone(PrimitiveId::quadric(0)));
         assert_eq!(found, 2, "{text}");
     }
 }

@@ -24,7 +24,7 @@ impl Geometry {
     /// # Errors
     /// Where there are triangles and spheres: primitive numbers would need a table.
     pub(crate) fn of(geometry: &Geometry) -> Result<Geometry> {
-        match (geometry.triangle_count(), geometry.sphere_count()) {
+        match (geometry.triangle_count(), geometry.quadric_count()) {
             (_, 0) => Ok(triangles(geometry)),
             (0, _) => Ok(spheres(geometry)),
             _ => Err("a view holds triangles or spheres, not both".into()),
@@ -71,11 +71,11 @@ fn triangles(geometry: &Geometry) -> Geometry {
 
 fn spheres(geometry: &Geometry) -> Geometry {
     let sphere = |index| {
-        let sphere = geometry.sphere(index);
+        let sphere = geometry.quadric(index);
         let [x, y, z] = sphere.world_from_object.column(3);
         [x, y, z, sphere.radius].map(|number| number as f32)
     };
-    Geometry::Spheres((0..geometry.sphere_count()).map(sphere).collect())
+    Geometry::Spheres((0..geometry.quadric_count()).map(sphere).collect())
 }
 
 #[cfg(test)]

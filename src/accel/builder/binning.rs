@@ -1,23 +1,24 @@
-//! The binned surface area heuristic (Wald, 2007).
+//! Finds the split plane of least cost by the binned surface area heuristic (Wald, 2007).
 
 use super::build_primitive::{BuildPrimitive, centre_bounds};
 use super::full_leaves::LeafSize;
 use super::lanes::{LaneBox, Lanes};
 
-/// Bins an axis, at most.
+/// The largest number of bins along an axis.
 const BINS: usize = 16;
 
-/// Bins for a list of `count` primitives: short lists, most of all, are not worth many.
+/// The number of bins for a list of `count` primitives. Short lists, the most frequent, do not
+/// deserve many.
 fn bins_for(count: usize) -> usize {
     (count / 4).clamp(4, BINS)
 }
 
-/// For lists longer than this, a sample tells where to split.
+/// Longer lists are split by the plane that is best for a sample.
 const LONG: usize = 4 * SAMPLE;
 const SAMPLE: usize = 1 << 10;
 
-/// One primitive of each of [`SAMPLE`] equal parts of the list. Which one differs from part to part, since lists have
-/// patterns, such as the rows of a grid.
+/// One primitive from each of [`SAMPLE`] equal parts of the list. Its place varies from part to
+/// part, because lists have patterns, such as the rows of a grid.
 fn sample(primitives: &[BuildPrimitive]) -> Vec<BuildPrimitive> {
     let step = primitives.len() / SAMPLE;
     // The fractions of multiples of the golden ratio are spread evenly.
@@ -30,11 +31,12 @@ fn sample(primitives: &[BuildPrimitive]) -> Vec<BuildPrimitive> {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Plane {
     pub(super) axis: usize,
-    /// Doubled centres below this are on the left.
+    /// Primitives with a smaller doubled centre go left.
     pub(super) at: f32,
 }
 
-/// Maps doubled centres to bins, on each axis. The first and the last bin are half as wide as the others.
+/// Maps doubled centres to bins on each axis. The first and the last bin are half as wide as the
+/// others.
 #[derive(Debug, Clone, Copy)]
 struct Binning {
     low: Lanes,
@@ -63,7 +65,7 @@ impl Binning {
         }
     }
 
-    /// The bin on each axis; some bin for a NaN, which comes from infinite boxes.
+    /// The bin on each axis; an arbitrary one for the NaN of an infinite box.
     #[inline(always)]
     fn places(&self, primitive: &BuildPrimitive) -> [usize; 3] {
         let bins = primitive
@@ -74,7 +76,7 @@ impl Binning {
         [x, y, z]
     }
 
-    /// The plane to the right of the first `left_bins`.
+    /// The plane behind the first `left_bins`.
     fn plane(&self, axis: usize, left_bins: usize) -> Plane {
         let share = (left_bins as f32 - 0.5) / (self.count - 1) as f32;
         Plane {
@@ -84,7 +86,7 @@ impl Binning {
     }
 }
 
-/// What is in a bin, or in several.
+/// The contents of one or several bins.
 #[derive(Clone, Copy)]
 struct Bin {
     bounds: LaneBox,
@@ -105,7 +107,8 @@ impl Bin {
         }
     }
 
-    /// The expected number of leaves that a ray meets in it, times an area that all bins share.
+    /// The expected number of leaves that a ray meets in the bin, times an area that all bins
+    /// share.
     fn cost(self, leaf_size: LeafSize) -> f32 {
         if self.count == 0 {
             return 0.0;
@@ -114,7 +117,7 @@ impl Bin {
     }
 }
 
-/// What is in each bin of each axis.
+/// The contents of each bin of each axis.
 struct Bins {
     bounds: [[LaneBox; BINS]; 3],
     counts: [[u32; BINS]; 3],
@@ -144,7 +147,7 @@ impl Bins {
         }
     }
 
-    /// For each of the first `count` bins of an axis, the cost of it and all to its right.
+    /// For each of the first `count` bins of an axis, the cost of that bin and all to its right.
     fn costs_from_the_right(&self, axis: usize, count: usize, leaf_size: LeafSize) -> [f32; BINS] {
         let mut costs = [0.0; BINS];
         let mut right = Bin::EMPTY;
@@ -156,10 +159,10 @@ impl Bins {
     }
 }
 
-/// The plane of the least cost over all axes; `None` where all centres are in one place.
+/// The plane of the least cost over all axes; `None` if all centres coincide.
 pub(super) fn best_plane(primitives: &[BuildPrimitive], leaf_size: LeafSize) -> Option<Plane> {
     if primitives.len() > LONG {
-        // Each stands for many, so it counts whether or not it fills a leaf.
+        // Each primitive stands for many, so it counts whether or not it fills a leaf.
         return best_plane_of_all(&sample(primitives), LeafSize(1));
     }
     best_plane_of_all(primitives, leaf_size)

@@ -1,8 +1,8 @@
-//! Trees whose parts are made by several threads.
+//! Joins the subtrees that several threads build.
 
-use crate::accel::node::{Children, Node, Subtree};
+use crate::accel::tree::{Children, Node, Subtree};
 
-/// A tree in parts, which come together when all are finished: each node is moved once.
+/// A tree in parts. They are joined when all are finished, so that each node moves once.
 #[derive(Debug)]
 pub(super) enum Branch {
     /// A finished part.
@@ -17,7 +17,7 @@ impl Branch {
         Branch::Fork(Box::new([left, right]))
     }
 
-    /// The tree in one part. Recursion goes as deep as the forks do.
+    /// Joins all parts. Recursion goes as deep as the forks.
     pub(super) fn into_subtree(self) -> Subtree {
         if let Branch::Part(subtree) = self {
             return subtree;
@@ -27,7 +27,7 @@ impl Branch {
         Subtree { root, below }
     }
 
-    /// Inner nodes.
+    /// The number of inner nodes.
     fn len(&self) -> usize {
         match self {
             Branch::Part(subtree) => subtree.below.len(),

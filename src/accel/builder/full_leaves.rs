@@ -1,29 +1,30 @@
-//! Where to split a list so that its leaves come out full.
+//! Leaf sizes, and splits that fill leaves.
 
-/// Primitives in a leaf at most; 1 or more.
+/// The largest number of primitives in a leaf; 1 or more.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct LeafSize(pub(super) usize);
 
 impl LeafSize {
-    /// Leaves that `count` primitives need.
+    /// The number of leaves that `count` primitives need.
     #[inline]
     pub(super) fn leaves(self, count: usize) -> usize {
         count.div_ceil(self.0)
     }
 
-    /// The same as a float, by a multiplication instead of a division: one too many or too few now and then, where leaves do
-    /// not hold a power of two.
+    /// The same as a float, by a multiplication instead of a division. It may be off by one unless
+    /// the leaf size is a power of two.
     #[inline]
     pub(super) fn approximate_leaves(self, count: u32) -> f32 {
         let per_primitive = 1.0 / self.0 as f32;
         ((count as f32 + (self.0 - 1) as f32) * per_primitive) as i32 as f32
     }
 
-    /// The count nearest to `count` with which both parts of a list of `len` primitives, the first ones and the rest, need no
-    /// more leaves than the whole, and neither is empty. The list is longer than a leaf.
+    /// The split of `len` primitives nearest to `count` for which both parts together need no more
+    /// leaves than the whole, and neither part is empty. The list must be longer than a leaf.
     pub(super) fn full(self, len: usize, count: usize) -> usize {
         let spare = self.leaves(len) * self.0 - len;
-        // So many primitives in the last leaf of the left part, or more, leave no more than the spare places free.
+        // With at least this many primitives, the last leaf of the left part uses no more than the
+        // spare places.
         let enough = self.0 - spare;
         let last = count % self.0;
         if last == 0 || last >= enough {
@@ -43,7 +44,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn approximate_numbers_of_leaves() {
+    fn approximate_leaves_are_off_by_one_at_most() {
         for leaf_size in [1, 3, 4, 16, 255].map(LeafSize) {
             for count in 1..3000 {
                 let exact = leaf_size.leaves(count) as f32;
@@ -65,7 +66,7 @@ mod tests {
     }
 
     #[test]
-    fn the_nearest_count_that_fills_leaves() {
+    fn the_full_split_is_the_nearest_that_fills_leaves() {
         for leaf_size in [1, 2, 3, 4, 16].map(LeafSize) {
             for len in leaf_size.0 + 1..70 {
                 let all: Vec<usize> = (1..len)

@@ -1,8 +1,11 @@
-//! Hierarchical linear BVH (Pantaleoni and Luebke, 2010; Garanzha, Pantaleoni and McAllister, 2011).
+//! Hierarchical linear BVH (Pantaleoni and Luebke, 2010; Garanzha, Pantaleoni and McAllister,
+//! 2011).
 //!
-//! Primitives are sorted along a Morton curve, and runs of codes that share their upper bits become treelets: so the upper
-//! half of the levels costs no more than a sort. The surface area heuristic builds the tree above the treelets. Within them,
-//! unlike there, the codes do not count any more: lists so short are split in the middle as fast, and better.
+//! Primitives are sorted along a Morton curve, and runs of codes that share their upper bits become
+//! treelets, so the upper half of the levels costs no more than a sort. The surface area heuristic
+//! builds the tree above the treelets. Within treelets, this implementation departs from the papers
+//! and ignores the codes: splitting such short lists in the middle is as fast and gives better
+//! trees.
 
 use super::branch::Branch;
 use super::build_primitive::BuildPrimitive;
@@ -11,18 +14,18 @@ use super::morton::{CurvePlace, along_curve};
 use super::splitter::Splitter;
 use super::top_down::TopDown;
 use crate::accel::SplitMethod;
-use crate::accel::node::{Node, Subtree};
+use crate::accel::tree::{Node, Subtree};
 use crate::progress::Progress;
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// Leaves in a treelet, but for primitives that share all bits of their codes.
+/// The largest number of leaves in a treelet, unless its primitives share one code.
 const TREELET_LEAVES: usize = 16;
 
-/// Levels of the tree above the treelets at most.
+/// The largest depth of the tree above the treelets.
 const MAX_UPPER_DEPTH: u32 = 40;
 
-/// The tree over `primitives`, which are not empty, and they in the order of its leaves.
+/// The tree over `primitives`, which must not be empty, and their bits in the order of its leaves.
 pub(super) fn build(
     primitives: &[BuildPrimitive],
     leaf_size: LeafSize,
@@ -61,7 +64,7 @@ pub(super) fn build(
     (join_by_sah(treelets), order)
 }
 
-/// The parts of `list` at `runs`, which cover all of it.
+/// Splits `list` at `runs`, which cover all of it.
 fn split_into<'a, T>(mut list: &'a mut [T], runs: &[Range<usize>]) -> Vec<&'a mut [T]> {
     let part = |run: &Range<usize>| {
         list.split_off_mut(..run.len())
@@ -70,11 +73,11 @@ fn split_into<'a, T>(mut list: &'a mut [T], runs: &[Range<usize>]) -> Vec<&'a mu
     runs.iter().map(part).collect()
 }
 
-/// Cuts the curve into runs of up to `longest`, each time where the highest bit changes that is not the same in all codes.
-/// Runs of one code may be longer.
+/// Cuts the curve into runs of up to `longest` codes, each time where the highest bit changes in
+/// which they differ. Runs of a single code may be longer.
 fn runs(curve: &[CurvePlace], longest: usize) -> Vec<Range<usize>> {
     let mut runs = Vec::new();
-    // The later parts of all cuts: as many as a code has bits.
+    // The later parts of all cuts, no more than a code has bits.
     let mut waiting = Vec::new();
     let mut next = Some(0..curve.len());
     while let Some(run) = next.take().or_else(|| waiting.pop()) {
@@ -92,7 +95,7 @@ fn runs(curve: &[CurvePlace], longest: usize) -> Vec<Range<usize>> {
     runs
 }
 
-/// Builds the tree above the treelets.
+/// Builds the tree above the treelets and joins it with them.
 fn join_by_sah(mut treelets: Vec<Subtree>) -> Subtree {
     let stand_in = |(index, treelet): (usize, &Subtree)| {
         BuildPrimitive::new(&treelet.root.bounds, index as u32)
@@ -118,7 +121,7 @@ fn join_by_sah(mut treelets: Vec<Subtree>) -> Subtree {
     .into_subtree()
 }
 
-/// The tree under `node` of `upper`, with treelets in the places of its leaves.
+/// The tree below `node` of `upper`, with its leaves replaced by treelets.
 fn graft(node: Node, upper: &Subtree, treelet: &mut impl FnMut(usize) -> Subtree) -> Branch {
     if node.is_leaf() {
         return Branch::Part(treelet(node.first as usize));

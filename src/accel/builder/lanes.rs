@@ -1,11 +1,11 @@
-//! Four numbers at a time, and boxes of such lanes: what a build does most, in one instruction for three axes.
+//! Four `f32` lanes, and boxes of them: one vector instruction for three axes.
 //!
-//! Each operation is a loop over four lanes, which the compiler turns into one vector instruction of any target's
-//! baseline. The last lane is free for whoever holds the box; boxes ignore it.
+//! The compiler turns each operation into one instruction of the target's baseline. Boxes ignore
+//! the last lane, so that their owner can use it.
 
 use crate::accel::space::{Box32, larger, smaller};
 
-/// A number per axis, and one to spare.
+/// A number for each axis, and a spare one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(16))]
 pub(super) struct Lanes(pub(super) [f32; 4]);
@@ -18,18 +18,18 @@ impl Lanes {
 
     #[inline(always)]
     fn with(self, other: Lanes, f: impl Fn(f32, f32) -> f32) -> Lanes {
-        // Written out: an iteration through closures is not inlined everywhere, and then is no vector instruction.
+        // Written out: an iterator with closures is not always inlined, and then not vectorized.
         let ([a, b, c, d], [e, g, h, i]) = (self.0, other.0);
         Lanes([f(a, e), f(b, g), f(c, h), f(d, i)])
     }
 
-    /// The smaller in each lane; `other`'s where this one's is NaN.
+    /// The smaller in each lane; that of `other` if this one is NaN.
     #[inline(always)]
     pub(super) fn min(self, other: Lanes) -> Lanes {
         self.with(other, smaller)
     }
 
-    /// The larger in each lane; `other`'s where this one's is NaN.
+    /// The larger in each lane; that of `other` if this one is NaN.
     #[inline(always)]
     pub(super) fn max(self, other: Lanes) -> Lanes {
         self.with(other, larger)
@@ -50,15 +50,15 @@ impl Lanes {
         self.with(other, |a, b| a * b)
     }
 
-    /// The nearest integers in the lowest 22 bits, of numbers from 0 to below 2^22: adding 2^23 pushes all other bits out.
-    /// Anything where a number is none of these.
+    /// The nearest integers of numbers from 0 to below 2^22, in the lowest 22 bits: adding 2^23
+    /// shifts out all other bits. The result for other numbers is arbitrary.
     #[inline(always)]
     pub(super) fn rounded(self) -> [u32; 4] {
         let [a, b, c, d] = self.plus(Lanes::all((1 << 23) as f32)).0;
         [a.to_bits(), b.to_bits(), c.to_bits(), d.to_bits()]
     }
 
-    /// The axis of the largest number, the lowest of equal ones.
+    /// The axis of the largest number; the lowest axis of equal ones.
     pub(super) fn widest_axis(self) -> usize {
         (1..3).fold(0, |widest, k| {
             if self.0[k] > self.0[widest] {
@@ -70,7 +70,7 @@ impl Lanes {
     }
 }
 
-/// A box in anchor space, a corner in the lanes of each half.
+/// A box in anchor space.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct LaneBox {
     pub(super) low: Lanes,
@@ -78,7 +78,7 @@ pub(super) struct LaneBox {
 }
 
 impl LaneBox {
-    /// The box of nothing.
+    /// The empty box.
     pub(super) const EMPTY: LaneBox = LaneBox {
         low: Lanes::all(Box32::EMPTY.low[0]),
         high: Lanes::all(Box32::EMPTY.high[0]),
@@ -106,7 +106,7 @@ impl LaneBox {
         x * y + y * z + z * x
     }
 
-    /// Without the spare lanes.
+    /// Drops the spare lanes.
     pub(super) fn to_box(self) -> Box32 {
         let ([x0, y0, z0, _], [x1, y1, z1, _]) = (self.low.0, self.high.0);
         Box32 {

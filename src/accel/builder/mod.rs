@@ -1,8 +1,9 @@
-//! Building a tree: from the primitives of a scene to nodes.
+//! The tree builder: from primitives to nodes, by each split method.
 
 mod binning;
 mod branch;
 mod build_primitive;
+mod collection;
 mod full_leaves;
 mod hlbvh;
 mod lanes;
@@ -12,56 +13,72 @@ mod partition;
 mod radix_sort;
 mod splitter;
 mod top_down;
-mod triangle_block;
+mod triangle_boxes;
 mod visibility;
+mod world_space;
 
 use self::build_primitive::bounds_of;
 use self::full_leaves::LeafSize;
 use self::splitter::Splitter;
 use self::top_down::TopDown;
 use super::SplitMethod;
-use super::node::{Node, Subtree};
+use super::tree::{BinaryTree, MAX_DEPTH, Node, Subtree};
 use crate::progress::Progress;
 use crate::shape::PrimitiveId;
 use rayon::prelude::*;
 
-pub(super) use self::build_primitive::{BuildPrimitive, Collected, collect, space_around};
+pub(super) use self::build_primitive::BuildPrimitive;
+pub(super) use self::collection::{Collected, collect};
 pub use self::options::BuildOptions;
 pub(super) use self::visibility::Visibility;
+pub(super) use self::world_space::space_around;
 
-/// No tree is deeper, so no traversal needs a longer stack: 64 levels of free choice, then halving.
-pub(super) const MAX_DEPTH: usize = 96;
-
-/// The tree over `primitives`, which are not empty, and their bits in the order of its leaves.
-pub(super) fn build_tree(
+/// Builds a tree over `primitives`. `item_of_bits` turns their bits into the items that the tree
+/// holds. `progress` counts primitives.
+pub(super) fn build<T>(
     mut primitives: Vec<BuildPrimitive>,
     options: BuildOptions,
     progress: Progress,
-) -> (Subtree, Vec<u32>) {
+    item_of_bits: fn(u32) -> T,
+) -> BinaryTree<T> {
+    if primitives.is_empty() {
+        return BinaryTree::EMPTY;
+    }
     let leaf_size = LeafSize(options.max_leaf.clamp(1, PrimitiveId::MAX_COUNT));
-    let subtree = match options.method {
-        SplitMethod::None => {
-            progress.advance(primitives.len());
-            Subtree {
-                root: Node::leaf(bounds_of(&primitives), 0, primitives.len() as u32),
-                below: Vec::new(),
-            }
-        }
-        SplitMethod::Hlbvh => {
-            return hlbvh::build(&primitives, leaf_size, MAX_DEPTH as u32, progress);
-        }
+    let max_depth = MAX_DEPTH as u32;
+    let (Subtree { root, below }, order) = match options.method {
+        SplitMethod::Hlbvh => hlbvh::build(&primitives, leaf_size, max_depth, progress),
         method => {
-            let splitter = Splitter { method, leaf_size };
-            TopDown {
-                splitter,
-                max_depth: MAX_DEPTH as u32,
-                progress,
-            }
-            .build(&mut primitives, 0)
+            let subtree = if method == SplitMethod::None {
+                list(&primitives, progress)
+            } else {
+                let splitter = Splitter { method, leaf_size };
+                TopDown {
+                    splitter,
+                    max_depth,
+                    progress,
+                }
+                .build(&mut primitives, 0)
+            };
+            let order = primitives.par_iter().map(BuildPrimitive::bits).collect();
+            (subtree, order)
         }
     };
-    (
-        subtree,
-        primitives.par_iter().map(BuildPrimitive::bits).collect(),
-    )
+    drop(primitives);
+    let order = order.into_iter().map(item_of_bits).collect();
+    BinaryTree {
+        root: Some(root),
+        below,
+        order,
+    }
+}
+
+/// One leaf with all primitives.
+fn list(primitives: &[BuildPrimitive], progress: Progress) -> Subtree {
+    progress.advance(primitives.len());
+    let root = Node::leaf(bounds_of(primitives), 0, primitives.len() as u32);
+    Subtree {
+        root,
+        below: Vec::new(),
+    }
 }

@@ -1,21 +1,22 @@
-//! Places along a Morton curve.
+//! Sorts primitives along a Morton curve.
 
 use super::build_primitive::{BuildPrimitive, centre_bounds};
 use super::lanes::{LaneBox, Lanes};
 use super::radix_sort::sort_by_digits;
 use rayon::prelude::*;
 
-/// Bits of a code on each axis, at most.
+/// The largest number of bits of a code on each axis.
 const MOST_AXIS_BITS: u32 = 10;
 
-/// Bits on each axis with which a cell of the grid holds some ten primitives of `count` that lie on a surface.
+/// The number of bits on each axis with which a grid cell holds about ten of `count` primitives, if
+/// they lie on a surface.
 fn axis_bits(count: usize) -> u32 {
     (count.max(1).ilog2() / 2)
         .saturating_sub(3)
         .clamp(2, MOST_AXIS_BITS)
 }
 
-/// A primitive on the curve: its Morton code and, in the lower half, its place in the list.
+/// A primitive on the curve: its Morton code in the upper half, its index in the lower half.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct CurvePlace(u64);
 
@@ -26,14 +27,14 @@ impl CurvePlace {
         (self.0 >> 32) as u32
     }
 
-    /// The place in the list.
+    /// The index in the list of primitives.
     #[inline]
     pub(super) fn index(self) -> usize {
         self.0 as u32 as usize
     }
 }
 
-/// All of `primitives` in the order of the curve; where codes are equal, in that of the list.
+/// All `primitives` in the order of the curve; with equal codes in the order of the list.
 pub(super) fn along_curve(primitives: &[BuildPrimitive]) -> Vec<CurvePlace> {
     let axis_bits = axis_bits(primitives.len());
     let grid = Grid::new(centre_bounds(primitives), axis_bits);
@@ -44,7 +45,8 @@ pub(super) fn along_curve(primitives: &[BuildPrimitive]) -> Vec<CurvePlace> {
     sort_by_digits(places, 3 * axis_bits, |place| place.code())
 }
 
-/// Cells, as many on each axis. The first and the last one are half as wide as the others.
+/// A grid with the same number of cells on each axis. The first and the last are half as wide as
+/// the others.
 struct Grid {
     low: Lanes,
     cells_per_unit: Lanes,
@@ -76,7 +78,7 @@ impl Grid {
             .minus(self.low)
             .times(self.cells_per_unit)
             .rounded();
-        // A NaN, from infinite boxes, is in some cell.
+        // The NaN of an infinite box falls into an arbitrary cell.
         let spread = |cell: u32| spread(cell & self.last);
         spread(z) << 2 | spread(y) << 1 | spread(x)
     }

@@ -1,21 +1,22 @@
-//! What may be chosen of a tree.
+//! Build options.
 
 use crate::accel::SplitMethod;
 
-/// How to build.
+/// Chooses how trees are built.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct BuildOptions {
-    /// How lists of primitives are split.
+    /// The split method.
     pub method: SplitMethod,
-    /// Primitives in a leaf at most (pbrt's `maxnodeprims`), 1 or more; without meaning for [`SplitMethod::None`].
+    /// The largest number of primitives in a leaf (pbrt's `maxnodeprims`), 1 or more.
+    /// [`SplitMethod::None`] ignores it.
     pub max_leaf: usize,
 }
 
 impl BuildOptions {
-    /// As many as a test of a tile against a leaf takes at a time. pbrt's default is 4.
+    /// The default: a tile tests this many primitives at once. pbrt's default is 4.
     pub const MAX_LEAF: usize = 16;
 
-    /// `method` with leaves of the usual size.
+    /// `method` with the default leaf size.
     pub fn new(method: SplitMethod) -> BuildOptions {
         BuildOptions {
             method,

@@ -1,11 +1,11 @@
-//! Putting one part of a list before the rest.
+//! Partitions lists of primitives, in parallel and reproducibly.
 
 use super::build_primitive::{BuildPrimitive, CHUNK, PARALLEL};
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// Moves those for which `is_left` holds to the front and returns how many they are. The order that results does not
-/// depend on the number of threads.
+/// Moves the primitives that satisfy `is_left` to the front and returns their number. The resulting
+/// order does not depend on the number of threads.
 #[inline]
 pub(super) fn partition(
     primitives: &mut [BuildPrimitive],
@@ -22,7 +22,7 @@ pub(super) fn partition(
     left_counts.iter().sum()
 }
 
-/// Without a branch on `is_left`, which nobody could foresee.
+/// Partitions without a branch on `is_left`, which would be unpredictable.
 #[inline]
 fn partition_serially(
     primitives: &mut [BuildPrimitive],
@@ -37,7 +37,7 @@ fn partition_serially(
     left
 }
 
-/// Joins chunks whose first primitives, as many as `left_counts` says, belong to the left: those that lie in the wrong
+/// Joins partitioned chunks, each with `left_counts` primitives on its left: those in the wrong
 /// part of the whole list change places.
 fn exchange(primitives: &mut [BuildPrimitive], left_counts: &[usize]) {
     let middle: usize = left_counts.iter().sum();
@@ -55,7 +55,7 @@ fn exchange(primitives: &mut [BuildPrimitive], left_counts: &[usize]) {
         .for_each(|(right, left)| right.swap_with_slice(left));
 }
 
-/// The parts of `list` at `ranges`, which ascend and do not overlap; empty ones are left out.
+/// The parts of `list` at `ranges`, which ascend without overlap. Skips empty ones.
 fn runs<'a, T>(mut list: &'a mut [T], ranges: &[Range<usize>]) -> Vec<&'a mut [T]> {
     let mut first = 0;
     let mut runs = Vec::new();
@@ -68,7 +68,7 @@ fn runs<'a, T>(mut list: &'a mut [T], ranges: &[Range<usize>]) -> Vec<&'a mut [T
     runs
 }
 
-/// Two lists of runs, which have the same length in all, cut so that each run has a partner as long as itself.
+/// Cuts two lists of runs with the same total length into pairs of equally long pieces.
 fn pieces_of_equal_length<'a, T>(
     a: Vec<&'a mut [T]>,
     b: Vec<&'a mut [T]>,
@@ -98,7 +98,7 @@ mod tests {
     use super::*;
     use crate::accel::space::Box32;
 
-    /// Boxes at places that follow no order.
+    /// Boxes at scattered places.
     fn scattered(len: usize) -> Vec<BuildPrimitive> {
         let at = |index: usize| (index as u32).wrapping_mul(0x9e37_79b9) as f32;
         let place = |index| {
@@ -114,7 +114,7 @@ mod tests {
     }
 
     #[test]
-    fn long_lists_are_parted_like_short_ones_by_any_number_of_threads() {
+    fn partitions_do_not_depend_on_the_number_of_threads() {
         for len in [0, 1, 100, PARALLEL, 3 * PARALLEL + 17] {
             for share in [0.0, 0.01, 0.5, 0.9, 3.0] {
                 let limit = share * u32::MAX as f32;

@@ -1,16 +1,17 @@
-//! Sorting by a key of few bits, a digit at a time.
+//! A parallel, stable radix sort.
 
 use rayon::prelude::*;
 use std::slice::IterMut;
 
-/// Bits of a digit: as many lines of memory are written to in turn as the caches hold.
+/// Bits of a digit. Each digit writes to its own cache line, and the caches hold 2^10 of them.
 const DIGIT_BITS: u32 = 10;
 const DIGITS: usize = 1 << DIGIT_BITS;
 
-/// Shorter lists are left to the standard library.
+/// The standard library sorts shorter lists.
 const SHORT: usize = 1 << 12;
 
-/// Sorts `items` by their keys, which are below 2^`bits`, and those with equal keys by where they were; `bits` is not 0.
+/// Sorts `items` by their keys, which are below 2^`bits`; equal keys keep their order. `bits` must
+/// not be 0.
 pub(super) fn sort_by_digits<T: Copy + Send + Sync>(
     mut items: Vec<T>,
     bits: u32,
@@ -31,8 +32,10 @@ pub(super) fn sort_by_digits<T: Copy + Send + Sync>(
     items
 }
 
-/// Writes `items` to `sorted` in the order of a digit. Chunks are counted and moved in parallel: each has places of its own
-/// for every digit, behind those of the chunks before it. So the order does not depend on their number.
+/// Writes `items` to `sorted` in the order of a digit.
+///
+/// Chunks are counted and moved in parallel. Each has its own places for every digit, behind those
+/// of earlier chunks, so the order does not depend on the number of chunks.
 fn sort_by_digit<T: Copy + Send + Sync>(
     items: &[T],
     sorted: &mut [T],
@@ -58,7 +61,7 @@ fn sort_by_digit<T: Copy + Send + Sync>(
         });
 }
 
-/// For each chunk the places of each digit.
+/// The places of each digit, for each chunk.
 fn places<'a, T>(mut sorted: &'a mut [T], counts: &[[u32; DIGITS]]) -> Vec<Vec<IterMut<'a, T>>> {
     let mut places: Vec<Vec<IterMut<T>>> =
         counts.iter().map(|_| Vec::with_capacity(DIGITS)).collect();
@@ -77,7 +80,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn sorts_as_the_standard_library_does() {
+    fn sorts_like_the_standard_library() {
         for len in [0, 1, SHORT - 1, SHORT, 50_000] {
             let item = |place: usize| {
                 (

@@ -1,4 +1,4 @@
-//! One split of a list of primitives, by each method.
+//! Splits one list of primitives, by each method.
 
 use super::binning::best_plane;
 use super::build_primitive::{BuildPrimitive, centre_bounds};
@@ -6,10 +6,10 @@ use super::full_leaves::LeafSize;
 use super::partition::partition;
 use crate::accel::SplitMethod;
 
-/// Lists of up to so many leaves are split where the leaves come out full.
+/// Lists of up to this many leaves are split so that leaves come out full.
 const FULL_LEAVES: usize = 16;
 
-/// Splits lists, each into a left and a right part that are not empty.
+/// Splits lists into a left and a right part, neither of which is empty.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Splitter {
     pub(super) method: SplitMethod,
@@ -17,8 +17,8 @@ pub(super) struct Splitter {
 }
 
 impl Splitter {
-    /// Reorders `primitives` so that the first ones, as many as are returned, form the left part; `None` where they
-    /// should form a leaf.
+    /// Reorders `primitives` so that the left part comes first, and returns its length; `None` if
+    /// they should form a leaf.
     pub(super) fn split(&self, primitives: &mut [BuildPrimitive]) -> Option<usize> {
         if primitives.len() <= self.leaf_size.0 || self.method == SplitMethod::None {
             return None;
@@ -38,7 +38,7 @@ impl Splitter {
         })
     }
 
-    /// The axis and the number of primitives on the left; `None` where all centres are in one place.
+    /// The axis and the number of primitives on the left; `None` if all centres coincide.
     fn split_by_sah(&self, primitives: &mut [BuildPrimitive]) -> Option<(usize, usize)> {
         let plane = best_plane(primitives, self.leaf_size)?;
         let count = partition(primitives, |primitive| {
@@ -52,13 +52,12 @@ fn both_sides(axis: usize, count: usize, len: usize) -> Option<(usize, usize)> {
     (count > 0 && count < len).then_some((axis, count))
 }
 
-/// Halves a list at the median of its centres along the axis on which they spread most; where all are in one place
-/// any half will do.
+/// Halves a list at the median of its centres along their widest axis; arbitrarily if all coincide.
 pub(super) fn split_evenly(primitives: &mut [BuildPrimitive]) -> usize {
     split_at(primitives, primitives.len() / 2)
 }
 
-/// Splits off the first `count` along the axis on which the centres spread most.
+/// Splits off the first `count` primitives along the widest axis of the centres.
 fn split_at(primitives: &mut [BuildPrimitive], count: usize) -> usize {
     let extent = centre_bounds(primitives).extent();
     let axis = extent.widest_axis();
@@ -78,7 +77,7 @@ fn split_in_the_middle(primitives: &mut [BuildPrimitive]) -> Option<(usize, usiz
     both_sides(axis, count, primitives.len())
 }
 
-/// Of a list whose first `count` primitives lie before the others along `axis`, brings the first `wanted` to the front.
+/// Moves the boundary of a list that is partitioned along `axis` at `count` to `wanted`.
 fn move_boundary(
     primitives: &mut [BuildPrimitive],
     axis: usize,
@@ -93,19 +92,19 @@ fn move_boundary(
     wanted
 }
 
-/// Brings the first `count` along `axis` to the front. Ties are broken by the primitive: which ones come to the front
-/// does not depend on how the list came about.
+/// Moves the first `count` primitives along `axis` to the front. Their bits break ties, so the
+/// selection does not depend on the order of the list.
 fn select(primitives: &mut [BuildPrimitive], axis: usize, count: usize) {
     let key = |primitive: &BuildPrimitive| {
         u64::from(rank(primitive.centre_along(axis))) << 32 | u64::from(primitive.bits())
     };
-    // Numbers are selected from in less time than boxes.
+    // Selecting among numbers is faster than among boxes.
     let mut keys: Vec<u64> = primitives.iter().map(key).collect();
     let limit = *keys.select_nth_unstable(count).1;
     partition(primitives, |primitive| key(primitive) < limit);
 }
 
-/// A number that grows with `x`, in the order of [`f32::total_cmp`].
+/// An integer that grows with `x`, in the order of [`f32::total_cmp`].
 #[inline]
 fn rank(x: f32) -> u32 {
     let bits = x.to_bits();

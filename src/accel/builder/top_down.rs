@@ -1,31 +1,29 @@
-//! The one top-down build, whatever the split method.
+//! The top-down build, the same for all split methods.
 
 use super::branch::Branch;
 use super::build_primitive::{BuildPrimitive, bounds_of};
 use super::splitter::{Splitter, split_evenly};
-use crate::accel::node::{Children, Node, Subtree};
+use crate::accel::tree::{Children, Node, Subtree};
 use crate::progress::Progress;
 
-/// Lists longer than this are handed to two threads. The tree does not depend on it.
+/// Two threads share longer lists. The tree does not depend on this.
 const PARALLEL_SUBTREE: usize = 1 << 12;
 
 /// Builds trees of a bounded depth.
 pub(super) struct TopDown<'a> {
     pub(super) splitter: Splitter,
-    /// Levels below the root at most.
+    /// The largest number of levels below the root.
     pub(super) max_depth: u32,
     pub(super) progress: Progress<'a>,
 }
 
 impl TopDown<'_> {
-    /// The tree over `primitives`, which come to lie in the order of its leaves; the first of them has place `first`.
-    /// The list must not be empty.
+    /// Builds the tree over `primitives`, which must not be empty, and sorts them in the order of
+    /// its leaves. The first primitive gets index `first`.
     pub(super) fn build(&self, primitives: &mut [BuildPrimitive], first: usize) -> Subtree {
         self.branch(primitives, first, 0).into_subtree()
     }
 
-    /// The tree over `primitives`, of which the first has place `first`.
-    ///
     /// Recursion goes as deep as the tree, which `max_depth` bounds.
     fn branch(&self, primitives: &mut [BuildPrimitive], first: usize, depth: u32) -> Branch {
         if primitives.len() > PARALLEL_SUBTREE
@@ -45,7 +43,7 @@ impl TopDown<'_> {
         Branch::Part(Subtree { root, below })
     }
 
-    /// The node over `primitives`, with the nodes below it appended to `below`, depth first.
+    /// The node over `primitives`. Appends the nodes below it to `below`, depth first.
     fn node(
         &self,
         primitives: &mut [BuildPrimitive],
@@ -66,7 +64,7 @@ impl TopDown<'_> {
     }
 
     fn split(&self, primitives: &mut [BuildPrimitive], depth: u32) -> Option<usize> {
-        // Halving from here on just ends at the deepest level allowed.
+        // Halving from here on ends exactly at the deepest level allowed.
         let levels_needed = usize::BITS - (primitives.len().max(1) - 1).leading_zeros();
         if depth + levels_needed >= self.max_depth && primitives.len() > self.splitter.leaf_size.0 {
             return Some(split_evenly(primitives));

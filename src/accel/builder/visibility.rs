@@ -1,32 +1,33 @@
-//! Which primitives some ray of a view may meet: only those need a tree.
+//! Culls the primitives that no ray of a view can meet: they need no tree.
 //!
-//! A ray passes one point of a pixel, so that a triangle whose rectangle on the film lies between the centres of pixels is seen
-//! by none, wherever it is; of a mesh finer than the film most are like that.
+//! A ray passes through the centre of its pixel. So a triangle whose rectangle on the film lies
+//! between pixel centres is invisible, wherever it is; most triangles of a mesh finer than the film
+//! are.
 
-use crate::accel::raster::{MAX_PIXEL_ERROR, OnFilm, View};
 use crate::accel::space::AnchorSpace;
+use crate::accel::view::{MAX_PIXEL_ERROR, OnFilm, View};
 use crate::camera::Camera;
 use crate::film::PixelBounds;
 use crate::geometry::Bounds;
 use crate::shape::Geometry;
 use rayon::prelude::*;
 
-/// Where the vertices of a scene are on the film, and the part of it that is rendered.
-pub(in crate::accel) struct Visibility {
+/// The vertices of a scene on the film, and the part of the film that is rendered.
+pub(crate) struct Visibility {
     view: View,
-    /// Columns and rows, from the first to the last.
+    /// First and last column, first and last row.
     window: [[f32; 2]; 2],
     vertices: Vec<OnFilm>,
 }
 
-/// Pixels: twice what a place on the film is off by at most.
+/// Pixels: twice the largest error of a projected vertex.
 const MARGIN: f32 = 2.0 * MAX_PIXEL_ERROR as f32;
-/// For the narrowing to `f32`.
+/// Covers the rounding to `f32`.
 const RELATIVE_MARGIN: f32 = 1.0 / (1 << 20) as f32;
 
 impl Visibility {
-    /// `None` where the view's numbers are too large or small to tell.
-    pub(in crate::accel) fn new(
+    /// Projects all vertices. `None` if the view's numbers are too large or too small for bounds.
+    pub(crate) fn new(
         camera: &Camera,
         window: &PixelBounds,
         geometry: &Geometry,
@@ -48,18 +49,18 @@ impl Visibility {
         })
     }
 
-    /// Whether a ray may meet the triangle with these corners.
+    /// Tests whether a ray may meet the triangle with these vertices.
     #[inline]
     pub(super) fn may_see_triangle(&self, corners: [u32; 3]) -> bool {
         self.may_see(corners.map(|corner| self.vertices[corner as usize]))
     }
 
-    /// Whether a ray may meet something in `bounds`.
-    pub(in crate::accel) fn may_see_box(&self, bounds: &Bounds) -> bool {
+    /// Tests whether a ray may meet something in `bounds`.
+    pub(crate) fn may_see_box(&self, bounds: &Bounds) -> bool {
         self.may_see(bounds.corners().map(|corner| self.view.on_film(corner)))
     }
 
-    /// Whether a ray may meet something between these points.
+    /// Tests whether a ray may meet something in the convex hull of these points.
     #[inline]
     fn may_see<const N: usize>(&self, points: [OnFilm; N]) -> bool {
         let (mut low, mut high) = ([f32::INFINITY; 2], [f32::NEG_INFINITY; 2]);
@@ -86,8 +87,8 @@ impl Visibility {
     }
 }
 
-/// The least whole number from `x` on, which is not below 0 and at most 2^24. Without the standard library's `ceil`: where the
-/// instruction is not known to be there, that is a call.
+/// The least integer not below `x`, for `x` from 0 to 2^24. The standard library's `ceil` is a
+/// function call on targets without the instruction.
 #[inline]
 fn next_whole(x: f32) -> f32 {
     let below = x as i32 as f32;
@@ -99,7 +100,7 @@ mod tests {
     use super::next_whole;
 
     #[test]
-    fn whole_numbers_stay_and_others_go_up() {
+    fn next_whole_agrees_with_ceil() {
         for x in [0.0, 0.25, 1.0, 1.5, 8191.0, 8191.002, 16_777_216.0f32] {
             assert_eq!(next_whole(x), x.ceil());
         }

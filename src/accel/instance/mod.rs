@@ -1,7 +1,9 @@
-//! Instances of objects: a tree over their boxes, and for each object a tree in the space of its instances.
+//! Instances of objects: a tree over their boxes, and for each object a tree in the space of its
+//! instances.
 //!
-//! A box of an object is taken to the world when a ray or a tile comes by. It is never smaller there than what is in it, but
-//! triangles and spheres are tested where they are exactly: moved to the world one by one (rule R4).
+//! Traversal transforms the boxes of an object to the world, where they still enclose their
+//! contents. Primitives are tested exactly where they are: each is transformed to the world by
+//! itself (rule R4).
 
 mod object_tree;
 mod outline;
@@ -11,16 +13,15 @@ pub(super) use self::object_tree::ObjectTree;
 pub(super) use self::placement::Placement;
 
 use self::outline::Outline;
-use super::builder::{BuildOptions, BuildPrimitive, Visibility};
-use super::raster::{Run, WideTree, runs_of};
+use super::builder::{self, BuildOptions, BuildPrimitive, Visibility};
 use super::space::AnchorSpace;
-use super::tree::Tree;
+use super::tree::{BinaryTree, Run, WideTree, collapse};
 use crate::geometry::Bounds;
 use crate::progress::Progress;
 use crate::shape::Geometry;
 use rayon::prelude::*;
 
-/// Instances in a leaf at most: each is as much work as a tree.
+/// The largest number of instances in a leaf: each costs as much as a tree.
 const MAX_LEAF: usize = 4;
 
 /// The outlines of all objects of a scene.
@@ -46,7 +47,7 @@ impl Outlines {
         )
     }
 
-    /// The box around an instance in the world; `None` where nothing of it can be hit.
+    /// The box around an instance in the world; `None` if nothing of it can be hit.
     fn bounds(&self, geometry: &Geometry, instance: usize) -> Option<Bounds> {
         let outline = &self.0[geometry.instances()[instance].object()];
         let is_there = !outline.is_empty()
@@ -66,21 +67,22 @@ impl Outlines {
     }
 }
 
-/// The trees of a scene's instances.
+/// The tree over a scene's instances, and the trees of its objects.
 #[derive(Debug, PartialEq)]
 pub(super) struct InstanceTrees {
-    /// Over the instances, in the space of the world's tree.
-    pub(super) tree: Tree<u32>,
+    /// The tree over the instances, in the space of the world's tree.
+    pub(super) tree: BinaryTree<u32>,
     /// The same tree for tiles.
     pub(super) wide: WideTree<Run>,
-    /// Of each object; of those that no instance shows `None`.
+    /// The tree of each object; `None` for objects without a visible instance.
     pub(super) objects: Vec<Option<ObjectTree>>,
 }
 
 impl InstanceTrees {
-    /// Over the instances that `visibility` sees, where that is given.
+    /// Builds the trees over the instances that may be seen, if `visibility` is given, otherwise
+    /// over all.
     ///
-    /// `progress` counts instances, and primitives of objects, those left out at once.
+    /// `progress` counts instances and primitives of objects; those left out count at once.
     pub(super) fn build(
         geometry: &Geometry,
         outlines: Outlines,
@@ -101,34 +103,37 @@ impl InstanceTrees {
             max_leaf: options.max_leaf.min(MAX_LEAF),
             ..options
         };
-        let tree = Tree::build(seen, leaf, progress, |instance| instance);
-        let mut is_shown = vec![false; geometry.objects().len()];
+        let tree = builder::build(seen, leaf, progress, |instance| instance);
+        let mut is_visible = vec![false; geometry.objects().len()];
         tree.order.iter().for_each(|instance| {
-            is_shown[geometry.instances()[*instance as usize].object()] = true
+            is_visible[geometry.instances()[*instance as usize].object()] = true
         });
-        let objects = geometry.objects().iter().zip(outlines.0).zip(is_shown).map(
-            |((object, outline), is_shown)| {
-                if !is_shown {
+        let objects = geometry
+            .objects()
+            .iter()
+            .zip(outlines.0)
+            .zip(is_visible)
+            .map(|((object, outline), is_visible)| {
+                if !is_visible {
                     progress.advance(object.geometry().own_count());
                 }
-                is_shown.then(|| ObjectTree::build(object.geometry(), outline, options, progress))
-            },
-        );
+                is_visible.then(|| ObjectTree::build(object.geometry(), outline, options, progress))
+            });
         let objects = objects.collect();
         InstanceTrees {
-            wide: WideTree::of(&tree, runs_of),
+            wide: collapse(&tree),
             tree,
             objects,
         }
     }
 
-    /// The tree of the object of an instance that is in the tree.
+    /// The object's tree of an instance that is in the tree.
     pub(super) fn object(&self, geometry: &Geometry, instance: usize) -> &ObjectTree {
         let object = &self.objects[geometry.instances()[instance].object()];
-        object.as_ref().expect("an object that is shown has a tree")
+        object.as_ref().expect("a visible object has a tree")
     }
 
-    /// Bytes that the trees take.
+    /// The memory of the trees in bytes.
     pub(super) fn bytes(&self) -> usize {
         let objects = self.objects.iter().flatten().map(ObjectTree::bytes);
         self.tree.bytes() + self.wide.bytes() + objects.sum::<usize>()

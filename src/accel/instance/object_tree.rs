@@ -1,35 +1,34 @@
-//! The tree of an object, in the space of its instances.
+//! The tree of an object, in the object's own space.
 
-use super::Placement;
 use super::outline::{Outline, Terms};
-use crate::accel::builder::{BuildOptions, BuildPrimitive};
-use crate::accel::raster::{Run, WideTree, runs_of};
+use super::placement::Placement;
+use crate::accel::builder::{self, BuildOptions, BuildPrimitive};
 use crate::accel::space::{AnchorSpace, Box32};
-use crate::accel::tree::Tree;
+use crate::accel::tree::{BinaryTree, Run, WideTree, collapse};
 use crate::geometry::{Bounds, Matrix, Point};
 use crate::progress::Progress;
 use crate::shape::{Geometry, Instance, Pose, PrimitiveId};
 use rayon::prelude::*;
 
-/// A tree over what may be hit of an object in some instance.
+/// A tree over the primitives of an object that some instance may show.
 #[derive(Debug, PartialEq)]
-pub(in crate::accel) struct ObjectTree {
-    /// Around the middle of the object.
-    pub(in crate::accel) space: AnchorSpace,
-    pub(in crate::accel) tree: Tree<PrimitiveId>,
+pub(crate) struct ObjectTree {
+    /// Anchored at the middle of the object.
+    pub(crate) space: AnchorSpace,
+    pub(crate) tree: BinaryTree<PrimitiveId>,
     /// The same tree for tiles.
-    pub(in crate::accel) wide: WideTree<Run>,
+    pub(crate) wide: WideTree<Run>,
     terms: Terms,
 }
 
-/// What has no place that is known has this one.
+/// The box of every primitive in an object whose place is unknown.
 const UNIT_BOX: Box32 = Box32 {
     low: [-1.0; 3],
     high: [1.0; 3],
 };
 
 impl ObjectTree {
-    /// `progress` counts primitives.
+    /// Builds the tree. `progress` counts primitives.
     pub(super) fn build(
         object: &Geometry,
         outline: Outline,
@@ -55,21 +54,21 @@ impl ObjectTree {
             .collect();
         let primitives: Vec<BuildPrimitive> = placed.into_iter().flatten().collect();
         progress.advance(all.len() - primitives.len());
-        let tree = Tree::build(primitives, options, progress, PrimitiveId::from_bits);
+        let tree = builder::build(primitives, options, progress, PrimitiveId::from_bits);
         ObjectTree {
             space,
-            wide: WideTree::of(&tree, runs_of),
+            wide: collapse(&tree),
             tree,
             terms: outline.terms,
         }
     }
 
-    /// Where an instance of the object puts its boxes.
-    pub(in crate::accel) fn placement(&self, instance: &Instance) -> Placement {
+    /// The placement of the object's boxes by an instance.
+    pub(crate) fn placement(&self, instance: &Instance) -> Placement {
         Placement::new(instance.world_from_instance(), &self.terms)
     }
 
-    /// Bytes that the trees take.
+    /// The memory of the trees in bytes.
     pub(super) fn bytes(&self) -> usize {
         self.tree.bytes() + self.wide.bytes()
     }

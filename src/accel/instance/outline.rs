@@ -1,32 +1,34 @@
-//! What has to be known of an object to place its boxes.
+//! The bounds of an object, and the magnitudes that bound the errors of placing its boxes.
 
 use crate::geometry::{Bounds, Matrix, Point};
 use crate::shape::{Geometry, Pose, Primitive, PrimitiveId};
 use rayon::prelude::*;
 
-/// Where an object is in the space of its instances, and how large the numbers are that lead there.
+/// The bounds of an object in the space of its instances, and the magnitudes of their computation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Outline {
-    /// Around all that may be hit in some instance.
+    /// Encloses everything that may be hit in some instance.
     pub(super) bounds: Bounds,
     pub(super) terms: Terms,
 }
 
-/// Of all points of an object, as its shapes' transforms take them from the spaces of their files to that of its instances.
+/// Magnitudes of all points of an object, as its shapes' transforms take them from the spaces of
+/// their files to the space of its instances.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::accel) struct Terms {
-    /// No sum of the absolute terms of a coordinate is larger. Infinite where sums may overflow.
+pub(crate) struct Terms {
+    /// Bounds the sum of the absolute terms of each coordinate. Infinite if sums may overflow.
     pub(super) in_instance: [f64; 3],
-    /// Nor is a coordinate in a file.
+    /// Bounds the coordinates in files.
     pub(super) in_file: f64,
 }
 
-/// Larger sums of terms might overflow in one order and not in another.
+/// Larger sums of terms might overflow depending on their order.
 const LARGEST: f64 = 1e250;
 
 impl Outline {
-    /// Nothing that may be hit in some instance is left out: neither what has no area in the space of the instances, since
-    /// roundings may give it some, nor what is under a singular transform.
+    /// The outline of an object. It includes everything that may be hit in some instance: also
+    /// primitives without area in the space of the instances, because rounding may give them one,
+    /// and those under a singular transform.
     pub(super) fn of(object: &Geometry) -> Outline {
         let primitives: Vec<PrimitiveId> = object.primitives().collect();
         let of_chunk = |chunk: &[PrimitiveId]| {
@@ -51,12 +53,12 @@ impl Outline {
         if fits { outline } else { Outline::ANYWHERE }
     }
 
-    /// Whether there is anything that may be hit.
+    /// Tests whether nothing may be hit.
     pub(super) fn is_empty(&self) -> bool {
         self.bounds.is_empty()
     }
 
-    /// Whether nothing is known of where it is.
+    /// Tests whether the object's place is unknown.
     pub(super) fn is_anywhere(&self) -> bool {
         *self == Outline::ANYWHERE
     }
@@ -93,7 +95,7 @@ impl Outline {
         }
     }
 
-    /// That of one primitive; `None` where it cannot be hit in any instance.
+    /// The outline of one primitive; `None` if it cannot be hit in any instance.
     pub(super) fn of_one(
         object: &Geometry,
         pose: &mut Pose,

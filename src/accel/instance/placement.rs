@@ -1,29 +1,30 @@
-//! From the boxes of an object to the world.
+//! Transforms the boxes of an object to the world.
 //!
-//! With M the transform of an instance and S that of a mesh, a world vertex is W = fl(fl(M S) v), and what the tree of the object
-//! knows is p = fl(S v). Let u = 2^-53, and E be a bound on the absolute terms of every component of S v. Then
-//! - p is off from S v by 4 u E at most, which M makes 4 u |M| E,
-//! - each entry of fl(M S) is off by 5 u of its absolute terms, and the product with v by 4 u of its own: W is off from M (S v) by
-//!   10 u (|M| E + |m|) at most, m the last column of M,
-//! - a face of a box is a coordinate that is not much larger than E, rounded once on its way out of the object's space; three products
-//!   and sums with M follow: 6 u (|M| E + |m|).
+//! With M the transform of an instance and S that of a mesh, a world vertex is W = fl(fl(M S) v),
+//! and the tree of the object knows p = fl(S v). Let u = 2^-53, let E ([`Terms::in_instance`])
+//! bound the absolute terms of every component of S v, and let m be the last column of M. Then
+//! - the error of p from S v is up to 4 u E, which M turns into 4 u |M| E;
+//! - the error of each entry of fl(M S) is up to 5 u of its absolute terms, and that of the product
+//!   with v up to 4 u of its own: the error of W from M (S v) is up to 10 u (|M| E + |m|);
+//! - a face of a box is a coordinate not much larger than E, rounded once on leaving the object's
+//!   space, and followed by three products and sums with M: 6 u (|M| E + |m|).
 //!
-//! Together less than the 64 u (|M| E + |m|) that are added. What underflows is off by 2^-1074 at most, in p, in an entry of M S, which v
-//! multiplies, or in a product.
+//! The sum is less than the 64 u (|M| E + |m|) that [`Placement::slack`] adds. Underflow adds up to
+//! 2^-1074 in p, in an entry of M S (which v multiplies), or in a product.
 
 use super::outline::Terms;
 use crate::exact::UNIT_ROUNDOFF as U;
 use crate::geometry::{Bounds, Matrix, Point};
 
-/// Where an instance puts what is in a box of its object.
+/// The transform of an instance, with a bound on its rounding errors.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::accel) struct Placement {
-    pub(in crate::accel) world_from_instance: Matrix,
-    /// By how much boxes have to be larger: see the head of the file. Infinite where that is not known.
-    pub(in crate::accel) slack: [f64; 3],
+pub(crate) struct Placement {
+    pub(crate) world_from_instance: Matrix,
+    /// Widens boxes in the world, as the module head derives it. Infinite if unknown.
+    pub(crate) slack: [f64; 3],
 }
 
-/// Above what a few numbers lose to underflow.
+/// Exceeds the loss of a few operations by underflow.
 const UNDERFLOW: f64 = f64::from_bits(1 << 10);
 
 impl Placement {
@@ -44,15 +45,16 @@ impl Placement {
         }
     }
 
-    /// The box in the world around what is in `bounds` in the space of the instance. A box around another one stays around it.
-    pub(in crate::accel) fn enclose(&self, bounds: &Bounds) -> Bounds {
+    /// The box in the world around the points of `bounds` in the object's space. It is monotone: a
+    /// larger box stays around a smaller one.
+    pub(crate) fn enclose(&self, bounds: &Bounds) -> Bounds {
         let ends = |k: usize| {
             let row = &self.world_from_instance.rows[k];
             let products = |j: usize| [row[j] * bounds.low[j], row[j] * bounds.high[j]];
             let [x, y, z] = [products(0), products(1), products(2)];
             let low = ((least(x) + least(y)) + least(z)) + row[3] - self.slack[k];
             let high = ((most(x) + most(y)) + most(z)) + row[3] + self.slack[k];
-            // Where something is infinite, nothing is known.
+            // Infinities leave the ends unknown.
             [
                 if low.is_nan() { f64::NEG_INFINITY } else { low },
                 if high.is_nan() { f64::INFINITY } else { high },
@@ -66,12 +68,12 @@ impl Placement {
     }
 }
 
-/// NaN if one of the two is.
+/// The smaller of the two; NaN if one of them is.
 fn least([a, b]: [f64; 2]) -> f64 {
     if a < b { a } else { b + 0.0 * a }
 }
 
-/// NaN if one of the two is.
+/// The larger of the two; NaN if one of them is.
 fn most([a, b]: [f64; 2]) -> f64 {
     if a > b { a } else { b + 0.0 * a }
 }

@@ -1,17 +1,17 @@
-//! Where the rays of a tile first meet a sphere or a cylinder that several primitives are parts of.
+//! Where the rays of a tile first meet a sphere or a cylinder that consists of several primitives.
 
-use super::pixels::{BLOCKS, Pixel};
+use super::depth_buffer::{PIXEL_BLOCKS, TilePixel};
 use crate::geometry::Ray;
 use crate::shape::{Coincidence, FilterRay, FilterResult, Primitive, Quadric};
 use crate::simd::LANES;
 
-/// The fronts of one such surface, worked out pixel by pixel when they are asked for: no part of it
-/// is met before them.
+/// The first hits of the rays with one such surface, computed on demand. No part of the surface is
+/// hit before its front.
 #[derive(Debug)]
 pub(super) struct Fronts {
-    /// The primitive that was drawn last of all that have roots, and those that share them.
+    /// The last quadric that was not flat. All parts of a surface share its roots.
     whole: Option<Quadric>,
-    /// Whether there was more than one: a surface by itself needs no front.
+    /// Whether the surface has more than one part; otherwise it needs no front.
     is_shared: bool,
     known: Vec<Option<FilterResult>>,
 }
@@ -25,12 +25,13 @@ impl Fronts {
         }
     }
 
-    /// Forgets all, for the next tile.
+    /// Starts a new tile.
     pub(super) fn clear(&mut self) {
         (self.whole, self.is_shared) = (None, false);
     }
 
-    /// Turns to the next primitive. Whether it is a part of the same surface as the one before it.
+    /// Turns to the next primitive. Returns whether it is a part of the same surface as the
+    /// previous one.
     pub(super) fn turn_to(&mut self, surface: &Primitive) -> bool {
         let Primitive::Quadric(quadric) = surface else {
             return false;
@@ -46,13 +47,13 @@ impl Fronts {
         if !self.is_shared {
             self.is_shared = true;
             self.known.clear();
-            self.known.resize(BLOCKS * LANES, None);
+            self.known.resize(PIXEL_BLOCKS * LANES, None);
         }
         true
     }
 
-    /// Where the ray of `pixel` first meets the whole of the surface that was turned to.
-    pub(super) fn at(&mut self, pixel: Pixel, ray: impl Fn() -> Option<Ray>) -> FilterResult {
+    /// Where the ray of `pixel` first meets the whole surface that [`Fronts::turn_to`] turned to.
+    pub(super) fn at(&mut self, pixel: TilePixel, ray: impl Fn() -> Option<Ray>) -> FilterResult {
         let Some(whole) = self.whole.as_ref().filter(|_| self.is_shared) else {
             return FilterResult::Unsure;
         };

@@ -1,98 +1,100 @@
-//! Instances before the rays of a tile.
+//! Rasterizes instances into a tile.
 //!
-//! The boxes of an object's tree are projected when a tile comes by, by the view's matrix times that of the instance. What is in
-//! the leaves that are seen is moved to the world, and drawn like everything else.
+//! The boxes of an object's tree are projected for each tile, by the view's matrix times that of
+//! the instance. The primitives of the leaves that may be seen are moved to the world and then
+//! rasterized like all others.
 
-use super::block::Block;
-use super::cast::{Scratch, Tile};
-use super::view_node::{FilmFromTree, project};
-use super::walk::Occlusion;
-use crate::accel::instance::ObjectTree;
+use super::tile::{Tile, TileBuffers};
+use super::traversal::{FilmFromTree, HiZ, project};
+use crate::accel::tree::PrimitiveBlock;
 use crate::shape::{InstancedId, Pose, Primitive, PrimitiveId};
 use crate::simd::Lanes;
 
-impl Tile<'_> {
-    /// Draws all that the tile may see of instances.
-    #[inline(always)]
-    pub(super) fn walk_instances<S: Lanes, const EXACT: bool>(&mut self, simd: S) {
-        let occlusion = Occlusion::of(self.frame.view, EXACT);
-        let trees = &self.searcher.aggregate.instances;
-        let mut farthest = occlusion.refresh(simd, &mut self.scratch.pixels);
-        let mut block = Block::empty();
-        self.scratch.stack.start();
-        while farthest < f32::INFINITY {
-            let Scratch { stack, pixels, .. } = &mut *self.scratch;
-            let Some(child) = stack.pop(simd, pixels) else {
-                return;
-            };
-            if child.blocks == 0 {
-                let node = &self.instances[child.first as usize];
-                stack.push(simd, &self.frame, self.instances, node, pixels, farthest);
-                continue;
-            }
-            for run in &trees.wide.blocks[child.first as usize..][..child.blocks as usize] {
-                for instance in run.of(&trees.tree.order) {
-                    farthest = self.walk_object::<S, EXACT>(
-                        simd,
-                        farthest,
-                        occlusion,
-                        *instance as usize,
-                        &mut block,
-                    );
-                }
+/// Rasterizes all instances that the tile may see.
+#[inline(always)]
+pub(super) fn rasterize_instances<S: Lanes, const EXACT: bool>(tile: &mut Tile, simd: S) {
+    let hi_z = HiZ::of(tile.frame.view, EXACT);
+    let trees = &tile.fallback.aggregate.instances;
+    let mut cull_nearness = hi_z.refresh(simd, &mut tile.buffers.pixels);
+    let mut block = PrimitiveBlock::empty();
+    tile.buffers.stack.start();
+    while cull_nearness < f32::INFINITY {
+        let TileBuffers { stack, pixels, .. } = &mut *tile.buffers;
+        let Some(child) = stack.pop(simd, pixels) else {
+            return;
+        };
+        if child.blocks == 0 {
+            let nodes = tile.instances;
+            let node = &nodes[child.first as usize];
+            stack.push(simd, &tile.frame, nodes, node, pixels, cull_nearness);
+            continue;
+        }
+        for run in &trees.wide.blocks[child.first as usize..][..child.blocks as usize] {
+            for instance in run.of(&trees.tree.order) {
+                let instance = *instance as usize;
+                cull_nearness = rasterize_instance::<S, EXACT>(
+                    tile,
+                    simd,
+                    cull_nearness,
+                    hi_z,
+                    instance,
+                    &mut block,
+                );
             }
         }
-    }
-
-    /// Draws what the tile may see of an instance, by way of `block`, and returns how near something must be now to be seen.
-    #[inline(always)]
-    fn walk_object<S: Lanes, const EXACT: bool>(
-        &mut self,
-        simd: S,
-        mut farthest: f32,
-        occlusion: Occlusion,
-        instance: usize,
-        block: &mut Block,
-    ) -> f32 {
-        let geometry = self.searcher.geometry;
-        let object: &ObjectTree = self.searcher.aggregate.instances.object(geometry, instance);
-        let placement = object.placement(&geometry.instances()[instance]);
-        let film = FilmFromTree::of_object(self.frame.view, &object.space, &placement);
-        let mut pose = geometry.pose(instance);
-        let sibling = InstancedId::in_instance(instance, PrimitiveId::FIRST);
-        self.scratch.object_stack.start();
-        while farthest < f32::INFINITY {
-            let Scratch {
-                object_stack,
-                pixels,
-                ..
-            } = &mut *self.scratch;
-            let Some(child) = object_stack.pop(simd, pixels) else {
-                break;
-            };
-            if child.blocks == 0 {
-                let nodes = &object.wide.nodes;
-                let node = project(simd, &film, &nodes[child.first as usize]);
-                object_stack.push(simd, &self.frame, nodes, &node, pixels, farthest);
-                continue;
-            }
-            for run in &object.wide.blocks[child.first as usize..][..child.blocks as usize] {
-                fill(block, run.of(&object.tree.order), &mut pose);
-                self.show_block::<S, EXACT>(simd, farthest, block, sibling);
-                farthest = occlusion.refresh(simd, &mut self.scratch.pixels);
-            }
-        }
-        farthest
     }
 }
 
-/// Fills a block with primitives of an object as an instance poses it; without those that are nowhere, or cannot be hit there.
-fn fill(block: &mut Block, primitives: &[PrimitiveId], pose: &mut Pose) {
+/// Rasterizes one instance, and returns the new nearness below which the tile sees nothing. `block`
+/// is a buffer.
+#[inline(always)]
+fn rasterize_instance<S: Lanes, const EXACT: bool>(
+    tile: &mut Tile,
+    simd: S,
+    mut cull_nearness: f32,
+    hi_z: HiZ,
+    instance: usize,
+    block: &mut PrimitiveBlock,
+) -> f32 {
+    let geometry = tile.fallback.geometry;
+    let object = tile.fallback.aggregate.instances.object(geometry, instance);
+    let placement = object.placement(&geometry.instances()[instance]);
+    let film = FilmFromTree::of_object(tile.frame.view, &object.space, &placement);
+    let mut pose = geometry.pose(instance);
+    let sibling = InstancedId::in_instance(instance, PrimitiveId::FIRST);
+    tile.buffers.object_stack.start();
+    while cull_nearness < f32::INFINITY {
+        let TileBuffers {
+            object_stack,
+            pixels,
+            ..
+        } = &mut *tile.buffers;
+        let Some(child) = object_stack.pop(simd, pixels) else {
+            break;
+        };
+        if child.blocks == 0 {
+            let nodes = &object.wide.nodes;
+            let node = project(simd, &film, &nodes[child.first as usize]);
+            object_stack.push(simd, &tile.frame, nodes, &node, pixels, cull_nearness);
+            continue;
+        }
+        for run in &object.wide.blocks[child.first as usize..][..child.blocks as usize] {
+            fill(block, run.of(&object.tree.order), &mut pose);
+            tile.rasterize_block::<S, EXACT>(simd, cull_nearness, block, sibling);
+            cull_nearness = hi_z.refresh(simd, &mut tile.buffers.pixels);
+        }
+    }
+    cull_nearness
+}
+
+/// Fills a block with primitives of an object in the pose of an instance. Leaves out those that are
+/// not finite or cannot be hit there.
+fn fill(block: &mut PrimitiveBlock, primitives: &[PrimitiveId], pose: &mut Pose) {
     block.clear();
     for primitive in primitives {
         let surface = pose.surface(*primitive);
         let is_there = match &surface {
-            // Those without area are left to the tests of rays.
+            // Triangles without area are left to the ray tests.
             Primitive::Triangle(triangle) => triangle.0.iter().all(|corner| corner.is_finite()),
             Primitive::Quadric(quadric) => quadric.can_be_hit(),
         };

@@ -1,42 +1,31 @@
-//! Tiles of rays that travel together.
+//! The tile rasterizer: finds the nearest hits of 16 x 16 rays at once.
 //!
-//! All rays of a tile visit a node at once: seen from a camera, the box of a node is a rectangle of pixels with a
-//! nearest point, and the tile visits it if they overlap, and if some pixel of the overlap has hit nothing nearer yet. Sixteen
-//! triangles are then prepared at once and drawn into the tile's pixels, sixteen pixels at once.
+//! Seen from a camera, the box of a node is a rectangle of pixels with a nearest point. A tile
+//! visits a node if the rectangle overlaps the tile and some pixel of the overlap has not hit
+//! anything nearer yet (hierarchical Z). The triangles of a leaf are then set up sixteen at a time
+//! and rasterized into the tile's depth buffer, sixteen pixels at a time.
 //!
-//! Decisions are made in `f32` with bounds on their errors; see [`narrow`], and [`wide`] for the few triangles that need `f64`. What
-//! the bounds leave open is settled by the exact search for single rays. Depths are worked out last, for what is hit; see [`kept`].
+//! Decisions are made in `f32` with bounds on their errors; see [`setup::setup_f32`], and
+//! [`setup::setup_f64`] for the few triangles that need `f64`. Pixels that stay unresolved go to
+//! the exact fallback, which tests single rays. Depths are computed last, for visible primitives
+//! only; see [`depth_planes`].
 
-mod ahead;
-mod block;
-mod cast;
-mod corners;
-mod draw;
-mod frame;
+mod depth_buffer;
+mod depth_planes;
+mod exact_fallback;
 mod fronts;
 mod instances;
-mod kept;
-mod narrow;
-mod pixels;
-mod planes;
+mod rasterize;
 mod resolve;
-mod search;
-mod spheres;
-mod traced;
-mod tracer;
-mod view;
-mod view_node;
-mod walk;
-mod wide;
-mod wide_tree;
+mod setup;
+mod tile;
+mod tile_kernel;
+mod tile_tracer;
+mod traced_tile;
+mod traversal;
 
-pub(super) use block::{BLOCK, Block, blocks_of};
-pub(crate) use frame::TILE;
-pub use traced::TracedTile;
-pub use tracer::{TileOptions, TileTracer, Tiles};
-pub(super) use view::{MAX_PIXEL_ERROR, OnFilm, View};
-pub(super) use wide_tree::runs_of;
-pub(crate) use wide_tree::{Run, WideTree};
+pub use tile_tracer::{TileOptions, TileTracer, Tiles};
+pub use traced_tile::TracedTile;
 
 #[cfg(test)]
 mod tests;

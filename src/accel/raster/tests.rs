@@ -1,19 +1,17 @@
-//! Numbers that lanes compute are off by no more than their bounds say.
+//! Tests that computed edge functions, nearness and depths stay within their error bounds.
 
-use super::block::blocks_of;
-use super::frame::Frame;
-use super::kept::Kept;
-use super::planes::Planes;
-use super::view::View;
-use super::wide_tree::Run;
+use super::depth_planes::DepthPlanes;
+use super::setup::EdgePlanes;
 use crate::accel::space::AnchorSpace;
+use crate::accel::tree::{Run, primitive_blocks};
+use crate::accel::view::{TileFrame, View};
 use crate::camera::{Camera, Projection, ScreenWindow};
 use crate::geometry::{Matrix, Point, Transform, Vector};
 use crate::shape::{Geometry, InstancedId, PrimitiveId, Triangle};
 use crate::simd::{Kernel, LANES, Lanes, Level};
 use proptest::prelude::*;
 
-/// Sixteen triangles before a camera, of which the tile from pixel `first` is looked at.
+/// Sixteen triangles in front of a camera, and the first pixel of a tile.
 #[derive(Debug, Clone)]
 struct Scene {
     camera: Camera,
@@ -43,7 +41,8 @@ fn camera(eye: [f64; 3], is_perspective: bool) -> Camera {
     }
 }
 
-/// The triangles lie around points that rays of the tile pass, from small ones to some that are larger than the tile.
+/// The triangles lie around points that rays of the tile pass, from small ones to some that are
+/// larger than the tile.
 fn scene() -> impl Strategy<Value = Scene> {
     let eye = prop::array::uniform3(3.0..9.0f64);
     let corner = prop::array::uniform3(-1.0..1.0f64);
@@ -78,18 +77,18 @@ fn scene() -> impl Strategy<Value = Scene> {
 
 struct Check<'a>(&'a Scene);
 
-/// A scene as a tile prepares it.
+/// A scene after setup.
 struct Prepared<'a> {
     scene: &'a Scene,
     geometry: Geometry,
-    planes: Planes,
-    kept: Kept,
+    planes: EdgePlanes,
+    depth_planes: DepthPlanes,
 }
 
 impl Kernel for Check<'_> {
     type Output = ();
 
-    /// Compares numbers and their bounds with what `f64` makes of the scene's own corners.
+    /// Compares computed numbers and their bounds with `f64` results from the scene's own corners.
     #[inline(always)]
     fn run<S: Lanes>(self, simd: S) {
         let Scene {
@@ -110,7 +109,7 @@ impl Kernel for Check<'_> {
             )
             .unwrap();
         let order: Vec<PrimitiveId> = (0..triangles.len()).map(PrimitiveId::triangle).collect();
-        let block = &blocks_of(
+        let block = &primitive_blocks(
             &[Run {
                 first: 0,
                 count: LANES as u32,
@@ -119,31 +118,31 @@ impl Kernel for Check<'_> {
             &geometry,
         )[0];
         let view = View::new(camera, &AnchorSpace::new(camera.anchor(), 256.0)).unwrap();
-        let frame = Frame::new(&view, *first);
-        let mut planes = Planes::new();
+        let frame = TileFrame::new(&view, *first);
+        let mut planes = EdgePlanes::new();
         let usable = planes
-            .fill_narrow::<S, true>(simd, &frame, block, view.least_nearness())
+            .set_up_f32::<S, true>(simd, &frame, block, view.least_nearness())
             .usable;
-        let mut kept = Kept::new();
+        let mut depth_planes = DepthPlanes::new();
         for (lane, primitive) in order.iter().enumerate() {
-            kept.push_narrow(
+            depth_planes.push_f32(
                 InstancedId::alone(*primitive),
                 &block.corner,
                 &block.edges,
                 lane,
             );
         }
-        kept.fill_planes(simd, &frame);
+        depth_planes.compute(simd, &frame);
         let prepared = Prepared {
             scene: self.0,
             geometry,
             planes,
-            kept,
+            depth_planes,
         };
         for lane in (0..LANES).filter(|lane| usable >> lane & 1 != 0) {
-            let area = prepared.planes.areas.of(lane);
-            for row in area.rows[0]..=area.rows[1] {
-                for column in area.columns[0]..=area.columns[1] {
+            let footprint = prepared.planes.footprints.of(lane);
+            for row in footprint.rows[0]..=footprint.rows[1] {
+                for column in footprint.columns[0]..=footprint.columns[1] {
                     prepared.check(&frame, lane, [column as u32, row as u32]);
                 }
             }
@@ -152,7 +151,7 @@ impl Kernel for Check<'_> {
 }
 
 impl Prepared<'_> {
-    fn check(&self, frame: &Frame, lane: usize, pixel: [u32; 2]) {
+    fn check(&self, frame: &TileFrame, lane: usize, pixel: [u32; 2]) {
         let planes = &self.planes;
         let first = planes.first(lane);
         let local = [pixel[0] - first[0], pixel[1] - first[1]].map(|k| k as f32);
@@ -182,8 +181,8 @@ impl Prepared<'_> {
         }
     }
 
-    fn check_depth(&self, frame: &Frame, lane: usize, pixel: [u32; 2]) {
-        let plane = self.kept.plane(lane);
+    fn check_depth(&self, frame: &TileFrame, lane: usize, pixel: [u32; 2]) {
+        let plane = self.depth_planes.plane(lane);
         let [start, per_column, per_row] = plane.nearness;
         let nearness = start + per_column * f64::from(pixel[0]) + per_row * f64::from(pixel[1]);
         let is_perspective = frame.view.is_perspective;
@@ -205,14 +204,14 @@ impl Prepared<'_> {
     }
 }
 
-/// What `f64` says of a triangle at a pixel of the tile.
+/// A triangle at a pixel of the tile, computed in `f64`.
 struct Truth {
     edges: [f64; 3],
     nearness: f64,
 }
 
 impl Truth {
-    fn of(frame: &Frame, triangle: &Triangle, [x, y]: [f64; 2]) -> Truth {
+    fn of(frame: &TileFrame, triangle: &Triangle, [x, y]: [f64; 2]) -> Truth {
         let on_film = triangle.0.map(|corner| {
             let from_eye = corner - frame.eye();
             let row = |k: usize| Vector::from(frame.tile_from_world[k]).dot(from_eye);
@@ -244,10 +243,13 @@ impl Truth {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(300) })]
+    #![proptest_config(ProptestConfig {
+        failure_persistence: None,
+        ..ProptestConfig::with_cases(300)
+    })]
 
     #[test]
-    fn numbers_are_off_by_no_more_than_their_bounds(scene in scene()) {
+    fn computed_numbers_stay_within_their_bounds(scene in scene()) {
         for level in Level::ALL.iter().filter(|level| level.is_available()) {
             level.run(Check(&scene));
         }

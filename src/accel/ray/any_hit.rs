@@ -1,16 +1,16 @@
-//! Whether a ray hits anything.
+//! A search that ends with the first hit it finds.
 
 use super::traversal::Search;
 use crate::accel::hit::Hit;
 use crate::shape::InstancedId;
 
-/// A search that ends with its first hit: which one that is, depends on the tree.
-pub(in crate::accel) struct AnyHit<S> {
+/// Ends a search with its first hit. Which one that is depends on the tree.
+pub(crate) struct AnyHit<S> {
     search: S,
 }
 
 impl<S: Search> AnyHit<S> {
-    pub(in crate::accel) fn new(search: S) -> AnyHit<S> {
+    pub(crate) fn new(search: S) -> AnyHit<S> {
         AnyHit { search }
     }
 }
@@ -23,7 +23,7 @@ impl<S: Search> Search for AnyHit<S> {
         }
     }
 
-    /// Nothing is entered before this once something is hit.
+    /// After a hit, nothing is entered any more.
     #[inline]
     fn limit(&self) -> f32 {
         if self.search.has_hit() {

@@ -1,4 +1,4 @@
-//! The nearest hit of a ray, decided exactly.
+//! The nearest hit of a ray, decided exactly, with the limit that culls nodes.
 
 use super::nearest::Nearest;
 use super::ties::Ties;
@@ -8,17 +8,18 @@ use crate::accel::space::SlabRay;
 use crate::geometry::Ray;
 use crate::shape::{Geometry, InstancedId};
 
-/// The best hit so far of a ray on its way through a tree.
-pub(in crate::accel) struct ExactSearch<'a> {
+/// The best hit so far of a ray that traverses a tree.
+pub(crate) struct ExactSearch<'a> {
     geometry: &'a Geometry,
     nearest: Nearest<'a>,
     slab: &'a SlabRay,
-    /// The upper end of the best bracket in the units of the slab test: what is entered later is culled.
+    /// The upper end of the best bracket in the units of the slab test. Boxes entered later are
+    /// culled.
     limit: f32,
 }
 
 impl<'a> ExactSearch<'a> {
-    pub(in crate::accel) fn new(
+    pub(crate) fn new(
         geometry: &'a Geometry,
         ray: &Ray,
         slab: &'a SlabRay,
@@ -73,7 +74,8 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(20_000))]
 
-        /// Slivers, of which the filter knows the t least well: what lies before the hit must still be looked at.
+        /// Tests slivers, whose t the filter knows least well: nodes before the hit must not be
+        /// culled.
         #[test]
         fn the_limit_is_not_before_the_hit(
             ends in prop::array::uniform6(-1.0f64..1.0),
@@ -82,13 +84,15 @@ mod tests {
             weights in prop::array::uniform3(0.05f64..1.0),
             origin in prop::array::uniform3(-1.0f64..1.0),
         ) {
-            let (a, b) = (Point::new(ends[0], ends[1], ends[2]), Point::new(ends[3], ends[4], ends[5]));
+            let a = Point::new(ends[0], ends[1], ends[2]);
+            let b = Point::new(ends[3], ends[4], ends[5]);
             let middle = |k: usize| 0.4 * a[k] + 0.6 * b[k] + aside[k] * 2f64.powi(thinness);
             let c = Point::new(middle(0), middle(1), middle(2));
             let mut geometry = Geometry::default();
             geometry.add_mesh(vec![a, b, c], vec![[0, 1, 2]], &Matrix::IDENTITY, 1).unwrap();
             let sum = weights[0] + weights[1] + weights[2];
-            let target = |k: usize| (weights[0] * a[k] + weights[1] * b[k] + weights[2] * c[k]) / sum;
+            let [u, v, w] = weights;
+            let target = |k: usize| (u * a[k] + v * b[k] + w * c[k]) / sum;
             let origin = Point::from(origin);
             let direction = Point::new(target(0), target(1), target(2)) - origin;
             let ray = Ray { origin, direction };
@@ -98,7 +102,7 @@ mod tests {
             let (mut ties, mut fallbacks) = (Ties::default(), ExactFallbacks::default());
             let mut search = ExactSearch::new(&geometry, &ray, &slab, &mut ties, &mut fallbacks);
             search.test(primitive);
-            // Narrowed to f32 as the limit is, the true number is not above it.
+            // The true number, rounded to f32 like the limit, does not exceed it.
             let truth = slab.scaled_limit(root.bracket().low);
             prop_assert!(search.limit() >= truth, "{} < {truth}", search.limit());
         }

@@ -1,4 +1,4 @@
-//! The nearest hit of a ray, as `f32` has it.
+//! The nearest hit of a ray, computed in `f32`.
 
 use super::traversal::Search;
 use crate::accel::hit::Hit;
@@ -7,12 +7,14 @@ use crate::exact::Bracket;
 use crate::geometry::{Point, Ray};
 use crate::shape::{Geometry, InstancedId, Primitive, SingleQuadric, intersect_single};
 
-/// The best hit so far of a ray among the primitives that were tested. Everything is relative to the anchor and in `f32`.
+/// The best hit so far of a ray among the primitives that were tested, in `f32` relative to the
+/// anchor.
 ///
-/// Rounding may place a hit a little outside the primitive's box, where a tree would never have looked. So a hit counts
-/// only if the ray enters that box, and not before it does; then every node around it is entered no later, and the answer
-/// is the same for every tree, and for none.
-pub(in crate::accel) struct FastSearch<'a> {
+/// Rounding may place a hit slightly outside the primitive's box, where a tree would never have
+/// looked. So a hit counts only if the ray enters that box, and is moved to the entry if it lies
+/// before it. Every node around the box is entered no later, so the result is the same for every
+/// tree, and without one.
+pub(crate) struct FastSearch<'a> {
     geometry: &'a Geometry,
     space: &'a AnchorSpace,
     ray: SingleRay,
@@ -21,7 +23,7 @@ pub(in crate::accel) struct FastSearch<'a> {
 }
 
 impl<'a> FastSearch<'a> {
-    pub(in crate::accel) fn new(
+    pub(crate) fn new(
         geometry: &'a Geometry,
         space: &'a AnchorSpace,
         ray: &Ray,

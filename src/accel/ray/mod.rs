@@ -1,9 +1,9 @@
-//! One ray at a time through a tree.
+//! Single rays through the trees, with different searches for the nearest hit.
 
 mod any_hit;
+mod closure_search;
 mod exact_search;
 mod fast_search;
-mod foreign_search;
 mod nearest;
 mod ties;
 mod tracer;

@@ -1,4 +1,4 @@
-//! The nearest of the primitives that a ray is tested against, decided exactly.
+//! The nearest of several primitives along a ray, decided exactly.
 
 use super::ties::Ties;
 use crate::accel::hit::{ExactFallbacks, Hit};
@@ -9,10 +9,10 @@ use std::cmp::Ordering;
 
 /// The best hit so far of a ray among the primitives that were tested.
 ///
-/// The answer is that of exact arithmetic on all of them, in whatever order they come: the filter's
-/// verdicts are right, its brackets hold the true `t`, and where two brackets overlap the true
-/// numbers are compared.
-pub(in crate::accel) struct Nearest<'a> {
+/// The result is that of exact arithmetic on all of them, in any order: the filter's decisions are
+/// right, its brackets contain the true `t`, and if two brackets overlap the true numbers are
+/// compared.
+pub(crate) struct Nearest<'a> {
     geometry: &'a Geometry,
     ray: FilterRay,
     best: Option<Candidate>,
@@ -23,12 +23,12 @@ pub(in crate::accel) struct Nearest<'a> {
 struct Candidate {
     primitive: InstancedId,
     t: Bracket,
-    /// The exact `t`, once it has been asked for.
+    /// The exact `t`, once it has been computed.
     root: Option<Root>,
 }
 
 impl<'a> Nearest<'a> {
-    pub(in crate::accel) fn new(
+    pub(crate) fn new(
         geometry: &'a Geometry,
         ray: &Ray,
         ties: &'a mut Ties,
@@ -43,8 +43,8 @@ impl<'a> Nearest<'a> {
         }
     }
 
-    /// Begins with a hit that is known, at a `t` within the bracket.
-    pub(in crate::accel) fn hold(&mut self, primitive: InstancedId, t: Bracket) {
+    /// Starts with a known hit at a `t` within the bracket.
+    pub(crate) fn hold(&mut self, primitive: InstancedId, t: Bracket) {
         self.best = Some(Candidate {
             primitive,
             t,
@@ -52,15 +52,15 @@ impl<'a> Nearest<'a> {
         });
     }
 
-    /// Where the best hit is, if there is any.
+    /// The bracket of the best hit.
     #[inline]
-    pub(in crate::accel) fn best_t(&self) -> Option<&Bracket> {
+    pub(crate) fn best_t(&self) -> Option<&Bracket> {
         self.best.as_ref().map(|best| &best.t)
     }
 
-    /// Tests a primitive that can be hit. Whether it is the best hit now.
+    /// Tests a primitive that can be hit. Returns whether it is now the best hit.
     #[inline]
-    pub(in crate::accel) fn test(&mut self, primitive: InstancedId, surface: &Primitive) -> bool {
+    pub(crate) fn test(&mut self, primitive: InstancedId, surface: &Primitive) -> bool {
         match surface.filter(&self.ray) {
             FilterResult::Miss => false,
             FilterResult::Hit(t) => self.offer(Candidate {
@@ -72,7 +72,7 @@ impl<'a> Nearest<'a> {
         }
     }
 
-    /// Takes a hit, if it is nearer than the best, or as near and before it in the file (rule E3).
+    /// Takes a hit if it is nearer than the best, or as near and first in the file (rule E3).
     #[inline]
     fn offer(&mut self, mut candidate: Candidate) -> bool {
         let t = candidate.t;
@@ -101,7 +101,7 @@ impl<'a> Nearest<'a> {
         })
     }
 
-    /// Whether a hit beats the best one, where the brackets overlap.
+    /// Tests whether a hit beats the best one although their brackets overlap.
     #[cold]
     fn wins_close(&mut self, candidate: &mut Candidate) -> bool {
         let geometry = self.geometry;
@@ -115,7 +115,7 @@ impl<'a> Nearest<'a> {
             .between(geometry, best.primitive, candidate.primitive)
         {
             Coincidence::SameHit => return comes_first,
-            // The filter tells one bracket of each root, and brackets of two roots that are apart.
+            // The filter gives each root one bracket, and different roots disjoint brackets.
             Coincidence::SameRoots if candidate.root.is_none() && candidate.t == best.t => {
                 return comes_first;
             }
@@ -132,7 +132,7 @@ impl<'a> Nearest<'a> {
         }
     }
 
-    pub(in crate::accel) fn into_hit(self) -> Option<Hit> {
+    pub(crate) fn into_hit(self) -> Option<Hit> {
         let is_hard = self.fallbacks.is_any();
         self.best.map(|best| Hit {
             primitive: best.primitive,

@@ -1,24 +1,24 @@
-//! Which primitives a ray can only meet at the same `t`, found out once and not for every ray.
+//! A cache of coincident primitives, which every ray hits at the same `t`.
 
 use crate::shape::{Coincidence, Geometry, InstancedId, Primitive};
 
-/// What a thread knows of primitives that coincide.
+/// The coincidences that a thread has found.
 ///
-/// The answers depend on the primitives alone, never on what was asked before: what is forgotten is
-/// found out again.
+/// Answers depend on the primitives alone, never on earlier questions: forgotten ones are computed
+/// again.
 #[derive(Debug, Default)]
-pub(in crate::accel) struct Ties {
+pub(crate) struct Ties {
     last: Option<(InstancedId, InstancedId, Coincidence)>,
-    /// A primitive, and one whose plane it lies in: those with the same one are coplanar.
+    /// For a primitive another one in its plane. Primitives with the same leader are coplanar.
     leaders: Cache<InstancedId>,
-    /// Pairs that look coplanar and are not.
+    /// Pairs that look coplanar but are not.
     apart: Cache<()>,
 }
 
 impl Ties {
-    /// What two primitives have in common, both of which can be hit.
+    /// How two primitives that can be hit coincide.
     #[inline]
-    pub(in crate::accel) fn between(
+    pub(crate) fn between(
         &mut self,
         geometry: &Geometry,
         a: InstancedId,
@@ -70,7 +70,7 @@ impl Ties {
             self.apart.put(a, b, ());
             return false;
         }
-        // The smaller one, so that groups grow together instead of changing sides.
+        // The smaller leader, so that groups merge instead of exchanging members.
         let [first, second] = leaders;
         let leader = if second < first { second } else { first };
         self.leaders.put(a, a, leader);
@@ -79,11 +79,10 @@ impl Ties {
     }
 }
 
-/// What is known of pairs of primitives, as far as there is room: each has one place, where the
-/// last one to come stays.
+/// Facts about pairs of primitives. Each pair hashes to one place, which keeps the latest entry.
 #[derive(Debug)]
 struct Cache<T> {
-    /// Nothing as long as it is not used.
+    /// Empty until the first use.
     places: Vec<Option<(InstancedId, InstancedId, T)>>,
 }
 
@@ -123,8 +122,8 @@ mod tests {
     use crate::shape::PrimitiveId;
     use proptest::prelude::*;
 
-    /// Triangles with corners that are whole numbers, in planes through the origin, or shifted.
-    fn shapes_of(triangles: &[([[i32; 2]; 3], [i32; 3])]) -> Geometry {
+    /// Triangles with integer corners, in planes through the origin or shifted ones.
+    fn geometry_of(triangles: &[([[i32; 2]; 3], [i32; 3])]) -> Geometry {
         let mut geometry = Geometry::default();
         for (corners, [slope, other, height]) in triangles {
             let corner = |[x, y]: [i32; 2]| {
@@ -145,14 +144,19 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(500))]
 
-        /// Whatever was asked before, in whatever order.
+        /// Earlier questions do not matter, nor does their order.
         #[test]
         fn answers_depend_on_the_pair_alone(
             triangles in prop::collection::vec(
-                (prop::array::uniform3(prop::array::uniform2(-9i32..10)), prop::array::uniform3(1i32..3)), 2..8),
+                (
+                    prop::array::uniform3(prop::array::uniform2(-9i32..10)),
+                    prop::array::uniform3(1i32..3),
+                ),
+                2..8,
+            ),
             order in prop::collection::vec((0usize..8, 0usize..8), 1..40),
         ) {
-            let geometry = shapes_of(&triangles);
+            let geometry = geometry_of(&triangles);
             let mut ties = Ties::default();
             for (a, b) in order {
                 let [a, b] = [a, b].map(|k| k % triangles.len());
@@ -160,7 +164,10 @@ mod tests {
                 if [p, q].iter().any(|placed| !geometry.surface(*placed).can_be_hit()) {
                     continue;
                 }
-                let expected = if triangles[a].1 == triangles[b].1 { Coincidence::SameHit } else { Coincidence::None };
+                let expected = match triangles[a].1 == triangles[b].1 {
+                    true => Coincidence::SameHit,
+                    false => Coincidence::None,
+                };
                 prop_assert_eq!(ties.between(&geometry, p, q), expected);
                 prop_assert_eq!(Ties::default().between(&geometry, p, q), expected);
             }

@@ -1,35 +1,36 @@
-//! Rays through an aggregate, one after the other.
+//! Traces single rays through an aggregate.
 
 use super::any_hit::AnyHit;
+use super::closure_search::ClosureSearch;
 use super::exact_search::ExactSearch;
 use super::fast_search::FastSearch;
-use super::foreign_search::ForeignSearch;
 use super::ties::Ties;
-use super::traversal::{Search, Stacks, traverse};
+use super::traversal::{RayStacks, Search, traverse};
 use crate::accel::hit::{ExactFallbacks, Hit, TraversalCounts};
 use crate::accel::space::SlabRay;
 use crate::accel::{Aggregate, Depth, Precision};
 use crate::geometry::Ray;
 use crate::shape::{Geometry, InstancedId};
 
-/// Casts rays, one after the other. Each thread has its own.
+/// Traces rays, one after the other. Each thread needs its own.
 pub struct Tracer<'a> {
     aggregate: &'a Aggregate,
     geometry: &'a Geometry,
     precision: Precision,
-    stacks: Stacks,
+    stacks: RayStacks,
     ties: Ties,
     fallbacks: ExactFallbacks,
 }
 
 impl<'a> Tracer<'a> {
-    /// For rays through `aggregate`, which was built over `geometry`.
+    /// Prepares to trace rays through `aggregate`, which was built over `geometry`.
     pub fn new(
         aggregate: &'a Aggregate,
         geometry: &'a Geometry,
         precision: Precision,
     ) -> Tracer<'a> {
-        let (stacks, ties, fallbacks) = (Stacks::new(), Ties::default(), ExactFallbacks::default());
+        let (stacks, ties, fallbacks) =
+            (RayStacks::new(), Ties::default(), ExactFallbacks::default());
         Tracer {
             aggregate,
             geometry,
@@ -40,45 +41,50 @@ impl<'a> Tracer<'a> {
         }
     }
 
-    /// The nearest hit of `ray`; of several at one `t`, the primitive that comes first in the file (rule E3).
+    /// The nearest hit of `ray`. At equal `t` the primitive that comes first in the file wins (rule
+    /// E3).
     pub fn closest_hit(&mut self, ray: &Ray) -> Option<Hit> {
         self.trace::<false, false>(ray, &mut TraversalCounts::default())
     }
 
-    /// Some hit of `ray`, if it has any: which one, depends on the tree.
+    /// Any hit of `ray`. Which one it is depends on the tree.
     pub fn any_hit(&mut self, ray: &Ray) -> Option<Hit> {
         self.trace::<false, true>(ray, &mut TraversalCounts::default())
     }
 
-    /// As [`Tracer::closest_hit`], adding to `work` what it took.
-    pub fn closest_hit_counted(&mut self, ray: &Ray, work: &mut TraversalCounts) -> Option<Hit> {
-        self.trace::<true, false>(ray, work)
+    /// Like [`Tracer::closest_hit`], and adds the nodes and primitives that were tested to
+    /// `counts`.
+    pub fn closest_hit_counted(&mut self, ray: &Ray, counts: &mut TraversalCounts) -> Option<Hit> {
+        self.trace::<true, false>(ray, counts)
     }
 
-    /// The nearest hit of `ray` where `intersect` tells the `t` at which it meets a primitive, and which one that is. Of several at one
-    /// `t` the first that is tested wins, so the answer may depend on the tree. Adds to `work` what it took.
+    /// The nearest hit of `ray`, where `intersect` returns the `t` at which the ray hits a
+    /// primitive.
+    ///
+    /// At equal `t` the first primitive that is tested wins, so the result may depend on the tree.
+    /// Adds the nodes and primitives that were tested to `counts`.
     pub fn closest_hit_by<const COUNTED: bool>(
         &mut self,
         ray: &Ray,
         intersect: impl FnMut(InstancedId) -> Option<f32>,
-        work: &mut TraversalCounts,
+        counts: &mut TraversalCounts,
     ) -> Option<Hit> {
         if !ray.can_hit() {
             return None;
         }
         let slab = self.aggregate.space.ray(ray);
-        let search = ForeignSearch::new(&slab, intersect);
+        let search = ClosureSearch::new(&slab, intersect);
         traverse::<COUNTED, _>(
             self.aggregate,
             self.geometry,
             &slab,
             search,
             &mut self.stacks,
-            work,
+            counts,
         )
     }
 
-    /// How far away the `hit` of `ray` is.
+    /// The depth of the `hit` of `ray`.
     pub fn depth(&mut self, ray: &Ray, hit: &Hit) -> Depth {
         let (depth, roundings) = Depth::of(hit, ray, self.geometry, self.precision);
         if roundings > 0 {
@@ -92,7 +98,7 @@ impl<'a> Tracer<'a> {
         depth
     }
 
-    /// How often integers were needed so far.
+    /// The number of exact fallbacks so far.
     pub fn fallbacks(&self) -> ExactFallbacks {
         self.fallbacks
     }
@@ -103,7 +109,7 @@ impl Tracer<'_> {
     fn trace<const COUNTED: bool, const ANY: bool>(
         &mut self,
         ray: &Ray,
-        work: &mut TraversalCounts,
+        counts: &mut TraversalCounts,
     ) -> Option<Hit> {
         if !ray.can_hit() {
             return None;
@@ -124,7 +130,7 @@ impl Tracer<'_> {
                     &slab,
                     search,
                     &mut self.stacks,
-                    work,
+                    counts,
                 );
                 if fallbacks.is_any() {
                     self.fallbacks += ExactFallbacks {
@@ -136,25 +142,32 @@ impl Tracer<'_> {
             }
             Precision::Fast => {
                 let search = FastSearch::new(geometry, &aggregate.space, ray, &slab);
-                run::<COUNTED, ANY, _>(aggregate, geometry, &slab, search, &mut self.stacks, work)
+                run::<COUNTED, ANY, _>(aggregate, geometry, &slab, search, &mut self.stacks, counts)
             }
         }
     }
 }
 
-/// Takes a search through the tree, to its end or to its first hit.
+/// Runs a search through the trees, to its end or to its first hit.
 #[inline]
 fn run<const COUNTED: bool, const ANY: bool, S: Search>(
     aggregate: &Aggregate,
     geometry: &Geometry,
     slab: &SlabRay,
     search: S,
-    stacks: &mut Stacks,
-    work: &mut TraversalCounts,
+    stacks: &mut RayStacks,
+    counts: &mut TraversalCounts,
 ) -> Option<Hit> {
     if ANY {
-        traverse::<COUNTED, _>(aggregate, geometry, slab, AnyHit::new(search), stacks, work)
+        traverse::<COUNTED, _>(
+            aggregate,
+            geometry,
+            slab,
+            AnyHit::new(search),
+            stacks,
+            counts,
+        )
     } else {
-        traverse::<COUNTED, _>(aggregate, geometry, slab, search, stacks, work)
+        traverse::<COUNTED, _>(aggregate, geometry, slab, search, stacks, counts)
     }
 }

@@ -1,86 +1,86 @@
-//! One ray through the trees.
+//! The traversal of the binary trees by one ray.
 
 use crate::accel::Aggregate;
-use crate::accel::builder::MAX_DEPTH;
+
 use crate::accel::hit::{Hit, TraversalCounts};
 use crate::accel::instance::{ObjectTree, Placement};
-use crate::accel::node::{Children, PackedNode};
+
 use crate::accel::space::{AnchorSpace, Corners, SlabRay};
-use crate::accel::tree::Tree;
+use crate::accel::tree::{BinaryTree, Children, MAX_DEPTH, PackedNode};
 use crate::shape::{Geometry, InstancedId};
 
-/// What is done with the primitives that a ray may hit, and how far it still has to go.
-pub(in crate::accel) trait Search {
+/// A search for a hit: tests the primitives that a ray may hit, and limits how far it has to go.
+pub(crate) trait Search {
     /// Tests a primitive.
     fn test(&mut self, primitive: InstancedId);
 
-    /// In the units of the slab test: what is entered later cannot hold a better hit.
+    /// In the units of the slab test. A box that is entered later cannot contain a better hit.
     fn limit(&self) -> f32;
 
-    /// Whether any primitive that was tested is hit.
+    /// Tests whether any tested primitive is hit.
     fn has_hit(&self) -> bool;
 
-    /// The best hit of all primitives that were tested.
+    /// The best hit among all tested primitives.
     fn into_hit(self) -> Option<Hit>;
 }
 
-/// A child that waits: it is entered at `near`.
+/// A child to visit, which the ray enters at `near`.
 #[derive(Clone, Copy)]
-struct Waiting {
+struct Pending {
     near: f32,
     first: u32,
     count: u32,
 }
 
-/// Children that wait, farthest first. Each level of the tree leaves one at most.
-pub(in crate::accel) struct Stack {
-    waiting: [Waiting; MAX_DEPTH + 1],
+/// The children to visit, farthest first: up to one for each level of the tree.
+pub(crate) struct RayStack {
+    pending: [Pending; MAX_DEPTH + 1],
     len: usize,
 }
 
-/// The stacks of the world's trees, and of an object's.
-pub(in crate::accel) struct Stacks {
-    world: Stack,
-    object: Stack,
+/// The stacks for the world's trees and for an object's tree.
+pub(crate) struct RayStacks {
+    world: RayStack,
+    object: RayStack,
 }
 
-impl Stacks {
-    pub(in crate::accel) fn new() -> Stacks {
-        Stacks {
-            world: Stack::new(),
-            object: Stack::new(),
+impl RayStacks {
+    pub(crate) fn new() -> RayStacks {
+        RayStacks {
+            world: RayStack::new(),
+            object: RayStack::new(),
         }
     }
 }
 
-/// Walks down the trees of an aggregate over `geometry`, and has `search` test what the ray may hit.
+/// Traverses the trees of an aggregate over `geometry` and lets `search` test what the ray may hit.
 #[inline]
-pub(in crate::accel) fn traverse<const COUNTED: bool, S: Search>(
+pub(crate) fn traverse<const COUNTED: bool, S: Search>(
     aggregate: &Aggregate,
     geometry: &Geometry,
     slab: &SlabRay,
     mut search: S,
-    stacks: &mut Stacks,
-    work: &mut TraversalCounts,
+    stacks: &mut RayStacks,
+    counts: &mut TraversalCounts,
 ) -> Option<Hit> {
-    let Stacks { world, object } = stacks;
-    let mut walk = Walk::<COUNTED, S> {
+    let RayStacks { world, object } = stacks;
+    let mut traversal = Traversal::<COUNTED, S> {
         slab,
         search: &mut search,
-        work,
+        counts,
     };
     let enter = |corners: &Corners| slab.enter(corners);
-    walk.down(&aggregate.tree, enter, world, |walk, primitives| {
-        walk.count_primitives(primitives.len());
+    traversal.visit_tree(&aggregate.tree, enter, world, |traversal, primitives| {
+        traversal.count_primitives(primitives.len());
         primitives
             .iter()
-            .for_each(|primitive| walk.search.test(InstancedId::alone(*primitive)));
+            .for_each(|primitive| traversal.search.test(InstancedId::alone(*primitive)));
     });
     let instances = &aggregate.instances;
-    walk.down(&instances.tree, enter, world, |walk, leaf| {
+    traversal.visit_tree(&instances.tree, enter, world, |traversal, leaf| {
         for instance in leaf {
             let instance = *instance as usize;
-            walk.down_object(
+            traversal.visit_instance(
                 instances.object(geometry, instance),
                 &aggregate.space,
                 geometry,
@@ -92,22 +92,22 @@ pub(in crate::accel) fn traverse<const COUNTED: bool, S: Search>(
     search.into_hit()
 }
 
-/// A ray on its way.
-struct Walk<'a, const COUNTED: bool, S> {
+/// The traversal of one ray.
+struct Traversal<'a, const COUNTED: bool, S> {
     slab: &'a SlabRay,
     search: &'a mut S,
-    work: &'a mut TraversalCounts,
+    counts: &'a mut TraversalCounts,
 }
 
-impl<const COUNTED: bool, S: Search> Walk<'_, COUNTED, S> {
-    /// Walks down a tree, the nearer child first, and hands what is in leaves to `visit`. `enter` tells where the ray enters a
-    /// box, if it does.
+impl<const COUNTED: bool, S: Search> Traversal<'_, COUNTED, S> {
+    /// Traverses a tree, the nearer child first, and calls `visit` with the items of leaves.
+    /// `enter` returns where the ray enters a box.
     #[inline]
-    fn down<T>(
+    fn visit_tree<T>(
         &mut self,
-        tree: &Tree<T>,
+        tree: &BinaryTree<T>,
         enter: impl Fn(&Corners) -> Option<f32>,
-        stack: &mut Stack,
+        stack: &mut RayStack,
         mut visit: impl FnMut(&mut Self, &[T]),
     ) {
         let Some(root) = tree.root.as_ref() else {
@@ -136,14 +136,14 @@ impl<const COUNTED: bool, S: Search> Walk<'_, COUNTED, S> {
         }
     }
 
-    /// The tree of an object where an instance places it: each box is taken to the world.
-    fn down_object(
+    /// Traverses the tree of an instance's object. Each box is transformed to the world.
+    fn visit_instance(
         &mut self,
         object: &ObjectTree,
         space: &AnchorSpace,
         geometry: &Geometry,
         instance: usize,
-        stack: &mut Stack,
+        stack: &mut RayStack,
     ) {
         let placement: Placement = object.placement(&geometry.instances()[instance]);
         let slab = self.slab;
@@ -151,10 +151,11 @@ impl<const COUNTED: bool, S: Search> Walk<'_, COUNTED, S> {
             let in_world = placement.enclose(&object.space.reveal(corners));
             slab.enter(&space.enclose(&in_world).corners())
         };
-        self.down(&object.tree, enter, stack, |walk, primitives| {
-            walk.count_primitives(primitives.len());
+        self.visit_tree(&object.tree, enter, stack, |traversal, primitives| {
+            traversal.count_primitives(primitives.len());
             primitives.iter().for_each(|primitive| {
-                walk.search
+                traversal
+                    .search
                     .test(InstancedId::in_instance(instance, *primitive))
             });
         });
@@ -163,25 +164,26 @@ impl<const COUNTED: bool, S: Search> Walk<'_, COUNTED, S> {
     #[inline]
     fn count_nodes(&mut self, count: u64) {
         if COUNTED {
-            self.work.nodes += count;
+            self.counts.nodes += count;
         }
     }
 
     #[inline]
     fn count_primitives(&mut self, count: usize) {
         if COUNTED {
-            self.work.primitives += count as u64;
+            self.counts.primitives += count as u64;
         }
     }
 }
 
-/// The child that is entered first, if any is before `limit`; the other one waits.
+/// The child that is entered first, if one is entered before `limit`. The other one goes to the
+/// stack.
 #[inline]
 fn nearer_child(
     children: &Children,
     enter: impl Fn(&Corners) -> Option<f32>,
     limit: f32,
-    stack: &mut Stack,
+    stack: &mut RayStack,
 ) -> Option<(u32, u32)> {
     let [left, right] = &children.0;
     let enter = |node: &PackedNode| enter(&node.corners).filter(|near| *near <= limit);
@@ -194,7 +196,7 @@ fn nearer_child(
             } else {
                 (left, right, to_right)
             };
-            stack.waiting[stack.len] = Waiting {
+            stack.pending[stack.len] = Pending {
                 near,
                 first: farther.first(),
                 count: farther.count(),
@@ -208,25 +210,25 @@ fn nearer_child(
     }
 }
 
-impl Stack {
-    fn new() -> Stack {
-        let nobody = Waiting {
+impl RayStack {
+    fn new() -> RayStack {
+        let none = Pending {
             near: 0.0,
             first: 0,
             count: 0,
         };
-        Stack {
-            waiting: [nobody; MAX_DEPTH + 1],
+        RayStack {
+            pending: [none; MAX_DEPTH + 1],
             len: 0,
         }
     }
 
-    /// The nearest waiting child that is entered before `limit`.
+    /// The nearest child on the stack that is entered before `limit`.
     #[inline]
     fn pop(&mut self, limit: f32) -> Option<(u32, u32)> {
         while self.len > 0 {
             self.len -= 1;
-            let Waiting { near, first, count } = self.waiting[self.len];
+            let Pending { near, first, count } = self.pending[self.len];
             if near <= limit {
                 return Some((first, count));
             }

@@ -1,43 +1,48 @@
-//! Boxes and rays in `f32`, relative to an anchor, rounded so that no hit is lost.
+//! Anchor space: boxes and rays in `f32` relative to an anchor, rounded so that no hit is lost.
 //!
-//! Anchor space is world space moved so that the anchor (the eye of the view) is the origin, and scaled by a power
-//! of two so that nothing overflows.
+//! Anchor space is world space moved so that the anchor (the eye of the view) is the origin, and
+//! scaled by a power of two so that nothing overflows.
 //!
 //! # Why no box loses a hit
 //!
-//! Let a ray hit a primitive at p = o + T d, T > 0, exactly. In exact anchor space, along one axis, with D the direction
-//! times its own power of two and T in the units that follow, T = (P - O) / D where D is not 0; the primitive's bounds
-//! are L <= P <= H. Let u = 2^-24.
+//! Let a ray hit a primitive at p = o + T d, T > 0, exactly. In exact anchor space, along one axis,
+//! with D the direction times its own power of two and T in the units that follow, T = (P - O) / D
+//! if D is not 0; the primitive's bounds are L <= P <= H. Let u = 2^-24.
 //!
-//! *Boxes* are stored as l < L and h > H, strictly. The difference to the anchor is rounded to the nearest `f64`, and l is the
-//! next `f32` below that result, so at least one unit in the last place of the `f64` below it, where the result is off by
-//! half of one. What underflows in the scaling is by far smaller than the least `f32`. The same rounding is monotone,
-//! and that settles what lies in the plane of a face: of two coordinates the larger one stays the larger or becomes
-//! equal, and only then the strict step is taken.
+//! *Boxes* are stored as l < L and h > H, strictly. The difference to the anchor is rounded to the
+//! nearest `f64`, and l is the next `f32` below that result: at least one unit in the last place of
+//! the `f64` below it, while the error of the result is half of one. Underflow of the scaling is
+//! far smaller than the least `f32`. The same rounding is monotone, which settles points in the
+//! plane of a face: of two coordinates the larger one stays larger or becomes equal, and only then
+//! the strict step is taken.
 //!
-//! *Origins* are bracketed by ol <= o' <= oh in `f32`, where o' is the computed difference, which for an eye that is the
-//! anchor is 0, and otherwise is off by 2^-53 |O| at most.
+//! *Origins* are bracketed by ol <= o' <= oh in `f32`, where o' is the computed difference. For an
+//! eye that is the anchor it is 0, otherwise its error is up to 2^-53 |O|.
 //!
-//! *Entry.* Where l - oh is not above 0, its product is not above 0 either, and T is. Else l and oh are different `f32`, so
-//! that l - oh >= u |oh|, of which the error of O is a 2^-29th. The reciprocal of D, its narrowing to `f32`, its product with
-//! `SHRINK` and the difference each round by u at most: before it is rounded itself, the product is at most
-//! (L - O) / D (1 + u)^5 (1 - 8u) < T. A reciprocal too large for `f32` becomes its largest number, which is smaller.
+//! *Entry.* If l - oh is not positive, its product is not positive either, and T is. Otherwise l
+//! and oh are different `f32`, so that l - oh >= u |oh|, of which the error of O is a 2^-29th. The
+//! reciprocal of D, its narrowing to `f32`, its product with `SHRINK` and the difference each round
+//! by up to u: before it is rounded itself, the product is no more than (L - O) / D (1 + u)^5 (1 -
+//! 8u) < T. A reciprocal too large for `f32` becomes its largest number, which is smaller.
 //!
-//! *Exit.* h > H >= P and the monotone rounding of both give h > ol, strictly: the product is above 0 even where the
-//! reciprocal is infinite, and `0 * infinity` cannot occur. By the same count it is more than T before it is rounded.
+//! *Exit.* h > H >= P and the monotone rounding of both give h > ol, strictly: the product is
+//! positive even if the reciprocal is infinite, and `0 * infinity` cannot occur. By the same count
+//! it exceeds T before it is rounded.
 //!
-//! *D = 0*: then P = O, so l < oh and h > ol: the entry is below 0 and the exit infinite. *A component that underflows* when D
-//! is scaled keeps its sign, and the reciprocals are those of 0, of which one is too small and the other too large. *NaN* only
-//! comes from infinite bounds, or from two numbers that rounding made equal times an infinite reciprocal: the comparison
-//! with it fails in favour of what was known before.
+//! *D = 0.* Then P = O, so l < oh and h > ol: the entry is negative and the exit infinite. *A
+//! component that underflows* when D is scaled keeps its sign, and the reciprocals are those of 0,
+//! one too small and the other too large. *NaN* only arises from infinite bounds, or from two
+//! numbers that rounding made equal times an infinite reciprocal: a comparison with it fails, which
+//! keeps the previous value.
 //!
-//! So on every axis entry < T < exit before the last rounding, which is monotone, also where it underflows or overflows:
-//! the latest entry is not above the earliest exit, and the box is entered. For the same reason the entry is not above the
-//! upper end of the best hit's bracket, rounded as well, if T is not: what lies as near as the best is visited, since it
-//! may win the tie.
+//! So on every axis entry < T < exit before the last rounding, which is monotone even if it
+//! underflows or overflows: the latest entry is not above the earliest exit, and the ray enters the
+//! box. For the same reason the entry is not above the upper end of the best hit's bracket, rounded
+//! as well, if T is not: whatever is as near as the best is visited, because it may win the tie.
 //!
-//! *Trees.* A node's box is the union of those below it. Every step is monotone: a larger box gives an earlier entry and
-//! a later exit, in floating point too. So whatever enters a primitive's box enters every node around it, no later.
+//! *Trees.* A node's box is the union of those below it. Every step is monotone: a larger box gives
+//! an earlier entry and a later exit, in floating point too. So a ray that enters a primitive's box
+//! enters every node around it, no later.
 
 use super::box32::{Box32, Corners};
 use super::rounding::{above, below};
@@ -45,31 +50,32 @@ use super::slab_ray::SlabRay;
 use crate::exact::{exponent_of, power_of_two};
 use crate::geometry::{Bounds, Point, Ray};
 
-/// Where boxes and rays are compared.
+/// The space in which boxes and rays are compared.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::accel) struct AnchorSpace {
+pub(crate) struct AnchorSpace {
     anchor: Point,
-    /// Coordinates are multiplied by this power of two before the anchor's are subtracted; 1 unless that would overflow.
+    /// The power of two that coordinates are multiplied by before the anchor's are subtracted; 1
+    /// unless the difference would overflow.
     before: f64,
-    /// A power of two, for the differences.
+    /// The power of two that the differences are multiplied by.
     scale: f64,
 }
 
-/// Coordinates are scaled to below 2^32, so that areas of boxes and sums of two coordinates stay far from the ends
-/// of the `f32` range.
+/// Coordinates are scaled to below 2^32, so that areas of boxes and sums of two coordinates stay
+/// far from the ends of the `f32` range.
 const LARGEST_EXPONENT: i32 = 31;
 
 impl AnchorSpace {
-    /// For points around `anchor` whose coordinates differ from it by up to `reach`, which is infinite where a difference
-    /// overflows.
-    pub(in crate::accel) fn new(anchor: Point, reach: f64) -> AnchorSpace {
+    /// A space for points whose coordinates differ from those of `anchor` by up to `reach`, which
+    /// is infinite if a difference overflows.
+    pub(crate) fn new(anchor: Point, reach: f64) -> AnchorSpace {
         let before = if reach == f64::INFINITY { 0.25 } else { 1.0 };
         let exponent = match reach {
             f64::INFINITY => 1023,
             0.0 => 0,
             reach => exponent_of(reach),
         };
-        // Within the exponents of normal numbers; at the ends the outward rounding does what is left.
+        // Within the exponents of normal numbers; the outward rounding covers the rest.
         AnchorSpace {
             anchor,
             before,
@@ -77,20 +83,20 @@ impl AnchorSpace {
         }
     }
 
-    /// A coordinate of a point, before it is narrowed to `f32`.
+    /// A coordinate of a point, before it is rounded to `f32`.
     #[inline]
     fn coordinate(&self, point: &Point, axis: usize) -> f64 {
         self.along(point[axis], axis)
     }
 
-    /// The coordinate on `axis` where it is `x` in world space, before it is narrowed to `f32`.
+    /// The coordinate `x` on `axis` in world space, before it is rounded to `f32`.
     #[inline(always)]
     fn along(&self, x: f64, axis: usize) -> f64 {
         (x * self.before - self.anchor[axis] * self.before) * self.scale
     }
 
-    /// The box around world-space `bounds`, strictly.
-    pub(in crate::accel) fn enclose(&self, bounds: &Bounds) -> Box32 {
+    /// A box strictly around `bounds` in world space.
+    pub(crate) fn enclose(&self, bounds: &Bounds) -> Box32 {
         let low = |k| self.low_face(bounds.low[k], k);
         let high = |k| self.high_face(bounds.high[k], k);
         Box32 {
@@ -99,8 +105,8 @@ impl AnchorSpace {
         }
     }
 
-    /// The box in world space, up to one rounding of each coordinate.
-    pub(in crate::accel) fn reveal(&self, corners: &Corners) -> Bounds {
+    /// The box in world space; each coordinate is rounded once.
+    pub(crate) fn reveal(&self, corners: &Corners) -> Bounds {
         let coordinate = |x: f32, axis: usize| {
             (f64::from(x) / self.scale + self.anchor[axis] * self.before) / self.before
         };
@@ -111,20 +117,20 @@ impl AnchorSpace {
         }
     }
 
-    /// The low face on `axis` of a box that begins at `x` in world space.
+    /// The low face across `axis` of a box that begins at `x` in world space.
     #[inline(always)]
-    pub(in crate::accel) fn low_face(&self, x: f64, axis: usize) -> f32 {
+    pub(crate) fn low_face(&self, x: f64, axis: usize) -> f32 {
         below(self.along(x, axis))
     }
 
-    /// The high face on `axis` of a box that ends at `x` in world space.
+    /// The high face across `axis` of a box that ends at `x` in world space.
     #[inline(always)]
-    pub(in crate::accel) fn high_face(&self, x: f64, axis: usize) -> f32 {
+    pub(crate) fn high_face(&self, x: f64, axis: usize) -> f32 {
         above(self.along(x, axis))
     }
 
-    /// The ray as the slab test needs it.
-    pub(in crate::accel) fn ray(&self, ray: &Ray) -> SlabRay {
+    /// Prepares a ray for the slab test.
+    pub(crate) fn ray(&self, ray: &Ray) -> SlabRay {
         let direction_scale = direction_scale(ray);
         let mut slab = SlabRay::new(self.units() / direction_scale);
         for k in 0..3 {
@@ -138,8 +144,8 @@ impl AnchorSpace {
         slab
     }
 
-    /// The ray as the test in `f32` needs it, each number rounded to the nearest.
-    pub(in crate::accel) fn single_ray(&self, ray: &Ray) -> SingleRay {
+    /// The ray in `f32`, each number rounded to the nearest.
+    pub(crate) fn single_ray(&self, ray: &Ray) -> SingleRay {
         let direction_scale = direction_scale(ray);
         SingleRay {
             origin: self.place(&ray.origin),
@@ -155,219 +161,48 @@ impl AnchorSpace {
 
     /// A point in anchor space, each coordinate rounded to the nearest `f32`.
     #[inline]
-    pub(in crate::accel) fn place(&self, point: &Point) -> [f32; 3] {
+    pub(crate) fn place(&self, point: &Point) -> [f32; 3] {
         std::array::from_fn(|k| self.coordinate(point, k) as f32)
     }
 
     /// The origin of anchor space.
-    pub(in crate::accel) fn anchor(&self) -> Point {
+    pub(crate) fn anchor(&self) -> Point {
         self.anchor
     }
 
-    /// No coordinate of a primitive differs from the anchor's by more.
-    pub(in crate::accel) fn reach(&self) -> f64 {
+    /// Bounds the difference of any coordinate of a primitive from the anchor's.
+    pub(crate) fn reach(&self) -> f64 {
         power_of_two(LARGEST_EXPONENT + 1) / self.units()
     }
 
-    /// Units of anchor space in one of world space.
-    pub(in crate::accel) fn units(&self) -> f64 {
+    /// Units of anchor space per unit of world space.
+    pub(crate) fn units(&self) -> f64 {
         self.scale * self.before
     }
 }
 
-/// A power of two by which the largest component of the direction becomes about 1.
+/// The power of two that scales the largest component of the direction to about 1.
 fn direction_scale(ray: &Ray) -> f64 {
     power_of_two(-exponent_of(ray.direction.largest()).clamp(-1000, 1000))
 }
 
 /// A ray in anchor space, in `f32`.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::accel) struct SingleRay {
-    pub(in crate::accel) origin: [f32; 3],
-    /// Times a power of two.
-    pub(in crate::accel) direction: [f32; 3],
-    pub(in crate::accel) largest_axis: usize,
+pub(crate) struct SingleRay {
+    pub(crate) origin: [f32; 3],
+    /// The direction, scaled by a power of two.
+    pub(crate) direction: [f32; 3],
+    pub(crate) largest_axis: usize,
     direction_scale: f64,
     space: AnchorSpace,
 }
 
 impl SingleRay {
-    /// The `t` of the ray in world space for one in anchor space.
-    pub(in crate::accel) fn unscaled(&self, scaled: f32) -> f64 {
+    /// Converts `t` from anchor space to world space.
+    pub(crate) fn unscaled(&self, scaled: f32) -> f64 {
         f64::from(scaled) * self.direction_scale / self.space.before / self.space.scale
     }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::exact::Dyadic;
-    use crate::geometry::Vector;
-    use proptest::prelude::*;
-    use std::cmp::Ordering::{Equal, Greater, Less};
-
-    /// Small whole numbers, numbers with all their bits, and tiny ones.
-    fn component() -> impl Strategy<Value = f64> {
-        let odd = prop_oneof![-80i32..0, -190i32..-100, -600i32..0];
-        prop_oneof![
-            (-3i32..4).prop_map(f64::from),
-            (-1.0f64..1.0),
-            (-1.0f64..1.0, odd).prop_map(|(x, exponent)| x * 2f64.powi(exponent)),
-        ]
-    }
-
-    fn enter(slab: &SlabRay, bounds: &Box32) -> Option<f32> {
-        slab.enter(&bounds.corners())
-    }
-
-    #[test]
-    fn a_ray_in_the_plane_of_a_flat_box_enters_it() {
-        let space = AnchorSpace::new(Point::default(), 9.0);
-        let flat = Bounds {
-            low: Point::new(0.0, -1.0, 2.0),
-            high: Point::new(0.0, 1.0, 9.0),
-        };
-        let ray = Ray {
-            origin: Point::default(),
-            direction: Vector::new(0.0, 0.0, 1.0),
-        };
-        let slab = space.ray(&ray);
-        let near = enter(&slab, &space.enclose(&flat)).expect("it lies in the box");
-        let near_t = space.single_ray(&ray).unscaled(near);
-        assert!(near_t < 2.0 && near_t > 1.999);
-        assert!(near > slab.scaled_limit(1.0) && near <= slab.scaled_limit(2.0));
-    }
-
-    /// Of ordinary sizes, a third of the time.
-    fn exponent() -> impl Strategy<Value = i32> {
-        prop_oneof![-4i32..4, -200i32..200, -1000i32..1000]
-    }
-
-    /// The smallest box of `f64` around the point of `ray` at `t`, if it is in range.
-    fn bounds_of_point(ray: &Ray, t: f64) -> Option<Bounds> {
-        if !ray.can_hit() || t == 0.0 {
-            return None;
-        }
-        let ends: [[f64; 2]; 3] = std::array::from_fn(|k| {
-            let along = &Dyadic::from(t) * &Dyadic::from(ray.direction[k]);
-            let exact = &Dyadic::from(ray.origin[k]) + &along;
-            let nearest = exact.to_f64();
-            if nearest.is_infinite() {
-                return [nearest; 2];
-            }
-            match Dyadic::from(nearest).cmp(&exact) {
-                Less => [nearest, nearest.next_up()],
-                Equal => [nearest, nearest],
-                Greater => [nearest.next_down(), nearest],
-            }
-        });
-        let bounds = Bounds {
-            low: ends.map(|[low, _]| low).into(),
-            high: ends.map(|[_, high]| high).into(),
-        };
-        (bounds.low.is_finite() && bounds.high.is_finite()).then_some(bounds)
-    }
-
-    #[test]
-    fn differences_that_overflow_are_taken_in_quarters() {
-        let far = 1.5e308;
-        let ray = Ray {
-            origin: Point::new(far, 1.0, -far),
-            direction: Vector::new(-1e300, 0.0, 1e300),
-        };
-        for t in [1e-8, 1.0, 2.5e8] {
-            let bounds = bounds_of_point(&ray, t).unwrap();
-            let space = AnchorSpace::new(ray.origin, f64::INFINITY);
-            let near = enter(&space.ray(&ray), &space.enclose(&bounds));
-            assert!(
-                near.is_some_and(|near| near <= space.ray(&ray).scaled_limit(t)),
-                "{near:?}"
-            );
-        }
-    }
-
-    /// Over so long a way even the least number leads somewhere.
-    #[test]
-    fn a_component_that_underflows_keeps_its_sign() {
-        let origin = Point::new(-2f64.powi(1000), 0.0, 0.0);
-        let ray = Ray {
-            origin,
-            direction: Vector::new(1024.0, -f64::from_bits(1), 0.0),
-        };
-        let bounds = bounds_of_point(&ray, 2f64.powi(990)).unwrap();
-        assert_eq!(
-            (bounds.low, bounds.high),
-            (Point::new(0.0, -2f64.powi(-84), 0.0), bounds.low)
-        );
-        let space = AnchorSpace::new(Point::default(), 1e6);
-        assert!(enter(&space.ray(&ray), &space.enclose(&bounds)).is_some());
-    }
-
-    proptest! {
-        #![proptest_config(ProptestConfig::with_cases(20_000))]
-
-        /// Exactly: whatever point a ray passes, at whatever `t`, the smallest box of f64 around it is entered by then, each
-        /// of its slabs has been entered, and none is left.
-        #[test]
-        fn no_hit_is_lost(
-            direction in prop::array::uniform3(component()),
-            origin in prop::array::uniform3(component()),
-            offset in prop::array::uniform3(component()),
-            t in 1u32..1 << 31,
-            exponents in prop::array::uniform3(exponent()),
-            perspective in any::<bool>(),
-            room in prop_oneof![0i32..40, 0i32..250],
-        ) {
-            let times = |v: [f64; 3], exponent: i32| v.map(|x| x * 2f64.powi(exponent));
-            let direction = Vector::from(times(direction, exponents[0]));
-            let origin = Point::from(times(origin, exponents[1]));
-            let t = f64::from(t) * 2f64.powi(exponents[2] - 31);
-            let ray = Ray { origin, direction };
-            let Some(bounds) = bounds_of_point(&ray, t) else { return Ok(()) };
-            let offset = Vector::from(times(offset, exponents[1]));
-            let anchor = if perspective { origin } else { origin + offset };
-            let reach = (bounds.low - anchor).largest().max((bounds.high - anchor).largest());
-            let space = AnchorSpace::new(anchor, reach * 2f64.powi(room));
-            let slab = space.ray(&ray);
-            let corners = space.enclose(&bounds).corners();
-            let near = slab.enter(&corners);
-            prop_assert!(near.is_some());
-            prop_assert!(near.unwrap() <= slab.scaled_limit(t), "{near:?} is beyond {}", slab.scaled_limit(t));
-            let units = &Dyadic::from(space.scale) * &Dyadic::from(space.before);
-            let per_direction = Dyadic::from(1.0 / direction_scale(&ray));
-            let scaled_t = &(&Dyadic::from(t) * &units) * &per_direction;
-            // What a product may lose to underflow.
-            let tiny = Dyadic::from(2f64.powi(-150));
-            for k in 0..3 {
-                let (entry, exit) = slab.slab(&corners, k);
-                let is_early = entry < 0.0 || &Dyadic::from(f64::from(entry)) - &tiny <= scaled_t;
-                let is_late = exit.is_infinite() || &Dyadic::from(f64::from(exit)) + &tiny >= scaled_t;
-                prop_assert!(is_early && is_late, "axis {k}: {entry}, {exit}, {}", scaled_t.to_f64());
-            }
-        }
-
-        #[test]
-        fn a_larger_box_is_entered_no_later(
-            low in prop::array::uniform3(-9i32..9),
-            size in prop::array::uniform3(0i32..4),
-            more in prop::array::uniform6(0i32..3),
-            origin in prop::array::uniform3(-9i32..9),
-            direction in prop::array::uniform3(-3i32..4),
-        ) {
-            prop_assume!(direction != [0; 3]);
-            let space = AnchorSpace::new(Point::default(), 16.0);
-            let corner = |f: &dyn Fn(usize) -> i32| Point::from(std::array::from_fn::<f64, 3, _>(|k| f64::from(f(k))));
-            let inner = Bounds { low: corner(&|k| low[k]), high: corner(&|k| low[k] + size[k]) };
-            let outer = Bounds {
-                low: corner(&|k| low[k] - more[k]),
-                high: corner(&|k| low[k] + size[k] + more[k + 3]),
-            };
-            let ray = Ray { origin: corner(&|k| origin[k]), direction: (corner(&|k| direction[k])) - Point::default() };
-            let slab = space.ray(&ray);
-            if let Some(near) = enter(&slab, &space.enclose(&inner)) {
-                let outer = enter(&slab, &space.enclose(&outer));
-                prop_assert!(outer.is_some_and(|outer| outer <= near));
-            }
-        }
-    }
-}
+mod tests;

@@ -1,33 +1,33 @@
-//! Boxes in anchor space.
+//! Boxes in `f32`, in anchor space.
 
 use super::rounding::{larger, smaller};
 
-/// A box in anchor space, a little larger than what it holds.
+/// A box in anchor space, slightly larger than its contents.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::accel) struct Box32 {
-    pub(in crate::accel) low: [f32; 3],
-    pub(in crate::accel) high: [f32; 3],
+pub(crate) struct Box32 {
+    pub(crate) low: [f32; 3],
+    pub(crate) high: [f32; 3],
 }
 
-/// The low and the high corner of a box, with a lane to spare in each.
-pub(in crate::accel) type Corners = [[f32; 4]; 2];
+/// The low and the high corner of a box, each with a spare lane.
+pub(crate) type Corners = [[f32; 4]; 2];
 
 impl Box32 {
-    /// The corners in four lanes, the last one free.
-    pub(in crate::accel) fn corners(&self) -> Corners {
+    /// The corners in four lanes, the last one spare.
+    pub(crate) fn corners(&self) -> Corners {
         let ([x0, y0, z0], [x1, y1, z1]) = (self.low, self.high);
         [[x0, y0, z0, 0.0], [x1, y1, z1, 0.0]]
     }
 
-    /// The box of nothing.
-    pub(in crate::accel) const EMPTY: Box32 = Box32 {
+    /// The empty box.
+    pub(crate) const EMPTY: Box32 = Box32 {
         low: [f32::INFINITY; 3],
         high: [f32::NEG_INFINITY; 3],
     };
 
     /// The smallest box around both.
     #[inline]
-    pub(in crate::accel) fn union(&self, other: &Box32) -> Box32 {
+    pub(crate) fn union(&self, other: &Box32) -> Box32 {
         Box32 {
             low: std::array::from_fn(|k| smaller(self.low[k], other.low[k])),
             high: std::array::from_fn(|k| larger(self.high[k], other.high[k])),
@@ -36,19 +36,19 @@ impl Box32 {
 
     /// Half the surface area.
     #[inline]
-    pub(in crate::accel) fn half_area(&self) -> f32 {
+    pub(crate) fn half_area(&self) -> f32 {
         let [x, y, z] = self.extent();
         x * y + y * z + z * x
     }
 
     /// The lengths of the sides.
     #[inline]
-    pub(in crate::accel) fn extent(&self) -> [f32; 3] {
+    pub(crate) fn extent(&self) -> [f32; 3] {
         std::array::from_fn(|k| self.high[k] - self.low[k])
     }
 
-    /// Whether `other` lies within.
-    pub(in crate::accel) fn contains(&self, other: &Box32) -> bool {
+    /// Tests whether `other` lies within.
+    pub(crate) fn contains(&self, other: &Box32) -> bool {
         (0..3).all(|k| self.low[k] <= other.low[k] && other.high[k] <= self.high[k])
     }
 }

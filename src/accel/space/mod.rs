@@ -1,4 +1,4 @@
-//! The space of boxes: `f32` around an anchor, rounded outward.
+//! The space of boxes: `f32` relative to an anchor, rounded outward.
 
 mod anchor_space;
 mod box32;

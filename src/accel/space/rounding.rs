@@ -1,19 +1,19 @@
-//! Roundings to `f32` in a given direction, and comparisons that have a policy on NaN.
+//! Directed rounding to `f32`, and minima and maxima with a policy on NaN.
 
-/// The larger of the two; the second where the first is NaN.
+/// The larger of the two; the second if the first is NaN.
 #[inline]
-pub(in crate::accel) fn larger(a: f32, b: f32) -> f32 {
+pub(crate) fn larger(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 
-/// The smaller of the two; the second where the first is NaN.
+/// The smaller of the two; the second if the first is NaN.
 #[inline]
-pub(in crate::accel) fn smaller(a: f32, b: f32) -> f32 {
+pub(crate) fn smaller(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
-/// The largest `f32` up to `x`; infinite only where `x` is.
-pub(in crate::accel) fn at_or_below(x: f64) -> f32 {
+/// The largest `f32` up to `x`; infinite only if `x` is.
+pub(crate) fn at_or_below(x: f64) -> f32 {
     let nearest = x as f32;
     if f64::from(nearest) > x {
         nearest.next_down()
@@ -22,12 +22,12 @@ pub(in crate::accel) fn at_or_below(x: f64) -> f32 {
     }
 }
 
-/// The largest `f32` less than `x` that is not 0: a face in the plane of the origin is on its own side of it. Minus
-/// infinity and NaN stay what they are.
+/// The largest `f32` less than `x` that is not 0: so a face in the plane of the origin lies on its
+/// own side of it. Minus infinity and NaN stay the same.
 ///
-/// Without a branch: whether `x` was rounded up is as good as random.
+/// It has no branch, because rounding up is unpredictable.
 #[inline(always)]
-pub(in crate::accel) fn below(x: f64) -> f32 {
+pub(crate) fn below(x: f64) -> f32 {
     let nearest = x as f32;
     let rank = rank(nearest) - i32::from(f64::from(nearest) >= x);
     let rank = if rank == ZERO || rank == MINUS_ZERO {
@@ -46,7 +46,7 @@ pub(in crate::accel) fn below(x: f64) -> f32 {
 const ZERO: i32 = 0;
 const MINUS_ZERO: i32 = -1;
 
-/// Where an `f32` is among all: neighbours differ by 1.
+/// The rank of an `f32` among all: neighbours differ by 1.
 #[inline]
 fn rank(x: f32) -> i32 {
     let bits = x.to_bits() as i32;
@@ -61,7 +61,7 @@ fn of_rank(rank: i32) -> f32 {
 
 /// An `f32` greater than `x`, and not 0.
 #[inline(always)]
-pub(in crate::accel) fn above(x: f64) -> f32 {
+pub(crate) fn above(x: f64) -> f32 {
     -below(-x)
 }
 
@@ -84,7 +84,7 @@ mod tests {
         assert!(below(f64::NAN).is_nan() && above(f64::NAN).is_nan());
     }
 
-    /// Step by step, as it is defined.
+    /// The definition, step by step.
     fn slowly_below(x: f64) -> f32 {
         let lower = at_or_below(x);
         let lower = if f64::from(lower) < x {
@@ -103,7 +103,9 @@ mod tests {
         #![proptest_config(ProptestConfig::with_cases(20_000))]
 
         #[test]
-        fn below_is_the_next_one_down(x in prop_oneof![any::<f64>(), any::<f32>().prop_map(f64::from), -1e-44..1e-44]) {
+        fn below_agrees_with_its_definition(
+            x in prop_oneof![any::<f64>(), any::<f32>().prop_map(f64::from), -1e-44..1e-44],
+        ) {
             prop_assert_eq!(below(x).to_bits(), slowly_below(x).to_bits());
             prop_assert_eq!(above(x).to_bits(), (-slowly_below(-x)).to_bits());
         }

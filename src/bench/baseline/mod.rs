@@ -44,8 +44,8 @@ impl<'a> BaselineKernel<'a> {
                 .into_par_iter()
                 .map(triangle)
                 .collect(),
-            quadrics: (0..geometry.sphere_count())
-                .map(|index| Quadric32::new(&geometry.sphere(index)))
+            quadrics: (0..geometry.quadric_count())
+                .map(|index| Quadric32::new(&geometry.quadric(index)))
                 .collect(),
         }
     }
@@ -67,15 +67,15 @@ impl<'a> BaselineKernel<'a> {
         )?;
         let z = hit.t.low as f32;
         let direction = ray.direction.to_array().map(|component| component as f32);
-        let t = z * dot(direction, direction).sqrt();
-        Some((hit.primitive, Depth { z, t }))
+        let distance = z * dot(direction, direction).sqrt();
+        Some((hit.primitive, Depth { z, distance }))
     }
 
     #[inline]
     fn intersect(&self, ray: &Ray32, placed: InstancedId) -> Option<f32> {
         let primitive = placed.primitive();
         let index = primitive.index();
-        match (placed.instance(), primitive.is_sphere()) {
+        match (placed.instance(), primitive.is_quadric()) {
             (None, false) => self.hit_triangle(ray, &self.triangles[index]),
             (None, true) => self.hit_quadric(ray, &self.quadrics[index]),
             (Some(_), _) => match self.geometry.surface(placed) {

@@ -71,7 +71,7 @@ impl GroundTruth {
             .collect();
         let answer = |hit: ReferenceHit| Answer {
             z: hit.z,
-            t: hit.t,
+            t: hit.distance,
             primitive: geometry.image_number(hit.primitive),
         };
         GroundTruth {

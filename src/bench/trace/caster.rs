@@ -165,7 +165,7 @@ impl<'a> Caster<'a> {
                 let place = column as usize;
                 let answer = (traced.hits_of_row(row) >> column & 1 == 1).then(|| Answer {
                     z: traced.z_of_row(row)[place],
-                    t: traced.t_of_row(row)[place],
+                    t: traced.distances_of_row(row)[place],
                     primitive: geometry.image_number(traced.primitives_of_row(row)[place]),
                 });
                 (answer, tracer.fallbacks().since(&before).rays)
@@ -183,7 +183,7 @@ impl<'a> Caster<'a> {
                 let number = |primitive| self.scene.geometry.image_number(primitive);
                 let answer = hit.map(|(primitive, depth)| Answer {
                     z: depth.z,
-                    t: depth.t,
+                    t: depth.distance,
                     primitive: number(primitive),
                 });
                 (answer, tracer.fallbacks().rays - before)
@@ -224,7 +224,7 @@ impl<'a> Caster<'a> {
                         (z[column], t[column]) = (f32::INFINITY, f32::INFINITY);
                         continue;
                     };
-                    (z[column], t[column], a[column]) = (depth.z, depth.t, 1.0);
+                    (z[column], t[column], a[column]) = (depth.z, depth.distance, 1.0);
                     (id[column], prim[column]) = (
                         geometry.shape_number(primitive),
                         geometry.image_number(primitive),

@@ -57,7 +57,7 @@ impl<'a> Runner<'a> {
     /// that loading took, and in any case the files that were read.
     pub(super) fn load(&self, path: &Path) -> (Result<(Scene, f64)>, InputFiles) {
         let options = LoadOptions {
-            roundings: self.reference == Reference::Exact,
+            transform_history: self.reference == Reference::Exact,
             input_budget: self.input_budget,
             ..LoadOptions::default()
         };

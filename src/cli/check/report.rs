@@ -197,9 +197,9 @@ impl<'a> Content<'a> {
             transforms: scene.transform_count,
             bytes: geometry.bytes(),
             bounds: (!extent.is_empty()).then_some(bounds),
-            directives: census.obeyed().collect(),
+            directives: census.executed().collect(),
             skipped: census.skipped().collect(),
-            unknown: census.private().collect(),
+            unknown: census.unknown().collect(),
             medium_boundaries: List::new(census.boundaries(), |of| (&of.shape, &of.place)),
             unused_objects: List::new(census.unused_objects(), |of| (&of.name, &of.place)),
         }

@@ -154,7 +154,7 @@ impl<'a> Report<'a> {
 impl<'a> PrimitiveName<'a> {
     fn new(scene: &'a Scene, placed: InstancedId) -> PrimitiveName<'a> {
         let id = scene.geometry.shape_number(placed);
-        let places = scene.places.as_ref();
+        let places = scene.locations.as_ref();
         let shape = places.and_then(|places| places.shape(id));
         let instance = placed.instance();
         let of_instance = places.zip(instance);
@@ -162,7 +162,7 @@ impl<'a> PrimitiveName<'a> {
         PrimitiveName {
             prim: scene.geometry.image_number(placed),
             id,
-            shape: shape.map(|(name, _)| name),
+            shape: shape.as_ref().map(|(name, _)| *name),
             place: shape.map(|(_, place)| place.to_string()),
             instance: instance.map_or(0, |instance| instance + 1),
             instance_place: of_instance.map(|place| place.to_string()),
@@ -187,7 +187,7 @@ impl<'a> Hit<'a> {
             primitive: PrimitiveName::new(scene, hit.primitive),
             kind: hit.surface.name(),
             z: hit.depth.z,
-            t: hit.depth.t,
+            t: hit.depth.distance,
             bracket: [hit.z.low, hit.z.high],
             point: hit.point.to_array(),
             normal: hit.normal.map(|normal| normal.to_array()),

@@ -150,7 +150,7 @@ impl Renderer<'_> {
             true => Aggregate::build(geometry, view.camera.anchor(), build, progress),
             false => Aggregate::build_for_view(geometry, &view.camera, window, build, progress),
         };
-        let phase = Phase::Building(Aggregate::work(geometry));
+        let phase = Phase::Building(Aggregate::item_count(geometry));
         let (aggregate, ms) = timed(|| self.bars.during(phase, make));
         let built = Built::new(aggregate, geometry);
         report_tree(&built, geometry, build.method, self.reporter);

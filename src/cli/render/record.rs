@@ -110,7 +110,7 @@ impl Record {
             hits: traced.hits,
             shapes: loaded.scene.shape_count,
             triangles: geometry.stored_triangles(),
-            spheres: geometry.stored_spheres(),
+            spheres: geometry.stored_quadrics(),
             instances: geometry.instances().len(),
             primitives: geometry.primitive_count(),
             ms: finished.ms,

@@ -56,7 +56,7 @@ pub(super) fn report_image(finished: &Finished, reporter: &Reporter) {
 pub(super) fn report_statistics(scene: &Scene, finished: &Finished, reporter: &Reporter) {
     let (tree, ms, geometry) = (&finished.statistics, &finished.ms, &scene.geometry);
     let rays = finished.rendering.image.data_window.area() as f64;
-    let counts = finished.rendering.traced.work.unwrap_or_default();
+    let counts = finished.rendering.traced.counts.unwrap_or_default();
     let (nodes, primitives) = (counts.nodes as f64 / rays, counts.primitives as f64 / rays);
     let mrays_per_s = rays / ms.trace / 1e3;
     let Finished {

@@ -41,7 +41,7 @@ impl StoredGeometry {
     pub(crate) fn of(geometry: &Geometry) -> StoredGeometry {
         StoredGeometry {
             triangles: geometry.stored_triangles(),
-            spheres: geometry.stored_spheres(),
+            spheres: geometry.stored_quadrics(),
             objects: geometry.objects().len(),
             instances: geometry.instances().len(),
             primitives: geometry.primitive_count(),

@@ -1,128 +1,206 @@
-//! Directives: a keyword and the arguments that it takes.
+//! The table of directives: keyword, arguments, where each is legal, and what it means.
 
-use nom::Parser;
-use nom::combinator::{map, opt, value};
-use nom::sequence::preceded;
+use super::statement::{ActiveTransform, Entity, Statement, Text, TransformDirective};
+use crate::scene::source_file::Span;
 
-use super::keyword::{self, Keyword};
-use super::source::{Parsed, Source, wrong};
-use super::statement::{ActiveTransform, Directive, Statement};
-use super::token::{blanks, word};
-use super::value::Keep;
+/// One directive and where it stands.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Directive<'a> {
+    /// From the keyword to the end of the last argument.
+    pub span: Span,
+    /// The keyword alone.
+    pub keyword: Span,
+    /// Its description; `None` for an unknown directive.
+    pub description: Option<Description>,
+    /// The directive with its arguments.
+    pub statement: Statement<'a>,
+}
 
-impl<'a> Source<'a> {
-    /// The directive that `input` begins with; `previous` is the keyword of the one before it.
-    pub(super) fn directive(
-        &self,
-        previous: Option<&str>,
-        input: &'a [u8],
-    ) -> Parsed<'a, (&'a str, Directive<'a>)> {
-        let known = word(input)
-            .ok()
-            .and_then(|(rest, word)| Some((rest, keyword::number(word)?)));
-        let Some((rest, number)) = known else {
-            return self.private(previous, input);
+/// What the table says about a directive, apart from its arguments.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Description {
+    /// The index of the keyword in [`KEYWORDS`].
+    pub number: usize,
+    /// Where in a scene it may stand.
+    pub legal: Legal,
+    /// Whether hits and depths depend on it. The census lists the others as skipped.
+    pub matters: bool,
+}
+
+/// Where in a scene a directive may stand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Legal {
+    /// Before and after `WorldBegin`.
+    Anywhere,
+    /// Before `WorldBegin`.
+    BeforeWorld,
+    /// After `WorldBegin`.
+    InWorld,
+}
+
+/// The arguments of a directive, and the statement that they make.
+#[derive(Clone, Copy)]
+pub(super) enum Arguments<'a> {
+    None(fn() -> Statement<'a>),
+    Identity,
+    Three(fn([f64; 3]) -> TransformDirective),
+    Four(fn([f64; 4]) -> TransformDirective),
+    Nine(fn([f64; 9]) -> TransformDirective),
+    Sixteen(fn([f64; 16]) -> TransformDirective),
+    /// `StartTime`, `EndTime` or `All`.
+    Times(fn(ActiveTransform) -> Statement<'a>),
+    /// A string.
+    Name(fn(Text<'a>) -> Statement<'a>),
+    /// A string, and parameters that are dropped.
+    Type(fn(Text<'a>) -> Statement<'a>),
+    /// A string and parameters.
+    Entity(fn(Entity<'a>) -> Statement<'a>),
+    /// Arguments that are checked and dropped.
+    Dropped(&'static [Dropped], fn() -> Statement<'a>),
+}
+
+/// An argument of which only the syntax is checked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Dropped {
+    TwoNumbers,
+    Text,
+    OptionalText,
+    Parameters,
+    /// `"name" value` or `"type name" value`.
+    Option,
+}
+
+/// One row of the table.
+#[derive(Clone, Copy)]
+pub(super) struct Row<'a> {
+    keyword: &'static str,
+    pub(super) arguments: Arguments<'a>,
+    pub(super) legal: Legal,
+    pub(super) matters: bool,
+}
+
+const COUNT: usize = 45;
+
+impl<'a> Row<'a> {
+    /// Every directive of pbrt-v2, v3 and v4, sorted by keyword.
+    pub(super) const ALL: [Row<'a>; COUNT] = {
+        use Arguments::{
+            Dropped, Entity, Four, Identity, Name, Nine, None, Sixteen, Three, Times, Type,
         };
-        let (keyword, name) = (self.span(input, rest), keyword::KEYWORDS[number]);
-        let (rest, statement) = self.statement(Keyword { name, at: input }, rest)?;
-        let span = self.span(input, rest);
-        Ok((
-            rest,
-            (
-                name,
-                Directive {
-                    span,
-                    keyword,
-                    keyword_number: Some(number),
-                    statement,
-                },
-            ),
-        ))
-    }
-
-    /// What follows `keyword`.
-    fn statement(&self, keyword: Keyword<'a>, input: &'a [u8]) -> Parsed<'a, Statement<'a>> {
+        use Legal::{Anywhere, BeforeWorld, InWorld};
         use Statement as S;
-        match keyword.name {
-            "Identity" => Ok((input, S::Identity)),
-            "ReverseOrientation" => Ok((input, S::ReverseOrientation)),
-            "AttributeBegin" => Ok((input, S::AttributeBegin)),
-            "AttributeEnd" => Ok((input, S::AttributeEnd)),
-            "TransformBegin" => Ok((input, S::TransformBegin)),
-            "TransformEnd" => Ok((input, S::TransformEnd)),
-            "ObjectEnd" => Ok((input, S::ObjectEnd)),
-            "WorldBegin" => Ok((input, S::WorldBegin)),
-            "WorldEnd" => Ok((input, S::WorldEnd)),
-            "TransformTimes" => map(|i| self.fixed(keyword, i), S::TransformTimes).parse(input),
-            "Translate" => map(|i| self.fixed(keyword, i), S::Translate).parse(input),
-            "Scale" => map(|i| self.fixed(keyword, i), S::Scale).parse(input),
-            "Rotate" => map(|i| self.fixed(keyword, i), S::Rotate).parse(input),
-            "LookAt" => map(|i| self.fixed(keyword, i), S::LookAt).parse(input),
-            "Transform" => map(|i| self.fixed(keyword, i), S::Transform).parse(input),
-            "ConcatTransform" => map(|i| self.fixed(keyword, i), S::ConcatTransform).parse(input),
-            "CoordinateSystem" => {
-                map(|i| self.string(keyword, i), S::CoordinateSystem).parse(input)
-            }
-            "CoordSysTransform" => {
-                map(|i| self.string(keyword, i), S::CoordSysTransform).parse(input)
-            }
-            "Include" => map(|i| self.string(keyword, i), S::Include).parse(input),
-            "Import" => map(|i| self.string(keyword, i), S::Import).parse(input),
-            "ObjectBegin" => map(|i| self.string(keyword, i), S::ObjectBegin).parse(input),
-            "ObjectInstance" => map(|i| self.string(keyword, i), S::ObjectInstance).parse(input),
-            "Material" => map(
-                (
-                    |i| self.string(keyword, i),
-                    |i| self.parameters(Keep::Nothing, i),
-                ),
-                |(name, _)| S::Material(name),
-            )
-            .parse(input),
-            "MakeNamedMaterial" => {
-                map(|i| self.entity(keyword, Keep::All, i), S::MakeNamedMaterial).parse(input)
-            }
-            "NamedMaterial" => map(|i| self.string(keyword, i), S::NamedMaterial).parse(input),
-            "Camera" => map(|i| self.entity(keyword, Keep::All, i), S::Camera).parse(input),
-            "Film" => map(|i| self.entity(keyword, Keep::All, i), S::Film).parse(input),
-            "Accelerator" => {
-                map(|i| self.entity(keyword, Keep::All, i), S::Accelerator).parse(input)
-            }
-            "Shape" => map(|i| self.entity(keyword, Keep::All, i), S::Shape).parse(input),
-            "Attribute" => map(|i| self.entity(keyword, Keep::All, i), S::Attribute).parse(input),
-            "ActiveTransform" => {
-                map(|i| self.active_transform(keyword, i), S::ActiveTransform).parse(input)
-            }
-            name => value(S::Ignored(name), |i| self.ignored(keyword, i)).parse(input),
+        use TransformDirective as T;
+        [
+            Row::new("Accelerator", Entity(S::Accelerator), Anywhere),
+            Row::new("ActiveTransform", Times(S::ActiveTransform), Anywhere),
+            Row::skipped("AreaLightSource", Dropped(&ENTITY, || S::AreaLightSource)),
+            Row::new("Attribute", Entity(S::Attribute), Anywhere),
+            Row::new("AttributeBegin", None(|| S::AttributeBegin), Anywhere),
+            Row::new("AttributeEnd", None(|| S::AttributeEnd), Anywhere),
+            Row::new("Camera", Entity(S::Camera), BeforeWorld),
+            Row::skipped("ColorSpace", dropped(&[D::Text])),
+            Row::new("ConcatTransform", Sixteen(T::ConcatTransform), Anywhere),
+            Row::new("CoordSysTransform", Name(S::CoordSysTransform), Anywhere),
+            Row::new("CoordinateSystem", Name(S::CoordinateSystem), Anywhere),
+            Row::new("Film", Entity(S::Film), BeforeWorld),
+            Row::new("Identity", Identity, Anywhere),
+            Row::new("Import", Name(S::Import), InWorld),
+            Row::new("Include", Name(S::Include), Anywhere),
+            Row::skipped("Integrator", dropped(&ENTITY)),
+            Row::skipped("LightSource", dropped(&ENTITY)),
+            Row::new("LookAt", Nine(T::LookAt), Anywhere),
+            Row::skipped("MakeNamedMaterial", Entity(S::MakeNamedMaterial)),
+            Row::skipped("MakeNamedMedium", dropped(&ENTITY)),
+            Row::skipped("Material", Type(S::Material)),
+            Row::skipped("MediumInterface", dropped(&[D::Text, D::OptionalText])),
+            Row::skipped("NamedMaterial", Name(S::NamedMaterial)),
+            Row::new("ObjectBegin", Name(S::ObjectBegin), InWorld),
+            Row::new("ObjectEnd", None(|| S::ObjectEnd), Anywhere),
+            Row::new("ObjectInstance", Name(S::ObjectInstance), InWorld),
+            Row::skipped("Option", dropped(&[D::Option])),
+            Row::skipped("PixelFilter", dropped(&ENTITY)),
+            Row::skipped("Renderer", dropped(&ENTITY)),
+            Row::new(
+                "ReverseOrientation",
+                None(|| S::ReverseOrientation),
+                Anywhere,
+            ),
+            Row::new("Rotate", Four(T::Rotate), Anywhere),
+            Row::skipped("Sampler", dropped(&ENTITY)),
+            Row::new("Scale", Three(T::Scale), Anywhere),
+            Row::new("Shape", Entity(S::Shape), InWorld),
+            Row::skipped("SurfaceIntegrator", dropped(&ENTITY)),
+            Row::skipped(
+                "Texture",
+                dropped(&[D::Text, D::Text, D::Text, D::Parameters]),
+            ),
+            Row::new("Transform", Sixteen(T::Transform), Anywhere),
+            Row::new("TransformBegin", None(|| S::TransformBegin), Anywhere),
+            Row::new("TransformEnd", None(|| S::TransformEnd), Anywhere),
+            Row::skipped("TransformTimes", dropped(&[D::TwoNumbers])),
+            Row::new("Translate", Three(T::Translate), Anywhere),
+            Row::skipped("Volume", dropped(&ENTITY)),
+            Row::skipped("VolumeIntegrator", dropped(&ENTITY)),
+            Row::new("WorldBegin", None(|| S::WorldBegin), BeforeWorld),
+            Row::new("WorldEnd", None(|| S::WorldEnd), InWorld),
+        ]
+    };
+
+    const fn new(keyword: &'static str, arguments: Arguments<'a>, legal: Legal) -> Row<'a> {
+        Row {
+            keyword,
+            arguments,
+            legal,
+            matters: true,
         }
     }
 
-    /// The arguments of a directive without influence on hit and depth: their syntax is checked.
-    fn ignored(&self, keyword: Keyword<'a>, input: &'a [u8]) -> Parsed<'a, ()> {
-        let string = |i| self.string(keyword, i);
-        let parameters = |i| self.parameters(Keep::Nothing, i);
-        match keyword.name {
-            "ColorSpace" => value((), string).parse(input),
-            "MediumInterface" => {
-                value((), (string, opt(preceded(blanks, |i| self.text(i))))).parse(input)
-            }
-            "Option" => self.option(keyword, input),
-            "Texture" => value((), (string, string, string, parameters)).parse(input),
-            _ => value((), (string, parameters)).parse(input),
+    const fn skipped(keyword: &'static str, arguments: Arguments<'a>) -> Row<'a> {
+        Row {
+            keyword,
+            arguments,
+            legal: Legal::Anywhere,
+            matters: false,
         }
     }
+}
 
-    /// The bare word that `ActiveTransform` takes.
-    fn active_transform(
-        &self,
-        keyword: Keyword<'a>,
-        input: &'a [u8],
-    ) -> Parsed<'a, ActiveTransform> {
-        let (rest, word) = preceded(blanks, opt(word)).parse(input)?;
-        match word {
-            Some(b"StartTime") => Ok((rest, ActiveTransform::StartTime)),
-            Some(b"EndTime") => Ok((rest, ActiveTransform::EndTime)),
-            Some(b"All") => Ok((rest, ActiveTransform::All)),
-            _ => wrong(self.no_argument(keyword, "`StartTime`, `EndTime` or `All`", input)),
+use Dropped as D;
+
+const ENTITY: [Dropped; 2] = [D::Text, D::Parameters];
+
+const fn dropped<'a>(arguments: &'static [Dropped]) -> Arguments<'a> {
+    Arguments::Dropped(arguments, || Statement::Skipped)
+}
+
+/// The keywords of all directives, sorted.
+pub const KEYWORDS: [&str; COUNT] = {
+    let mut keywords = [""; COUNT];
+    let mut number = 0;
+    while number < COUNT {
+        keywords[number] = Row::ALL[number].keyword;
+        number += 1;
+    }
+    keywords
+};
+
+/// The index in [`KEYWORDS`] of the keyword `word`.
+pub(super) fn number(word: &[u8]) -> Option<usize> {
+    KEYWORDS
+        .binary_search_by(|keyword| keyword.as_bytes().cmp(word))
+        .ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_keyword_is_found() {
+        assert!(KEYWORDS.is_sorted());
+        for (index, keyword) in KEYWORDS.iter().enumerate() {
+            assert_eq!(number(keyword.as_bytes()), Some(index));
         }
+        assert_eq!(number(b"shape"), None);
     }
 }

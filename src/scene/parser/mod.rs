@@ -1,42 +1,36 @@
-//! The text of a scene to directives with their places, one at a time.
+//! Reads the text of a scene: one directive at a time, with its place.
 //!
-//! The grammar is nom's, over bytes, because a file need not be UTF-8. A parser of the grammar hands back
-//! what is left of the text, whose length says where it stands. Nothing is kept of a directive that has been
-//! handed out, so that a file larger than the memory for its arrays never builds up as a tree. What the
-//! directives mean, which types and parameters there are and how many numbers make a point, is left to
-//! whoever takes them.
+//! The grammar uses nom over bytes, because a file need not be UTF-8. A parser of the grammar
+//! returns the rest of the text, whose length tells where it begins. Nothing is kept of a directive
+//! once it is handed out, so a file larger than memory never becomes a tree. The interpreter decides
+//! what directives mean, which types and parameters exist and how many numbers make a point.
 
-mod complaint;
+mod diagnostics;
 mod directive;
 mod encoding;
-mod keyword;
+mod grammar;
+mod lexer;
 mod numbers;
-mod parameter;
-mod private;
-mod source;
 mod statement;
 #[cfg(test)]
 mod tests;
-mod token;
-mod value;
+mod values;
 
-use std::path::Path;
-
-pub use self::keyword::KEYWORDS;
-pub use self::parameter::NUMBER_TYPES;
-use self::source::{Fault, Source};
-pub(super) use self::source::{Piece, locate};
+pub use self::directive::{Description, Directive, KEYWORDS, Legal};
 pub use self::statement::{
-    ActiveTransform, Directive, Entity, Parameter, Span, Statement, Text, Values,
+    ActiveTransform, Entity, NUMBER_TYPES, Parameter, Statement, Text, TransformDirective, Values,
 };
-use self::token::{Token, blanks, word};
-pub use self::value::number_in;
+pub(super) use self::values::number_in;
+
+use self::diagnostics::Diagnostics;
+use self::lexer::{Fault, Token, blanks, word};
+use super::source_file::SourceFile;
 use crate::error::{Error, Result};
 
-/// Whether there is a `WorldBegin` in the text of a scene file, which need not be right in all else.
+/// Whether the text of a scene file has a `WorldBegin`, even if the rest of it is wrong.
 pub fn begins_world(text: &[u8]) -> bool {
     const KEYWORD: &[u8] = b"WorldBegin";
-    // Most files that are parts of others do not even have it in a comment.
+    // Most included files do not even mention it in a comment.
     if !text.windows(KEYWORD.len()).any(|bytes| bytes == KEYWORD) {
         return false;
     }
@@ -45,20 +39,20 @@ pub fn begins_world(text: &[u8]) -> bool {
         match Token::next(rest) {
             (Token::End, _) => return false,
             (Token::Keyword("WorldBegin"), _) => return true,
-            // A string that is not closed ends with its quote.
+            // An unclosed string ends with its opening quote.
             (token, at) => rest = &at[token.length()..],
         }
     }
 }
 
-/// What may follow a directive.
+/// What follows a directive.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Next {
     /// The end of the text.
     End,
-    /// What belongs to the directive before it.
+    /// An argument of the directive before it.
     Argument,
-    /// Another directive, or a word that is nothing else.
+    /// Another directive, or a word that cannot be an argument.
     Directive,
 }
 
@@ -73,22 +67,21 @@ impl Next {
     }
 }
 
-/// Where the arguments at `start` of `text` end: before the next directive, or where the text does.
+/// The end of the arguments at `start` of `text`: the next directive or the end of the text.
 pub(super) fn end_of_arguments(text: &[u8], start: usize) -> usize {
     let mut rest = &text[start..];
     loop {
         let (token, at) = Token::next(rest);
-        // A string that is not closed is an error for who parses it.
+        // The parser reports an unclosed string, and has to see its quote.
         let is_unclosed = matches!(token, Token::Quoted(_)) && token.length() == 1;
         if Next::of(token) != Next::Argument || is_unclosed {
-            // An error of the directive, which has to see the quote.
             return text.len() - at.len() + usize::from(is_unclosed);
         }
         rest = &at[token.length()..];
     }
 }
 
-/// Whether no directive follows the one at `start` of `text`, as far as that can be told of one that is not whole.
+/// Whether the directive at `start` of `text`, which may be incomplete, seems to be the last one.
 pub(super) fn is_last(text: &[u8], start: usize) -> bool {
     let after = match word(&text[start..]) {
         Ok((rest, _)) => text.len() - rest.len(),
@@ -98,63 +91,57 @@ pub(super) fn is_last(text: &[u8], start: usize) -> bool {
 }
 
 /// The directives of one scene file, in order; ends after the first error.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Directives<'a> {
-    source: Source<'a>,
-    /// What is left of the text: after an error nothing.
+    file: &'a SourceFile,
+    /// The text that is not parsed yet; empty after an error.
     rest: &'a [u8],
-    /// Why this is no text at all, until it has been told.
+    /// Why the file is not text, until it has been reported.
     unreadable: Option<Error>,
     previous: Option<&'a str>,
 }
 
 impl<'a> Directives<'a> {
-    /// The directives of `source`, which errors call `path`.
-    pub fn new(path: &Path, source: &'a [u8]) -> Directives<'a> {
-        let source = Source::new(path, source);
-        let (rest, unreadable) = match encoding::text(&source) {
+    /// The directives of `file`.
+    pub fn new(file: &'a SourceFile) -> Directives<'a> {
+        // The files of a spliced text have been checked.
+        let text = if file.is_spliced() {
+            Ok(file.text())
+        } else {
+            encoding::check(file)
+        };
+        let (rest, unreadable) = match text {
             Ok(text) => (text, None),
             Err(error) => (&[][..], Some(error)),
         };
         Directives {
-            source,
+            file,
             rest,
             unreadable,
             previous: None,
         }
     }
 
-    /// The directives of a text that is put together from `pieces`, which errors name.
-    pub(super) fn of_pieces(pieces: Vec<Piece<'a>>, text: &'a [u8]) -> Directives<'a> {
-        Directives {
-            source: Source::of_pieces(pieces, text),
-            rest: text,
-            unreadable: None,
-            previous: None,
-        }
-    }
-
-    /// Where the next directive begins, or would, in the text.
+    /// Where the next directive begins in the text, or would begin.
     pub(super) fn offset(&self) -> usize {
-        self.source.bytes.len() - Token::next(self.rest).1.len()
+        self.file.text().len() - Token::next(self.rest).1.len()
     }
 
-    /// Goes on with the directive at `offset` of the text.
+    /// Continues with the directive at `offset` of the text.
     pub(super) fn go_to(&mut self, offset: usize) {
-        self.rest = &self.source.bytes[offset..];
+        self.rest = &self.file.text()[offset..];
     }
 
-    /// What comes next.
+    /// The kind of token that comes next.
     pub(super) fn next_is(&self) -> Next {
         Next::of(Token::next(self.rest).0)
     }
 
     fn directive(&mut self) -> Result<Option<Directive<'a>>> {
+        let errors = Diagnostics::new(self.file);
         let parsed = blanks(self.rest).and_then(|(rest, ())| match rest {
             [] => Ok((rest, None)),
-            _ => self
-                .source
-                .directive(self.previous, rest)
+            _ => grammar::directive(errors, self.previous, rest)
                 .map(|(rest, parsed)| (rest, Some(parsed))),
         });
         match parsed {
@@ -166,8 +153,8 @@ impl<'a> Directives<'a> {
             Err(nom::Err::Failure(Fault::Wrong(error)) | nom::Err::Error(Fault::Wrong(error))) => {
                 Err(error)
             }
-            // The grammar turns a mismatch into a message where it is expected; this is for the one forgotten.
-            Err(_) => Err(self.source.no_directive(self.previous, self.rest)),
+            // The grammar reports a mismatch where it happens; this is for one it forgot.
+            Err(_) => Err(errors.no_directive(self.previous, self.rest)),
         }
     }
 }

@@ -1,18 +1,26 @@
-//! Numbers in a row. Most bytes of a scene pass through here, hence a loop by hand, and many threads where it pays.
+//! Arrays of numbers, which most bytes of a scene belong to: read by hand, and by all threads if
+//! there are many.
 
 use std::ops::Range;
 
 use rayon::prelude::*;
 
-use super::source::Parsed;
-use super::token::{is_word, separators, word};
-use super::value::Keep;
+use super::lexer::{Parsed, is_word, separators, word};
 use crate::decimal;
 
-/// Bytes that a task reads, about; an array of no more is read by one thread.
+/// Bytes that a task reads, roughly. A shorter array is read by one thread.
 const BLOCK: usize = 1 << 18;
 
-/// Numbers and what separates them, as many as there are.
+/// What happens to values once their syntax has been checked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Keep {
+    /// They are handed out.
+    All,
+    /// They are dropped: the picture does not depend on them.
+    Nothing,
+}
+
+/// Numbers and their separators, up to anything else.
 pub(super) fn numbers(input: &[u8], keep: Keep) -> Parsed<'_, Vec<f64>> {
     match keep {
         Keep::All if input.len() > BLOCK => {
@@ -52,9 +60,10 @@ fn leading(input: &[u8]) -> Option<(f64, usize)> {
     }
 }
 
-/// The numbers before the next bracket or quote, by all threads; `None` where they are few, or something else is among them.
+/// Reads the numbers before the next bracket or quote with all threads. `None` if they are few, or
+/// if anything else is among them.
 fn in_blocks(input: &[u8], size: usize) -> Option<(&[u8], Vec<f64>)> {
-    // After a comment there may be more of them.
+    // More numbers may follow a comment.
     let (plain, rest) =
         input.split_at(end(input).filter(|end| *end > size && input[*end] != b'#')?);
     let blocks = cut(plain, size);
@@ -76,11 +85,11 @@ fn in_blocks(input: &[u8], size: usize) -> Option<(&[u8], Vec<f64>)> {
     Some((rest, values))
 }
 
-/// Where the first byte is that is neither in a word nor a separator.
+/// The index of the first byte that is neither in a word nor a separator.
 fn end(input: &[u8]) -> Option<usize> {
     const AT_ONCE: usize = 64;
     let is_end = |byte: &u8| matches!(byte, b'"' | b'[' | b']' | b'#');
-    // Without a way out of the middle, the inner loop looks at many bytes in one instruction.
+    // Without an early exit, the compiler turns the inner loop into vector instructions.
     let mut blocks = input.chunks(AT_ONCE);
     let block =
         blocks.position(|block| block.iter().fold(false, |found, byte| found | is_end(byte)))?;
@@ -88,7 +97,7 @@ fn end(input: &[u8]) -> Option<usize> {
     input[start..].iter().position(is_end).map(|at| start + at)
 }
 
-/// `text` in blocks of about `size` bytes, each of which but the first begins with a word.
+/// Cuts `text` into blocks of about `size` bytes. All but the first begin with a word.
 fn cut(text: &[u8], size: usize) -> Vec<Range<usize>> {
     let mut blocks = Vec::new();
     let mut start = 0;
@@ -108,9 +117,9 @@ fn cut(text: &[u8], size: usize) -> Vec<Range<usize>> {
     blocks
 }
 
-/// The words of `text`, which has nothing but words and separators.
+/// Counts the words of `text`, which consists of words and separators.
 fn count_words(text: &[u8]) -> usize {
-    /// As many as the sum of ones that a byte holds, so that many bytes are looked at in one instruction.
+    /// The most ones that a byte can sum up: byte sums become vector instructions.
     const AT_ONCE: usize = u8::MAX as usize;
     let followed = &text[..text.len().saturating_sub(1)];
     let ends = followed
@@ -125,13 +134,13 @@ fn count_words(text: &[u8]) -> usize {
         + usize::from(text.last().is_some_and(|byte| !is_separator(*byte)))
 }
 
-/// What is not in a word, apart from brackets, quotes and comments.
+/// Whether `byte` separates words, apart from brackets, quotes and comments.
 #[inline]
 fn is_separator(byte: u8) -> bool {
     (byte == b' ') | (byte == b',') | ((b'\t'..=b'\r').contains(&byte))
 }
 
-/// Reads `text`, which must be a number for each of `places`.
+/// Reads `text`, which must have one number for each of `places`.
 fn fill(text: &[u8], places: &mut [f64]) -> Option<()> {
     let mut rest = text;
     for place in places {

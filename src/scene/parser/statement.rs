@@ -1,69 +1,40 @@
-//! What a scene file says, before anybody has asked what it means.
+//! What the directives of a scene file state, before anything is interpreted.
 
+use crate::scene::source_file::Span;
 use std::borrow::Cow;
-use std::ops::Range;
 use std::path::PathBuf;
 
-/// Bytes of the source, counted from 0.
-pub type Span = Range<usize>;
-
-/// One directive and where it stands.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Directive<'a> {
-    /// From the keyword to the end of the last argument.
-    pub span: Span,
-    /// The keyword alone.
-    pub keyword: Span,
-    /// The place of the keyword among [`KEYWORDS`](super::KEYWORDS), if it is one of them.
-    pub keyword_number: Option<usize>,
-    /// What it says.
-    pub statement: Statement<'a>,
-}
-
-/// A directive with its arguments; numbers are as in the file, degrees and row order included.
+/// A directive with its arguments. Numbers are as in the file: angles in degrees, matrices column
+/// by column.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Statement<'a> {
-    /// `Identity`
-    Identity,
-    /// `Translate x y z`
-    Translate([f64; 3]),
-    /// `Scale x y z`
-    Scale([f64; 3]),
-    /// `Rotate degrees x y z`
-    Rotate([f64; 4]),
-    /// `LookAt`: the eye, a point to look at, the up vector.
-    LookAt([f64; 9]),
-    /// `Transform m00 .. m33`: the matrix replaces the current one.
-    Transform([f64; 16]),
-    /// `ConcatTransform m00 .. m33`
-    ConcatTransform([f64; 16]),
+    /// A directive that multiplies or replaces the current transform.
+    Transform(TransformDirective),
+    /// `ActiveTransform StartTime | EndTime | All`
+    ActiveTransform(ActiveTransform),
     /// `CoordinateSystem "name"`
     CoordinateSystem(Text<'a>),
     /// `CoordSysTransform "name"`
     CoordSysTransform(Text<'a>),
-    /// `TransformTimes start end`
-    TransformTimes([f64; 2]),
-    /// `ActiveTransform StartTime | EndTime | All`
-    ActiveTransform(ActiveTransform),
     /// `ReverseOrientation`
     ReverseOrientation,
     /// `AttributeBegin`
     AttributeBegin,
     /// `AttributeEnd`
     AttributeEnd,
-    /// `Attribute "target" parameters`: defaults for what follows; the entity's name is the target.
-    Attribute(Entity<'a>),
     /// `TransformBegin`
     TransformBegin,
     /// `TransformEnd`
     TransformEnd,
+    /// `Attribute "target" parameters`: defaults for what follows. The entity's name is the target.
+    Attribute(Entity<'a>),
     /// `WorldBegin`
     WorldBegin,
     /// `WorldEnd`
     WorldEnd,
-    /// `Include "file"`: the file is read in place of the directive.
+    /// `Include "file"`: the file replaces the directive.
     Include(Text<'a>),
-    /// `Import "file"`: the file is read by itself, with a copy of the graphics state.
+    /// `Import "file"`: the file is read with a copy of the graphics state.
     Import(Text<'a>),
     /// `Camera "type" parameters`
     Camera(Entity<'a>),
@@ -85,18 +56,39 @@ pub enum Statement<'a> {
     MakeNamedMaterial(Entity<'a>),
     /// `NamedMaterial "name"`
     NamedMaterial(Text<'a>),
-    /// A directive without influence on hit and depth, by its keyword.
-    Ignored(&'static str),
-    /// A directive that no pbrt knows, by its keyword.
-    Private(&'a str),
+    /// `AreaLightSource "type" parameters`: only its presence is kept.
+    AreaLightSource,
+    /// A directive that hits and depths do not depend on. Its syntax has been checked.
+    Skipped,
+    /// A directive that no version of pbrt knows, by its keyword.
+    Unknown(&'a str),
 }
 
-/// Which of the two transforms of a moving scene the directives that follow change.
+/// A directive that changes the current transform.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum TransformDirective {
+    /// `Identity`
+    Identity,
+    /// `Translate x y z`
+    Translate([f64; 3]),
+    /// `Scale x y z`
+    Scale([f64; 3]),
+    /// `Rotate degrees x y z`
+    Rotate([f64; 4]),
+    /// `LookAt`: the eye, a point to look at, the up vector.
+    LookAt([f64; 9]),
+    /// `Transform m00 .. m33`: the matrix replaces the current one.
+    Transform([f64; 16]),
+    /// `ConcatTransform m00 .. m33`
+    ConcatTransform([f64; 16]),
+}
+
+/// Which transforms of a moving scene the directives that follow change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ActiveTransform {
-    /// That of the start time.
+    /// The transform at the start time.
     StartTime,
-    /// That of the end time.
+    /// The transform at the end time.
     EndTime,
     /// Both.
     All,
@@ -105,16 +97,16 @@ pub enum ActiveTransform {
 /// A quoted string.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Text<'a> {
-    /// What is between the quotes, escapes undone; bytes that are not UTF-8 are replaced.
+    /// The characters between the quotes, escapes undone; bytes that are not UTF-8 are replaced.
     pub text: Cow<'a, str>,
     /// The string with its quotes.
     pub span: Span,
-    /// The bytes between the quotes, escapes undone, where they are not UTF-8.
+    /// The bytes between the quotes, escapes undone, if they are not UTF-8.
     pub raw: Option<Box<[u8]>>,
 }
 
 impl<'a> Text<'a> {
-    /// The string that `bytes` are, escapes undone, at `span`.
+    /// The string that stands at `span` and means `bytes`.
     pub(in crate::scene) fn new(bytes: Cow<'a, [u8]>, span: Span) -> Text<'a> {
         let (text, raw) = match bytes {
             Cow::Borrowed(bytes) => match std::str::from_utf8(bytes) {
@@ -125,17 +117,15 @@ impl<'a> Text<'a> {
                 Ok(text) => (Cow::Owned(text), None),
                 Err(error) => {
                     let bytes = error.into_bytes();
-                    (
-                        Cow::Owned(String::from_utf8_lossy(&bytes).into_owned()),
-                        Some(bytes.into()),
-                    )
+                    let text = String::from_utf8_lossy(&bytes).into_owned();
+                    (Cow::Owned(text), Some(bytes.into()))
                 }
             },
         };
         Text { text, span, raw }
     }
 
-    /// The file that the string names: its very bytes, where the system has such names.
+    /// The file that the string names, byte for byte if the system has such names.
     pub fn path(&self) -> PathBuf {
         match &self.raw {
             Some(raw) => path_of_bytes(raw),
@@ -143,7 +133,6 @@ impl<'a> Text<'a> {
         }
     }
 
-    /// A copy that outlives the file.
     fn to_owned(&self) -> Text<'static> {
         Text {
             text: Cow::Owned(self.text.clone().into_owned()),
@@ -164,7 +153,7 @@ fn path_of_bytes(bytes: &[u8]) -> PathBuf {
     PathBuf::from(&*String::from_utf8_lossy(bytes))
 }
 
-/// Something that has a type and parameters: a camera, a film, a shape.
+/// Anything with a type and parameters: a camera, a film, a shape.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Entity<'a> {
     /// Its type, such as `perspective`.
@@ -173,7 +162,7 @@ pub struct Entity<'a> {
     pub parameters: Vec<Parameter<'a>>,
 }
 
-/// A declaration such as `"float fov"` and its values.
+/// A declaration such as `"float fov"`, and its values.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Parameter<'a> {
     /// The declared type as it is spelled, such as `point` or `point3`.
@@ -182,7 +171,7 @@ pub struct Parameter<'a> {
     pub name: Cow<'a, str>,
     /// The declaration with its quotes.
     pub span: Span,
-    /// What it is set to.
+    /// The values.
     pub values: Values<'a>,
     /// The values with their brackets.
     pub values_span: Span,
@@ -201,21 +190,20 @@ impl Parameter<'_> {
     }
 }
 
-/// The values of a parameter. Their kind is that of the file, it need not fit the declared type.
+/// The values of a parameter. Their kind is the one in the file; the declared type may differ.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Values<'a> {
-    /// Numbers; infinite where they are beyond the range of `f64`.
+    /// Numbers; infinite if they are out of the range of `f64`.
     Numbers(Vec<f64>),
     /// Quoted strings.
     Strings(Vec<Text<'a>>),
-    /// `true` and `false`, in quotes too where the declared type is `bool`.
+    /// `true` and `false`; also in quotes if the declared type is `bool`.
     Booleans(Vec<bool>),
     /// An empty array.
     None,
 }
 
 impl Values<'_> {
-    /// A copy that outlives the text.
     fn to_owned(&self) -> Values<'static> {
         match self {
             Values::Numbers(numbers) => Values::Numbers(numbers.clone()),
@@ -223,5 +211,44 @@ impl Values<'_> {
             Values::Booleans(booleans) => Values::Booleans(booleans.clone()),
             Values::None => Values::None,
         }
+    }
+}
+
+/// The type and name that the first string of a parameter declares.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Declaration<'a> {
+    pub(super) type_name: Cow<'a, str>,
+    pub(super) name: Cow<'a, str>,
+    /// The string with its quotes.
+    pub(super) span: Span,
+}
+
+/// The types whose values are numbers, in every version of pbrt.
+pub const NUMBER_TYPES: [&str; 11] = [
+    "float",
+    "integer",
+    "normal",
+    "normal3",
+    "point",
+    "point2",
+    "point3",
+    "vector",
+    "vector2",
+    "vector3",
+    "blackbody",
+];
+
+impl Declaration<'_> {
+    /// Whether `text` must be the next declaration because this parameter takes numbers.
+    pub(super) fn is_followed_by_another(&self, text: &str) -> bool {
+        NUMBER_TYPES.contains(&&*self.type_name) && text.split_whitespace().count() == 2
+    }
+
+    /// Whether the string whose opening quote is followed by `inside` has two words.
+    pub(super) fn is_like(inside: &[u8]) -> bool {
+        let is_end = |byte: &u8| matches!(byte, b'"' | b'\n' | b'\r');
+        let end = inside.iter().position(is_end).unwrap_or(inside.len());
+        let words = inside[..end].split(u8::is_ascii_whitespace);
+        words.filter(|word| !word.is_empty()).count() == 2
     }
 }

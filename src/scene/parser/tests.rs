@@ -9,12 +9,21 @@ use std::path::Path;
 
 use super::{Directive, Directives, Parameter, Statement, Values};
 use crate::error::Result;
+use crate::scene::source_file::SourceFile;
 
-fn parse(source: &[u8]) -> Result<Vec<Directive<'_>>> {
-    Directives::new(Path::new("a.pbrt"), source).collect()
+/// A scene file, which lives as long as the test.
+fn file(source: &[u8]) -> &'static SourceFile {
+    Box::leak(Box::new(SourceFile::new(
+        Path::new("a.pbrt"),
+        source.to_vec(),
+    )))
 }
 
-fn statements(source: &str) -> Vec<Statement<'_>> {
+fn parse(source: &[u8]) -> Result<Vec<Directive<'static>>> {
+    Directives::new(file(source)).collect()
+}
+
+fn statements(source: &str) -> Vec<Statement<'static>> {
     let directives = parse(source.as_bytes()).unwrap_or_else(|error| panic!("{error}"));
     directives
         .into_iter()
@@ -23,14 +32,14 @@ fn statements(source: &str) -> Vec<Statement<'_>> {
 }
 
 /// The one statement of `source`.
-fn statement(source: &str) -> Statement<'_> {
+fn statement(source: &str) -> Statement<'static> {
     let mut statements = statements(source);
     assert_eq!(statements.len(), 1, "{statements:?}");
     statements.remove(0)
 }
 
 /// The parameters of the one shape of `source`.
-fn parameters(source: &str) -> Vec<Parameter<'_>> {
+fn parameters(source: &str) -> Vec<Parameter<'static>> {
     match statement(source) {
         Statement::Shape(entity) => entity.parameters,
         other => panic!("no shape: {other:?}"),
@@ -39,13 +48,13 @@ fn parameters(source: &str) -> Vec<Parameter<'_>> {
 
 /// The values of a shape's parameter that is written as `parameter`.
 fn values(parameter: &str) -> Values<'static> {
-    let source = format!("Shape \"s\" {parameter}").leak();
-    parameters(source).remove(0).values
+    parameters(&format!("Shape \"s\" {parameter}"))
+        .remove(0)
+        .values
 }
 
 fn message(source: impl AsRef<[u8]>) -> String {
-    let source = source.as_ref();
-    let mut directives = Directives::new(Path::new("a.pbrt"), source);
+    let mut directives = Directives::new(file(source.as_ref()));
     let error = directives.by_ref().find_map(Result::err).expect("an error");
     assert!(directives.next().is_none(), "an error is the end");
     error.to_string()

@@ -1,14 +1,13 @@
-//! The arrays that meshes are given by: `P`, `indices`, and `uv`.
+//! The arrays of meshes: `P`, `indices` and `uv`.
 
+use super::target::{ShapeRefusal, ShapeResult};
 use crate::error::{Diagnostic, Result};
 use crate::geometry::Point;
-use crate::scene::declared_type::DeclaredType;
-use crate::scene::parameters::Parameters;
-use crate::scene::shape_refusal::{ShapeRefusal, ShapeResult};
+use crate::scene::parameters::{DeclaredType, Parameters};
 use crate::scene::warnings::Warnings;
 use rayon::prelude::*;
 
-/// The points of `P`, three numbers each; `mesh` is what they make, with its article.
+/// The points of `P`, three numbers each. Errors call their shape `mesh`, with its article.
 pub(super) fn vertices_of(parameters: &mut Parameters, mesh: &str) -> ShapeResult<Vec<Point>> {
     let Some(coordinates) = parameters.numbers("P", DeclaredType::POINT)? else {
         let error = parameters.missing("P", format!("{mesh} without vertices"));
@@ -33,8 +32,8 @@ pub(super) fn vertices_of(parameters: &mut Parameters, mesh: &str) -> ShapeResul
         .collect())
 }
 
-/// The faces of `indices`, N places among the vertices each, or `None` where the parameter is missing; `expected` says how
-/// many of what, as `three a triangle`. What is left over is dropped with a warning, as in pbrt.
+/// The faces of `indices`, N vertices each; `None` without the parameter. Errors say that they
+/// `expected` numbers like `three a triangle`. Excess numbers are dropped with a warning, as in pbrt.
 pub(super) fn faces_of<const N: usize>(
     parameters: &mut Parameters,
     vertex_count: usize,
@@ -75,8 +74,8 @@ pub(super) fn faces_of<const N: usize>(
     Ok(Some(indices.par_chunks_exact(N).map(face).collect()))
 }
 
-/// The two coordinates of each vertex in `uv`, which pbrt-v3 also calls `st`, or `None` where there are none or, with a
-/// warning, too few. What is left over is dropped.
+/// The two coordinates of each vertex in `uv`, or `st` in pbrt-v3. `None` without the parameter or,
+/// with a warning, if it has too few numbers. Excess numbers are dropped.
 pub(super) fn uv_of(
     parameters: &mut Parameters,
     vertex_count: usize,
@@ -110,8 +109,8 @@ pub(super) fn uv_of(
     Ok(None)
 }
 
-/// Whether `index` is a whole number below `vertex_count` that 32 bits can hold: only such a one survives the way there and
-/// back.
+/// Whether `index` is an integer below `vertex_count` that fits 32 bits: only then does a conversion
+/// there and back change nothing.
 fn is_index(index: f64, vertex_count: usize) -> bool {
     let whole = index as u32;
     f64::from(whole) == index && (whole as usize) < vertex_count

@@ -1,41 +1,42 @@
 //! `Shape "plymesh"` and `Shape "objmesh"`: meshes in files of their own.
 
-use crate::error::Result;
-use crate::input::{self, advise_beside};
+use super::target::{SURFACE, ShapeResult, ShapeTarget};
+use crate::input::advise_beside;
 use crate::mesh::MeshFormat;
 use crate::scene::parameters::Parameters;
-use crate::scene::shape_statement::{SURFACE, ShapeTarget};
 
-impl ShapeTarget<'_> {
-    /// Adds the triangles of a file of this format.
-    pub(in crate::scene) fn add_mesh_file(
-        &mut self,
-        parameters: &mut Parameters,
-        format: MeshFormat,
-    ) -> Result<()> {
-        parameters.ignore(&SURFACE);
-        let Some(filename) = parameters.path("filename")? else {
-            let note = "expected \"string filename\" \"mesh.ply\"";
-            return Err(parameters
-                .missing("filename", "a mesh without a file name")
-                .note(note));
-        };
-        let path = self.directory.join(&filename);
-        self.files.add(&path);
-        let read = input::refuse_special(&path).and_then(|()| {
-            self.mesh_cache
-                .read(&path, format, self.keeps_uv, self.budget)
-        });
-        let loaded = read.map_err(|error| {
-            let place = parameters.place_of("filename");
-            advise_beside(&place.path, &filename, &path, error).note(format!("named in {place}"))
-        })?;
-        for warning in loaded.warnings {
-            let place = || parameters.place_of("filename");
-            self.warnings.add(warning.to_string(), || {
-                warning.clone().note(format!("named in {}", place()))
-            });
-        }
-        self.add_mesh(parameters, loaded.mesh)
+/// Adds the triangles of a PLY file.
+pub(super) fn add_ply(parameters: &mut Parameters, target: &mut ShapeTarget) -> ShapeResult<()> {
+    add(parameters, target, MeshFormat::Ply)
+}
+
+/// Adds the triangles of an OBJ file.
+pub(super) fn add_obj(parameters: &mut Parameters, target: &mut ShapeTarget) -> ShapeResult<()> {
+    add(parameters, target, MeshFormat::Obj)
+}
+
+fn add(
+    parameters: &mut Parameters,
+    target: &mut ShapeTarget,
+    format: MeshFormat,
+) -> ShapeResult<()> {
+    parameters.ignore(&SURFACE);
+    let Some(filename) = parameters.path("filename")? else {
+        let error = parameters.missing("filename", "a mesh without a file name");
+        return Err(error
+            .note("expected \"string filename\" \"mesh.ply\"")
+            .into());
+    };
+    let path = target.inputs.resolve(&filename);
+    let read = target.inputs.read_mesh(&path, format, target.options.uv);
+    let loaded = read.map_err(|error| {
+        let place = parameters.place_of("filename");
+        advise_beside(&place.path, &filename, &path, error).note(format!("named in {place}"))
+    })?;
+    for warning in loaded.warnings {
+        let kind = warning.to_string();
+        let named_in = || format!("named in {}", parameters.place_of("filename"));
+        target.warnings.add(kind, || warning.note(named_in()));
     }
+    Ok(target.add_mesh(parameters, loaded.mesh)?)
 }

@@ -22,17 +22,17 @@ impl Geometry {
                 transform,
             ]
         });
-        digester.list(&self.spheres, |sphere| {
+        digester.list(&self.quadrics, |sphere| {
             [
                 sphere.radius.to_bits(),
                 u64::from(sphere.transform) << 32 | u64::from(sphere.shape),
             ]
         });
-        digester.list(&self.sphere_runs, |run| {
+        digester.list(&self.quadric_runs, |run| {
             let [alone, instanced] = words_of(run.first_number);
-            [run.first_sphere.into(), alone, instanced]
+            [run.first_quadric.into(), alone, instanced]
         });
-        digester.list(&self.forms, |(sphere, form)| words_of_form(*sphere, form));
+        digester.list(&self.forms, |(quadric, form)| words_of_form(*quadric, form));
         digester.list(&self.transforms, |transform| transform.bits());
         digester.word(self.attributes.is_some().into());
         self.attributes

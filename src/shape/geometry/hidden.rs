@@ -29,7 +29,7 @@ impl Geometry {
                 .into_iter()
                 .for_each(|range| self.triangles[range].fill([nowhere; 3]));
         }
-        self.spheres
+        self.quadrics
             .iter_mut()
             .filter(|sphere| hidden.contains(&sphere.shape))
             .for_each(|s| s.radius = f64::NAN);

@@ -81,8 +81,11 @@ impl Geometry {
         let instances_before =
             |run: &FirstNumber| alone.partition_point(|alone| *alone <= u64::from(run.alone));
         let of_meshes = self.meshes.iter_mut().map(|run| &mut run.first_number);
-        for number in of_meshes.chain(self.sphere_runs.iter_mut().map(|run| &mut run.first_number))
-        {
+        for number in of_meshes.chain(
+            self.quadric_runs
+                .iter_mut()
+                .map(|run| &mut run.first_number),
+        ) {
             number.instanced = before[instances_before(number)];
         }
         self.instanced = before[self.instances.len()];

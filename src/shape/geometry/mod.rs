@@ -28,8 +28,8 @@ pub struct Geometry {
     vertices: Vec<Point>,
     triangles: Vec<[u32; 3]>,
     meshes: Vec<MeshRun>,
-    spheres: Vec<StoredSphere>,
-    sphere_runs: Vec<SphereRun>,
+    quadrics: Vec<StoredQuadric>,
+    quadric_runs: Vec<QuadricRun>,
     /// Of those that are not whole spheres, in their order.
     forms: Vec<(u32, Form)>,
     transforms: Vec<Matrix>,
@@ -57,8 +57,8 @@ struct MeshRun {
 
 /// Spheres whose primitive numbers follow each other.
 #[derive(Debug)]
-struct SphereRun {
-    first_sphere: u32,
+struct QuadricRun {
+    first_quadric: u32,
     first_number: FirstNumber,
 }
 
@@ -78,7 +78,7 @@ impl FirstNumber {
 }
 
 #[derive(Debug)]
-struct StoredSphere {
+struct StoredQuadric {
     radius: f64,
     transform: u32,
     shape: u32,
@@ -236,24 +236,24 @@ impl Geometry {
         transform: u32,
         shape: u32,
     ) -> Result<(), CapacityError> {
-        self.check_room(self.spheres.len() + 1, "spheres")?;
+        self.check_room(self.quadrics.len() + 1, "spheres")?;
         let first_number = self.next_number(1)?;
-        let first_sphere = self.spheres.len() as u32;
+        let first_quadric = self.quadrics.len() as u32;
         let follows = !std::mem::take(&mut self.ends_run)
-            && self.sphere_runs.last().is_some_and(|run| {
-                run.first_number.in_all() + u64::from(first_sphere - run.first_sphere)
+            && self.quadric_runs.last().is_some_and(|run| {
+                run.first_number.in_all() + u64::from(first_quadric - run.first_quadric)
                     == first_number.in_all()
             });
         if !follows {
-            self.sphere_runs.push(SphereRun {
-                first_sphere,
+            self.quadric_runs.push(QuadricRun {
+                first_quadric,
                 first_number,
             });
         }
         if form != Form::Sphere(None) {
-            self.forms.push((first_sphere, form));
+            self.forms.push((first_quadric, form));
         }
-        self.spheres.push(StoredSphere {
+        self.quadrics.push(StoredQuadric {
             radius,
             transform,
             shape,
@@ -308,7 +308,7 @@ impl Geometry {
 
     /// Triangles and spheres that are in no instance.
     pub fn own_count(&self) -> usize {
-        self.triangles.len() + self.spheres.len()
+        self.triangles.len() + self.quadrics.len()
     }
 
     /// Triangles that are in no instance, those that can never be hit among them.
@@ -317,8 +317,8 @@ impl Geometry {
     }
 
     /// Spheres, cylinders and disks that are in no instance, those that can never be hit among them.
-    pub fn sphere_count(&self) -> usize {
-        self.spheres.len()
+    pub fn quadric_count(&self) -> usize {
+        self.quadrics.len()
     }
 
     /// Triangles, those of an object once.
@@ -332,12 +332,12 @@ impl Geometry {
     }
 
     /// Spheres, cylinders and disks, those of an object once.
-    pub fn stored_spheres(&self) -> usize {
-        self.spheres.len()
+    pub fn stored_quadrics(&self) -> usize {
+        self.quadrics.len()
             + self
                 .objects
                 .iter()
-                .map(|object| object.geometry().spheres.len())
+                .map(|object| object.geometry().quadrics.len())
                 .sum::<usize>()
     }
 
@@ -346,8 +346,8 @@ impl Geometry {
         size_of_val(&self.vertices[..])
             + size_of_val(&self.triangles[..])
             + size_of_val(&self.meshes[..])
-            + size_of_val(&self.spheres[..])
-            + size_of_val(&self.sphere_runs[..])
+            + size_of_val(&self.quadrics[..])
+            + size_of_val(&self.quadric_runs[..])
             + size_of_val(&self.forms[..])
             + size_of_val(&self.transforms[..])
             + size_of_val(&self.instances[..])
@@ -387,11 +387,11 @@ impl Geometry {
     }
 
     /// Sphere, cylinder or disk `index` of the store.
-    pub fn sphere(&self, index: usize) -> Quadric {
-        let stored = &self.spheres[index];
+    pub fn quadric(&self, index: usize) -> Quadric {
+        let stored = &self.quadrics[index];
         let place = self
             .forms
-            .binary_search_by_key(&index, |(sphere, _)| *sphere as usize);
+            .binary_search_by_key(&index, |(quadric, _)| *quadric as usize);
         Quadric {
             world_from_object: self.transforms[stored.transform as usize],
             radius: stored.radius,
@@ -409,8 +409,8 @@ impl Geometry {
     #[inline]
     pub fn own_surface(&self, primitive: PrimitiveId) -> Primitive {
         let index = primitive.index();
-        if primitive.is_sphere() {
-            Primitive::Quadric(self.sphere(index))
+        if primitive.is_quadric() {
+            Primitive::Quadric(self.quadric(index))
         } else {
             Primitive::Triangle(self.triangle(index))
         }
@@ -419,7 +419,7 @@ impl Geometry {
     /// All primitives that are in no instance, kind by kind.
     pub fn primitives(&self) -> impl Iterator<Item = PrimitiveId> + use<> {
         let triangles = (0..self.triangles.len()).map(PrimitiveId::triangle);
-        triangles.chain((0..self.spheres.len()).map(PrimitiveId::sphere))
+        triangles.chain((0..self.quadrics.len()).map(PrimitiveId::quadric))
     }
 
     #[inline]
@@ -486,7 +486,7 @@ mod tests {
             .unwrap();
 
         let (sphere, triangle) = (
-            |index| InstancedId::alone(PrimitiveId::sphere(index)),
+            |index| InstancedId::alone(PrimitiveId::quadric(index)),
             |index| InstancedId::alone(PrimitiveId::triangle(index)),
         );
         let spheres = (0..3)
@@ -503,6 +503,6 @@ mod tests {
         assert!(geometry.precedes(sphere(0), triangle(0)));
         assert!(!geometry.precedes(sphere(1), triangle(1)));
         assert_eq!(geometry.triangle(3).0[2], Point::new(0.0, 1.0, 9.0));
-        assert_eq!(geometry.sphere_runs.len(), 2, "neighbours share a run");
+        assert_eq!(geometry.quadric_runs.len(), 2, "neighbours share a run");
     }
 }

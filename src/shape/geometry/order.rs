@@ -39,12 +39,12 @@ impl Geometry {
     #[inline]
     fn own_number(&self, primitive: PrimitiveId) -> FirstNumber {
         let index = primitive.index() as u32;
-        let (first, place) = if primitive.is_sphere() {
-            let run = &self.sphere_runs[self
-                .sphere_runs
-                .partition_point(|run| run.first_sphere <= index)
+        let (first, place) = if primitive.is_quadric() {
+            let run = &self.quadric_runs[self
+                .quadric_runs
+                .partition_point(|run| run.first_quadric <= index)
                 - 1];
-            (run.first_number, index - run.first_sphere)
+            (run.first_number, index - run.first_quadric)
         } else {
             let run = self.mesh_of(index);
             (run.first_number, index - run.first_triangle)
@@ -85,8 +85,8 @@ impl Geometry {
             .instance()
             .map_or(self, |instance| self.object_of(instance).geometry());
         let primitive = placed.primitive();
-        if primitive.is_sphere() {
-            geometry.spheres[primitive.index()].shape
+        if primitive.is_quadric() {
+            geometry.quadrics[primitive.index()].shape
         } else {
             geometry.mesh_of(primitive.index() as u32).shape
         }
@@ -95,7 +95,7 @@ impl Geometry {
     /// Whether `a` comes before `b` in the file: it wins a tie (rule E3).
     pub fn precedes(&self, a: InstancedId, b: InstancedId) -> bool {
         let (p, q) = (a.primitive(), b.primitive());
-        if a.instance() == b.instance() && p.is_sphere() == q.is_sphere() {
+        if a.instance() == b.instance() && p.is_quadric() == q.is_quadric() {
             p < q
         } else {
             self.number(a) < self.number(b)

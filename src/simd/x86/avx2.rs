@@ -1,18 +1,18 @@
-//! AVX2 and FMA: sixteen `f32` are two registers, a truth value is all bits of a lane.
+//! AVX2 and FMA: sixteen `f32` fill two registers; a truth value sets all bits of its lane.
 
 use super::level::level;
+use crate::simd::lanes::{F32s, F64s, Kernel, LANES, Lanes, Mask};
 use crate::simd::unrolled::unrolled;
-use crate::simd::{F32s, F64s, Kernel, LANES, Lanes, Mask};
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Not, Sub};
 
 level!(Avx2, "avx2,fma", ["avx2", "fma"], 2 x 8, 4 wide, __m256, __m256d, __m256);
 
-/// On one register.
+/// Operations on one register.
 mod ops {
     use super::*;
 
-    /// Functions that are an instruction, or nearly.
+    /// Defines functions of one or a few instructions each.
     macro_rules! instructions {
         ($($name:ident($($argument:ident: $type:ty),*) -> $result:ty = $value:expr;)*) => {
             $(#[inline]
@@ -33,7 +33,9 @@ mod ops {
         // SAFETY: the pointer is to eight numbers.
         store(a: __m256, to: &mut [f32; 8]) -> () = unsafe { _mm256_storeu_ps(to.as_mut_ptr(), a) };
         // SAFETY: the pointer is to four numbers.
-        store_wide(a: __m256d, to: &mut [f64; 4]) -> () = unsafe { _mm256_storeu_pd(to.as_mut_ptr(), a) };
+        store_wide(a: __m256d, to: &mut [f64; 4]) -> () = unsafe {
+            _mm256_storeu_pd(to.as_mut_ptr(), a)
+        };
         // SAFETY: the pointer is to eight numbers.
         store_whole(a: __m256, to: &mut [i32; 8]) -> () = unsafe {
             _mm256_storeu_si256(to.as_mut_ptr().cast(), _mm256_cvttps_epi32(a))

@@ -1,8 +1,8 @@
-//! AVX-512: sixteen `f32` are one register, truth values a mask of bits.
+//! AVX-512: sixteen `f32` fill one register; truth values are bits of a mask.
 
 use super::level::level;
+use crate::simd::lanes::{F32s, F64s, Kernel, LANES, Lanes, Mask};
 use crate::simd::unrolled::unrolled;
-use crate::simd::{F32s, F64s, Kernel, LANES, Lanes, Mask};
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Not, Sub};
 
@@ -13,11 +13,11 @@ level!(
     1 x 16, 2 wide, __m512, __m512d, __mmask16
 );
 
-/// On one register.
+/// Operations on one register.
 mod ops {
     use super::*;
 
-    /// Functions that are an instruction, or nearly.
+    /// Defines functions of one or a few instructions each.
     macro_rules! instructions {
         ($($name:ident($($argument:ident: $type:ty),*) -> $result:ty = $value:expr;)*) => {
             $(#[inline]
@@ -36,9 +36,13 @@ mod ops {
         // SAFETY: the pointer is to eight numbers.
         load_wide(from: &[f64; 8]) -> __m512d = unsafe { _mm512_loadu_pd(from.as_ptr()) };
         // SAFETY: the pointer is to sixteen numbers.
-        store(a: __m512, to: &mut [f32; 16]) -> () = unsafe { _mm512_storeu_ps(to.as_mut_ptr(), a) };
+        store(a: __m512, to: &mut [f32; 16]) -> () = unsafe {
+            _mm512_storeu_ps(to.as_mut_ptr(), a)
+        };
         // SAFETY: the pointer is to eight numbers.
-        store_wide(a: __m512d, to: &mut [f64; 8]) -> () = unsafe { _mm512_storeu_pd(to.as_mut_ptr(), a) };
+        store_wide(a: __m512d, to: &mut [f64; 8]) -> () = unsafe {
+            _mm512_storeu_pd(to.as_mut_ptr(), a)
+        };
         // SAFETY: the pointer is to sixteen numbers.
         store_whole(a: __m512, to: &mut [i32; 16]) -> () = unsafe {
             _mm512_storeu_si512(to.as_mut_ptr().cast(), _mm512_cvttps_epi32(a))
@@ -50,8 +54,12 @@ mod ops {
         min(a: __m512, b: __m512) -> __m512 = _mm512_min_ps(a, b);
         max(a: __m512, b: __m512) -> __m512 = _mm512_max_ps(a, b);
         abs(a: __m512) -> __m512 = _mm512_abs_ps(a);
-        floor(a: __m512) -> __m512 = _mm512_roundscale_ps::<{ _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC }>(a);
-        ceil(a: __m512) -> __m512 = _mm512_roundscale_ps::<{ _MM_FROUND_TO_POS_INF | _MM_FROUND_NO_EXC }>(a);
+        floor(a: __m512) -> __m512 = {
+            _mm512_roundscale_ps::<{ _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC }>(a)
+        };
+        ceil(a: __m512) -> __m512 = {
+            _mm512_roundscale_ps::<{ _MM_FROUND_TO_POS_INF | _MM_FROUND_NO_EXC }>(a)
+        };
         fused_or_not(a: __m512, b: __m512, c: __m512) -> __m512 = _mm512_fmadd_ps(a, b, c);
         above(a: __m512, b: __m512) -> __mmask16 = _mm512_cmp_ps_mask::<_CMP_GT_OQ>(a, b);
         least(a: __m512) -> f32 = _mm512_reduce_min_ps(a);
@@ -70,6 +78,8 @@ mod ops {
         either(a: __mmask16, b: __mmask16) -> __mmask16 = a | b;
         neither(a: __mmask16) -> __mmask16 = !a;
         bits(a: __mmask16) -> u32 = u32::from(a);
-        select(mask: __mmask16, yes: __m512, no: __m512) -> __m512 = _mm512_mask_blend_ps(mask, no, yes);
+        select(mask: __mmask16, yes: __m512, no: __m512) -> __m512 = {
+            _mm512_mask_blend_ps(mask, no, yes)
+        };
     }
 }

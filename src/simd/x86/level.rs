@@ -1,10 +1,14 @@
-//! A level of lanes from the operations on its registers.
+//! The macro that builds a level from the operations on its registers.
 
-/// Defines the token `$token` and its lanes, and implements the traits through the functions of the module `ops`, which
-/// are the same for every level. `F` has `$n` registers of `$w` lanes, `D` twice as many, `$wide`, of half the lanes.
+/// Defines the token `$token` and its lanes, and implements the traits by the functions of the
+/// module `ops`, which have the same names at every level. `F` has `$n` registers of `$w` lanes,
+/// `D` twice as many, `$wide`, of half the lanes.
 macro_rules! level {
-    ($token:ident, $features:literal, [$($feature:tt),*], $n:tt x $w:tt, $wide:tt wide, $f:ty, $d:ty, $m:ty) => {
-        /// Proof that the machine has the instructions of this level.
+    (
+        $token:ident, $features:literal, [$($feature:tt),*],
+        $n:tt x $w:tt, $wide:tt wide, $f:ty, $d:ty, $m:ty
+    ) => {
+        /// Proves that the machine has this instruction set.
         #[derive(Debug, Clone, Copy)]
         pub(in crate::simd) struct $token(());
 
@@ -21,13 +25,13 @@ macro_rules! level {
         pub(in crate::simd) struct M([$m; $n]);
 
         impl $token {
-            /// The token, where the machine has the instructions.
+            /// Returns the token if the machine has the instruction set.
             #[inline]
             pub(in crate::simd) fn detect() -> Option<$token> {
                 ($(is_x86_feature_detected!($feature))&&*).then_some($token(()))
             }
 
-            /// Runs `kernel`, compiled with the instructions.
+            /// Runs `kernel`, compiled with the instruction set.
             pub(in crate::simd) fn run<K: Kernel>(self, kernel: K) -> K::Output {
                 #[target_feature(enable = $features)]
                 fn enabled<K: Kernel>(kernel: K, token: $token) -> K::Output {
@@ -38,7 +42,7 @@ macro_rules! level {
             }
         }
 
-        /// A value of `$type`, register by register.
+        /// Computes a value of `$type`, register by register.
         macro_rules! registers {
             ($type:ident, $count:tt, $k:ident => $value:expr) => {
                 // SAFETY: lanes and tokens of this level exist only where its instructions do.
@@ -73,7 +77,7 @@ macro_rules! level {
             fn prefetch<T>(self, what: &T) {
                 let start: *const T = what;
                 for offset in (0..size_of::<T>()).step_by(64) {
-                    // SAFETY: SSE is part of x86-64, and fetching ahead reads nothing that the program could notice.
+                    // SAFETY: SSE is part of x86-64, and a prefetch has no observable effect.
                     unsafe { _mm_prefetch::<_MM_HINT_T0>(start.cast::<i8>().wrapping_add(offset)) }
                 }
             }
@@ -160,7 +164,11 @@ macro_rules! level {
             #[inline(always)]
             fn widen(self) -> D {
                 registers!(D, $wide, K => {
-                    if K % 2 == 0 { ops::widen_lower(self.0[K / 2]) } else { ops::widen_upper(self.0[K / 2]) }
+                    if K % 2 == 0 {
+                        ops::widen_lower(self.0[K / 2])
+                    } else {
+                        ops::widen_upper(self.0[K / 2])
+                    }
                 })
             }
             #[inline(always)]
@@ -186,7 +194,9 @@ macro_rules! level {
             }
             #[inline(always)]
             fn fused_or_not(self, factor: D, addend: D) -> D {
-                registers!(D, $wide, K => ops::fused_or_not_wide(self.0[K], factor.0[K], addend.0[K]))
+                registers!(D, $wide, K => {
+                    ops::fused_or_not_wide(self.0[K], factor.0[K], addend.0[K])
+                })
             }
             #[inline(always)]
             fn narrow(self) -> F {

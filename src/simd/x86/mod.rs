@@ -1,8 +1,9 @@
 //! Lanes in the registers of x86-64: SSE 4.1, AVX2 with FMA, AVX-512.
 //!
-//! The only unsafe code of the lanes. Each level has a file of operations on its registers, which are safe where the
-//! instructions are switched on; [`level`] makes lanes of them. What proves that the machine has the instructions is a
-//! token: it comes from `detect` alone, and lanes come from a token alone.
+//! This module has the only unsafe code of `simd`. Each level has a file of operations on its
+//! registers, which are safe where the instruction set is enabled; the macro [`level`] builds lanes
+//! from them. A token proves that the machine has the instruction set: only `detect` returns one,
+//! and lanes can only be made with one.
 #![allow(unsafe_code)]
 
 mod avx2;

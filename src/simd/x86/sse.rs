@@ -1,18 +1,18 @@
-//! SSE 4.1: sixteen `f32` are four registers, a truth value is all bits of a lane.
+//! SSE 4.1: sixteen `f32` fill four registers; a truth value sets all bits of its lane.
 
 use super::level::level;
+use crate::simd::lanes::{F32s, F64s, Kernel, LANES, Lanes, Mask};
 use crate::simd::unrolled::unrolled;
-use crate::simd::{F32s, F64s, Kernel, LANES, Lanes, Mask};
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Not, Sub};
 
 level!(Sse, "sse4.1", ["sse4.1"], 4 x 4, 8 wide, __m128, __m128d, __m128);
 
-/// On one register.
+/// Operations on one register.
 mod ops {
     use super::*;
 
-    /// Functions that are an instruction, or nearly.
+    /// Defines functions of one or a few instructions each.
     macro_rules! instructions {
         ($($name:ident($($argument:ident: $type:ty),*) -> $result:ty = $value:expr;)*) => {
             $(#[inline]
@@ -33,7 +33,9 @@ mod ops {
         // SAFETY: the pointer is to four numbers.
         store(a: __m128, to: &mut [f32; 4]) -> () = unsafe { _mm_storeu_ps(to.as_mut_ptr(), a) };
         // SAFETY: the pointer is to two numbers.
-        store_wide(a: __m128d, to: &mut [f64; 2]) -> () = unsafe { _mm_storeu_pd(to.as_mut_ptr(), a) };
+        store_wide(a: __m128d, to: &mut [f64; 2]) -> () = unsafe {
+            _mm_storeu_pd(to.as_mut_ptr(), a)
+        };
         // SAFETY: the pointer is to four numbers.
         store_whole(a: __m128, to: &mut [i32; 4]) -> () = unsafe {
             _mm_storeu_si128(to.as_mut_ptr().cast(), _mm_cvttps_epi32(a))
@@ -60,8 +62,12 @@ mod ops {
         mul_wide(a: __m128d, b: __m128d) -> __m128d = _mm_mul_pd(a, b);
         div_wide(a: __m128d, b: __m128d) -> __m128d = _mm_div_pd(a, b);
         sqrt_wide(a: __m128d) -> __m128d = _mm_sqrt_pd(a);
-        fused_or_not_wide(a: __m128d, b: __m128d, c: __m128d) -> __m128d = _mm_add_pd(_mm_mul_pd(a, b), c);
-        narrow(lower: __m128d, upper: __m128d) -> __m128 = _mm_movelh_ps(_mm_cvtpd_ps(lower), _mm_cvtpd_ps(upper));
+        fused_or_not_wide(a: __m128d, b: __m128d, c: __m128d) -> __m128d = {
+            _mm_add_pd(_mm_mul_pd(a, b), c)
+        };
+        narrow(lower: __m128d, upper: __m128d) -> __m128 = {
+            _mm_movelh_ps(_mm_cvtpd_ps(lower), _mm_cvtpd_ps(upper))
+        };
         both(a: __m128, b: __m128) -> __m128 = _mm_and_ps(a, b);
         either(a: __m128, b: __m128) -> __m128 = _mm_or_ps(a, b);
         neither(a: __m128) -> __m128 = _mm_xor_ps(a, _mm_castsi128_ps(_mm_set1_epi32(-1)));

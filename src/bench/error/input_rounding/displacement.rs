@@ -1,9 +1,10 @@
 //! How far roundings of rules R2 to R4 move a primitive.
 
 use super::made_up;
+use super::rounded_transform::RoundedTransform;
+use super::roundings::Roundings;
 use crate::exact::{Rounded, UNIT_ROUNDOFF as U};
-use crate::geometry::{Point, RoundedTransform};
-use crate::scene::Roundings;
+use crate::geometry::Point;
 use crate::shape::{Geometry, InstancedId};
 
 /// More than the products of a vertex lose to underflow.
@@ -11,17 +12,17 @@ const TINY: f64 = f64::from_bits(1 << 4);
 
 /// How far every point of a primitive is from where it is meant to be, at most, in the world.
 pub(super) fn of_primitive(geometry: &Geometry, roundings: &Roundings, placed: InstancedId) -> f64 {
-    let shape = &roundings.shapes[geometry.shape_number(placed) as usize - 1];
+    let shape = roundings.shape(geometry.shape_number(placed));
     let (primitive, instance) = (placed.primitive(), placed.instance());
     // What an instance shows has the product of both transforms.
     let rounded = match instance {
-        Some(instance) => roundings.instances[instance].times(shape),
-        None => **shape,
+        Some(instance) => roundings.instance(instance).times(shape),
+        None => *shape,
     };
     let store = instance.map_or(geometry, |instance| geometry.object_of(instance).geometry());
-    if primitive.is_sphere() {
+    if primitive.is_quadric() {
         // Its matrix is off, but none of its points has been rounded.
-        let extent = store.sphere(primitive.index()).extent();
+        let extent = store.quadric(primitive.index()).extent();
         return extent.map_or(f64::INFINITY, |extent| length(of_matrix(&rounded, extent)));
     }
     let corners = store.triangle(primitive.index()).0;
@@ -115,7 +116,7 @@ pub(super) fn length(v: [f64; 3]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::high_precision::{self, High, chain};
+    use super::super::high_precision::{self, High, chain};
     use proptest::prelude::*;
 
     proptest! {

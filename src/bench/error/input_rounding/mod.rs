@@ -1,12 +1,17 @@
 //! How far rules R2 to R5 move what a picture sees: the error of its input, which no test of a ray can mend.
 
 mod displacement;
+#[cfg(test)]
+mod high_precision;
+mod rounded_transform;
+mod roundings;
 mod view;
 
 use crate::reference::ReferenceHit;
 use crate::scene::Scene;
 use displacement::{length, of_primitive};
 use rayon::prelude::*;
+use roundings::Roundings;
 use serde::Serialize;
 use view::View;
 
@@ -38,20 +43,20 @@ fn made_up(bound: f64) -> f64 {
 }
 
 impl InputError {
-    /// The largest of `hits`, which are those of the rays of some pixels. `None` where the scene was read without following
-    /// roundings, and where there is no hit.
+    /// The largest of `hits`, which are those of the rays of some pixels. `None` if the scene was read without its transform
+    /// history, or if there is no hit.
     pub fn of(scene: &Scene, hits: &[([u32; 2], ReferenceHit)]) -> Option<InputError> {
-        let roundings = scene.roundings.as_ref()?;
+        let roundings = Roundings::of(scene.transform_history.as_ref()?);
         let view = View {
             camera: &scene.camera,
-            rounded: &roundings.camera,
+            rounded: roundings.camera(),
         };
         let errors = hits.par_iter().map(|(pixel, hit)| {
             let of_ray = view.displacement(*pixel, hit.z);
-            let of_surface = of_primitive(&scene.geometry, roundings, hit.primitive);
+            let of_surface = of_primitive(&scene.geometry, &roundings, hit.primitive);
             let displacement = made_up(of_ray + of_surface);
             InputError {
-                max_ulp: in_ulps(displacement, hit.t),
+                max_ulp: in_ulps(displacement, hit.distance),
                 max_pixels: view.in_pixels(displacement, *pixel, hit.z),
             }
         });

@@ -12,7 +12,7 @@ fn scene(world: &str) -> Scene {
         Film "image" "integer xresolution" 8 "integer yresolution" 8 WorldBegin {world}"#
     );
     let options = LoadOptions {
-        roundings: true,
+        transform_history: true,
         ..LoadOptions::default()
     };
     parse(Path::new("a.pbrt"), text.into_bytes(), &options).unwrap()
@@ -101,24 +101,22 @@ fn transforms_are_followed_through_blocks_and_names() {
         Shape "unknown" {turned} {TRIANGLE}"#
     );
     let scene = scene(&world);
-    let roundings = scene.roundings.as_ref().unwrap();
-    let are_exact = roundings
-        .shapes
-        .iter()
-        .map(|shape| shape.error.matrix == [[0.0; 4]; 3]);
+    let history = scene.transform_history.as_ref().unwrap();
+    let roundings = Roundings::of(history);
+    let are_exact = (1..=9).map(|number| roundings.shape(number).error.matrix == [[0.0; 4]; 3]);
     assert_eq!(
         are_exact.collect::<Vec<_>>(),
         [true, false, true, false, true, true, true, true, false]
     );
     assert_eq!(
-        roundings.shapes[5].transform.matrix,
+        roundings.shape(6).transform.matrix,
         scene.camera.world_from_camera
     );
     assert_eq!(
-        roundings.camera.transform.inverse,
+        roundings.camera().transform.inverse,
         scene.camera.world_from_camera
     );
-    assert_eq!(roundings.shapes[1], roundings.shapes[3]);
+    assert_eq!(roundings.shape(2), roundings.shape(4));
 }
 
 #[test]
@@ -130,7 +128,7 @@ fn nothing_is_kept_unless_it_is_asked_for() {
         &LoadOptions::default(),
     )
     .unwrap();
-    assert!(scene.roundings.is_none());
+    assert!(scene.transform_history.is_none());
     assert_eq!(InputError::of(&scene, &hits(&scene, &[[640, 360]])), None);
     let followed = super::tests::scene(TRIANGLE);
     assert_eq!(InputError::of(&followed, &[]), None);
@@ -148,7 +146,7 @@ fn what_is_not_finite_is_infinite() {
             ..hit
         },
         ReferenceHit {
-            t: f32::INFINITY,
+            distance: f32::INFINITY,
             ..hit
         },
     ] {
@@ -170,7 +168,7 @@ fn what_is_not_finite_is_infinite() {
 fn of_the_dragon_it_is_far_below_one_unit() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/dragon.pbrt");
     let options = LoadOptions {
-        roundings: true,
+        transform_history: true,
         ..LoadOptions::default()
     };
     let scene = load(&path, &options, Progress::SILENT).unwrap();
@@ -198,7 +196,7 @@ fn vertices_with_coordinates_of_zero_are_bounded_under_any_rotation() {
     let scene = load(
         path,
         &LoadOptions {
-            roundings: true,
+            transform_history: true,
             ..LoadOptions::default()
         },
         Progress::SILENT,

@@ -1,9 +1,9 @@
 //! How far roundings of rules R2, R3 and R5 move rays, and how large things appear.
 
+use super::rounded_transform::RoundedTransform;
 use super::{length, made_up};
 use crate::camera::{Camera, Projection};
 use crate::exact::Rounded;
-use crate::geometry::RoundedTransform;
 
 /// A camera, with the errors of its transform.
 pub(super) struct View<'a> {
@@ -113,8 +113,8 @@ fn pixel_centre(first: Rounded, last: Rounded, i: u32, count: u32) -> Rounded {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use super::super::high_precision::{self, High, chain};
     use crate::camera::ScreenWindow;
-    use crate::geometry::high_precision::{self, High, chain};
     use proptest::prelude::*;
 
     fn camera(rounded: &RoundedTransform, projection: Projection) -> Camera {

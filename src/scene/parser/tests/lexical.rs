@@ -1,6 +1,6 @@
 //! Blanks, comments, strings and numbers as they are found in files.
 
-use super::super::{Statement as S, Values};
+use super::super::{Statement as S, TransformDirective as T, Values};
 use super::{parameters, parse, statement, statements, values};
 
 #[test]
@@ -18,7 +18,7 @@ fn an_empty_file_has_no_directives() {
 
 #[test]
 fn blanks_and_comments_stand_anywhere() {
-    let expected = S::Translate([1., 2., 3.]);
+    let expected = S::Transform(T::Translate([1., 2., 3.]));
     for source in [
         "Translate 1 2 3",
         "\u{feff}Translate\r\n1\t2\r3\r\n",

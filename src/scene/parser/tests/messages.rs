@@ -251,7 +251,7 @@ fn the_others_in_brief() {
         ),
         (
             "Shapes \"sphere\"",
-            "1:1: unknown directive `Geometry`\n   = did you mean `Shape`?",
+            "1:1: unknown directive `Shapes`\n   = did you mean `Shape`?",
         ),
         (
             "Include \"a\\d.pbrt\"",

@@ -1,0 +1,152 @@
+//! Collects the primitives that a tree is built over.
+
+use super::build_primitive::{BuildPrimitive, CHUNK};
+use super::triangle_boxes::{GROUP, boxes_of_triangles};
+use super::visibility::Visibility;
+use crate::accel::space::AnchorSpace;
+use crate::shape::{Geometry, PrimitiveId};
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// The primitives of a scene that a tree is built over.
+pub(crate) struct Collected {
+    /// Visible primitives that can be hit. Their order does not depend on the number of threads.
+    pub(crate) primitives: Vec<BuildPrimitive>,
+    /// The number of primitives that can never be hit.
+    pub(crate) never_hit: usize,
+}
+
+/// Collects the primitives of `geometry` that can be hit and, if `visibility` is given, may be
+/// seen.
+pub(crate) fn collect(
+    geometry: &Geometry,
+    space: &AnchorSpace,
+    visibility: Option<&Visibility>,
+) -> Collected {
+    let never_hit = AtomicUsize::new(0);
+    let mut primitives = match visibility {
+        None => all_triangles(geometry, space, &never_hit),
+        Some(visibility) => visible_triangles(geometry, space, visibility, &never_hit),
+    };
+    let quadric = |index| {
+        let quadric = geometry.quadric(index);
+        if !quadric.can_be_hit() {
+            never_hit.fetch_add(1, Ordering::Relaxed);
+            return BuildPrimitive::DEAD;
+        }
+        let bounds = quadric.bounds();
+        if visibility.is_some_and(|visibility| !visibility.may_see_box(&bounds)) {
+            return BuildPrimitive::DEAD;
+        }
+        BuildPrimitive::new(
+            &space.enclose(&bounds),
+            PrimitiveId::quadric(index).to_bits(),
+        )
+    };
+    primitives.par_extend((0..geometry.quadric_count()).into_par_iter().map(quadric));
+    let never_hit = never_hit.into_inner();
+    if never_hit > 0 || visibility.is_some() {
+        remove_dead(&mut primitives);
+    }
+    Collected {
+        primitives,
+        never_hit,
+    }
+}
+
+/// Moves the last primitives into the places of the dead ones; all others stay in place.
+fn remove_dead(primitives: &mut Vec<BuildPrimitive>) {
+    let place_of_dead =
+        |(place, primitive): (usize, &BuildPrimitive)| primitive.is_dead().then_some(place);
+    let dead: Vec<usize> = primitives
+        .par_iter()
+        .enumerate()
+        .filter_map(place_of_dead)
+        .collect();
+    for place in dead.into_iter().rev() {
+        // No dead one is left behind this place.
+        primitives.swap_remove(place);
+    }
+}
+
+/// All triangles, including dead ones. Their number is known, so each is written to its final
+/// place.
+fn all_triangles(
+    geometry: &Geometry,
+    space: &AnchorSpace,
+    never_hit: &AtomicUsize,
+) -> Vec<BuildPrimitive> {
+    let count = geometry.triangle_count();
+    let boxes = |group: usize| {
+        let boxes = boxes_of_triangles(geometry, space, group * GROUP, |_| true);
+        if boxes.never_hit > 0 {
+            never_hit.fetch_add(boxes.never_hit, Ordering::Relaxed);
+        }
+        boxes.primitives
+    };
+    let groups: Vec<_> = (0..count.div_ceil(GROUP))
+        .into_par_iter()
+        .map(boxes)
+        .collect();
+    let mut primitives = groups.into_flattened();
+    primitives.truncate(count);
+    primitives
+}
+
+/// The triangles that may be seen, which can be few.
+fn visible_triangles(
+    geometry: &Geometry,
+    space: &AnchorSpace,
+    visibility: &Visibility,
+    never_hit: &AtomicUsize,
+) -> Vec<BuildPrimitive> {
+    let count = geometry.triangle_count();
+    let may_see = |index: usize| visibility.may_see_triangle(*geometry.corners_of(index));
+    let seen_in_chunk = |chunk: usize| {
+        let first = chunk * CHUNK;
+        let mut seen = Vec::new();
+        for first in (first..count.min(first + CHUNK)).step_by(GROUP) {
+            let boxes = boxes_of_triangles(geometry, space, first, may_see);
+            never_hit.fetch_add(boxes.never_hit, Ordering::Relaxed);
+            seen.extend(
+                boxes
+                    .primitives
+                    .iter()
+                    .filter(|primitive| !primitive.is_dead()),
+            );
+        }
+        seen
+    };
+    let chunks = (0..count.div_ceil(CHUNK)).into_par_iter();
+    let seen: Vec<Vec<BuildPrimitive>> = chunks.map(seen_in_chunk).collect();
+    seen.concat()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::accel::space::Box32;
+
+    #[test]
+    fn only_the_dead_are_removed() {
+        let bounds = Box32 {
+            low: [1.0; 3],
+            high: [2.0; 3],
+        };
+        for dead in [0..0, 0..1, 0..9, 4..7, 8..9] {
+            let place = |index: usize| match dead.contains(&index) {
+                true => BuildPrimitive::DEAD,
+                false => BuildPrimitive::new(&bounds, index as u32),
+            };
+            let mut primitives: Vec<BuildPrimitive> = (0..9).map(place).collect();
+            remove_dead(&mut primitives);
+            let mut left: Vec<usize> = primitives
+                .iter()
+                .map(|primitive| primitive.bits() as usize)
+                .collect();
+            left.sort_unstable();
+            let alive = (0..9).filter(|index| !dead.contains(index));
+            assert!(left.into_iter().eq(alive), "{dead:?}");
+        }
+    }
+}

@@ -1,0 +1,33 @@
+//! Rasterization: tests sixteen triangles, or sixteen pixels, at once against the depth buffer.
+
+mod large;
+mod rasterizer;
+mod small;
+
+pub(super) use self::rasterizer::{PrimitiveBatch, Rasterizer, Rule, TriangleSource};
+
+use super::setup::EdgePlanes;
+use crate::simd::Lanes;
+
+impl Rasterizer<'_> {
+    /// Rasterizes the triangles of `lanes`. Without `EXACT` nothing stays unresolved: computed
+    /// numbers count as they are.
+    #[inline(always)]
+    pub(super) fn rasterize<S: Lanes, const EXACT: bool>(
+        &mut self,
+        simd: S,
+        planes: &EdgePlanes,
+        lanes: u32,
+    ) {
+        let small = planes.small(simd, lanes);
+        if small != 0 {
+            self.rasterize_small::<S, EXACT>(simd, planes, small);
+        }
+        let mut large = lanes & !small;
+        while large != 0 {
+            let lane = large.trailing_zeros() as usize;
+            large &= large - 1;
+            self.rasterize_large::<S, EXACT>(simd, planes, lane);
+        }
+    }
+}

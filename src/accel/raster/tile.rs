@@ -1,0 +1,198 @@
+//! One tile: from blocks of primitives to hits in its depth buffer.
+
+use super::depth_buffer::{DepthBuffer, TilePixel};
+use super::exact_fallback::{Coincidences, Fallback, Unresolved};
+use super::fronts::Fronts;
+use super::rasterize::{PrimitiveBatch, Rasterizer, Rule, TriangleSource};
+use super::resolve::WantedDepths;
+use super::setup::{
+    CornersF64, Coverage, EdgePlanes, Footprint, QuadricBounds, Setup, TrianglesF64,
+};
+use super::traced_tile::TracedTile;
+use super::traversal::{HiZ, ProjectedNode, TileStack, ViewTree};
+use crate::accel::ExactFallbacks;
+use crate::accel::ray::Ties;
+use crate::accel::tree::PrimitiveBlock;
+use crate::accel::view::TileFrame;
+use crate::shape::InstancedId;
+use crate::simd::{LANES, Lanes};
+
+/// Buffers that a thread keeps from tile to tile, so that nothing is allocated for each.
+#[derive(Debug)]
+pub(super) struct TileBuffers {
+    pub(super) pixels: DepthBuffer,
+    pub(super) stack: TileStack,
+    /// For the trees of objects.
+    pub(super) object_stack: TileStack,
+    planes: EdgePlanes,
+    unresolved: Vec<Unresolved>,
+    pub(super) coincidences: Coincidences,
+}
+
+impl TileBuffers {
+    pub(super) fn new() -> TileBuffers {
+        TileBuffers {
+            pixels: DepthBuffer::new(),
+            stack: TileStack::default(),
+            object_stack: TileStack::default(),
+            planes: EdgePlanes::new(),
+            unresolved: Vec::new(),
+            coincidences: Coincidences {
+                ties: Ties::default(),
+                fronts: Fronts::new(),
+            },
+        }
+    }
+}
+
+/// The inputs and outputs of one tile.
+pub(super) struct Tile<'a> {
+    pub(super) frame: TileFrame<'a>,
+    pub(super) tree: ViewTree<'a>,
+    /// The nodes of the tree over the instances.
+    pub(super) instances: &'a [ProjectedNode],
+    pub(super) fallback: Fallback<'a>,
+    pub(super) wanted: WantedDepths,
+    pub(super) buffers: &'a mut TileBuffers,
+    pub(super) traced: &'a mut TracedTile,
+    pub(super) fallbacks: &'a mut ExactFallbacks,
+}
+
+impl Tile<'_> {
+    /// Finds the pixels that see primitives of a block, except those with less nearness than
+    /// `cull_nearness`. `sibling` is any primitive of the same instance.
+    #[inline(always)]
+    pub(super) fn rasterize_block<S: Lanes, const EXACT: bool>(
+        &mut self,
+        simd: S,
+        cull_nearness: f32,
+        block: &PrimitiveBlock,
+        sibling: InstancedId,
+    ) {
+        let batch = PrimitiveBatch {
+            primitives: &block.primitives,
+            sibling,
+        };
+        if block.triangles != 0 {
+            let planes = &mut self.buffers.planes;
+            let Setup { usable, unresolved } =
+                planes.set_up_f32::<S, EXACT>(simd, &self.frame, block, cull_nearness);
+            if usable != 0 {
+                self.rasterize::<S, EXACT>(simd, usable, batch, TriangleSource::Block(block));
+            }
+            if unresolved != 0 {
+                self.refine::<S, EXACT>(simd, unresolved, batch);
+            }
+        }
+        if block.quadrics() != 0 {
+            let hi_z = HiZ::of(self.frame.view, EXACT);
+            self.add_quadrics(simd, cull_nearness, block, batch, hi_z);
+        }
+        self.decide_unresolved();
+    }
+
+    /// Rasterizes triangles that are set up.
+    #[inline(always)]
+    fn rasterize<S: Lanes, const EXACT: bool>(
+        &mut self,
+        simd: S,
+        lanes: u32,
+        batch: PrimitiveBatch,
+        source: TriangleSource,
+    ) {
+        let view = self.frame.view;
+        let rule = Rule {
+            is_perspective: view.is_perspective,
+            surely_nearer: view.surely_nearer(),
+            hits_only: self.fallback.hits_only,
+        };
+        let TileBuffers {
+            pixels,
+            planes,
+            unresolved,
+            ..
+        } = &mut *self.buffers;
+        let mut rasterizer = Rasterizer {
+            batch,
+            source,
+            geometry: self.fallback.geometry,
+            rule,
+            pixels,
+            unresolved,
+        };
+        rasterizer.rasterize::<S, EXACT>(simd, planes, lanes);
+    }
+
+    /// Sets triangles up again from their corners in `f64`. Those that are still not sure enough
+    /// stay unresolved at every pixel of their footprint.
+    #[inline(always)]
+    fn refine<S: Lanes, const EXACT: bool>(&mut self, simd: S, lanes: u32, batch: PrimitiveBatch) {
+        let geometry = self.fallback.geometry;
+        let mut triangles = TrianglesF64::new();
+        for lane in (0..LANES).filter(|lane| lanes >> lane & 1 != 0) {
+            triangles.put(lane, &geometry.placed_triangle(batch.of(lane)));
+        }
+        let corners = CornersF64::of::<EXACT>(simd, &self.frame, &triangles);
+        let coverage = Coverage::of(simd, &self.frame, &corners);
+        let planes = &mut self.buffers.planes;
+        let Setup { usable, unresolved } =
+            planes.set_up_f64::<S, EXACT>(simd, &self.frame, &corners, &coverage);
+        self.rasterize::<S, EXACT>(simd, lanes & usable, batch, TriangleSource::Geometry);
+        let unresolved = lanes & unresolved;
+        for lane in (0..LANES).filter(|lane| unresolved >> lane & 1 != 0) {
+            let footprint = self.buffers.planes.footprints.of(lane);
+            let hi_z = HiZ::of(self.frame.view, true);
+            self.buffers.add_unresolved(hi_z, footprint, batch.of(lane));
+        }
+    }
+
+    /// Leaves the quadrics of a block unresolved wherever they may be seen.
+    #[inline(always)]
+    fn add_quadrics<S: Lanes>(
+        &mut self,
+        simd: S,
+        cull_nearness: f32,
+        block: &PrimitiveBlock,
+        batch: PrimitiveBatch,
+        hi_z: HiZ,
+    ) {
+        let bounds = QuadricBounds::of(simd, &self.frame, block, cull_nearness);
+        let mut lanes = bounds.lanes;
+        while lanes != 0 {
+            let lane = lanes.trailing_zeros() as usize;
+            lanes &= lanes - 1;
+            let footprint = bounds.footprints.of(lane);
+            self.buffers.add_unresolved(hi_z, footprint, batch.of(lane));
+        }
+    }
+
+    /// Decides what is unresolved, by the fallback.
+    fn decide_unresolved(&mut self) {
+        let TileBuffers {
+            pixels,
+            unresolved,
+            coincidences,
+            ..
+        } = &mut *self.buffers;
+        if !unresolved.is_empty() {
+            let first = self.frame.first;
+            let fallback = &self.fallback;
+            fallback.decide(first, unresolved, pixels, coincidences, self.fallbacks);
+        }
+    }
+}
+
+impl TileBuffers {
+    /// Leaves a primitive unresolved at the pixels of its footprint that may see it.
+    fn add_unresolved(&mut self, hi_z: HiZ, footprint: Footprint, primitive: InstancedId) {
+        for row in footprint.rows[0]..=footprint.rows[1] {
+            for column in footprint.columns[0]..=footprint.columns[1] {
+                let pixel = TilePixel::at(column as u32, row as u32);
+                let best = self.pixels.nearness[pixel.block()][pixel.lane()];
+                if best < f32::INFINITY && hi_z.cull_nearness(best) <= footprint.nearest {
+                    self.unresolved.push(Unresolved { pixel, primitive });
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,214 @@
+//! Traces the rays of an image tile by tile.
+
+use super::exact_fallback::Fallback;
+use super::resolve::WantedDepths;
+use super::tile::{Tile, TileBuffers};
+use super::tile_kernel::{ExactTile, FastTile};
+use super::traced_tile::TracedTile;
+use super::traversal::{FilmFromTree, ProjectNodes, ProjectedNode, ViewTree};
+use crate::accel::tree::WideNode;
+use crate::accel::view::{TILE, TileFrame, View};
+use crate::accel::{Aggregate, ExactFallbacks, Precision, Tracer};
+use crate::camera::Camera;
+use crate::film::PixelBounds;
+use crate::shape::Geometry;
+use crate::simd::Level;
+use rayon::prelude::*;
+
+/// Options of a [`Tiles`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TileOptions {
+    /// How hits are decided and rounded.
+    pub precision: Precision,
+    /// Compute planar depths.
+    pub with_z: bool,
+    /// Compute distances.
+    pub with_distance: bool,
+    /// Find out which primitives are hit, not only whether one is.
+    pub with_primitives: bool,
+    /// The depth and the distance of rays that hit nothing.
+    pub miss: f32,
+    /// The SIMD level. It does not affect results.
+    pub level: Level,
+}
+
+/// The rays of an image, in tiles of 16 x 16 pixels.
+pub struct Tiles<'a> {
+    camera: &'a Camera,
+    geometry: &'a Geometry,
+    aggregate: &'a Aggregate,
+    options: TileOptions,
+    /// `None` if the view cannot be rasterized: then rays are traced one by one.
+    view: Option<ProjectedView>,
+}
+
+fn project_all(nodes: &[WideNode], view: &View, level: Level) -> Vec<ProjectedNode> {
+    let film = FilmFromTree::of_world(view);
+    nodes
+        .par_chunks(256)
+        .flat_map_iter(|nodes| level.run(ProjectNodes { film, nodes }))
+        .collect()
+}
+
+/// A view and the world's trees projected onto its film.
+struct ProjectedView {
+    view: View,
+    nodes: Vec<ProjectedNode>,
+    /// The nodes of the tree over the instances.
+    instances: Vec<ProjectedNode>,
+}
+
+impl<'a> Tiles<'a> {
+    /// Prepares the rays of `camera` through `aggregate`, which was built over `geometry`.
+    pub fn new(
+        camera: &'a Camera,
+        geometry: &'a Geometry,
+        aggregate: &'a Aggregate,
+        options: TileOptions,
+    ) -> Tiles<'a> {
+        // The results of f32 depend on where boxes are most precise. If that is not the eye, they
+        // are defined as those of single rays.
+        let is_for_view = aggregate.space.anchor() == camera.anchor();
+        let view = View::new(camera, &aggregate.space)
+            .filter(|_| is_for_view || options.precision == Precision::Exact);
+        let project = |view: &View, nodes| project_all(nodes, view, options.level);
+        let view = view.map(|view| ProjectedView {
+            nodes: project(&view, &aggregate.wide.nodes),
+            instances: project(&view, &aggregate.instances.wide.nodes),
+            view,
+        });
+        Tiles {
+            camera,
+            geometry,
+            aggregate,
+            options,
+            view,
+        }
+    }
+
+    /// Tests whether only hit or miss matters.
+    fn hits_only(&self) -> bool {
+        !(self.options.with_z || self.options.with_distance || self.options.with_primitives)
+    }
+
+    /// A tracer for one thread.
+    pub fn tracer(&'a self) -> TileTracer<'a> {
+        TileTracer {
+            tiles: self,
+            single: Tracer::new(self.aggregate, self.geometry, self.options.precision),
+            buffers: TileBuffers::new(),
+            traced: TracedTile::new(),
+            fallbacks: ExactFallbacks::default(),
+        }
+    }
+}
+
+/// Traces tiles, one after the other.
+pub struct TileTracer<'a> {
+    tiles: &'a Tiles<'a>,
+    single: Tracer<'a>,
+    buffers: TileBuffers,
+    traced: TracedTile,
+    fallbacks: ExactFallbacks,
+}
+
+impl TileTracer<'_> {
+    /// Traces the rays of the tile whose first pixel is `first`, as far as they are in `window`.
+    pub fn trace(&mut self, first: [u32; 2], window: &PixelBounds) -> &TracedTile {
+        self.traced.clear();
+        match &self.tiles.view {
+            Some(view) => self.rasterize(view, first, window),
+            None => self.trace_single_rays(first, window),
+        }
+        &self.traced
+    }
+
+    /// The number of exact fallbacks so far.
+    pub fn fallbacks(&self) -> ExactFallbacks {
+        let mut sum = self.single.fallbacks();
+        sum += self.fallbacks;
+        sum
+    }
+
+    fn trace_single_rays(&mut self, first: [u32; 2], window: &PixelBounds) {
+        let Tiles {
+            options, camera, ..
+        } = self.tiles;
+        let hits_only = self.tiles.hits_only();
+        self.traced.clear_depths(options.miss);
+        let [columns, rows] = part_of(first, window);
+        for row in rows[0]..rows[1] {
+            for column in columns[0]..columns[1] {
+                let ray = camera.ray(first[0] + column, first[1] + row);
+                let hit = if hits_only {
+                    self.single.any_hit(&ray)
+                } else {
+                    self.single.closest_hit(&ray)
+                };
+                let Some(hit) = hit else { continue };
+                self.traced.put_hit(column, row, hit.primitive);
+                if options.with_z || options.with_distance {
+                    let depth = self.single.depth(&ray, &hit);
+                    self.traced.put_depth(column, row, depth);
+                }
+            }
+        }
+    }
+
+    fn rasterize(&mut self, projected: &ProjectedView, first: [u32; 2], window: &PixelBounds) {
+        let Tiles {
+            camera,
+            geometry,
+            aggregate,
+            options,
+            ..
+        } = *self.tiles;
+        let view = &projected.view;
+        let [columns, rows] = part_of(first, window);
+        self.buffers.pixels.clear(view.least_nearness());
+        self.buffers.pixels.keep_only(columns, rows);
+        self.buffers.coincidences.fronts.clear();
+        let tile = Tile {
+            frame: TileFrame::new(view, first),
+            tree: ViewTree {
+                nodes: &projected.nodes,
+                blocks: &aggregate.wide.blocks,
+            },
+            instances: &projected.instances,
+            fallback: Fallback {
+                camera,
+                geometry,
+                aggregate,
+                view,
+                precision: options.precision,
+                hits_only: self.tiles.hits_only(),
+            },
+            wanted: WantedDepths {
+                z: options.with_z,
+                distance: options.with_distance,
+                miss: options.miss,
+            },
+            buffers: &mut self.buffers,
+            traced: &mut self.traced,
+            fallbacks: &mut self.fallbacks,
+        };
+        match options.precision {
+            Precision::Exact => options.level.run(ExactTile(tile)),
+            Precision::Fast => options.level.run(FastTile(tile)),
+        }
+    }
+}
+
+/// The columns and rows of a tile that are in `window`: from the first to before the second.
+fn part_of(first: [u32; 2], window: &PixelBounds) -> [[u32; 2]; 2] {
+    let part = |first: u32, low: u32, high: u32| {
+        [
+            low.saturating_sub(first).min(TILE),
+            high.saturating_sub(first).min(TILE),
+        ]
+    };
+    [
+        part(first[0], window.x0, window.x1),
+        part(first[1], window.y0, window.y1),
+    ]
+}

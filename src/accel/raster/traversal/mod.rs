@@ -1,0 +1,11 @@
+//! The traversal of a tile: projected nodes, hierarchical Z, and blocks prefetched from memory.
+
+mod hi_z;
+mod prefetch;
+mod projected_node;
+mod stack;
+
+pub(super) use self::hi_z::{HiZ, pixel_blocks_between};
+pub(super) use self::prefetch::{PrefetchQueue, ViewTree};
+pub(super) use self::projected_node::{FilmFromTree, ProjectNodes, ProjectedNode, project};
+pub(super) use self::stack::TileStack;

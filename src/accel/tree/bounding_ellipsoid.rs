@@ -1,0 +1,166 @@
+//! Ellipsoids around quadrics: what the rasterizer knows of a sphere, a cylinder or a disk.
+//!
+//! A sphere of radius r under the matrix M, around c, is {c + r M q, |q| = 1}. A linear function
+//! k . x has values on it from k . c - sqrt(k S k) to k . c + sqrt(k S k), with the shape matrix
+//! S = r^2 M M^T. An ellipsoid along the axes has D^2 between M and M^T, where D is the diagonal
+//! matrix of its semi-axes.
+
+use crate::shape::{Ellipsoid, Form, Quadric};
+
+/// An ellipsoid that encloses a quadric; for a sphere its own.
+pub(super) struct BoundingEllipsoid {
+    /// The centre in world space.
+    pub(super) centre: [f64; 3],
+    /// The different entries of the shape matrix S, in the order of [`SHAPE_ENTRIES`]. Infinite if
+    /// they do not fit into `f32`.
+    pub(super) shape: [f32; 6],
+}
+
+/// Row and column of the six different entries of a symmetric matrix.
+pub(crate) const SHAPE_ENTRIES: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [1, 2], [2, 0], [0, 1]];
+
+/// Entries of S outside this range would leave the range of `f32` later on, or lose too many bits.
+const LARGEST: f64 = 1e20;
+const LEAST: f64 = 1e-20;
+
+/// Exceeds the five roundings of a centre, relative to the absolute terms of its sum.
+const ROUNDING: f64 = 1.0 / (1u64 << 50) as f64;
+
+impl BoundingEllipsoid {
+    pub(super) fn of(quadric: &Quadric) -> BoundingEllipsoid {
+        let Ellipsoid {
+            height,
+            semi_axes,
+            farthest,
+        } = quadric.ellipsoid();
+        let rows = &quadric.world_from_object.rows;
+        let square = quadric.radius * quadric.radius;
+        let weights = semi_axes.map(|axis| axis * axis);
+        let entry = |[i, j]: [usize; 2]| {
+            square
+                * (0..3)
+                    .map(|k| weights[k] * rows[i][k] * rows[j][k])
+                    .sum::<f64>()
+        };
+        let mut shape = SHAPE_ENTRIES.map(entry);
+        let centre = match quadric.form {
+            Form::Sphere(_) => quadric.world_from_object.column(3),
+            _ => {
+                let terms = |k: usize| rows[k][3].abs() + farthest * rows[k][2].abs();
+                widen(&mut shape, [0, 1, 2].map(|k| ROUNDING * terms(k)));
+                [0, 1, 2].map(|k| rows[k][3] + height * rows[k][2])
+            }
+        };
+        let fits = shape[..3].iter().all(|x| (LEAST..LARGEST).contains(x));
+        let shape = if fits {
+            shape.map(|x| x as f32)
+        } else {
+            [f32::INFINITY; 6]
+        };
+        BoundingEllipsoid { centre, shape }
+    }
+}
+
+/// Widens an ellipsoid by the error of its centre, and a flat one so that entries of S are not too
+/// small.
+///
+/// A shift by up to e adds |k . e| to sqrt(k S k). (a + b)^2 is no more than
+/// (1 + 1/64) a^2 + (1 + 64) b^2, and (k . e)^2 no more than 3 |k|^2 times the square of the
+/// largest component of e.
+fn widen(shape: &mut [f64; 6], error: [f64; 3]) {
+    const FLAT: f64 = 1.0 / (1 << 20) as f64;
+    let error = error[0].max(error[1]).max(error[2]);
+    let all_around = (shape[0] + shape[1] + shape[2]) * FLAT + 3.0 * 65.0 * (error * error);
+    for entry in shape.iter_mut() {
+        *entry *= 1.0 + 1.0 / 64.0;
+    }
+    for entry in &mut shape[..3] {
+        *entry += all_around;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Matrix, Point};
+    use crate::shape::{Cut, Disk};
+    use proptest::prelude::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(5000))]
+
+        /// Along any direction, no point of the surface is beyond the ellipsoid.
+        #[test]
+        fn no_point_of_the_surface_is_outside(
+            entries in prop::array::uniform12(-2.0f64..2.0),
+            along in prop::array::uniform3(-1.0f64..1.0),
+            radius in prop::sample::select(vec![1e-3, 1.0, 50.0]),
+            ends in prop::array::uniform2(
+                prop::sample::select(vec![-1.0, 0.0, 0.3, 40.0, 1e9, 1e9 + 1.0])),
+            kind in 0..3,
+            turn in 0.0f64..6.3,
+            part in 0.0f64..1.0,
+        ) {
+            let row = |k: usize| [0, 1, 2, 3].map(|column| entries[4 * k + column]);
+            let mut world_from_object = Matrix { rows: [row(0), row(1), row(2)] };
+            for row in &mut world_from_object.rows {
+                // Far ends are brought back.
+                row[3] -= row[2] * ends[0];
+            }
+            let cut = Cut::of_cylinder(ends[0], ends[1], 360.0);
+            let (x, y) = (radius * turn.cos(), radius * turn.sin());
+            let (form, point) = match kind {
+                0 => {
+                    let z = 2.0 * part - 1.0;
+                    let from_axis = (1.0 - z.powi(2)).sqrt();
+                    (Form::Sphere(None), Point::new(x * from_axis, y * from_axis, z * radius))
+                }
+                1 => {
+                    let z = cut.z_min + part * (cut.z_max - cut.z_min);
+                    (Form::Cylinder(cut), Point::new(x, y, z))
+                }
+                _ => {
+                    let disk = Disk::new(ends[0], 0.0, 360.0);
+                    (Form::Disk(disk), Point::new(x * part.sqrt(), y * part.sqrt(), ends[0]))
+                }
+            };
+            let quadric = Quadric { world_from_object, radius, form };
+            let BoundingEllipsoid { centre, shape } = BoundingEllipsoid::of(&quadric);
+            let [x, y, z, yz, zx, xy] = shape.map(f64::from);
+            let [i, j, k] = along;
+            let mixed = yz * j * k + zx * k * i + xy * i * j;
+            let square = x * i * i + y * j * j + z * k * k + 2.0 * mixed;
+            // Ends of 1e9 are known to 1e-6 here.
+            let slack = 1e-6 * (1.0 + ends[0].abs() * 1e-9 + square.abs().sqrt());
+            let off = world_from_object.apply(point) - Point::from(centre);
+            let distance = off.to_array().iter().zip(along).map(|(x, k)| x * k).sum::<f64>();
+            let allowed = square.max(0.0).sqrt() + 3.0 * slack;
+            prop_assert!(distance.abs() <= allowed, "{distance} {square}");
+        }
+    }
+
+    /// The centre of a cylinder far from the origin of its space is rounded, which makes the
+    /// ellipsoid larger.
+    #[test]
+    fn the_error_of_a_centre_widens_the_ellipsoid() {
+        let far = |z: f64| {
+            let form = Form::Cylinder(Cut::of_cylinder(z, z + 1.0, 360.0));
+            BoundingEllipsoid::of(&Quadric {
+                world_from_object: Matrix::translate([0.0, 0.0, -z]),
+                radius: 1.0,
+                form,
+            })
+            .shape[2]
+        };
+        assert!(far(1e15) > far(1e3) + 1.0 && far(1e3) < 0.52);
+        let flat = Quadric {
+            world_from_object: Matrix::IDENTITY,
+            radius: 1.0,
+            form: Form::Disk(Disk::new(0.0, 0.0, 360.0)),
+        };
+        assert!(
+            BoundingEllipsoid::of(&flat).shape[2] > 1e-6
+                && BoundingEllipsoid::of(&flat).shape[0] < 1.02
+        );
+    }
+}

@@ -1,0 +1,103 @@
+//! Sixteen primitives side by side, laid out for SIMD.
+
+use super::bounding_ellipsoid::BoundingEllipsoid;
+use super::wide::Run;
+use crate::shape::{Geometry, Primitive, PrimitiveId, Quadric, Triangle};
+use crate::simd::LANES;
+use rayon::prelude::*;
+
+/// Up to sixteen primitives of a leaf, in world space.
+///
+/// The first corner of a triangle is exact. The two edges from it are rounded to `f32`, so their
+/// error is 2^-24 of their own length, whatever the size of the scene: on the film, that is a small
+/// part of the triangle itself.
+///
+/// For a quadric, `corner` and `edges` hold its [`BoundingEllipsoid`].
+#[derive(Debug, Clone, PartialEq)]
+#[repr(align(64))]
+pub(crate) struct PrimitiveBlock {
+    /// Coordinates of the first corners.
+    pub(crate) corner: [[f64; LANES]; 3],
+    /// Components of the vectors from the first to the second corners, and to the third.
+    pub(crate) edges: [[[f32; LANES]; 3]; 2],
+    /// Only the first `count` are meaningful.
+    pub(crate) primitives: [PrimitiveId; LANES],
+    /// The number of lanes that hold a primitive: the first ones.
+    pub(crate) count: u32,
+    /// Lanes that hold a triangle, lane k as bit k.
+    pub(crate) triangles: u32,
+}
+
+/// The number of primitives that a block holds.
+pub(crate) const BLOCK_SIZE: usize = LANES;
+
+impl PrimitiveBlock {
+    /// A block without primitives.
+    pub(crate) fn empty() -> PrimitiveBlock {
+        PrimitiveBlock {
+            corner: [[0.0; LANES]; 3],
+            edges: [[[0.0; LANES]; 3]; 2],
+            primitives: [PrimitiveId::triangle(0); LANES],
+            count: 0,
+            triangles: 0,
+        }
+    }
+
+    /// Lanes that hold a quadric, lane k as bit k.
+    pub(crate) fn quadrics(&self) -> u32 {
+        ((1 << self.count) - 1) & !self.triangles
+    }
+
+    /// Removes all primitives.
+    pub(crate) fn clear(&mut self) {
+        (self.count, self.triangles) = (0, 0);
+    }
+
+    /// Adds a primitive with the geometry `surface`. The block must not be full.
+    #[inline]
+    pub(crate) fn push(&mut self, primitive: PrimitiveId, surface: &Primitive) {
+        let lane = self.count as usize;
+        self.primitives[lane] = primitive;
+        self.count += 1;
+        match surface {
+            Primitive::Triangle(triangle) => self.put_triangle(lane, triangle),
+            Primitive::Quadric(quadric) => self.put_quadric(lane, quadric),
+        }
+    }
+
+    #[inline]
+    fn put_triangle(&mut self, lane: usize, triangle: &Triangle) {
+        self.triangles |= 1 << lane;
+        let [a, b, c] = &triangle.0;
+        for axis in 0..3 {
+            self.corner[axis][lane] = a[axis];
+            self.edges[0][axis][lane] = (b[axis] - a[axis]) as f32;
+            self.edges[1][axis][lane] = (c[axis] - a[axis]) as f32;
+        }
+    }
+
+    fn put_quadric(&mut self, lane: usize, quadric: &Quadric) {
+        let BoundingEllipsoid { centre, shape } = BoundingEllipsoid::of(quadric);
+        for axis in 0..3 {
+            self.corner[axis][lane] = centre[axis];
+            self.edges[0][axis][lane] = shape[axis];
+            self.edges[1][axis][lane] = shape[3 + axis];
+        }
+    }
+}
+
+/// The blocks of runs of up to [`BLOCK_SIZE`] primitives that belong to no instance.
+pub(crate) fn primitive_blocks(
+    runs: &[Run],
+    order: &[PrimitiveId],
+    geometry: &Geometry,
+) -> Vec<PrimitiveBlock> {
+    let block = |run: &Run| {
+        let mut block = PrimitiveBlock::empty();
+        for primitive in run.of(order) {
+            block.push(*primitive, &geometry.own_surface(*primitive));
+        }
+        block
+    };
+    runs.par_iter().with_min_len(64).map(block).collect()
+}

@@ -1,0 +1,350 @@
+//! How far roundings take a transform from the one that a file means (rules R2 and R3).
+
+use crate::exact::{Rounded, degrees};
+use crate::geometry::{Matrix, Transform, Vector};
+
+/// Bounds on the absolute errors of a transform's entries: what they differ by at most from those of the transform that exact
+/// arithmetic makes of the same numbers. Infinite where nothing is known, never NaN.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct TransformError {
+    /// Of the matrix.
+    pub(super) matrix: [[f64; 4]; 3],
+    /// Of the tracked inverse.
+    pub(super) inverse: [[f64; 4]; 3],
+}
+
+/// A transform and how far it is from the one meant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct RoundedTransform {
+    /// As it was rounded.
+    pub(super) transform: Transform,
+    /// By how much, at most.
+    pub(super) error: TransformError,
+}
+
+/// Entries with a bound each.
+type Entries = [[Rounded; 4]; 3];
+
+impl RoundedTransform {
+    /// Leaves everything where it is, exactly.
+    pub(super) const IDENTITY: RoundedTransform = RoundedTransform {
+        transform: Transform::IDENTITY,
+        error: TransformError {
+            matrix: [[0.0; 4]; 3],
+            inverse: [[0.0; 4]; 3],
+        },
+    };
+
+    /// [`Transform::translate`]: exact, and so is its inverse.
+    pub(super) fn translate(offset: [f64; 3]) -> RoundedTransform {
+        let Transform { matrix, inverse } = Transform::translate(offset);
+        RoundedTransform::of(exact(&matrix), exact(&inverse))
+    }
+
+    /// [`Transform::scale`]: exact, and the inverse as much as the quotients.
+    pub(super) fn scale(factors: [f64; 3]) -> RoundedTransform {
+        let mut inverse = exact(&Matrix::IDENTITY);
+        for (axis, factor) in factors.into_iter().enumerate() {
+            inverse[axis][axis] = Rounded::exactly(1.0).over(Rounded::exactly(factor));
+        }
+        RoundedTransform::of(exact(&Matrix::scale(factors)), inverse)
+    }
+
+    /// 16 numbers, as [`Transform::from_column_major`] made a transform of them: with every entry of the inverse
+    /// correctly rounded, and those of the matrix too where they were `divided`, which else are exact.
+    pub(super) fn of_numbers(transform: &Transform, divided: bool) -> RoundedTransform {
+        if transform.matrix == Matrix::IDENTITY && !divided {
+            return RoundedTransform::IDENTITY;
+        }
+        let nearest = |matrix: &Matrix| matrix.rows.map(|row| row.map(Rounded::nearest));
+        let matrix = if divided {
+            nearest(&transform.matrix)
+        } else {
+            exact(&transform.matrix)
+        };
+        RoundedTransform::of(matrix, nearest(&transform.inverse))
+    }
+
+    /// [`Transform::rotate`], operation by operation. Sine and cosine are correctly rounded; they are exact where they are 0,
+    /// 1/2 or 1 at a multiple of 30 degrees, and elsewhere irrational (Niven's theorem).
+    pub(super) fn rotate(angle: f64, axis: Vector) -> RoundedTransform {
+        let [a0, a1, a2] = normalized(axis.to_array().map(Rounded::exactly));
+        let correctly_rounded = |value: f64| {
+            let is_exact = angle % 30.0 == 0.0 && (2.0 * value).fract() == 0.0;
+            if is_exact {
+                Rounded::exactly(value)
+            } else {
+                Rounded::nearest(value)
+            }
+        };
+        let (s, c) = (
+            correctly_rounded(degrees::sine(angle)),
+            correctly_rounded(degrees::cosine(angle)),
+        );
+        let (one, zero) = (Rounded::exactly(1.0), Rounded::exactly(0.0));
+        let on_diagonal = |a: Rounded| a * a + (one - a * a) * c;
+        let beside = |a: Rounded, b: Rounded| (a * b) * (one - c);
+        let rows = [
+            [
+                on_diagonal(a0),
+                beside(a0, a1) - a2 * s,
+                beside(a0, a2) + a1 * s,
+                zero,
+            ],
+            [
+                beside(a0, a1) + a2 * s,
+                on_diagonal(a1),
+                beside(a1, a2) - a0 * s,
+                zero,
+            ],
+            [
+                beside(a0, a2) - a1 * s,
+                beside(a1, a2) + a0 * s,
+                on_diagonal(a2),
+                zero,
+            ],
+        ];
+        let transposed = [0, 1, 2].map(|i| [rows[0][i], rows[1][i], rows[2][i], zero]);
+        RoundedTransform::of(rows, transposed)
+    }
+
+    /// [`Transform::look_at`] of eye, look and up, where that is a transform, operation by operation. The nearer up is to the view, the
+    /// shorter is the vector that becomes the right, and the larger its error; where that is its length, bounds are infinite.
+    pub(super) fn look_at([eye, look, up]: [[f64; 3]; 3]) -> RoundedTransform {
+        let [eye, look, up] = [eye, look, up].map(|vector| vector.map(Rounded::exactly));
+        let forward = normalized([0, 1, 2].map(|k| look[k] - eye[k]));
+        let right = normalized(cross(normalized(up), forward));
+        let up = cross(forward, right);
+        let axes = [right, up, forward];
+        let matrix = axes.map(|a| [a[0], a[1], a[2], -dot(a, eye)]);
+        let inverse = [0, 1, 2].map(|k| [right[k], up[k], forward[k], eye[k]]);
+        RoundedTransform::of(matrix, inverse)
+    }
+
+    /// [`Transform::times`]: what both operands are off by, and the roundings of the sums.
+    pub(super) fn times(&self, right: &RoundedTransform) -> RoundedTransform {
+        let matrix = product(&self.matrix(), &right.matrix());
+        let inverse = product(&right.inverse(), &self.inverse());
+        let error = TransformError {
+            matrix: errors(&matrix),
+            inverse: errors(&inverse),
+        };
+        RoundedTransform {
+            transform: self.transform.times(&right.transform),
+            error,
+        }
+    }
+
+    /// [`Transform::inverted`].
+    pub(super) fn inverted(&self) -> RoundedTransform {
+        let TransformError { matrix, inverse } = self.error;
+        let error = TransformError {
+            matrix: inverse,
+            inverse: matrix,
+        };
+        RoundedTransform {
+            transform: self.transform.inverted(),
+            error,
+        }
+    }
+
+    /// The entries of the matrix with their bounds.
+    pub(super) fn matrix(&self) -> [[Rounded; 4]; 3] {
+        entries(&self.transform.matrix, &self.error.matrix)
+    }
+
+    /// The entries of the tracked inverse with their bounds.
+    pub(super) fn inverse(&self) -> [[Rounded; 4]; 3] {
+        entries(&self.transform.inverse, &self.error.inverse)
+    }
+
+    fn of(matrix: Entries, inverse: Entries) -> RoundedTransform {
+        let values = |entries: &Entries| Matrix {
+            rows: entries.map(|row| row.map(|entry| entry.value)),
+        };
+        let transform = Transform {
+            matrix: values(&matrix),
+            inverse: values(&inverse),
+        };
+        RoundedTransform {
+            transform,
+            error: TransformError {
+                matrix: errors(&matrix),
+                inverse: errors(&inverse),
+            },
+        }
+    }
+}
+
+fn exact(matrix: &Matrix) -> Entries {
+    matrix.rows.map(|row| row.map(Rounded::exactly))
+}
+
+fn entries(matrix: &Matrix, errors: &[[f64; 4]; 3]) -> Entries {
+    std::array::from_fn(|i| {
+        std::array::from_fn(|j| Rounded::within(matrix.rows[i][j], errors[i][j]))
+    })
+}
+
+fn errors(entries: &Entries) -> [[f64; 4]; 3] {
+    entries.map(|row| row.map(|entry| entry.error))
+}
+
+/// As [`Matrix::times`]; where it multiplies by the fourth row, 0 adds nothing and 1 is exact.
+fn product(a: &Entries, b: &Entries) -> Entries {
+    let entry = |a: &[Rounded; 4], j: usize| {
+        let sum = a[0] * b[0][j] + a[1] * b[1][j] + a[2] * b[2][j];
+        if j == 3 { sum + a[3] } else { sum }
+    };
+    a.map(|row| std::array::from_fn(|j| entry(&row, j)))
+}
+
+/// As [`Vector::dot`].
+fn dot(a: [Rounded; 3], b: [Rounded; 3]) -> Rounded {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// As [`Vector::cross`].
+fn cross(a: [Rounded; 3], b: [Rounded; 3]) -> [Rounded; 3] {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+/// As [`Vector::normalized`].
+fn normalized(v: [Rounded; 3]) -> [Rounded; 3] {
+    let length = dot(v, v).square_root();
+    v.map(|component| component.over(length))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use super::super::high_precision::{High, chain};
+    use crate::exact::UNIT_ROUNDOFF as U;
+    use crate::geometry::Point;
+    use proptest::prelude::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(1000))]
+
+        #[test]
+        fn bounds_hold((rounded, meant) in chain()) {
+            for (entries, meant) in [(rounded.matrix(), meant.matrix), (rounded.inverse(), meant.inverse)] {
+                for (entry, meant) in entries.iter().flatten().zip(meant.iter().flatten()) {
+                    let off = High::from(entry.value).minus(meant);
+                    prop_assert!(off.is_within(entry.error), "{entry:?}");
+                }
+            }
+        }
+
+        #[test]
+        fn transforms_are_those_of_the_scene(
+            eye in prop::array::uniform3(-2.0f64..2.0),
+            up in prop::array::uniform3(-2.0f64..2.0),
+            angle in -1e3f64..1e3,
+        ) {
+            let (point, vector) = (Point::from(eye), Vector::from(up));
+            prop_assert_eq!(RoundedTransform::rotate(angle, vector).transform, Transform::rotate(angle, vector));
+            prop_assert_eq!(RoundedTransform::scale(eye).transform, Transform::scale(eye));
+            prop_assert_eq!(RoundedTransform::translate(eye).transform, Transform::translate(eye));
+            let look = Point::new(9.0, 8.0, 7.0);
+            if let Some(look_at) = Transform::look_at(point, look, vector) {
+                prop_assert_eq!(RoundedTransform::look_at([eye, look.to_array(), up]).transform, look_at);
+            }
+        }
+    }
+
+    #[test]
+    fn only_sums_of_translations_are_rounded() {
+        let [a, b] = [[0.1, 0.5, 1e6], [0.2, 0.25, 0.1]].map(RoundedTransform::translate);
+        assert_eq!(
+            (a.error, b.error),
+            (
+                RoundedTransform::IDENTITY.error,
+                RoundedTransform::IDENTITY.error
+            )
+        );
+        let TransformError { matrix, inverse } = a.times(&b).error;
+        for error in [matrix, inverse] {
+            assert!(error.iter().all(|row| row[..3] == [0.0; 3]));
+            assert_eq!(error[1][3], 0.0, "a sum without a rounding");
+            assert!(error[0][3] > 0.0 && error[0][3] <= U, "{}", error[0][3]);
+            assert!(
+                error[2][3] > 0.0 && error[2][3] <= 1e6 * U,
+                "{}",
+                error[2][3]
+            );
+        }
+    }
+
+    #[test]
+    fn bounds_are_a_few_roundings() {
+        let of = |rounded: RoundedTransform| {
+            rounded
+                .error
+                .matrix
+                .into_iter()
+                .chain(rounded.error.inverse)
+                .flatten()
+                .fold(0.0, f64::max)
+                / U
+        };
+        let axis = Vector::new(1.0, 2.0, 3.0);
+        assert_eq!(
+            of(RoundedTransform::rotate(90.0, Vector::new(0.0, 2.0, 0.0))),
+            0.0
+        );
+        let turned = of(RoundedTransform::rotate(37.0, axis));
+        assert!(turned > 0.0 && turned < 16.0, "{turned}");
+        assert_eq!(
+            of(RoundedTransform::look_at([
+                [0.0, 0.0, -3.0],
+                [0.0; 3],
+                [0.0, 1.0, 0.0]
+            ])),
+            0.0
+        );
+        let view = |up: [f64; 3]| {
+            of(RoundedTransform::look_at([
+                [0.1, 0.2, 0.3],
+                [1.0, 2.0, 3.0],
+                up,
+            ]))
+        };
+        let (wide, narrow) = (view([0.0, 0.0, 1.0]), view([0.9, 1.8, 2.7001]));
+        assert!(wide < 32.0 && narrow > 100.0 * wide, "{wide} {narrow}");
+        assert!(of(RoundedTransform::scale([2.0, 0.25, 3.0])) < 1.0);
+    }
+
+    #[test]
+    fn what_is_not_known_is_infinite() {
+        let flat = RoundedTransform::scale([1.0, 0.0, 1.0]);
+        assert_eq!(
+            (flat.error.matrix[1][1], flat.error.inverse[1][1]),
+            (0.0, f64::INFINITY)
+        );
+        let huge = RoundedTransform::translate([1e308, 0.0, 0.0]);
+        assert_eq!(huge.times(&huge).error.matrix[0][3], f64::INFINITY);
+        assert_eq!(
+            RoundedTransform::rotate(1.0, Vector::default())
+                .error
+                .matrix[0][0],
+            f64::INFINITY
+        );
+        let matrix = Matrix::scale([1.0, 0.0, 1.0]);
+        let singular = RoundedTransform::of_numbers(
+            &Transform {
+                matrix,
+                inverse: matrix.inverse(),
+            },
+            false,
+        );
+        assert_eq!(
+            (singular.error.matrix, singular.error.inverse),
+            ([[0.0; 4]; 3], [[f64::INFINITY; 4]; 3])
+        );
+    }
+}

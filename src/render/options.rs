@@ -1,0 +1,45 @@
+//! Render options.
+
+use crate::accel::{Precision, TileOptions};
+use crate::film::{ChannelName, PixelBounds};
+use crate::simd::Level;
+
+/// Chooses the pixels and channels of an image, and how they are computed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RenderOptions {
+    /// The pixels to render: within the film, and not empty.
+    pub data_window: PixelBounds,
+    /// The channels to render. `cost` is the cost in the given aggregate, which should then be
+    /// built over the whole scene, not only over the visible part.
+    pub channels: Vec<ChannelName>,
+    /// How hits are decided and rounded.
+    pub precision: Precision,
+    /// The value of `Z` and `t` where nothing is hit.
+    pub miss: f32,
+    /// Count the nodes and primitives that rays test when each is traced by itself, with this
+    /// precision.
+    pub counted: bool,
+    /// The SIMD level. The image does not depend on it.
+    pub level: Level,
+}
+
+impl RenderOptions {
+    fn wants(&self, name: ChannelName) -> bool {
+        self.channels.contains(&name)
+    }
+
+    /// The options of the tiles.
+    pub(crate) fn of_tiles(&self) -> TileOptions {
+        TileOptions {
+            precision: self.precision,
+            with_z: self.wants(ChannelName::Z),
+            with_distance: self.wants(ChannelName::T),
+            with_primitives: self
+                .channels
+                .iter()
+                .any(|channel| channel.is_number_of_hit() || channel.is_of_surface()),
+            miss: self.miss,
+            level: self.level,
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! The geometry and the surroundings that a shape is added to.
+
+use super::transform_cache::TransformCache;
+use crate::error::{Diagnostic, Error, Result};
+use crate::geometry::Matrix;
+use crate::mesh::TriangleMesh;
+use crate::scene::LoadOptions;
+use crate::scene::inputs::Inputs;
+use crate::scene::parameters::Parameters;
+use crate::scene::warnings::Warnings;
+use crate::shape::{CapacityError, Form, Geometry, NonFiniteCounts};
+
+/// Where one shape goes.
+pub(in crate::scene) struct ShapeTarget<'a> {
+    pub(in crate::scene) geometry: &'a mut Geometry,
+    pub(in crate::scene) transforms: &'a mut TransformCache,
+    pub(in crate::scene) warnings: &'a mut Warnings,
+    pub(in crate::scene) inputs: &'a mut Inputs,
+    pub(in crate::scene) options: &'a LoadOptions,
+    /// The number of the `Shape` statement, counted from 1.
+    pub(in crate::scene) number: u32,
+    /// In an object definition, the world is the space of the object, and meshes stay in their own
+    /// space.
+    pub(in crate::scene) world_from_object: Matrix,
+    pub(in crate::scene) is_in_object: bool,
+    /// Whether the normals are on the other side than the shape alone would have them.
+    pub(in crate::scene) is_turned: bool,
+    /// Whether the shape only bounds a medium: then its primitives only have numbers.
+    pub(in crate::scene) bounds_medium: bool,
+}
+
+/// The result of adding a shape.
+pub(super) type ShapeResult<T> = std::result::Result<T, ShapeRefusal>;
+
+/// Why a shape cannot be added.
+#[derive(Debug)]
+pub(super) enum ShapeRefusal {
+    /// The scene cannot be read.
+    Scene(Error),
+    /// pbrt reports an error, leaves the shape out and continues.
+    Shape {
+        /// A text that all shapes share that are wrong in this way.
+        kind: &'static str,
+        error: Error,
+    },
+}
+
+impl ShapeRefusal {
+    pub(super) fn shape(kind: &'static str, error: Error) -> ShapeRefusal {
+        ShapeRefusal::Shape { kind, error }
+    }
+}
+
+impl From<Error> for ShapeRefusal {
+    fn from(error: Error) -> ShapeRefusal {
+        ShapeRefusal::Scene(error)
+    }
+}
+
+/// Parameters of meshes that describe the surface without moving it.
+pub(super) const SURFACE: [&str; 8] = [
+    "N",
+    "S",
+    "uv",
+    "st",
+    "faceIndices",
+    "discarddegenerateUVs",
+    "emissionfilename",
+    "edgelength",
+];
+
+impl ShapeTarget<'_> {
+    /// Puts the normals on the other side.
+    pub(super) fn turn_round(&mut self) {
+        self.is_turned = !self.is_turned;
+    }
+
+    /// Stores the side of the normals, if the options want it.
+    pub(super) fn turn_normals(&mut self) {
+        if self.options.orientation && self.is_turned && !self.bounds_medium {
+            self.geometry.turn_normals(self.number);
+        }
+    }
+
+    /// Adds a quadric under `world_from_object`.
+    pub(super) fn add_quadric(
+        &mut self,
+        parameters: &Parameters,
+        world_from_object: &Matrix,
+        radius: f64,
+        form: Form,
+    ) -> Result<()> {
+        let added = if self.bounds_medium {
+            self.geometry.leave_out(1)
+        } else {
+            let transform = self.transforms.intern(world_from_object, self.geometry);
+            self.geometry
+                .add_quadric(radius, form, transform, self.number)
+        };
+        added.map_err(|error| too_many(parameters, error))
+    }
+
+    /// Adds a mesh of triangles in object space, with indices in range.
+    pub(super) fn add_mesh(&mut self, parameters: &Parameters, mesh: TriangleMesh) -> Result<()> {
+        let stored = self.inputs.budget().charge_stored(mesh.bytes());
+        stored.map_err(|error| error.or_at(|| parameters.place_of_name()))?;
+        if self.bounds_medium {
+            let left_out = self.geometry.leave_out(mesh.triangles.len());
+            return left_out.map_err(|error| too_many(parameters, error));
+        }
+        let counts = self
+            .store(mesh)
+            .map_err(|error| too_many(parameters, error))?;
+        let count = counts.in_world_space;
+        let has_reader_counted = matches!(parameters.entity_name(), "plymesh" | "objmesh");
+        let is_singular =
+            self.world_from_object.is_finite() && self.world_from_object.is_singular();
+        if count > 0 && !(has_reader_counted && counts.in_object_space > 0) {
+            let message = format!(
+                "vertices that are infinite or not a number: {count}; their triangles are never hit"
+            );
+            let diagnostic = Diagnostic::new(message);
+            parameters.warn_at_name("non-finite vertices", diagnostic, self.warnings);
+        } else if count == 0 && is_singular {
+            let message = "the transform of this mesh is singular: it is rendered flat";
+            parameters.warn_at_name("singular mesh", Diagnostic::new(message), self.warnings);
+        }
+        Ok(())
+    }
+
+    fn store(
+        &mut self,
+        TriangleMesh {
+            vertices,
+            triangles,
+            uv,
+        }: TriangleMesh,
+    ) -> std::result::Result<NonFiniteCounts, CapacityError> {
+        let (matrix, geometry) = (&self.world_from_object, &mut *self.geometry);
+        let transform = self.transforms.intern(matrix, geometry);
+        let counts = if self.is_in_object {
+            let counts = NonFiniteCounts::of(&vertices, matrix);
+            geometry.add_object_mesh(vertices, triangles, transform, self.number)?;
+            counts
+        } else {
+            geometry.add_mesh(vertices, triangles, matrix, self.number)?
+        };
+        if let Some(uv) = uv {
+            geometry.add_uv(uv);
+        }
+        Ok(counts)
+    }
+}
+
+/// The error about a scene that is too large.
+fn too_many(parameters: &Parameters, error: CapacityError) -> Error {
+    parameters
+        .error_at_name(error.to_string())
+        .note("split the scene")
+}
