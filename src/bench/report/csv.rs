@@ -1,6 +1,6 @@
 //! Rows as comma-separated values, for spreadsheets.
 
-use super::columns::COLUMNS;
+use super::columns::{COLUMNS, Column};
 use crate::bench::run::{Machine, Row};
 use std::io;
 
@@ -12,8 +12,7 @@ use std::io;
 pub fn to_csv(machine: &Machine, rows: &[Row]) -> io::Result<Vec<u8>> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     for (place, row) in rows.iter().enumerate() {
-        let cells =
-            |column: &super::columns::Column| column.value(row, machine.mhz).cells(column.key);
+        let cells = |column: &Column| column.value(row, machine.mhz).cells(column.key);
         let cells: Vec<(String, String)> = COLUMNS.iter().flat_map(cells).collect();
         if place == 0 {
             writer.write_record(cells.iter().map(|(title, _)| title))?;

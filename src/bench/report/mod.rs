@@ -12,6 +12,7 @@ mod pareto;
 mod plot;
 mod scale;
 mod table;
+mod value;
 
 pub use columns::{ray_table, tree_table};
 pub use csv::to_csv;

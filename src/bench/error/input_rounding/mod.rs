@@ -1,5 +1,6 @@
 //! How far rules R2 to R5 move what a picture sees: the error of its input, which no test of a ray can mend.
 
+mod bound;
 mod displacement;
 #[cfg(test)]
 mod high_precision;
@@ -9,7 +10,8 @@ mod view;
 
 use crate::reference::ReferenceHit;
 use crate::scene::Scene;
-use displacement::{length, of_primitive};
+use bound::with_slack;
+use displacement::of_primitive;
 use rayon::prelude::*;
 use roundings::Roundings;
 use serde::Serialize;
@@ -30,18 +32,6 @@ pub struct InputError {
     pub max_pixels: f64,
 }
 
-/// Makes up for the roundings of a bound, which are fewer than 2^12 of 2^-53 each.
-const SLACK: f64 = 1.0 + 1.0 / (1u64 << 40) as f64;
-
-/// A bound with its own roundings; infinite where it is not known.
-fn made_up(bound: f64) -> f64 {
-    if bound.is_nan() {
-        f64::INFINITY
-    } else {
-        bound * SLACK
-    }
-}
-
 impl InputError {
     /// The largest of `hits`, which are those of the rays of some pixels. `None` if the scene was read without its transform
     /// history, or if there is no hit.
@@ -54,7 +44,7 @@ impl InputError {
         let errors = hits.par_iter().map(|(pixel, hit)| {
             let of_ray = view.displacement(*pixel, hit.z);
             let of_surface = of_primitive(&scene.geometry, &roundings, hit.primitive);
-            let displacement = made_up(of_ray + of_surface);
+            let displacement = with_slack(of_ray + of_surface);
             InputError {
                 max_ulp: in_ulps(displacement, hit.distance),
                 max_pixels: view.in_pixels(displacement, *pixel, hit.z),
@@ -70,7 +60,7 @@ impl InputError {
 /// In units of the last place of `t`; at a power of two of those below it, which are smaller.
 fn in_ulps(displacement: f64, t: f32) -> f64 {
     if t.is_finite() {
-        made_up(displacement / (f64::from(t) - f64::from(t.next_down())))
+        with_slack(displacement / (f64::from(t) - f64::from(t.next_down())))
     } else {
         f64::INFINITY
     }

@@ -156,7 +156,7 @@ fn what_is_not_finite_is_infinite() {
         );
     }
     assert_eq!(in_ulps(0.0, 0.0), 0.0);
-    assert_eq!(in_ulps(1.0, 1.0), f64::from(1u32 << 24) * SLACK);
+    assert_eq!(in_ulps(1.0, 1.0), f64::from(1u32 << 24) * bound::SLACK);
     // Of a mesh that was made flat nobody knows where its vertices came from.
     assert_eq!(
         error_of(&format!("Scale 1 1 0 {TRIANGLE}")).max_ulp,

@@ -1,7 +1,7 @@
 //! How far roundings of rules R2, R3 and R5 move rays, and how large things appear.
 
+use super::bound::{length, with_slack};
 use super::rounded_transform::RoundedTransform;
-use super::{length, made_up};
 use crate::camera::{Camera, Projection};
 use crate::exact::Rounded;
 
@@ -23,7 +23,7 @@ impl View<'_> {
                 Projection::Perspective { .. } => [c[3], c[0] * x + c[1] * y + c[2]],
                 Projection::Orthographic => [c[0] * x + c[1] * y + c[3], c[2]],
             };
-            made_up(origin.error + z * direction.error)
+            with_slack(origin.error + z * direction.error)
         });
         length(moved)
     }
@@ -35,7 +35,7 @@ impl View<'_> {
     /// orthographic camera does not divide.
     pub(super) fn in_pixels(&self, displacement: f64, pixel: [u32; 2], z: f32) -> f64 {
         let rows = self.rounded.matrix();
-        let reach = |row: [Rounded; 3]| made_up(displacement * length(row.map(Rounded::most)));
+        let reach = |row: [Rounded; 3]| with_slack(displacement * length(row.map(Rounded::most)));
         let linear = |k: usize| [0, 1, 2].map(|j| rows[k][j]);
         let (plane, widths) = (self.plane_coordinates(pixel), self.pixel_sizes());
         let across = |axis: usize| {
@@ -51,7 +51,7 @@ impl View<'_> {
                 }
                 Projection::Orthographic => reach(linear(axis)),
             };
-            made_up(moved / widths[axis])
+            with_slack(moved / widths[axis])
         };
         length([across(0), across(1), 0.0])
     }
@@ -97,7 +97,7 @@ impl View<'_> {
         let window = &self.camera.screen_window;
         [window.x0, window.x1, window.y0, window.y1].map(|edge| match edge.abs() {
             0.0 | 1.0 => Rounded::exactly(edge),
-            size => Rounded::within(edge, made_up(2.0 * Rounded::nearest(size).error)),
+            size => Rounded::within(edge, with_slack(2.0 * Rounded::nearest(size).error)),
         })
     }
 }
@@ -112,8 +112,8 @@ fn pixel_centre(first: Rounded, last: Rounded, i: u32, count: u32) -> Rounded {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use super::super::high_precision::{self, High, chain};
+    use super::*;
     use crate::camera::ScreenWindow;
     use proptest::prelude::*;
 
