@@ -17,8 +17,8 @@ pub struct Details {
     pub hits: u64,
     /// For each compared channel of numbers, the hits of both images whose numbers differ.
     pub numbers: Vec<(ChannelName, u64)>,
-    /// For each compared channel of depths and surfaces, the errors of the hits of both images whose
-    /// numbers are right.
+    /// For each compared channel of depths and surfaces, the errors of the hits of both images
+    /// whose numbers are right.
     pub measures: Vec<(ChannelName, Ulps)>,
     /// The numbers of the first pixels that differ, counted row by row from the upper left corner.
     pub first: Vec<usize>,

@@ -20,8 +20,9 @@ pub const WRONG_PRIMITIVE: Rgb = [204, 121, 167];
 /// The ends of the ramp of depth errors: from a dark green to yellow.
 pub const DEPTH: [Rgb; 2] = [[0, 84, 62], [240, 228, 66]];
 
-/// A colour for each of the first `pixels` pixels. The brightness of an error of a depth or a surface
-/// is the logarithm of one more than its ulps; errors of `max_ulp` and more are the brightest.
+/// A colour for each of the first `pixels` pixels. The brightness of an error of a depth or a
+/// surface is the logarithm of one more than its ulps; errors of `max_ulp` and more are the
+/// brightest.
 pub fn difference_picture(comparison: &Comparison, pixels: usize, max_ulp: u32) -> Vec<[u8; 3]> {
     let color = |pixel: usize| match comparison.difference(pixel) {
         Difference::None if comparison.is_hit(pixel) => EQUAL_HIT,

@@ -2,9 +2,10 @@
 
 use std::collections::BTreeMap;
 
-/// The number of steps between neighbouring `f32` values from `a` to `b`. This is the error in units
-/// in the last place, which are half as large below a power of two as above it. Both zeros are one
-/// number, and so are all NaNs; the error between a NaN and a number is the largest possible.
+/// The number of steps between neighbouring `f32` values from `a` to `b`. This is the error in
+/// units in the last place, which are half as large below a power of two as above it. Both zeros
+/// are one number, and so are all NaNs; the error between a NaN and a number is the largest
+/// possible.
 pub fn ulps_between(a: f32, b: f32) -> u32 {
     match (a.is_nan(), b.is_nan()) {
         (false, false) => place(a).abs_diff(place(b)),

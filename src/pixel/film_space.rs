@@ -27,8 +27,8 @@ impl<'a> FilmSpace<'a> {
         })
     }
 
-    /// The distance from the pixel's centre to the nearest edge of the part of a triangle in front of
-    /// the eye.
+    /// The distance from the pixel's centre to the nearest edge of the part of a triangle in front
+    /// of the eye.
     pub(super) fn distance(&self, triangle: &Triangle) -> Option<f64> {
         let corners = triangle
             .0

@@ -1,5 +1,5 @@
-//! Explains the ray of one pixel: what it hits and where, how close that was, and the answer of each
-//! kernel.
+//! Explains the ray of one pixel: what it hits and where, how close that was, and the answer of
+//! each kernel.
 
 mod answer;
 mod film_space;

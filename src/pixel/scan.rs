@@ -56,8 +56,8 @@ struct Part {
 }
 
 impl Scan {
-    /// Scans every primitive; `None` if there are too many. Measures distances of missed triangles if
-    /// `is_miss`.
+    /// Scans every primitive; `None` if there are too many. Measures distances of missed triangles
+    /// if `is_miss`.
     pub(super) fn of(scene: &Scene, pixel: [u32; 2], ray: &Ray, is_miss: bool) -> Option<Scan> {
         let geometry = &scene.geometry;
         if geometry.primitive_count() > MAX_SCANNED {

@@ -164,7 +164,7 @@ fn crops_of_something_else_are_refused() {
             .render(&format!("{arguments} -o b.exr {right}"))
             .succeeded();
         let expected =
-            format!("b.exr: this is no crop of the image that a.exr is a crop of: {difference}");
+            format!("b.exr: not a crop of the same image as a.exr: {difference}");
         folder
             .merge("a.exr b.exr -o merged.exr")
             .failed(65, &expected);

@@ -40,10 +40,10 @@ const QUANTITIES: [Quantity; 2] = [
     },
 ];
 
-/// An SVG file that plots the rows' errors against their speeds: wrong decisions on the left, errors
-/// of depths on the right. Both axes are logarithmic, with a line for no error. Another line joins
-/// the rows on the Pareto front. Leaves out rows without measured errors, and sampled ones: their
-/// speeds and errors would stretch both axes.
+/// An SVG file that plots the rows' errors against their speeds: wrong decisions on the left,
+/// errors of depths on the right. Both axes are logarithmic, with a line for no error. Another line
+/// joins the rows on the Pareto front. Leaves out rows without measured errors, and sampled ones:
+/// their speeds and errors would stretch both axes.
 pub fn to_svg(title: &str, rows: &[Row]) -> String {
     let mut svg = String::new();
     draw(&mut svg, title, rows).expect("drawing into a string does not fail");

@@ -40,8 +40,8 @@ pub struct Bench<'a> {
 }
 
 impl Bench<'_> {
-    /// Runs `plan` on the threads of the current rayon pool: loads the scene, builds every tree over
-    /// all of it, and traces the whole image by every kernel.
+    /// Runs `plan` on the threads of the current rayon pool: loads the scene, builds every tree
+    /// over all of it, and traces the whole image by every kernel.
     ///
     /// A round runs everything once, so that drift of the machine affects all configurations alike.
     /// Counting and comparing take time, so they have a round of their own. `progress` counts

@@ -35,7 +35,8 @@ impl Plan {
     }
 }
 
-/// Primitive tests in a run; if a list of all primitives needs more, it is tried on some tiles only.
+/// Primitive tests in a run; if a list of all primitives needs more, it is tried on some tiles
+/// only.
 const MAX_TESTS: u64 = 1 << 30;
 
 /// Primitive tests that these tiles need if each tests every primitive once.

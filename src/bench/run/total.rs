@@ -5,9 +5,9 @@ use super::spread::Spread;
 use crate::bench::error::Errors;
 use crate::compare::Tally;
 
-/// A row for each accelerator and kernel over all scenes, with times added up, in the order in which
-/// they first occur. Leaves out those that a scene lacks or traces only some tiles of: they would
-/// not be comparable.
+/// A row for each accelerator and kernel over all scenes, with times added up, in the order in
+/// which they first occur. Leaves out those that a scene lacks or traces only some tiles of: they
+/// would not be comparable.
 pub fn totals(rows: &[Row]) -> Vec<Row> {
     let of_first_scene = rows.iter().take_while(|row| row.scene == rows[0].scene);
     let scenes = rows.chunk_by(|a, b| a.scene == b.scene).count();

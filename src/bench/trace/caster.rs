@@ -90,8 +90,8 @@ impl<'a> Caster<'a> {
         }
     }
 
-    /// Node boxes and primitives that the rays of `pixels` test, each traced alone through the whole
-    /// tree.
+    /// Node boxes and primitives that the rays of `pixels` test, each traced alone through the
+    /// whole tree.
     pub(crate) fn work(&self, aggregate: &Aggregate, pixels: &[[u32; 2]]) -> TraversalCounts {
         let count = |tracer: &mut Tracer, [x, y]: &[u32; 2]| {
             let (ray, mut work) = (self.scene.camera.ray(*x, *y), TraversalCounts::default());

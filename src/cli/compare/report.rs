@@ -1,4 +1,5 @@
-//! The report on a comparison: one struct for `--json`, whose keys are its field names, and for text.
+//! The report on a comparison: one struct for `--json`, whose keys are its field names, and for
+//! text.
 
 use super::args::CompareArgs;
 use super::pixel::Pixel;

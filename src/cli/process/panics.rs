@@ -39,8 +39,8 @@ fn text(payload: &(dyn Any + Send)) -> &str {
         .unwrap_or("no message")
 }
 
-/// Runs `work`, on the file `path` if there is one. A panic on any thread of a pool becomes an error
-/// of the kind [`ErrorKind::Internal`].
+/// Runs `work`, on the file `path` if there is one. A panic on any thread of a pool becomes an
+/// error of the kind [`ErrorKind::Internal`].
 pub(crate) fn guarded<T>(path: Option<&Path>, work: impl FnOnce() -> Result<T>) -> Result<T> {
     // Unwinding removes unfinished files; shared trees are complete or absent.
     panic::catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|payload| {

@@ -24,10 +24,11 @@ pub enum Difference {
     MissedHit,
     /// A hit with a wrong number: `id`, `prim` or `instance`.
     WrongPrimitive,
-    /// A hit of the right primitive with a wrong depth: the larger error of `Z` and `t`, in units in
-    /// the last place.
+    /// A hit of the right primitive with a wrong depth: the larger error of `Z` and `t`, in units
+    /// in the last place.
     Depth(u32),
-    /// A hit of the right primitive, and `N.X` to `v` are worse than its depth: their largest error.
+    /// A hit of the right primitive, and `N.X` to `v` are worse than its depth: their largest
+    /// error.
     Surface(u32),
 }
 
@@ -79,8 +80,8 @@ impl std::error::Error for Incomparable {}
 /// An image with the expected answers, and another one.
 ///
 /// `A` distinguishes hits from misses; without it the numbers of what was hit do, and without these
-/// depths that are finite. Channels are compared if both images have them. Depths and surfaces count
-/// only where the numbers are right.
+/// depths that are finite. Channels are compared if both images have them. Depths and surfaces
+/// count only where the numbers are right.
 #[derive(Debug, Clone)]
 pub struct Comparison<'a> {
     expected: Hits<'a>,

@@ -1,4 +1,4 @@
-//! Transforms to a thousand bits: the tests measure rounding errors against them.
+//! Transforms with a thousand bits, as ground truth for tests of rounding errors.
 
 use super::rounded_transform::RoundedTransform;
 use crate::geometry::{Matrix, Point, Transform, Vector};
@@ -8,7 +8,7 @@ use proptest::prelude::*;
 /// Bits behind the binary point.
 const BITS: i32 = 1000;
 
-/// A number in units of 2^-1000, cut off there.
+/// A number in units of 2^-1000, truncated.
 #[derive(Debug, Clone, PartialEq, PartialOrd)]
 pub(super) struct High(BigInt);
 
@@ -58,7 +58,7 @@ impl High {
         }
     }
 
-    /// Whether the number is not above `bound`, but for what has been cut off.
+    /// Returns true if the number is not above `bound`, except for truncation.
     pub(super) fn is_within(&self, bound: f64) -> bool {
         let cut_off = High(BigInt::from(1) << 400);
         bound == f64::INFINITY || self.abs() <= High::from(bound).plus(&cut_off)
@@ -89,7 +89,7 @@ fn normalized(v: &[High; 3]) -> [High; 3] {
 
 type Rows = [[High; 4]; 3];
 
-/// A transform as it is meant.
+/// A transform without rounding.
 #[derive(Debug, Clone)]
 pub(super) struct Meant {
     pub(super) matrix: Rows,
@@ -117,7 +117,7 @@ impl Meant {
         }
     }
 
-    /// A matrix with its inverse by Cramer's rule; `None` where that is near none.
+    /// A matrix and its inverse by Cramer's rule; `None` if it is nearly singular.
     fn of_matrix(matrix: Rows) -> Option<Meant> {
         let column = |j: usize| [0, 1, 2].map(|i| matrix[i][j].clone());
         let [x, y, z, offset] = [0, 1, 2, 3].map(column);
@@ -135,7 +135,7 @@ impl Meant {
         Some(Meant { matrix, inverse })
     }
 
-    /// With the inverse, which is the transpose, by Cramer's rule.
+    /// A rotation; its inverse, the transpose, by Cramer's rule.
     fn rotation([c, s]: [High; 2], axis: [f64; 3]) -> Option<Meant> {
         let a = normalized(&axis.map(High::from));
         let rest = High::from(1.0).minus(&c);
@@ -181,7 +181,7 @@ impl Meant {
     }
 }
 
-/// Cosine and sine, in roots, of some angles in degrees.
+/// Cosine and sine of some angles in degrees, from square roots.
 fn cosine_and_sine(angle: f64) -> [High; 2] {
     let root = |x: f64| High::from(x).root();
     let quarter = |x: High| x.over(&High::from(4.0));
@@ -208,7 +208,7 @@ fn cosine_and_sine(angle: f64) -> [High; 2] {
     }
 }
 
-/// One directive.
+/// A random directive.
 fn leaf() -> impl Strategy<Value = (RoundedTransform, Meant)> {
     let number = || prop_oneof![-3.0f64..3.0, (-3i32..4).prop_map(f64::from), -1e6f64..1e6];
     let small = || prop_oneof![-2.0f64..2.0, (-2i32..3).prop_map(f64::from)];
@@ -268,7 +268,7 @@ fn leaf() -> impl Strategy<Value = (RoundedTransform, Meant)> {
     prop_oneof![translate, scale, rotate, look_at, numbers]
 }
 
-/// Some directives, one after the other.
+/// A random sequence of directives.
 pub(super) fn chain() -> impl Strategy<Value = (RoundedTransform, Meant)> {
     prop::collection::vec(leaf(), 1..7).prop_map(|leaves| {
         let product = leaves

@@ -1,4 +1,5 @@
-//! How far rules R2 to R5 move what a picture sees: the error of its input, which no test of a ray can mend.
+//! The error of the input: how far the roundings of rules R2 to R5 move hits. No ray test can
+//! repair it.
 
 mod bound;
 mod displacement;
@@ -17,24 +18,25 @@ use roundings::Roundings;
 use serde::Serialize;
 use view::View;
 
-/// How far roundings on the way from the file to rays and vertices (rules R2 to R5) move what hits see, at most.
+/// Upper bounds of how far roundings from the file to rays and vertices (rules R2 to R5) move hits.
 ///
-/// Every hit is a point of a ray and of a surface. Without a rounding the ray's point would be elsewhere, and so would the surface's: the
-/// bounds of both ways, added up, are the displacement. It is a length in the world, in whatever direction. Where a ray grazes the
-/// surface, its depth may change by more than that.
+/// Every hit is a point of a ray and of a surface. Without roundings both points would be
+/// elsewhere; the sum of the two bounds is the displacement: a length in the world, in any
+/// direction. If a ray grazes the surface, its depth may change by more.
 ///
-/// The numbers of the file count as they were read (R1), and the vertices of a subdivision surface as they were refined (R6).
+/// The numbers of the file count as they were read (R1), and the vertices of a subdivision surface
+/// as they were refined (R6). Field names are JSON keys.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct InputError {
-    /// The largest displacement of a hit, in units in the last place of its distance `t` in `f32`.
+    /// The largest displacement of a hit, in units in the last place of its distance in `f32`.
     pub max_ulp: f64,
     /// The largest displacement of a hit, in pixels across the film.
     pub max_pixels: f64,
 }
 
 impl InputError {
-    /// The largest of `hits`, which are those of the rays of some pixels. `None` if the scene was read without its transform
-    /// history, or if there is no hit.
+    /// The largest bounds over `hits`, each with its pixel. `None` if the scene was read without
+    /// its transform history, or without hits.
     pub fn of(scene: &Scene, hits: &[([u32; 2], ReferenceHit)]) -> Option<InputError> {
         let roundings = Roundings::of(scene.transform_history.as_ref()?);
         let view = View {
@@ -57,13 +59,13 @@ impl InputError {
     }
 }
 
-/// In units of the last place of `t`; at a power of two of those below it, which are smaller.
-fn in_ulps(displacement: f64, t: f32) -> f64 {
-    if t.is_finite() {
-        with_slack(displacement / (f64::from(t) - f64::from(t.next_down())))
-    } else {
-        f64::INFINITY
+/// A displacement in units in the last place of `distance`; at a power of two, in the smaller units
+/// below it.
+fn in_ulps(displacement: f64, distance: f32) -> f64 {
+    if !distance.is_finite() {
+        return f64::INFINITY;
     }
+    with_slack(displacement / (f64::from(distance) - f64::from(distance.next_down())))
 }
 
 #[cfg(test)]

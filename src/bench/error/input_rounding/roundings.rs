@@ -1,11 +1,11 @@
-//! The rounding errors of a scene's transforms, found by following its transform directives.
+//! Follows the transform directives of a scene to bound the rounding errors of its transforms.
 
 use super::rounded_transform::RoundedTransform;
 use crate::geometry::{Transform, Vector};
 use crate::scene::parser::TransformDirective;
 use crate::scene::{TransformHistory, TransformStep};
 
-/// How far rules R2 and R3 take the transforms of a scene from those that the file means.
+/// The transforms of a scene with bounds of the errors that rules R2 and R3 cause.
 pub(super) struct Roundings<'a> {
     transforms: Vec<RoundedTransform>,
     history: &'a TransformHistory,

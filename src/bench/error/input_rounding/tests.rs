@@ -1,4 +1,4 @@
-//! Whole scenes.
+//! Input errors of whole scenes.
 
 use super::*;
 use crate::progress::Progress;
@@ -36,7 +36,7 @@ fn error_of(world: &str) -> InputError {
 const TRIANGLE: &str = r#"Shape "trianglemesh" "point P" [-2 -2 0.3  2 -2 0.3  0.1 2 0.3]"#;
 
 #[test]
-fn what_is_not_rounded_is_only_seen_by_rounded_rays() {
+fn exact_input_has_only_the_error_of_rays() {
     // All numbers of rays and vertices are exact here.
     assert_eq!(
         error_of(TRIANGLE),
@@ -55,7 +55,7 @@ fn what_is_not_rounded_is_only_seen_by_rounded_rays() {
 }
 
 #[test]
-fn there_and_back_loses_digits() {
+fn moving_far_and_back_loses_digits() {
     for shape in [TRIANGLE, r#"Shape "sphere" "float radius" 1"#] {
         let near = error_of(&format!("Scale 0.7 0.7 0.7 {shape}"));
         let far = error_of(&format!(
@@ -70,7 +70,7 @@ fn there_and_back_loses_digits() {
 }
 
 #[test]
-fn instances_are_off_by_both_transforms() {
+fn instances_have_the_errors_of_both_transforms() {
     let of = |object: &str, instance: &str| {
         let place = format!(r#"AttributeBegin {instance} ObjectInstance "o" AttributeEnd"#);
         error_of(&format!(
@@ -120,7 +120,7 @@ fn transforms_are_followed_through_blocks_and_names() {
 }
 
 #[test]
-fn nothing_is_kept_unless_it_is_asked_for() {
+fn without_a_history_there_is_no_bound() {
     let text = format!("WorldBegin Rotate 10 0 0 1 {TRIANGLE}");
     let scene = parse(
         Path::new("a.pbrt"),
@@ -135,7 +135,7 @@ fn nothing_is_kept_unless_it_is_asked_for() {
 }
 
 #[test]
-fn what_is_not_finite_is_infinite() {
+fn non_finite_input_has_infinite_bounds() {
     let scene = scene(TRIANGLE);
     let [(pixel, hit), ..] = hits(&scene, &[[4, 4]])[..] else {
         panic!("the triangle is there")
@@ -165,7 +165,7 @@ fn what_is_not_finite_is_infinite() {
 }
 
 #[test]
-fn of_the_dragon_it_is_far_below_one_unit() {
+fn the_bound_of_the_dragon_is_far_below_one_ulp() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/dragon.pbrt");
     let options = LoadOptions {
         transform_history: true,

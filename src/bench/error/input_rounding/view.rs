@@ -1,21 +1,22 @@
-//! How far roundings of rules R2, R3 and R5 move rays, and how large things appear.
+//! Bounds of how far the roundings of rules R2, R3 and R5 move rays, in the world and on the film.
 
 use super::bound::{length, with_slack};
 use super::rounded_transform::RoundedTransform;
 use crate::camera::{Camera, Projection};
 use crate::exact::Rounded;
 
-/// A camera, with the errors of its transform.
+/// A camera with the errors of its transform.
 pub(super) struct View<'a> {
     pub(super) camera: &'a Camera,
-    /// Camera space from world space: the camera has its inverse.
+    /// Camera space from world space; the camera uses the inverse.
     pub(super) rounded: &'a RoundedTransform,
 }
 
 impl View<'_> {
-    /// How far the point of a pixel's ray at `z` is from where it is meant to be, at most, in the world.
+    /// A bound of how far the point of a pixel's ray at `z` is from its unrounded position, in the
+    /// world.
     pub(super) fn displacement(&self, pixel: [u32; 2], z: f32) -> f64 {
-        // It was itself rounded.
+        // `z` was rounded, too.
         let z = f64::from(z.next_up());
         let [x, y] = self.plane_coordinates(pixel);
         let moved = self.rounded.inverse().map(|c| {
@@ -28,11 +29,13 @@ impl View<'_> {
         length(moved)
     }
 
-    /// How many pixels across the film that is which is `displacement` away from the point of a pixel's ray at `z`, at most.
+    /// A bound of the size of `displacement` on the film, in pixels, at the point of a pixel's ray
+    /// at `z`.
     ///
-    /// With a, b and c the rows of camera space from world space, the point appears at X = a . p / c . p of the plane at distance 1, where
-    /// a . p = X z. What is d away appears at (X z + a . d) / (z + c . d), which differs by (a - X c) . d / (z + c . d). An
-    /// orthographic camera does not divide.
+    /// Let a, b and c be the rows of camera space from world space. The point appears at X = a . p
+    /// / c . p in the plane at distance 1, where a . p = X z. A point at the distance d appears at
+    /// (X z + a . d) / (z + c . d), which differs by (a - X c) . d / (z + c . d). An orthographic
+    /// camera does not divide.
     pub(super) fn in_pixels(&self, displacement: f64, pixel: [u32; 2], z: f32) -> f64 {
         let rows = self.rounded.matrix();
         let reach = |row: [Rounded; 3]| with_slack(displacement * length(row.map(Rounded::most)));
@@ -56,7 +59,7 @@ impl View<'_> {
         length([across(0), across(1), 0.0])
     }
 
-    /// As [`Camera::plane_coordinates`].
+    /// [`Camera::plane_coordinates`] with bounds.
     fn plane_coordinates(&self, [x, y]: [u32; 2]) -> [Rounded; 2] {
         let [width, height] = self.camera.resolution;
         let [x0, x1, y0, y1] = self.screen_window();
@@ -67,7 +70,7 @@ impl View<'_> {
         ]
     }
 
-    /// How far it is from the centre of a pixel to the next one's along x and along y, or less.
+    /// Lower bounds of the width and height of a pixel.
     fn pixel_sizes(&self) -> [f64; 2] {
         let [x0, x1, y0, y1] = self.screen_window();
         let [width, height] = self
@@ -80,8 +83,8 @@ impl View<'_> {
         ]
     }
 
-    /// What plane coordinates are multiplied by. A tangent is correctly rounded, and irrational but for 1, that of 45 degrees: those
-    /// of the nearest angles are more than half a unit away.
+    /// The factor of plane coordinates. A tangent is correctly rounded and irrational, except for
+    /// 1, the tangent of 45 degrees: those of the nearest angles are more than half a unit away.
     fn scale(&self) -> Rounded {
         match self.camera.projection {
             Projection::Perspective { tangent: 1.0 } | Projection::Orthographic => {
@@ -91,8 +94,9 @@ impl View<'_> {
         }
     }
 
-    /// The film's aspect ratio is a quotient, and so is its inverse: two roundings at most. Neither is 1 unless it is exact. A window
-    /// from the file is exact too; but nobody knows any more which of them it was.
+    /// The edges of the screen window. The film's aspect ratio and its inverse are quotients, with
+    /// no more than two roundings; neither is 1 unless it is exact. A window from the file is
+    /// exact, too, but the camera does not know where its window comes from.
     fn screen_window(&self) -> [Rounded; 4] {
         let window = &self.camera.screen_window;
         [window.x0, window.x1, window.y0, window.y1].map(|edge| match edge.abs() {
@@ -102,7 +106,8 @@ impl View<'_> {
     }
 }
 
-/// Where the centre of pixel `i` of `count` lies between `first` and `last`. The factors are integers below 2^53.
+/// The centre of pixel `i` of `count` between `first` and `last`. The factors are integers below
+/// 2^53.
 fn pixel_centre(first: Rounded, last: Rounded, i: u32, count: u32) -> Rounded {
     let (i, count) = (f64::from(i), f64::from(count));
     let [before, after, all] =
@@ -135,9 +140,9 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(500))]
 
-        /// The window is taken to be exact, as one from a file, and the field of view is 90 degrees.
+        /// With an exact window, as from a file, and a field of view of 90 degrees.
         #[test]
-        fn rays_are_no_farther_from_where_they_are_meant(
+        fn errors_of_rays_are_within_their_bounds(
             chain in chain(),
             pixel in (0u32..160, 0u32..91),
             is_perspective: bool,
@@ -145,17 +150,20 @@ mod tests {
         ) {
             let (rounded, meant) = chain;
             let perspective = Projection::Perspective { tangent: 1.0 };
-            let camera = camera(&rounded, if is_perspective { perspective } else { Projection::Orthographic });
+            let projection = if is_perspective { perspective } else { Projection::Orthographic };
+            let camera = camera(&rounded, projection);
             let view = View { camera: &camera, rounded: &rounded };
             let ray = camera.ray(pixel.0, pixel.1);
             prop_assume!(ray.can_hit());
             let window = &camera.screen_window;
             let centre = |first: f64, last: f64, i: u32, count: u32| {
                 let (before, after) = (f64::from(2 * (count - i) - 1), f64::from(2 * i + 1));
-                let sum = High::from(first).times(&before.into()).plus(&High::from(last).times(&after.into()));
+                let [first, last] = [first, last].map(High::from);
+                let sum = first.times(&before.into()).plus(&last.times(&after.into()));
                 sum.over(&f64::from(2 * count).into())
             };
-            let (x, y) = (centre(window.x0, window.x1, pixel.0, 160), centre(window.y1, window.y0, pixel.1, 91));
+            let x = centre(window.x0, window.x1, pixel.0, 160);
+            let y = centre(window.y1, window.y0, pixel.1, 91);
             let at_z = High::from(f64::from(z));
             let off = std::array::from_fn(|k| {
                 let c = &meant.inverse[k];
@@ -166,12 +174,13 @@ mod tests {
                 };
                 meant.minus(&at_z.times(&ray.direction[k].into()).plus(&ray.origin[k].into()))
             });
-            prop_assert!(high_precision::length(&off).is_within(view.displacement([pixel.0, pixel.1], z)));
+            let bound = view.displacement([pixel.0, pixel.1], z);
+            prop_assert!(high_precision::length(&off).is_within(bound));
         }
     }
 
     #[test]
-    fn pixels_are_counted_across_the_film() {
+    fn displacements_are_measured_on_the_film() {
         let rounded = RoundedTransform::translate([0.0, 0.0, 5.0]);
         let mut camera = camera(&rounded, Projection::Perspective { tangent: 1.0 });
         camera.screen_window = ScreenWindow {
@@ -196,12 +205,12 @@ mod tests {
         );
         assert!(
             pixels(&camera, 1e-6, [99, 50], 10.0) > 1.1 * middle,
-            "a step away from the eye moves it, too"
+            "a step away from the eye moves the point, too"
         );
         assert_eq!(
             pixels(&camera, 11.0, [50, 50], 10.0),
             f64::INFINITY,
-            "it may be behind the eye"
+            "the point may be behind the eye"
         );
         camera.projection = Projection::Orthographic;
         let middle = pixels(&camera, 1e-6, [50, 50], 10.0);

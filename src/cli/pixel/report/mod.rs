@@ -19,7 +19,8 @@ pub(super) struct Report<'a> {
     direction: [f64; 3],
     can_hit: bool,
     hit: Option<Hit<'a>>,
-    /// Primitives that the ray hits; this and the next three are null if there are too many to scan.
+    /// Primitives that the ray hits; this and the next three are null if there are too many to
+    /// scan.
     met: Option<u64>,
     behind: Option<Behind<'a>>,
     nearest_missed: Option<NearestMissed<'a>>,

@@ -1,4 +1,4 @@
-//! How far roundings take a transform from the one that a file means (rules R2 and R3).
+//! Transforms with bounds of their rounding errors (rules R2 and R3).
 
 #[cfg(test)]
 mod tests;
@@ -6,30 +6,30 @@ mod tests;
 use crate::exact::{Rounded, degrees};
 use crate::geometry::{Matrix, Transform, Vector};
 
-/// Bounds on the absolute errors of a transform's entries: what they differ by at most from those of the transform that exact
-/// arithmetic makes of the same numbers. Infinite where nothing is known, never NaN.
+/// Bounds of the absolute errors of a transform's entries: the differences from the transform that
+/// exact arithmetic makes of the same numbers. Infinite if unknown, never NaN.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct TransformError {
-    /// Of the matrix.
+    /// Errors of the matrix.
     pub(super) matrix: [[f64; 4]; 3],
-    /// Of the tracked inverse.
+    /// Errors of the tracked inverse.
     pub(super) inverse: [[f64; 4]; 3],
 }
 
-/// A transform and how far it is from the one meant.
+/// A transform with bounds of its errors.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct RoundedTransform {
-    /// As it was rounded.
+    /// The rounded transform.
     pub(super) transform: Transform,
-    /// By how much, at most.
+    /// The bounds.
     pub(super) error: TransformError,
 }
 
-/// Entries with a bound each.
+/// Entries, each with a bound.
 type Entries = [[Rounded; 4]; 3];
 
 impl RoundedTransform {
-    /// Leaves everything where it is, exactly.
+    /// The exact identity.
     pub(super) const IDENTITY: RoundedTransform = RoundedTransform {
         transform: Transform::IDENTITY,
         error: TransformError {
@@ -44,7 +44,7 @@ impl RoundedTransform {
         RoundedTransform::of(exact(&matrix), exact(&inverse))
     }
 
-    /// [`Transform::scale`]: exact, and the inverse as much as the quotients.
+    /// [`Transform::scale`]: exact; the inverse is as exact as its quotients.
     pub(super) fn scale(factors: [f64; 3]) -> RoundedTransform {
         let mut inverse = exact(&Matrix::IDENTITY);
         for (axis, factor) in factors.into_iter().enumerate() {
@@ -53,8 +53,9 @@ impl RoundedTransform {
         RoundedTransform::of(exact(&Matrix::scale(factors)), inverse)
     }
 
-    /// 16 numbers, as [`Transform::from_column_major`] made a transform of them: with every entry of the inverse
-    /// correctly rounded, and those of the matrix too where they were `divided`, which else are exact.
+    /// The transform of 16 numbers, by [`Transform::from_column_major`]: every entry of the inverse
+    /// is correctly rounded; those of the matrix are exact unless they were `divided`, and then
+    /// correctly rounded, too.
     pub(super) fn of_numbers(transform: &Transform, divided: bool) -> RoundedTransform {
         if transform.matrix == Matrix::IDENTITY && !divided {
             return RoundedTransform::IDENTITY;
@@ -68,8 +69,9 @@ impl RoundedTransform {
         RoundedTransform::of(matrix, nearest(&transform.inverse))
     }
 
-    /// [`Transform::rotate`], operation by operation. Sine and cosine are correctly rounded; they are exact where they are 0,
-    /// 1/2 or 1 at a multiple of 30 degrees, and elsewhere irrational (Niven's theorem).
+    /// [`Transform::rotate`], operation by operation. Sine and cosine are correctly rounded. They
+    /// are exact if they are 0, 1/2 or 1 at a multiple of 30 degrees, and otherwise irrational
+    /// (Niven's theorem).
     pub(super) fn rotate(angle: f64, axis: Vector) -> RoundedTransform {
         let [a0, a1, a2] = normalized(axis.to_array().map(Rounded::exactly));
         let correctly_rounded = |value: f64| {
@@ -111,8 +113,9 @@ impl RoundedTransform {
         RoundedTransform::of(rows, transposed)
     }
 
-    /// [`Transform::look_at`] of eye, look and up, where that is a transform, operation by operation. The nearer up is to the view, the
-    /// shorter is the vector that becomes the right, and the larger its error; where that is its length, bounds are infinite.
+    /// [`Transform::look_at`] of eye, look and up, if that is a transform, operation by operation.
+    /// The closer up is to the view direction, the shorter is the vector that becomes right, and
+    /// the larger its relative error. If the error reaches its length, the bounds are infinite.
     pub(super) fn look_at([eye, look, up]: [[f64; 3]; 3]) -> RoundedTransform {
         let [eye, look, up] = [eye, look, up].map(|vector| vector.map(Rounded::exactly));
         let forward = normalized([0, 1, 2].map(|k| look[k] - eye[k]));
@@ -124,7 +127,7 @@ impl RoundedTransform {
         RoundedTransform::of(matrix, inverse)
     }
 
-    /// [`Transform::times`]: what both operands are off by, and the roundings of the sums.
+    /// [`Transform::times`]: the errors of both operands, and the roundings of the sums.
     pub(super) fn times(&self, right: &RoundedTransform) -> RoundedTransform {
         let matrix = product(&self.matrix(), &right.matrix());
         let inverse = product(&right.inverse(), &self.inverse());
@@ -193,7 +196,8 @@ fn errors(entries: &Entries) -> [[f64; 4]; 3] {
     entries.map(|row| row.map(|entry| entry.error))
 }
 
-/// As [`Matrix::times`]; where it multiplies by the fourth row, 0 adds nothing and 1 is exact.
+/// [`Matrix::times`] with bounds. Its products with the fourth row are exact: 0 adds nothing, 1
+/// changes nothing.
 fn product(a: &Entries, b: &Entries) -> Entries {
     let entry = |a: &[Rounded; 4], j: usize| {
         let sum = a[0] * b[0][j] + a[1] * b[1][j] + a[2] * b[2][j];
@@ -202,12 +206,12 @@ fn product(a: &Entries, b: &Entries) -> Entries {
     a.map(|row| std::array::from_fn(|j| entry(&row, j)))
 }
 
-/// As [`Vector::dot`].
+/// [`Vector::dot`] with bounds.
 fn dot(a: [Rounded; 3], b: [Rounded; 3]) -> Rounded {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// As [`Vector::cross`].
+/// [`Vector::cross`] with bounds.
 fn cross(a: [Rounded; 3], b: [Rounded; 3]) -> [Rounded; 3] {
     [
         a[1] * b[2] - a[2] * b[1],
@@ -216,7 +220,7 @@ fn cross(a: [Rounded; 3], b: [Rounded; 3]) -> [Rounded; 3] {
     ]
 }
 
-/// As [`Vector::normalized`].
+/// [`Vector::normalized`] with bounds.
 fn normalized(v: [Rounded; 3]) -> [Rounded; 3] {
     let length = dot(v, v).square_root();
     v.map(|component| component.over(length))

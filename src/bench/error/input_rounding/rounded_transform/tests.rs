@@ -99,7 +99,7 @@ fn bounds_are_a_few_roundings() {
 }
 
 #[test]
-fn what_is_not_known_is_infinite() {
+fn unknown_bounds_are_infinite() {
     let flat = RoundedTransform::scale([1.0, 0.0, 1.0]);
     assert_eq!(
         (flat.error.matrix[1][1], flat.error.inverse[1][1]),
