@@ -19,17 +19,13 @@ mod image_file;
 mod metadata;
 pub mod npy_file;
 pub mod npy_reader;
-mod permissions;
 pub mod pfm_file;
 pub mod pfm_reader;
 mod pixel_bounds;
-mod place;
 pub mod png_file;
 pub mod png_reader;
 mod raster;
 mod run_deflate;
-mod unfinished;
-mod unnamed_file;
 pub mod view;
 
 pub use aov::Aov;

@@ -188,8 +188,7 @@ fn crops_of_different_images_are_told_apart() {
         let mut crops = Crops::new(&[[0, 7, 0, 5]]);
         crops.add(&image, json);
         let message = crops.refused();
-        let expected =
-            format!("1.exr: not a crop of the same image as 0.exr: {difference}\n");
+        let expected = format!("1.exr: not a crop of the same image as 0.exr: {difference}\n");
         assert!(message.starts_with(&expected), "{message}");
     }
 }

@@ -163,8 +163,7 @@ fn crops_of_something_else_are_refused() {
         folder
             .render(&format!("{arguments} -o b.exr {right}"))
             .succeeded();
-        let expected =
-            format!("b.exr: not a crop of the same image as a.exr: {difference}");
+        let expected = format!("b.exr: not a crop of the same image as a.exr: {difference}");
         folder
             .merge("a.exr b.exr -o merged.exr")
             .failed(65, &expected);
@@ -183,10 +182,10 @@ fn what_is_no_crop_is_refused() {
         .failed(66, "gone.exr: cannot read");
     folder
         .merge("a.exr text.exr -o b.exr")
-        .failed(65, "text.exr: this is no OpenEXR file");
+        .failed(65, "text.exr: this is not an OpenEXR file");
     folder
         .merge("empty.exr -o b.exr")
-        .failed(65, "empty.exr: this is no OpenEXR file");
+        .failed(65, "empty.exr: this is not an OpenEXR file");
     folder.merge(". -o b.exr").failed(66, "cannot read");
     folder
         .merge("a.exr -o b.png")

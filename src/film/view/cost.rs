@@ -10,7 +10,7 @@ use std::io;
 /// opposite direction to depths: the highest cost has the colour of near.
 ///
 /// # Errors
-/// An image without the channel `cost`.
+/// The image lacks the channel `cost`.
 pub fn cost(image: &Image, colors: ColorMap, range: ColorRange) -> io::Result<Vec<Rgb>> {
     let color = colors.steps();
     Ok(numbers(image, ChannelName::Cost)?

@@ -13,7 +13,7 @@ pub const MISS_IN_DEPTH: Rgb = [184, 200, 224];
 /// The colours of `image`, row by row from the top; `range` is stretched over `colors`.
 ///
 /// # Errors
-/// An image without the channels `Z` and `A`.
+/// The image lacks `Z` or `A`.
 pub fn depth(image: &Image, colors: ColorMap, range: ColorRange) -> io::Result<Vec<Rgb>> {
     let (z, a) = (
         measures(image, ChannelName::Z)?,
@@ -99,7 +99,7 @@ mod tests {
     }
 
     #[test]
-    fn one_depth_makes_one_colour() {
+    fn a_single_depth_has_a_single_colour() {
         for colors in ColorMap::ALL {
             let pixels = depths(
                 &[2.0, 2.0],
@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn no_map_passes_near_the_colour_of_a_miss() {
+    fn no_colour_map_comes_near_the_colour_of_a_miss() {
         let distance = |a: &Rgb, b: &Rgb| {
             (0..3)
                 .map(|i| (i32::from(a[i]) - i32::from(b[i])).pow(2))

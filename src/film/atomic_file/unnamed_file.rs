@@ -1,5 +1,4 @@
-//! Files without a name, of Linux (`O_TMPFILE`): the system removes them with the program that made
-//! them.
+//! Unnamed files of Linux (`O_TMPFILE`): the system removes them with the program that made them.
 
 #[cfg(target_os = "linux")]
 pub(super) use linux::{create, link};
@@ -13,8 +12,8 @@ mod linux {
     use std::os::unix::fs::MetadataExt;
     use std::path::{Path, PathBuf};
 
-    /// A new file on the file system of `directory`; `None` where there can be none that could be
-    /// named later.
+    /// Makes a file on the file system of `directory`; `None` if the system cannot make one that
+    /// can be named later.
     pub(in crate::film) fn create(directory: &Path) -> Option<File> {
         let flags = OFlags::TMPFILE | OFlags::RDWR | OFlags::CLOEXEC;
         let file = File::from(open(directory, flags, Mode::from_raw_mode(0o666)).ok()?);
@@ -34,7 +33,7 @@ mod linux {
         )?)
     }
 
-    /// The path of a file without a name; there is none where `/proc` is not mounted.
+    /// The path of an unnamed file; `None` if `/proc` is not mounted.
     fn path_of(file: &File) -> PathBuf {
         format!("/proc/self/fd/{}", file.as_raw_fd()).into()
     }

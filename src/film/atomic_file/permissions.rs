@@ -1,17 +1,17 @@
-//! Owner and permissions of a file that is replaced.
+//! Keeps the owner and the permissions of a replaced file.
 
 use std::fs::{File, Metadata};
 
-/// Permissions to read, write and execute. A program that runs with the rights of its owner
-/// (setuid, setgid) is no image: the new content must not get these rights.
+/// Permissions to read, write and execute. The content is new, so it must not inherit the right to
+/// run as another user (setuid, setgid).
 #[cfg(unix)]
 const ACCESS: u32 = 0o777;
 
 /// Gives `file` the owner, the group and the permissions of the `replaced` file: all of them or
 /// none.
 ///
-/// Permissions alone would mean something else: those that the old owner gave to a group would go
-/// to the group of the new owner. A file system that knows no permissions is no reason to fail.
+/// Permissions alone would mean something else: those of the old group would apply to the group of
+/// the new owner. A file system without permissions is no reason to fail.
 #[cfg(unix)]
 pub(super) fn keep(file: &File, replaced: &Metadata) {
     use std::fs::Permissions;
@@ -30,7 +30,7 @@ pub(super) fn keep(file: &File, replaced: &Metadata) {
     }
 }
 
-/// Gives `file` the permissions of the `replaced` file, where the file system knows them.
+/// Gives `file` the permissions of the `replaced` file, if the file system has them.
 #[cfg(not(unix))]
 pub(super) fn keep(file: &File, replaced: &Metadata) {
     let _ = file.set_permissions(replaced.permissions());

@@ -1,7 +1,7 @@
-//! Files that have not got their final names yet, and the end of the program.
+//! Unfinished files: those without their final name, and their removal at the end of the program.
 
-use super::atomic_file::{Overwrite, directory_of};
 use super::permissions;
+use super::target::directory_of;
 use super::unnamed_file;
 use std::fs::{self, File};
 use std::io::{self, Seek};
@@ -10,19 +10,28 @@ use std::sync::{Mutex, MutexGuard, PoisonError, TryLockError};
 use std::time::{Duration, Instant};
 use tempfile::{NamedTempFile, TempPath};
 
-/// The files that are being written to, by their temporary names. The list is locked while a name
-/// appears or changes, so that the end of the program can remove them all.
+/// What to do with an existing file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Overwrite {
+    /// Replace it.
+    Yes,
+    /// Fail, also if the file appears during the write.
+    No,
+}
+
+/// The temporary names of unfinished files. The list is locked while a name appears or changes, so
+/// that the end of the program can remove all of them.
 static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// How long the end of the program waits for a file system that does not answer.
+/// How long the end of the program waits for a file system that does not respond.
 const PATIENCE: Duration = Duration::from_secs(1);
 
 fn unfinished() -> MutexGuard<'static, Vec<PathBuf>> {
     UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Removes all files that are unfinished. The program is about to end: no other file can be begun
-/// or finished from now on, and a thread that tries waits for ever.
+/// Removes all unfinished files. The program is about to end: no other file can be begun or
+/// finished from now on, and a thread that tries waits for ever.
 pub fn abandon() {
     let start = Instant::now();
     let mut paths = loop {
@@ -34,34 +43,33 @@ pub fn abandon() {
         }
     };
     for path in paths.drain(..) {
-        // One that cannot be removed is hidden, and not under the final name.
+        // A file that cannot be removed is hidden and does not have the final name.
         let _ = fs::remove_file(path);
     }
     std::mem::forget(paths);
 }
 
-/// A file that has not got its final name yet. It is removed when it is dropped.
+/// A file without its final name. Dropping it removes the file.
 ///
-/// Where the system can, the file has no name at all until it is finished: then nothing is left of
-/// it however the program ends. Else it has a temporary one.
+/// If the system allows it, the file has no name at all until it is finished: then nothing is left
+/// of it however the program ends. Otherwise it has a temporary name.
 pub(super) struct Unfinished {
     /// The temporary name.
     path: Option<TempPath>,
 }
 
 impl Unfinished {
-    /// A new file in the directory of `target`. It is opened as any file is, so that the umask
-    /// decides who may read it: `tempfile` would by itself make it private.
+    /// Makes a file in the directory of `target`. It is opened like any file, so that the umask
+    /// decides who may read it: `tempfile` would make it private.
     pub(super) fn beside(target: &Path) -> io::Result<(File, Unfinished)> {
         match unnamed_file::create(directory_of(target)) {
             Some(file) => Ok((file, Unfinished { path: None })),
-            // If the reason is not that the file system knows named files only, this tells the
-            // reason.
+            // If the file system does not only lack unnamed files, this reports the reason.
             None => Unfinished::named(target),
         }
     }
 
-    /// Likewise, with a temporary name.
+    /// Makes a file with a temporary name.
     pub(super) fn named(target: &Path) -> io::Result<(File, Unfinished)> {
         let create = |path: &Path| File::options().write(true).create_new(true).open(path);
         let mut unfinished = unfinished();
@@ -70,7 +78,7 @@ impl Unfinished {
         Ok((file, Unfinished { path: Some(path) }))
     }
 
-    /// Gives `file`, which is complete, its final name.
+    /// Gives the complete `file` its final name.
     pub(super) fn finish(
         mut self,
         file: &mut File,
@@ -91,7 +99,7 @@ impl Drop for Unfinished {
         if let Some(path) = self.path.take() {
             let mut unfinished = unfinished();
             forget(&mut unfinished, &path);
-            // Removed before the lock is let go, or a signal between would leave it.
+            // Removed before the lock is released; a signal in between would leave it.
             drop(path);
         }
     }
@@ -101,8 +109,8 @@ fn forget(unfinished: &mut Vec<PathBuf>, path: &Path) {
     unfinished.retain(|other| other != path);
 }
 
-/// A file with a temporary name beside `target`, made by `create`. The name is short whatever the
-/// target's, because names have a greatest length.
+/// Makes a file with a temporary name beside `target` by `create`. The name is short whatever the
+/// target, because names have a maximal length.
 fn temporary<F>(
     target: &Path,
     create: impl FnMut(&Path) -> io::Result<F>,
@@ -121,11 +129,11 @@ fn rename(path: TempPath, target: &Path, overwrite: Overwrite) -> io::Result<()>
     renamed.map_err(|refused| refused.error)
 }
 
-/// Gives a file its first name. Linking replaces no file: then the file gets a temporary name for
-/// an instant.
+/// Gives a file its first name. A link cannot replace a file: then the file gets a temporary name
+/// for an instant.
 fn finish_unnamed(file: &mut File, target: &Path, overwrite: Overwrite) -> io::Result<()> {
     match link_or_replace(file, target, overwrite) {
-        // The file system takes unnamed files, but does not give them names.
+        // The file system has unnamed files, but cannot give them names.
         Err(error) if error.kind() != io::ErrorKind::AlreadyExists => {
             finish_copy(file, target, overwrite)
         }
@@ -134,7 +142,7 @@ fn finish_unnamed(file: &mut File, target: &Path, overwrite: Overwrite) -> io::R
 }
 
 fn link_or_replace(file: &File, target: &Path, overwrite: Overwrite) -> io::Result<()> {
-    // The end of the program waits until the temporary name is gone again.
+    // The end of the program waits until the temporary name has gone.
     let _unfinished = unfinished();
     match unnamed_file::link(file, target) {
         Err(error)
@@ -147,7 +155,7 @@ fn link_or_replace(file: &File, target: &Path, overwrite: Overwrite) -> io::Resu
     }
 }
 
-/// Finishes a copy that has a temporary name.
+/// Finishes a file that has a temporary name.
 fn finish_copy(file: &mut File, target: &Path, overwrite: Overwrite) -> io::Result<()> {
     let (mut copy, unfinished) = Unfinished::named(target)?;
     file.rewind()?;
@@ -180,7 +188,7 @@ mod tests {
     /// All ways to a final name replace what they may, keep what they must, and leave no other
     /// name.
     #[test]
-    fn all_ways_to_a_final_name_are_alike() {
+    fn all_ways_to_a_final_name_agree() {
         let ways: [Finish; 2] = [finish_unnamed, finish_named];
         for finish in ways {
             let directory = tempfile::tempdir().unwrap();
@@ -202,7 +210,7 @@ mod tests {
 
     #[test]
     #[cfg(target_os = "linux")]
-    fn nothing_has_a_name_before_it_is_finished() {
+    fn an_unfinished_file_has_no_name() {
         let directory = tempfile::tempdir().unwrap();
         let target = directory.path().join("a.exr");
         let (mut file, unfinished) = Unfinished::beside(&target).unwrap();
@@ -217,7 +225,7 @@ mod tests {
     }
 
     #[test]
-    fn a_named_file_that_is_dropped_is_removed() {
+    fn a_dropped_file_with_a_temporary_name_is_removed() {
         let directory = tempfile::tempdir().unwrap();
         let (_file, unfinished) = Unfinished::named(&directory.path().join("a.exr")).unwrap();
         assert!(names_in(directory.path())[0].starts_with(".feimos-"));
