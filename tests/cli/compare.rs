@@ -288,7 +288,7 @@ fn a_difference_picture_shows_each_pixel() {
 }
 
 #[test]
-fn a_difference_picture_needs_a_place_of_its_own() {
+fn a_difference_picture_needs_its_own_place() {
     let folder = folder();
     let before = folder.bytes("a.png");
     for (arguments, part) in [

@@ -1,4 +1,4 @@
-//! The program as people run it: flags, files, streams, exit codes and messages.
+//! The program as users run it: flags, files, streams, exit codes and messages.
 
 mod batch;
 mod bench;

@@ -1,11 +1,11 @@
-//! What is said, to whom, and in which colours.
+//! Messages: quiet, verbose, statistics, progress, colours, JSON.
 
 use crate::folder::{BALL, Folder, WARNED};
 
 const ESCAPE: &str = "\x1b[";
 
 #[test]
-fn one_line_tells_of_an_image() {
+fn an_image_has_one_line() {
     let run = Folder::new().render("ball.pbrt -o a.exr").succeeded();
     assert_eq!(run.stderr.lines().count(), 1);
     run.said("a.exr: 13 x 7 pixels, ")
@@ -15,7 +15,7 @@ fn one_line_tells_of_an_image() {
 }
 
 #[test]
-fn what_is_skipped_is_one_line() {
+fn skipped_directives_have_one_line() {
     let scene = BALL.replace(
         "WorldBegin",
         "Sampler \"x\"\nWorldBegin\nMaterial \"m\"\nMaterial \"n\"\n",
@@ -29,7 +29,7 @@ fn what_is_skipped_is_one_line() {
 }
 
 #[test]
-fn quiet_says_nothing_but_errors() {
+fn quiet_prints_only_errors() {
     let folder = Folder::new().with("warned.pbrt", WARNED);
     for flags in [
         "ball.pbrt -q",
@@ -44,7 +44,7 @@ fn quiet_says_nothing_but_errors() {
 }
 
 #[test]
-fn verbose_tells_of_each_phase() {
+fn verbose_reports_each_phase() {
     let folder = Folder::new();
     for flag in ["-v", "--verbose"] {
         let run = folder.render(&format!("ball.pbrt {flag}")).succeeded();
@@ -57,7 +57,7 @@ fn verbose_tells_of_each_phase() {
 }
 
 #[test]
-fn progress_is_drawn_where_it_is_asked_for() {
+fn progress_is_drawn_on_request() {
     let folder = Folder::new();
     folder
         .render("ball.pbrt --progress always")
@@ -77,7 +77,7 @@ fn progress_is_drawn_where_it_is_asked_for() {
 }
 
 #[test]
-fn colours_are_used_where_they_are_asked_for() {
+fn colours_are_used_on_request() {
     let folder = Folder::new();
     folder
         .render("gone.pbrt --color always")
@@ -125,7 +125,7 @@ fn statistics_do_not_change_the_image() {
     );
 }
 
-/// Every key of a line of JSON, in the order in which they stand there.
+/// Every key of a line of JSON, in order.
 fn keys(line: &str) -> Vec<&str> {
     let before_colons = line.split("\":");
     let mut keys: Vec<&str> = before_colons
@@ -150,7 +150,7 @@ fn json_has_the_documented_keys_in_their_order() {
 }
 
 #[test]
-fn json_says_what_was_rendered() {
+fn json_describes_the_image() {
     let folder = Folder::new();
     let run = folder
         .render("ball.pbrt --json --pixelbounds 0,13,0,4 -o a.exr")
@@ -192,7 +192,7 @@ fn json_says_what_was_rendered() {
 }
 
 #[test]
-fn json_has_a_line_for_each_image_that_was_made() {
+fn json_has_a_line_for_each_rendered_image() {
     let folder = Folder::new().with("second.pbrt", BALL);
     let run = folder
         .render("ball.pbrt gone.pbrt second.pbrt --json -o {stem}.exr")
@@ -206,7 +206,7 @@ fn json_has_a_line_for_each_image_that_was_made() {
 }
 
 #[test]
-fn json_and_an_image_do_not_share_standard_output() {
+fn json_and_an_image_cannot_share_standard_output() {
     let run = Folder::new()
         .render("ball.pbrt --json -o -")
         .failed(2, "--json and -o - would both write");
@@ -244,7 +244,7 @@ fn flags_of_pbrt_without_a_meaning_are_refused_with_the_reason() {
 }
 
 #[test]
-fn warnings_are_said_once_a_kind_with_their_count() {
+fn each_kind_of_warning_is_printed_once_with_its_count() {
     let run = Folder::new()
         .with("warned.pbrt", WARNED)
         .render("warned.pbrt --resolution 2x2")

@@ -1,9 +1,9 @@
-//! What is read is never written, and what others made is not replaced.
+//! Inputs are never overwritten, and files of other programs are not replaced.
 
 use crate::folder::{BALL, Folder, Run};
 use std::fs;
 
-/// One round of one configuration.
+/// Options for one round of one configuration.
 const ONCE: &str = "--runs 1 --warmup 0 --accel sah --precision fast --reference none";
 
 const MESH: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
@@ -23,7 +23,7 @@ fn folder() -> Folder {
     )
 }
 
-/// Everything in the folder, by name.
+/// The content of all files in the folder, by name.
 fn content(folder: &Folder) -> Vec<(String, Vec<u8>)> {
     let entries = fs::read_dir(folder.path("."))
         .unwrap()
@@ -41,7 +41,7 @@ fn content(folder: &Folder) -> Vec<(String, Vec<u8>)> {
     content
 }
 
-/// Runs `command`, which is refused without anything being written.
+/// Runs `command`, which must fail without writing anything.
 #[track_caller]
 fn refused(folder: &Folder, command: &str, message: &str) -> Run {
     let before = content(folder);
@@ -53,7 +53,7 @@ fn refused(folder: &Folder, command: &str, message: &str) -> Run {
 }
 
 #[test]
-fn results_do_not_take_the_place_of_a_scene() {
+fn results_do_not_overwrite_a_scene() {
     let folder = folder();
     for flag in ["--json-file", "--csv", "--markdown", "--plot"] {
         let message = format!(
@@ -89,7 +89,7 @@ fn results_do_not_take_the_place_of_a_scene() {
 }
 
 #[test]
-fn results_keep_to_their_extensions() {
+fn results_need_their_extensions() {
     let folder = folder();
     let cases = [
         (
@@ -126,7 +126,7 @@ fn results_keep_to_their_extensions() {
 }
 
 #[test]
-fn json_is_a_switch_and_says_so_to_those_who_give_it_a_file() {
+fn json_with_a_file_name_is_refused_with_advice() {
     let folder = folder();
     let message = "results.json: this is a result file, not a scene\n   = --json takes no file name: it \
                    prints to standard output\n   = did you mean --json-file results.json?";
@@ -155,7 +155,7 @@ fn json_is_a_switch_and_says_so_to_those_who_give_it_a_file() {
 }
 
 #[test]
-fn where_nothing_was_measured_older_results_stay() {
+fn without_measurements_older_results_stay() {
     let folder = folder()
         .with("bad.pbrt", "Shap")
         .with("r.csv", "old")
@@ -199,7 +199,7 @@ fn where_nothing_was_measured_older_results_stay() {
 }
 
 #[test]
-fn a_page_of_somebody_else_is_no_place_for_a_report() {
+fn a_page_of_another_program_is_not_overwritten() {
     let folder = Folder::new().with("index.html", "<html>my site</html>");
     folder
         .bench(&format!("ball.pbrt {ONCE} --report ."))
@@ -209,7 +209,7 @@ fn a_page_of_somebody_else_is_no_place_for_a_report() {
 
 #[cfg(unix)]
 #[test]
-fn links_to_what_is_read_are_no_outputs() {
+fn links_to_inputs_are_refused_as_outputs() {
     use std::os::unix::fs::symlink;
     let folder = folder();
     let links = [
@@ -278,7 +278,7 @@ fn links_to_what_is_read_are_no_outputs() {
 
 #[cfg(unix)]
 #[test]
-fn what_was_measured_before_a_conflict_is_written() {
+fn measurements_before_a_conflict_are_written() {
     let folder = folder();
     std::os::unix::fs::symlink("mesh.ply", folder.path("m.csv")).unwrap();
     let run = folder.bench(&format!(
@@ -294,7 +294,7 @@ fn what_was_measured_before_a_conflict_is_written() {
 }
 
 #[test]
-fn an_image_that_is_compared_or_put_together_stays() {
+fn compared_and_merged_images_are_not_overwritten() {
     let folder = folder();
     folder.render("ball.pbrt -o a.exr").succeeded();
     folder.render("ball.pbrt -o a.png").succeeded();
@@ -342,7 +342,7 @@ fn a_scene_does_not_overwrite_itself() {
 }
 
 #[test]
-fn a_name_from_the_scene_replaces_images_of_feimos_alone() {
+fn a_name_from_the_scene_replaces_only_images_by_feimos() {
     let folder = Folder::new().with("film.exr", "my holidays");
     let advice = "use -o to name another one, move it away, or use --force to overwrite it";
     folder

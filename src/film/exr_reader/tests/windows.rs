@@ -105,7 +105,7 @@ fn unknown_channels_are_listed() {
         vec![("R", as_f16(&[0.0])), ("z", as_f16(&[0.0]))],
         Encoding::default(),
     );
-    let expected = "a.exr: no channel of this image is one of feimos's; it has R, z
+    let expected = "a.exr: feimos knows no channel of this image, which has R, z
    = expected one or more of Z, t, A, id, prim, instance, cost, N.X, N.Y, N.Z, P.X, P.Y, P.Z, u, v";
     assert_eq!(refused(&file), expected);
 }
