@@ -20,7 +20,7 @@
 //! let options = LoadOptions { resolution: Some([40, 40]), ..LoadOptions::default() };
 //! let scene = load(Path::new("scenes/sphere.pbrt"), &options, Progress::SILENT)?;
 //! let anchor = scene.camera.anchor();
-//! let aggregate = Aggregate::build(&scene.shapes, anchor, BuildOptions::new(SplitMethod::Sah), Progress::SILENT);
+//! let aggregate = Aggregate::build(&scene.geometry, anchor, BuildOptions::new(SplitMethod::Sah), Progress::SILENT);
 //! let options = RenderOptions {
 //!     data_window: scene.film.crop,
 //!     channels: vec![ChannelName::Z],
@@ -29,7 +29,7 @@
 //!     level: Level::detect(),
 //!     precision: Precision::Exact,
 //! };
-//! let rendering = render(&scene.camera, &scene.shapes, &aggregate, &options, Progress::SILENT)?;
+//! let rendering = render(&scene.camera, &scene.geometry, &aggregate, &options, Progress::SILENT)?;
 //! let depths = rendering.image.measures(ChannelName::Z).expect("the channel asked for");
 //! assert_eq!(depths[0], f32::INFINITY);
 //! let nearest = depths.iter().copied().fold(f32::INFINITY, f32::min);

@@ -30,10 +30,9 @@ pub(super) struct Outlines(Vec<Outline>);
 
 impl Outlines {
     pub(super) fn of(geometry: &Geometry) -> Outlines {
+        let objects = geometry.objects().iter();
         Outlines(
-            geometry
-                .objects()
-                .iter()
+            objects
                 .map(|object| Outline::of(object.geometry()))
                 .collect(),
         )
@@ -60,8 +59,8 @@ impl Outlines {
     /// The box around all instances.
     pub(super) fn bounds_of_all(&self, geometry: &Geometry) -> Bounds {
         let bounds = |instance| self.bounds(geometry, instance).unwrap_or(Bounds::EMPTY);
-        (0..geometry.instances().len())
-            .into_par_iter()
+        let instances = (0..geometry.instances().len()).into_par_iter();
+        instances
             .map(bounds)
             .reduce(|| Bounds::EMPTY, Bounds::union)
     }

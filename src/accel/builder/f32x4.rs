@@ -8,45 +8,45 @@ use crate::accel::space::{Box32, larger, smaller};
 /// A number for each axis, and a spare one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(16))]
-pub(super) struct Lanes(pub(super) [f32; 4]);
+pub(super) struct F32x4(pub(super) [f32; 4]);
 
-impl Lanes {
+impl F32x4 {
     /// `x` in every lane.
-    pub(super) const fn all(x: f32) -> Lanes {
-        Lanes([x; 4])
+    pub(super) const fn all(x: f32) -> F32x4 {
+        F32x4([x; 4])
     }
 
     #[inline(always)]
-    fn with(self, other: Lanes, f: impl Fn(f32, f32) -> f32) -> Lanes {
+    fn with(self, other: F32x4, f: impl Fn(f32, f32) -> f32) -> F32x4 {
         // Written out: an iterator with closures is not always inlined, and then not vectorized.
         let ([a, b, c, d], [e, g, h, i]) = (self.0, other.0);
-        Lanes([f(a, e), f(b, g), f(c, h), f(d, i)])
+        F32x4([f(a, e), f(b, g), f(c, h), f(d, i)])
     }
 
     /// The smaller in each lane; that of `other` if this one is NaN.
     #[inline(always)]
-    pub(super) fn min(self, other: Lanes) -> Lanes {
+    pub(super) fn min(self, other: F32x4) -> F32x4 {
         self.with(other, smaller)
     }
 
     /// The larger in each lane; that of `other` if this one is NaN.
     #[inline(always)]
-    pub(super) fn max(self, other: Lanes) -> Lanes {
+    pub(super) fn max(self, other: F32x4) -> F32x4 {
         self.with(other, larger)
     }
 
     #[inline(always)]
-    pub(super) fn plus(self, other: Lanes) -> Lanes {
+    pub(super) fn plus(self, other: F32x4) -> F32x4 {
         self.with(other, |a, b| a + b)
     }
 
     #[inline(always)]
-    pub(super) fn minus(self, other: Lanes) -> Lanes {
+    pub(super) fn minus(self, other: F32x4) -> F32x4 {
         self.with(other, |a, b| a - b)
     }
 
     #[inline(always)]
-    pub(super) fn times(self, other: Lanes) -> Lanes {
+    pub(super) fn times(self, other: F32x4) -> F32x4 {
         self.with(other, |a, b| a * b)
     }
 
@@ -54,7 +54,7 @@ impl Lanes {
     /// shifts out all other bits. The result for other numbers is arbitrary.
     #[inline(always)]
     pub(super) fn rounded(self) -> [u32; 4] {
-        let [a, b, c, d] = self.plus(Lanes::all((1 << 23) as f32)).0;
+        let [a, b, c, d] = self.plus(F32x4::all((1 << 23) as f32)).0;
         [a.to_bits(), b.to_bits(), c.to_bits(), d.to_bits()]
     }
 
@@ -73,15 +73,15 @@ impl Lanes {
 /// A box in anchor space.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct LaneBox {
-    pub(super) low: Lanes,
-    pub(super) high: Lanes,
+    pub(super) low: F32x4,
+    pub(super) high: F32x4,
 }
 
 impl LaneBox {
     /// The empty box.
     pub(super) const EMPTY: LaneBox = LaneBox {
-        low: Lanes::all(Box32::EMPTY.low[0]),
-        high: Lanes::all(Box32::EMPTY.high[0]),
+        low: F32x4::all(Box32::EMPTY.low[0]),
+        high: F32x4::all(Box32::EMPTY.high[0]),
     };
 
     /// The smallest box around both.
@@ -95,7 +95,7 @@ impl LaneBox {
 
     /// The lengths of the sides.
     #[inline(always)]
-    pub(super) fn extent(self) -> Lanes {
+    pub(super) fn extent(self) -> F32x4 {
         self.high.minus(self.low)
     }
 
