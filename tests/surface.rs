@@ -158,8 +158,7 @@ fn crops_are_parts_of_the_whole() {
                         row.iter()
                             .zip(of_whole)
                             .all(|(a, b)| a.to_bits() == b.to_bits()),
-                        "{}",
-                        name.as_str()
+                        "{name}"
                     );
                 }
             }

@@ -11,7 +11,7 @@ impl Geometry {
         let objects: Vec<Bounds> = self
             .objects()
             .iter()
-            .map(|object| object.geometry().extent_of_object())
+            .map(|object| object.extent_of_object())
             .collect();
         let placed = self.instances().par_iter().map(|instance| {
             let corners = objects[instance.object()].corners();

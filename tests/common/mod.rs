@@ -205,10 +205,9 @@ pub(crate) fn assert_same(expected: &Image, found: &Image, what: &str) {
         let (a_bits, b_bits) = (bits(a), bits(b));
         let different = a_bits.iter().zip(&b_bits).filter(|(a, b)| a != b).count();
         assert_eq!(
-            different,
-            0,
+            different, 0,
             "{what}: {different} samples of {} differ",
-            a.name.as_str()
+            a.name
         );
     }
 }

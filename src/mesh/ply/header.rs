@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::Path;
 
-use super::line::{Lines, Words};
+use super::header_lines::{Lines, Words};
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::mesh::signature;
 use crate::mesh::tally::Tally;
