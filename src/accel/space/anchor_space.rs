@@ -22,8 +22,9 @@
 //! *Entry.* If l - oh is not positive, its product is not positive either, and T is. Otherwise l
 //! and oh are different `f32`, so that l - oh >= u |oh|, of which the error of O is a 2^-29th. The
 //! reciprocal of D, its narrowing to `f32`, its product with `SHRINK` and the difference each round
-//! by up to u: before it is rounded itself, the product is no more than (L - O) / D (1 + u)^5 (1 -
-//! 8u) < T. A reciprocal too large for `f32` becomes its largest number, which is smaller.
+//! by up to u: before it is rounded itself, the product is no more than
+//! (L - O) / D (1 + u)^5 (1 - 8u) < T. A reciprocal too large for `f32` becomes its largest number,
+//! which is smaller.
 //!
 //! *Exit.* h > H >= P and the monotone rounding of both give h > ol, strictly: the product is
 //! positive even if the reciprocal is infinite, and `0 * infinity` cannot occur. By the same count

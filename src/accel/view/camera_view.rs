@@ -1,9 +1,10 @@
 //! A camera as a matrix from the world to the film, with error bounds.
 //!
-//! For a perspective camera, the 3x3 matrix K takes the direction d of the ray of pixel (i, j) to K
-//! d = (i, j, 1), up to roundings that [`CameraView::new`] bounds. Exact decisions hold for any K,
-//! since (K a) . (K b x K c) = det K (a . (b x c)): edge functions and the parameter t = height /
-//! slope are ratios of such products. So triangles are rasterized in K's space, in units of pixels.
+//! For a perspective camera, the 3x3 matrix K takes the direction d of the ray of pixel (i, j) to
+//! K d = (i, j, 1), up to roundings that [`CameraView::new`] bounds. Exact decisions hold for any
+//! K, since (K a) . (K b x K c) = det K (a . (b x c)): edge functions and the parameter
+//! t = height / slope are ratios of such products. So triangles are rasterized in K's space, in
+//! units of pixels.
 //!
 //! For an orthographic camera, the ray of pixel (i, j) passes (i, j, t) at t, after adding the
 //! offset.

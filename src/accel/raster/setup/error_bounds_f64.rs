@@ -5,15 +5,18 @@
 //!
 //! *Edge functions.* The determinant det(x, w_1, w_2) is linear in each column: moving w_1 and w_2
 //! by up to s changes it by sum_r s_r (|w| x |x|)_r twice, where the cross product takes absolute
-//! terms, and
-//! |x| is up to (16, 16, 1). Both errors together contribute less than half of that if s is less
-//! than a
-//! sixteenth of |w_z|, in pixels too, which [`ErrorBounds::is_small`] checks. The roundings of the
-//! products act as if s were larger by 2^-50 |w|, and the error of the ray moves corners by as much
-//! as it moves the pixel. So with s enlarged,
+//! terms, and |x| is up to (16, 16, 1). Both errors together contribute less than half of that if s
+//! is less than a sixteenth of |w_z|, in pixels too, which [`ErrorBounds::is_small`] checks. The
+//! roundings of the products act as if s were larger by 2^-50 |w|, and the error of the ray moves
+//! corners by as much as it moves the pixel. So with s enlarged,
+//!
 //! |e_k g - exact| < 3 (s_x (|w|_y + 16 |w|_z) + s_y (|w|_x + 16 |w|_z) + 16 s_z (|w|_x + |w|_y)),
-//! and in the same way |g - exact| < 8 (s_x m_y |w|_z + s_y m_x |w|_z + s_z m_x m_y), with
-//! m_r = |w|_r + |w|_z. If g is farther from 0 than that, its sign is sure.
+//!
+//! and in the same way, with m_r = |w|_r + |w|_z,
+//!
+//! |g - exact| < 8 (s_x m_y |w|_z + s_y m_x |w|_z + s_z m_x m_y).
+//!
+//! If g is farther from 0 than that, its sign is sure.
 //!
 //! *Depth.* Let n be the normal of the computed triangle, and t x the true hit, a mean of the true
 //! corners. Its height over the computed plane is the mean of the corners' errors along n, so no

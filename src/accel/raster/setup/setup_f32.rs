@@ -4,8 +4,11 @@
 //! Only the first corner of a triangle is far from the tile's first pixel. It is transformed in
 //! `f64`; everything after that is small enough for `f32`: the first corner on the film, p,
 //! relative to the tile, and the differences to the other two, d1 and d2. In a perspective, with
-//! (X, Y, Z) = K (corner - eye) and (A, B, C) = K edge, p = (X, Y) / Z and d = (A - p_x C, B - p_y
-//! C) / (Z + C), in which nothing large cancels. In an orthographic view p = (X, Y) and d = (A, B).
+//! (X, Y, Z) = K (corner - eye) and (A, B, C) = K edge,
+//!
+//! p = (X, Y) / Z and d = (A - p_x C, B - p_y C) / (Z + C),
+//!
+//! in which nothing large cancels. In an orthographic view p = (X, Y) and d = (A, B).
 //!
 //! # Bounds
 //!
@@ -17,14 +20,16 @@
 //!
 //! *Corners.* The error of p is P_x = 8 u |p_x|, plus the errors of `f64` and of the ray. The error
 //! of A is u for its own rounding, u for the matrix and 3 u for products and sums, times T_r. With
-//! the quotient and the error of p, the error of d is below 24 u D_x + P_x c, where D_x = (T_x +
-//! |p_x| T_z) / Z' exceeds |d_x|, and c = T_z / Z'.
+//! the quotient and the error of p, the error of d is below 24 u D_x + P_x c, where
+//! D_x = (T_x + |p_x| T_z) / Z' exceeds |d_x|, and c = T_z / Z'.
 //!
 //! *Edge functions* are cross products of d and the vector from p to a pixel, of which (w, h) is
-//! the longest. The errors of these contribute 24 u (D_x h + D_y w) + P_x (c h + D_y) + P_y (c w +
-//! D_x), the roundings of three products and four sums 8 u (D_x h + D_y w). The third function is
-//! the area minus the other two. The errors of all functions and of the area are below E = 4 (34 u
-//! (D_x h + D_y w) + P_x (c h + D_y) + P_y (c w + D_x)) + 128 u D_x D_y.
+//! the longest. The errors of these contribute
+//! 24 u (D_x h + D_y w) + P_x (c h + D_y) + P_y (c w + D_x), the roundings of three products and
+//! four sums 8 u (D_x h + D_y w). The third function is the area minus the other two. The errors of
+//! all functions and of the area are below
+//!
+//! E = 4 (34 u (D_x h + D_y w) + P_x (c h + D_y) + P_y (c w + D_x)) + 128 u D_x D_y.
 //!
 //! *Nearness* is that of the first corner plus the shares that the functions have in the
 //! differences to the others, none of which exceeds G = T_z / (Z Z') = c / Z. Within the triangle,
