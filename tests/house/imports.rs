@@ -198,8 +198,11 @@ fn paths_in(code: &str, imports: &mut Vec<Import>) {
         .split(|c| !is_part(c))
         .filter(|word| !word.is_empty())
         .collect();
-    // A declaration `mod name;` needs nothing of the module.
-    let is_declared = |at: usize| at > 0 && words[at - 1] == "mod";
+    // A declaration `mod name;` and a visibility `pub(in path)` need nothing of the module.
+    let is_declared = |at: usize| match words[..at] {
+        [.., "mod"] | [.., "pub", "in"] => true,
+        _ => false,
+    };
     for (_, word) in words.iter().enumerate().filter(|(at, _)| !is_declared(*at)) {
         let path: Vec<String> = word
             .split("::")
