@@ -1,15 +1,14 @@
-//! JSON that may be printed on a terminal: what would command it is escaped, and means the same to
-//! programs.
+//! JSON that is safe to print on a terminal: control characters are escaped, with the same meaning.
 
 use super::terminal_text::is_command;
 use serde::Serialize;
 use serde_json::ser::{CompactFormatter, Formatter, PrettyFormatter, Serializer};
 use std::io::{self, Write};
 
-/// `value` on one line, with its end.
+/// `value` on one line, with a line end.
 ///
 /// # Panics
-/// Where a key is no string, which no type of feimos has.
+/// A key is not a string; no type of feimos has such keys.
 pub fn line(value: &impl Serialize) -> Vec<u8> {
     written(value, CompactFormatter)
 }
@@ -17,7 +16,7 @@ pub fn line(value: &impl Serialize) -> Vec<u8> {
 /// `value` on indented lines.
 ///
 /// # Panics
-/// As [`line()`].
+/// Like [`line()`].
 pub fn pretty(value: &impl Serialize) -> Vec<u8> {
     written(value, PrettyFormatter::new())
 }
@@ -26,12 +25,12 @@ fn written(value: &impl Serialize, layout: impl Formatter) -> Vec<u8> {
     let mut json = Vec::new();
     value
         .serialize(&mut Serializer::with_formatter(&mut json, Escaped(layout)))
-        .expect("no key that JSON lacks");
+        .expect("string keys");
     json.push(b'\n');
     json
 }
 
-/// A layout in which strings hold no command to a terminal.
+/// A layout with control characters escaped in strings.
 struct Escaped<F>(F);
 
 impl<F: Formatter> Formatter for Escaped<F> {
@@ -42,7 +41,7 @@ impl<F: Formatter> Formatter for Escaped<F> {
     ) -> io::Result<()> {
         let mut rest = fragment;
         while let Some((at, c)) = rest.char_indices().find(|(_, c)| is_command(*c)) {
-            // None of them is beyond the first plane: one escape is enough.
+            // All are in the first plane: one escape is enough.
             write!(out, "{}\\u{:04x}", &rest[..at], u32::from(c))?;
             rest = &rest[at + c.len_utf8()..];
         }
@@ -91,7 +90,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn commands_are_escaped_and_mean_the_same() {
+    fn control_characters_are_escaped_with_the_same_meaning() {
         let text = "a\x1b[31m\u{9b}\u{7f}\u{202e}\"ä😀\n";
         let json = String::from_utf8(line(&text)).unwrap();
         assert_eq!(json, "\"a\\u001b[31m\\u009b\\u007f\\u202e\\\"ä😀\\n\"\n");

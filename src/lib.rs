@@ -53,6 +53,7 @@ pub mod json;
 mod memory;
 pub mod merge;
 pub mod mesh;
+pub mod named;
 pub mod pixel;
 pub mod progress;
 pub mod reference;

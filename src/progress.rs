@@ -1,19 +1,19 @@
-//! How long work tells how far it is.
+//! Progress reporting.
 
-/// Called with how much more has been done, from any thread, in units that the owner of the work states.
+/// Receives progress from any thread, in units that the work defines.
 #[derive(Clone, Copy)]
 pub struct Progress<'a>(Option<&'a (dyn Fn(usize) + Sync)>);
 
 impl<'a> Progress<'a> {
-    /// Tells nobody.
+    /// Ignores progress.
     pub const SILENT: Progress<'static> = Progress(None);
 
-    /// Tells `report`.
+    /// Calls `report` with the number of finished units.
     pub fn new(report: &'a (dyn Fn(usize) + Sync)) -> Progress<'a> {
         Progress(Some(report))
     }
 
-    /// `count` more units are done.
+    /// Reports `count` more finished units.
     pub fn advance(&self, count: usize) {
         if let Some(report) = self.0 {
             report(count);

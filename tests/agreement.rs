@@ -1,7 +1,7 @@
-//! Every accelerator gives the picture of the plain list, bit for bit.
+//! Tests that every accelerator gives the image of the plain list, bit for bit.
 //!
-//! Coordinates are small integers, so that ties, shared edges, rays through vertices and directions with zero
-//! components appear by themselves.
+//! Coordinates are small integers, so that ties, shared edges, rays through vertices and directions
+//! with zero components appear by themselves.
 
 mod common;
 
@@ -43,7 +43,7 @@ impl Ball {
 struct Setting {
     triangles: Vec<[Corner; 3]>,
     balls: Vec<Ball>,
-    /// Makes the numbers less round, where it is not 0: a rotation in degrees.
+    /// A rotation in degrees, which makes the numbers less round unless it is 0.
     turn: i32,
     eye: Corner,
     orthographic: bool,
@@ -152,7 +152,10 @@ fn add_mesh(
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(400) })]
+    #![proptest_config(ProptestConfig {
+        failure_persistence: None,
+        ..ProptestConfig::with_cases(400)
+    })]
 
     #[test]
     fn accelerators_agree(setting in setting()) {
@@ -161,7 +164,7 @@ proptest! {
         }
     }
 
-    /// Pixels of a crop are those of the whole picture.
+    /// The pixels of a crop equal those of the whole image.
     #[test]
     fn crops_agree(setting in setting(), x in 0u32..9, y in 0u32..9) {
         let (camera, geometry) = (setting.camera(), setting.geometry());
@@ -170,7 +173,8 @@ proptest! {
         let options = BuildOptions::new(SplitMethod::Sah);
         let image = picture(&camera, &geometry, options, Precision::Exact, 2, whole(&camera)).image;
         let part = picture(&camera, &geometry, options, Precision::Exact, 1, crop).image;
-        let (prim, part) = (image.numbers(ChannelName::Prim).unwrap(), part.numbers(ChannelName::Prim).unwrap());
+        let prim = image.numbers(ChannelName::Prim).unwrap();
+        let part = part.numbers(ChannelName::Prim).unwrap();
         for (row, y) in (crop.y0..crop.y1).enumerate() {
             let of_whole = &prim[(y * width + crop.x0) as usize..(y * width + crop.x1) as usize];
             let columns = crop.width() as usize;
@@ -179,9 +183,10 @@ proptest! {
     }
 }
 
-/// Scenes at the limits of arithmetic: no panic, no NaN, and no accelerator that sees something else.
+/// Scenes at the limits of arithmetic cause no panic and no NaN, and all accelerators agree on
+/// them.
 #[test]
-fn hard_scenes_agree_and_hold_no_nan() {
+fn accelerators_agree_on_hard_scenes_without_nan() {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/hard");
     let mut count = 0;
     for entry in std::fs::read_dir(folder).unwrap() {
@@ -238,7 +243,8 @@ fn trees_do_not_depend_on_the_number_of_threads() {
     }
 }
 
-/// A triangle in whose plane the eye is: its edge functions are 0 all along a row of pixels, and its nearness is nothing.
+/// The eye lies in the plane of a triangle: its edge functions are 0 along a row of pixels, and its
+/// nearness is NaN.
 #[test]
 fn a_triangle_seen_edge_on_is_not_hit() {
     let mut geometry = Geometry::default();
@@ -263,7 +269,7 @@ fn a_triangle_seen_edge_on_is_not_hit() {
     }
 }
 
-/// A tie between a triangle and a sphere, and between triangles of two meshes: the first in the file wins.
+/// A triangle ties with a sphere, and triangles of two meshes tie: the first in the file wins.
 #[test]
 fn ties_go_to_the_first_in_the_file() {
     let mut geometry = Geometry::default();

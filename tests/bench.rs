@@ -1,19 +1,20 @@
-//! Errors as the bench counts them: known faults in a picture are found, all of them and no other.
+//! Errors as `bench` counts them: it finds exactly the faults that were put into an image.
 
 mod common;
 
 use common::{cases, picture, whole};
 use feimos::accel::{BuildOptions, Precision, SplitMethod};
-use feimos::bench::Judge;
+use feimos::bench::GroundTruth;
 use feimos::film::{ChannelName, Image, Samples};
 use feimos::progress::Progress;
 use feimos::scene::{LoadOptions, Scene, load};
 use proptest::prelude::*;
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::LazyLock;
 
-/// Triangles and spheres, the exact picture of them, and who knows it.
-static EXACT: LazyLock<(Scene, Image, Judge)> = LazyLock::new(|| {
+/// A scene of triangles and spheres, its exact image, and its ground truth.
+static EXACT: LazyLock<(Scene, Image, GroundTruth)> = LazyLock::new(|| {
     let load_options = LoadOptions {
         resolution: Some([80, 50]),
         ..LoadOptions::default()
@@ -35,18 +36,18 @@ static EXACT: LazyLock<(Scene, Image, Judge)> = LazyLock::new(|| {
         window,
     )
     .image;
-    let judge = Judge::new(&scene, scene.film.crop.area(), Progress::SILENT);
-    (scene, image, judge)
+    let truth = GroundTruth::new(&scene, scene.film.crop.area(), Progress::SILENT);
+    (scene, image, truth)
 });
 
-/// What may be wrong with a pixel.
+/// A fault of a pixel.
 #[derive(Debug, Clone, Copy)]
 enum Fault {
     /// A hit where there is none, or none where there is one.
     Flip,
-    /// Another primitive.
+    /// The wrong primitive.
     Number,
-    /// So many steps away.
+    /// A depth that is off by this many steps.
     Depth(u32),
 }
 
@@ -65,7 +66,7 @@ fn measures(image: &mut Image, name: ChannelName) -> &mut Vec<f32> {
         .find(|channel| channel.name == name)
         .unwrap();
     let Samples::F32(values) = &mut channel.samples else {
-        panic!("a measure")
+        panic!("f32 samples")
     };
     values
 }
@@ -77,7 +78,7 @@ fn numbers(image: &mut Image, name: ChannelName) -> &mut Vec<u32> {
         .find(|channel| channel.name == name)
         .unwrap();
     let Samples::U32(values) = &mut channel.samples else {
-        panic!("a number")
+        panic!("u32 samples")
     };
     values
 }
@@ -86,21 +87,22 @@ proptest! {
     #![proptest_config(cases(60))]
 
     #[test]
-    fn exactly_the_faults_that_were_made_are_found(
-        faults in prop::collection::btree_map(any::<prop::sample::Index>().prop_map(|index| index.index(1 << 30)), fault(), 0..40),
+    fn exactly_the_faults_are_found(
+        faults in prop::collection::btree_map(0usize..1 << 30, fault(), 0..40),
         share in 0.01f64..1.0,
     ) {
-        let (scene, exact, judge) = &*EXACT;
+        let (scene, exact, truth) = &*EXACT;
         let (mut image, area) = (exact.clone(), scene.film.crop.area());
         let (mut false_hits, mut missed_hits, mut wrong, mut off) = (0, 0, 0, Vec::new());
-        for (index, fault) in faults.iter().map(|(index, fault)| (index % area as usize, *fault)).collect::<std::collections::BTreeMap<_, _>>() {
+        let faults = faults.iter().map(|(index, fault)| (index % area as usize, *fault));
+        for (index, fault) in faults.collect::<BTreeMap<_, _>>() {
             let is_hit = measures(&mut image, ChannelName::A)[index] != 0.0;
             match fault {
                 Fault::Flip => {
                     measures(&mut image, ChannelName::A)[index] = if is_hit { 0.0 } else { 1.0 };
                     if is_hit { missed_hits += 1 } else { false_hits += 1 }
                 }
-                // What a miss holds does not matter.
+                // The values of a miss do not matter.
                 Fault::Number => {
                     numbers(&mut image, ChannelName::Prim)[index] += 1;
                     wrong += u64::from(is_hit);
@@ -112,17 +114,19 @@ proptest! {
                 }
             }
         }
-        let found = judge.errors(&image);
+        let found = truth.errors(&image);
         prop_assert!(!found.is_sampled());
         let tally = &found.tally;
-        prop_assert_eq!([tally.false_hits, tally.missed_hits, tally.wrong_primitives], [false_hits, missed_hits, wrong]);
-        prop_assert_eq!((tally.depths.above(0), tally.depths.max()), (off.len() as u64, Some(off.iter().copied().max().unwrap_or(0))));
+        let counts = [tally.false_hits, tally.missed_hits, tally.wrong_primitives];
+        prop_assert_eq!(counts, [false_hits, missed_hits, wrong]);
+        prop_assert_eq!(tally.depths.above(0), off.len() as u64);
+        prop_assert_eq!(tally.depths.max(), Some(off.iter().copied().max().unwrap_or(0)));
         let sum: u32 = off.iter().sum();
         let mean = tally.depths.mean().unwrap() * tally.depths.total() as f64;
         prop_assert!((mean - f64::from(sum)).abs() < 1e-6 * f64::from(sum.max(1)));
-        // A sample finds some of them, and its interval holds what the whole has.
+        // A sample finds some of them.
         let count = ((area as f64 * share) as u64).max(1);
-        let sampled = Judge::new(scene, count, Progress::SILENT).errors(&image);
+        let sampled = GroundTruth::new(scene, count, Progress::SILENT).errors(&image);
         prop_assert_eq!((sampled.tally.pixels, sampled.of), (count, area));
         prop_assert!(sampled.tally.wrong_hits() <= tally.wrong_hits());
         prop_assert!(sampled.tally.wrong_primitives <= tally.wrong_primitives);
@@ -130,12 +134,9 @@ proptest! {
 }
 
 #[test]
-fn the_exact_picture_has_no_error() {
-    let (_, exact, judge) = &*EXACT;
-    let errors = judge.errors(exact);
+fn the_exact_image_has_no_error() {
+    let (_, exact, truth) = &*EXACT;
+    let errors = truth.errors(exact);
     assert_eq!(errors.tally.different(0), 0);
-    assert!(
-        errors.tally.depths.total() > 500,
-        "there is something to see"
-    );
+    assert!(errors.tally.depths.total() > 500, "the image has hits");
 }

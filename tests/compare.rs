@@ -258,7 +258,7 @@ proptest! {
                 Difference::MissedHit => ("missed hit", None),
                 Difference::WrongPrimitive => ("wrong primitive", None),
                 Difference::Depth(ulps) => ("wrong depth", Some(*ulps)),
-                Difference::Primitive(_) => panic!("no such fault is put in"),
+                Difference::Surface(_) => panic!("no such fault is put in"),
                 Difference::None => panic!("listed"),
             };
             prop_assert_eq!((&pixel["kind"], &pixel["ulps"]), (&json!(kind), &json!(ulps)));

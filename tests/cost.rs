@@ -1,4 +1,5 @@
-//! The channel `cost`: what each ray tests, and nothing that the picture was made by.
+//! Tests of the channel `cost`: the nodes and primitives that each ray tests when it is traced by
+//! itself.
 
 mod common;
 
@@ -67,7 +68,7 @@ fn costs(image: &Image) -> &[u32] {
 }
 
 #[test]
-fn is_what_a_ray_alone_tests() {
+fn cost_counts_the_tests_of_a_single_ray() {
     for (name, method) in SCENES
         .iter()
         .flat_map(|name| SplitMethod::ALL.map(|method| (name, method)))
@@ -105,7 +106,7 @@ fn is_what_a_ray_alone_tests() {
 }
 
 #[test]
-fn does_not_depend_on_threads_crops_precision_instructions_and_other_channels() {
+fn cost_does_not_depend_on_threads_crops_precision_simd_level_or_other_channels() {
     for name in SCENES {
         let scene = named(name);
         let tree = tree(&scene, SplitMethod::Sah);
@@ -159,7 +160,7 @@ fn does_not_depend_on_threads_crops_precision_instructions_and_other_channels() 
 }
 
 #[test]
-fn changes_no_other_channel() {
+fn cost_changes_no_other_channel() {
     let scene = named("quadrics.pbrt");
     let tree = tree(&scene, SplitMethod::Middle);
     let with = [&ChannelName::USUAL[..], &[ChannelName::Cost]].concat();
@@ -173,12 +174,12 @@ fn changes_no_other_channel() {
 }
 
 #[test]
-fn without_a_tree_is_all_there_is() {
+fn cost_without_a_tree_counts_all_primitives() {
     let scene = named("triangles.pbrt");
     let tree = tree(&scene, SplitMethod::None);
     let rendering = rendered(&scene, &tree, &options(&scene, &[ChannelName::Cost]), 2);
     let all = scene.geometry.primitive_count() as u32;
-    // The box around everything, and if the ray meets it, everything.
+    // The box around everything, and every primitive if the ray meets that box.
     assert!(
         costs(&rendering.image)
             .iter()

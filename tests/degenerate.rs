@@ -1,4 +1,4 @@
-//! Degenerate input through every builder.
+//! Tests every builder with degenerate input.
 
 mod common;
 
@@ -44,29 +44,29 @@ fn spheres(all: impl IntoIterator<Item = (Matrix, f64)>) -> Geometry {
     geometry
 }
 
-/// Pixels of the triangle at z = 0: their centres are 8/7 apart there, three lie in the row below the middle, one in
-/// the middle row and one above it.
+/// The number of pixels of the triangle at z = 0. Their centres are 8/7 apart there: three lie in
+/// the row below the middle, one in the middle row and one above it.
 const IN_TRIANGLE: u64 = 5;
 
-/// Hits of the 49 pixels, on which all builders agree.
+/// The hits among the 49 pixels, which must be the same for all builders.
 fn hits(geometry: &Geometry) -> u64 {
     Precision::ALL.map(|precision| agreed_picture(&camera(), geometry, precision).traced.hits)[0]
 }
 
 #[test]
-fn nothing() {
+fn an_empty_scene() {
     assert_eq!(hits(&Geometry::default()), 0);
     assert_eq!(hits(&mesh([])), 0);
 }
 
 #[test]
-fn one() {
+fn a_single_triangle() {
     assert_eq!(hits(&mesh([triangle(0.0)])), IN_TRIANGLE);
     assert!(hits(&spheres([(Matrix::IDENTITY, 1.0)])) > 0);
 }
 
 #[test]
-fn all_equal() {
+fn equal_triangles() {
     assert_eq!(hits(&mesh([triangle(0.0); 1000])), IN_TRIANGLE);
     assert_eq!(
         hits(&spheres([(Matrix::IDENTITY, 1.0); 100])),
@@ -75,7 +75,7 @@ fn all_equal() {
 }
 
 #[test]
-fn zero_area() {
+fn triangles_without_area() {
     let point = Point::new(0.0, 0.0, 1.0);
     let collinear = [
         Point::new(-1.0, -1.0, 0.0),
@@ -88,7 +88,7 @@ fn zero_area() {
 }
 
 #[test]
-fn non_finite() {
+fn non_finite_vertices() {
     let mut geometry = vec![triangle(0.0)];
     for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         for axis in 0..3 {
@@ -146,7 +146,7 @@ fn non_finite() {
 }
 
 #[test]
-fn the_ends_of_the_range() {
+fn coordinates_at_the_ends_of_the_range() {
     let huge = [
         Point::new(-1e308, -1e308, 1e308),
         Point::new(1e308, -1e308, 1e308),
@@ -158,7 +158,7 @@ fn the_ends_of_the_range() {
     assert!(hits(&spheres(sizes.map(|size| (Matrix::scale([size; 3]), 1.0)))) > 0);
 }
 
-/// Neither recursion nor a stack may overflow.
+/// Checks that neither the recursion nor a stack overflows.
 #[test]
 fn ten_thousand_equal_centroids() {
     let around = (1..=10_000)
@@ -172,9 +172,9 @@ fn ten_thousand_parallel_layers() {
     assert_eq!(hits(&mesh(layers)), IN_TRIANGLE);
 }
 
-/// Sizes that halve again and again lead to the deepest trees of the middle split.
+/// Sizes that halve repeatedly lead to the deepest trees of the middle split.
 #[test]
-fn sizes_that_halve_again_and_again() {
+fn sizes_that_halve_repeatedly() {
     let shrinking = (0..1000).map(|k| {
         triangle(0.0).map(|p| Point::new(p.x * 0.5f64.powi(k), p.y * 0.5f64.powi(k), -p.z))
     });

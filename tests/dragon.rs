@@ -1,4 +1,5 @@
-//! The Stanford dragon against sums computed independently, in `f64` under the rules of `docs/accuracy.md`.
+//! Tests the Stanford dragon against sums that were computed independently, in `f64`, by the rules
+//! of `docs/accuracy.md`.
 
 mod common;
 
@@ -7,7 +8,7 @@ use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::film::ChannelName;
 use std::path::Path;
 
-/// Hit pixels, the sum of `Z` and that of `t`; each value rounded to `f32` before it is added.
+/// The number of hits, the sum of `Z` and that of `t`, with each value rounded to `f32`.
 fn sums(name: &str, method: SplitMethod) -> (u64, f64, f64) {
     let scene = scene(
         &Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -59,7 +60,7 @@ fn from_the_front() {
 }
 
 #[test]
-fn from_nearer_by() {
+fn from_nearby() {
     let (hits, z, t) = sums("dragon-close.pbrt", SplitMethod::Sah);
     assert_eq!(hits, 1_218_314);
     assert_close(z, 3_758_891.294, 0.02);

@@ -1,4 +1,5 @@
-//! Scenes at the limits of arithmetic, against answers that another program computed with rational numbers.
+//! Tests scenes at the limits of arithmetic against hits that another program computed with
+//! rational numbers.
 
 mod common;
 
@@ -9,7 +10,8 @@ use feimos::scene::Scene;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// By x and y: the primitive, from 0, and the bits of Z and t. What is not there is a miss.
+/// Hits by x and y: the primitive, counted from 0, and the bits of Z and t. Missing entries are
+/// misses.
 type Answers = BTreeMap<(u32, u32), [u32; 3]>;
 
 struct HardScene {
@@ -124,7 +126,7 @@ fn every_pixel_is_right_with_every_accelerator_and_number_of_threads() {
     }
 }
 
-/// Crops of odd sizes at odd places hold the pixels of the whole.
+/// Crops of odd sizes at odd places have the pixels of the whole image.
 #[test]
 fn every_pixel_of_a_crop_is_right() {
     for hard in &hard_scenes() {
@@ -177,7 +179,7 @@ struct Errors {
     pixels: usize,
     hit_or_miss: usize,
     primitive: usize,
-    /// Units in the last place, of `Z` and `t` alike.
+    /// Units in the last place, of both `Z` and `t`.
     largest_ulp: u64,
 }
 
@@ -191,7 +193,7 @@ impl Errors {
         {
             match (expected, found) {
                 (Some(expected), Some(found)) if expected[0] == found[0] => {
-                    // Depths are positive: their order is that of their bits.
+                    // Depths are positive, so their bits have the same order.
                     let ulp = |k: usize| u64::from(expected[k].abs_diff(found[k]));
                     self.largest_ulp = self.largest_ulp.max(ulp(1)).max(ulp(2));
                 }
@@ -237,7 +239,7 @@ fn the_table_in_the_docs_is_true() {
     );
 }
 
-/// A pixel that differs: the primitive and the bits of Z and t where it hits.
+/// A pixel that differs: the primitive and the bits of Z and t of its hit.
 #[derive(Debug)]
 struct WrongPixel {
     #[allow(dead_code)] // shown by Debug

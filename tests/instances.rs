@@ -1,6 +1,7 @@
-//! Object instances: the same picture as the same shapes written out, whatever the transforms, and that of the reference.
+//! Tests that object instances give the image of the same shapes written out, and that of the
+//! reference, under any transforms.
 //!
-//! `FEIMOS_CASES=10000 cargo test --release --test instances` runs as many cases of each kind.
+//! `FEIMOS_CASES=10000 cargo test --release --test instances` runs that many cases of each kind.
 
 mod common;
 
@@ -21,7 +22,7 @@ enum Part {
     Round(f64, Form),
 }
 
-/// What a scene file says after `WorldBegin`.
+/// The world of a scene file.
 #[derive(Debug, Clone)]
 enum Item {
     Shape(Part, Matrix),
@@ -100,7 +101,7 @@ impl World {
         geometry
     }
 
-    /// Every instance as shapes of its own, under the product of the transforms.
+    /// The shapes of every instance written out, under the product of the transforms.
     fn written_out(&self) -> Geometry {
         let mut geometry = Geometry::default();
         for (item, number) in self.items.iter().zip(100..) {
@@ -146,7 +147,8 @@ fn camera(eye: Matrix, orthographic: bool, size: u32) -> Camera {
     }
 }
 
-/// All but the channel that only instances have, and the normals, whose side depends on whether the shape or the instance is mirrored.
+/// Drops the channel that only instances have, and the normals, whose side depends on whether the
+/// shape or the instance is mirrored.
 fn without_instance(mut image: Image) -> Image {
     use ChannelName::{Instance, Nx, Ny, Nz};
     image
@@ -180,7 +182,7 @@ fn part() -> impl Strategy<Value = Part> {
     ]
 }
 
-/// Moves by whole numbers, which make ties, mirrors, flattens, turns, shears and scales.
+/// Integer translations, which make ties, and mirrors, projections, rotations, shears and scales.
 fn matrix() -> impl Strategy<Value = Matrix> + Clone {
     let offset = prop::array::uniform3(-3i32..=3)
         .prop_map(|offset| Matrix::translate(offset.map(f64::from)));
@@ -215,7 +217,7 @@ fn world() -> impl Strategy<Value = World> {
         .prop_map(|(objects, items)| World { objects, items })
 }
 
-/// An eye on the grid, turned or not.
+/// An eye on the grid, with or without a rotation.
 fn eye() -> impl Strategy<Value = Matrix> {
     let turned = Transform::rotate(37.0, Vector::new(1.0, 2.0, 3.0)).matrix;
     (
@@ -230,34 +232,49 @@ fn eye() -> impl Strategy<Value = Matrix> {
 proptest! {
     #![proptest_config(cases(150))]
 
-    /// Every accelerator, level and number of threads, and the shapes written out.
+    /// Compares all accelerators, SIMD levels and numbers of threads with the shapes written out.
     #[test]
-    fn instances_are_what_they_stand_for(world in world(), eye in eye(), orthographic in any::<bool>()) {
+    fn instances_equal_shapes_written_out(
+        world in world(),
+        eye in eye(),
+        orthographic in any::<bool>(),
+    ) {
         let camera = camera(eye, orthographic, 17);
         let image = agreed_picture(&camera, &world.instanced(), Precision::Exact).image;
         let options = BuildOptions::new(SplitMethod::Sah);
-        let expected = picture(&camera, &world.written_out(), options, Precision::Exact, 1, whole(&camera)).image;
+        let (written_out, window) = (world.written_out(), whole(&camera));
+        let expected = picture(&camera, &written_out, options, Precision::Exact, 1, window).image;
         assert_same(&without_instance(expected), &without_instance(image), "written out");
     }
 
     #[test]
-    fn fast_answers_do_not_depend_on_the_tree(world in world(), eye in eye(), orthographic in any::<bool>()) {
+    fn fast_hits_do_not_depend_on_the_tree(
+        world in world(),
+        eye in eye(),
+        orthographic in any::<bool>(),
+    ) {
         agreed_picture(&camera(eye, orthographic, 9), &world.instanced(), Precision::Fast);
     }
 
     #[test]
-    fn the_reference_agrees(world in world(), eye in eye(), orthographic in any::<bool>()) {
+    fn the_reference_agrees(
+        world in world(),
+        eye in eye(),
+        orthographic in any::<bool>(),
+    ) {
         let (camera, geometry) = (camera(eye, orthographic, 7), world.instanced());
         for method in [SplitMethod::None, SplitMethod::Sah] {
             let options = BuildOptions { method, max_leaf: 1 };
-            let image = picture(&camera, &geometry, options, Precision::Exact, 1, whole(&camera)).image;
+            let window = whole(&camera);
+            let image = picture(&camera, &geometry, options, Precision::Exact, 1, window).image;
             prop_assert_eq!(rendered(&image), judged(&camera, &geometry));
         }
     }
 
-    /// Numbers that leave the range of f64 on the way to the instance, or nearly, though the product of both does not.
+    /// Numbers leave the range of f64, or nearly, on the way to the instance, although the product
+    /// of both transforms does not.
     #[test]
-    fn sizes_that_cancel_are_what_they_stand_for(
+    fn scales_that_cancel_equal_shapes_written_out(
         world in world(),
         exponents in prop::array::uniform3(-1060i32..1000),
         eye in eye(),
@@ -276,17 +293,18 @@ proptest! {
         let camera = camera(eye, orthographic, 9);
         let image = agreed_picture(&camera, &world.instanced(), Precision::Exact).image;
         let options = BuildOptions::new(SplitMethod::Sah);
-        let expected = picture(&camera, &world.written_out(), options, Precision::Exact, 1, whole(&camera)).image;
+        let (written_out, window) = (world.written_out(), whole(&camera));
+        let expected = picture(&camera, &written_out, options, Precision::Exact, 1, window).image;
         assert_same(&without_instance(expected), &without_instance(image), "written out");
     }
 }
 
-/// 65,792 instances of 65,538 triangles: more than `prim` can count.
+/// 65,792 instances of 65,538 triangles are more than `prim` can count.
 #[test]
-fn too_many_primitives_are_told_by_instance() {
+fn too_many_primitives_are_distinguished_by_instance() {
     let mut object = Geometry::default();
     let transform = object.add_transform(Matrix::IDENTITY);
-    // One behind the other.
+    // The instances lie one behind the other.
     let layer = |z: u32| {
         [(-0.4, -0.4), (0.4, -0.4), (0.0, 0.4)].map(|(x, y)| Point::new(x, y, f64::from(z)))
     };
@@ -340,7 +358,7 @@ fn an_instance_takes_less_than_200_bytes() {
     let object = geometry.add_object(object);
     let count = 100_000;
     for instance in 0..count {
-        // Places that follow no order.
+        // Scattered places.
         let at =
             |prime: u32| f64::from((instance as u32).wrapping_mul(prime)) / f64::from(u32::MAX);
         let turn = Transform::rotate(360.0 * at(0x9e37_79b9), Vector::new(1.0, 2.0, 3.0)).matrix;
@@ -365,7 +383,7 @@ fn an_instance_takes_less_than_200_bytes() {
     }
 }
 
-/// Without the check of the tree, which would look at every primitive of every instance.
+/// Renders without validating the tree, which would visit every primitive of every instance.
 fn picture_of(camera: &Camera, geometry: &Geometry, build: BuildOptions) -> Image {
     let way = common::Way {
         build,

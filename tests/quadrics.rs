@@ -1,4 +1,4 @@
-//! Cylinders and disks, against answers worked out by hand.
+//! Tests cylinders and disks against hits computed by hand.
 
 mod common;
 
@@ -7,11 +7,11 @@ use feimos::accel::Precision;
 use feimos::film::ChannelName;
 use feimos::scene::Scene;
 
-/// Pixels of whole numbers, from -5 to 5, seen along z from z = 0.
+/// Pixels at integer coordinates from -5 to 5, seen along z from z = 0.
 const GRID: &str = "Camera \"orthographic\" \"float screenwindow\" [ -5.5 5.5 -5.5 5.5 ]
     Film \"image\" \"integer xresolution\" 11 \"integer yresolution\" 11\n";
 
-/// The axis of the cylinder goes down, from y = 2 to y = -3, and its angles count from x to z.
+/// The axis of the cylinder points down, from y = 2 to y = -3, and its angles run from x to z.
 const CYLINDER: &str = "Translate 0 0 10 Rotate 90 1 0 0
     Shape \"cylinder\" \"float radius\" 5 \"float zmin\" -2 \"float zmax\" 3";
 
@@ -22,7 +22,7 @@ fn load(text: &str) -> Scene {
     scene(&path)
 }
 
-/// Primitive, Z and t of every pixel, on which all accelerators agree.
+/// Primitive, Z and t of every pixel, which must be the same for all accelerators.
 fn answers(text: &str) -> Vec<Option<(u32, f32, f32)>> {
     let scene = load(text);
     assert!(scene.warnings.is_empty());
@@ -34,7 +34,7 @@ fn answers(text: &str) -> Vec<Option<(u32, f32, f32)>> {
     (0..prim.len()).map(answer).collect()
 }
 
-/// Asserts what is seen at each (x, y) of the grid: Z, or nothing.
+/// Asserts Z at each (x, y) of the grid, or a miss.
 fn assert_grid(text: &str, expected: impl Fn(i32, i32) -> Option<f64>) {
     let found = answers(&format!("{GRID} WorldBegin {text}"));
     for (pixel, k) in found.iter().zip(0..) {
@@ -48,16 +48,17 @@ fn assert_grid(text: &str, expected: impl Fn(i32, i32) -> Option<f64>) {
     }
 }
 
-/// Three, four and five make whole numbers; at 5 the rays are tangents.
+/// Pythagorean triples of 3, 4 and 5 give integers; at 5 the rays are tangents.
 #[test]
 fn a_cylinder_across_the_view() {
     let depth = |x: i32| f64::from(25 - x * x).sqrt();
     let is_there = |y: i32| (-3..=2).contains(&y);
     assert_grid(CYLINDER, |x, y| is_there(y).then(|| 10.0 - depth(x)));
-    // The far half, to which both tangents belong.
+    // The far half, which includes both tangents.
     let half = format!("{CYLINDER} \"float phimax\" 180");
     assert_grid(&half, |x, y| is_there(y).then(|| 10.0 + depth(x)));
-    // The far quarter on the side of x, with both of its ends: the tangent at x = 5 and the line at x = 0.
+    // The far quarter on the side of x, including its ends: the tangent at x = 5 and the line at x
+    // = 0.
     let quarter = format!("{CYLINDER} \"float phimax\" 90");
     assert_grid(&quarter, |x, y| {
         (is_there(y) && x >= 0).then(|| 10.0 + depth(x))
@@ -86,10 +87,11 @@ fn a_cylinder_seen_along_its_axis_is_not_seen() {
     );
 }
 
-/// The surface between two equal ends is a circle, and a disk as wide as its hole is one.
+/// A cylinder with equal ends is a circle, and so is a disk as wide as its hole.
 #[test]
-fn circles_are_seen_where_rays_meet_them() {
-    let circle = "Translate 0 0 10 Rotate 90 1 0 0 Shape \"cylinder\" \"float radius\" 5 \"float zmin\" 1 \"float zmax\" 1";
+fn rays_hit_circles() {
+    let circle = "Translate 0 0 10 Rotate 90 1 0 0 \
+                  Shape \"cylinder\" \"float radius\" 5 \"float zmin\" 1 \"float zmax\" 1";
     assert_grid(circle, |x, y| {
         (y == -1).then(|| 10.0 - f64::from(25 - x * x).sqrt())
     });
@@ -123,19 +125,22 @@ fn disks_facing_the_view() {
     assert_eq!(nothing.geometry.quadric_count(), 2);
 }
 
-/// The columns of the matrix are x, y + z and z: the disk lies in the plane z = y + 5, and rays go along (+-1/2, +-1/2, 1).
+/// The columns of the matrix are x, y + z and z: the disk lies in the plane z = y + 5, and rays
+/// have directions (+-1/2, +-1/2, 1).
 #[test]
 fn a_sheared_disk_in_perspective() {
-    let film = "Camera \"perspective\" \"float fov\" 90 Film \"image\" \"integer xresolution\" 2 \"integer yresolution\" 2";
-    let disk = "WorldBegin Transform [ 1 0 0 0  0 1 1 0  0 0 1 0  0 0 5 1 ] Shape \"disk\" \"float radius\" 4";
+    let film = "Camera \"perspective\" \"float fov\" 90 \
+                Film \"image\" \"integer xresolution\" 2 \"integer yresolution\" 2";
+    let disk = "WorldBegin Transform [ 1 0 0 0  0 1 1 0  0 0 1 0  0 0 5 1 ] \
+                Shape \"disk\" \"float radius\" 4";
     let found = answers(&format!("{film} {disk}"));
     let far = 10.0 / 3.0;
     let (z, t) = (far as f32, (far * 1.5f64.sqrt()) as f32);
-    // Above the middle t is 10, so that x and y are 5: farther from the middle than 4.
+    // Above the middle t is 10, so x and y are 5: farther from the middle than 4.
     assert_eq!(found, [None, None, Some((1, z, t)), Some((1, z, t))]);
 }
 
-/// In one plane: the first in the file wins, whatever it is.
+/// Among coplanar shapes the first in the file wins, whatever its kind.
 #[test]
 fn ties_go_to_the_first_in_the_file() {
     let disk = "Shape \"disk\" \"float radius\" 4";
@@ -145,12 +150,13 @@ fn ties_go_to_the_first_in_the_file() {
     assert_eq!(seen(&format!("{plate} {disk}")), Some((1, 7.0, 7.0)));
     assert_eq!(seen(&format!("{plate} {disk} {disk}")), Some((1, 7.0, 7.0)));
     // A tube that touches the plane along a line, which the middle ray meets.
-    let tube = "AttributeBegin Translate 0 0 2 Rotate 90 1 0 0 Shape \"cylinder\" \"float radius\" 2 AttributeEnd";
+    let tube = "AttributeBegin Translate 0 0 2 Rotate 90 1 0 0 \
+                Shape \"cylinder\" \"float radius\" 2 AttributeEnd";
     assert_eq!(seen(&format!("{tube} {disk}")), Some((1, 7.0, 7.0)));
     assert_eq!(seen(&format!("{disk} {tube}")), Some((1, 7.0, 7.0)));
 }
 
-/// The two pictures are the same, and show something.
+/// Asserts that two scenes give the same image, and that it is not empty.
 #[track_caller]
 fn assert_alike(text: &str, other: &str) {
     let place = "WorldBegin Translate 0 0 10 Rotate 37 1 2 3";
@@ -169,10 +175,10 @@ fn assert_alike(text: &str, other: &str) {
     assert_eq!(found, expected, "{text}, in an instance");
 }
 
-/// pbrt squares the radius. Before it looks at the angle, it mirrors a sphere's point in the
-/// middle, and a cylinder's in the axis.
+/// pbrt squares the radius. Before it computes the angle, it mirrors a sphere's point at the
+/// centre, and a cylinder's at the axis.
 #[test]
-fn a_radius_below_0_is_that_above_it() {
+fn a_negative_radius_equals_a_positive_one() {
     for rest in [
         "",
         "\"float innerradius\" 2",
@@ -195,7 +201,7 @@ fn a_radius_below_0_is_that_above_it() {
 
 /// Both are clamped to a range that ends before it begins.
 #[test]
-fn ends_cut_nothing_from_a_sphere_of_a_radius_below_0() {
+fn ends_do_not_cut_a_sphere_of_negative_radius() {
     let sphere = "WorldBegin Translate 0 0 9 Shape \"sphere\" \"float radius\"";
     let whole = answers(&format!("{GRID} {sphere} 4"));
     for ends in [
@@ -226,8 +232,8 @@ fn ends_cut_nothing_from_a_sphere_of_a_radius_below_0() {
     }
 }
 
-/// The sine of an end above 0 is rounded to 0 somewhere below 1.4e-322 degrees: no number lies
-/// between, so it is as 0.
+/// Below 1.4e-322 degrees the sine of a positive end is rounded to 0. No number lies between, so
+/// the end behaves like 0.
 #[test]
 fn the_least_angles_keep_one_side() {
     for phi_max in ["0", "1e-322", "5e-324", "1e-300", "1e-40", "-0", "-30"] {
@@ -239,7 +245,7 @@ fn the_least_angles_keep_one_side() {
             &format!("Translate 0 0 9 Shape \"disk\" \"float radius\" 5 {cut}"),
             |x, y| (y == 0 && x >= 0).then_some(9.0),
         );
-        // The axis goes down the picture, and the angle 0 is at the side of x.
+        // The axis points down in the image, and the angle 0 is on the side of x.
         let cylinder = format!("{CYLINDER} {cut}");
         assert_grid(&cylinder, |x, y| {
             (x == 5 && (-3..=2).contains(&y)).then_some(10.0)

@@ -1,6 +1,6 @@
-//! Every accelerator against the reference: rays and scenes made to be hard, thousands of them.
+//! Tests every accelerator against the reference, with thousands of hard scenes and rays.
 //!
-//! `FEIMOS_CASES=100000 cargo test --release --test reference` runs as many cases of each kind.
+//! `FEIMOS_CASES=100000 cargo test --release --test reference` runs that many cases of each kind.
 
 mod common;
 
@@ -37,7 +37,7 @@ fn agrees_with_the_reference(camera: &Camera, geometry: &Geometry) -> Result<(),
     Ok(())
 }
 
-/// A camera for pixels of whole numbers: their rays go through the points of an integer grid.
+/// A camera whose rays pass through the points of an integer grid.
 fn grid_camera(world_from_camera: Matrix, projection: Projection, size: u32) -> Camera {
     let half = f64::from(size) / 2.0;
     let screen_window = ScreenWindow {
@@ -71,7 +71,8 @@ fn point(corner: Corner) -> Point {
     Point::from(corner.map(f64::from))
 }
 
-/// A whole sphere, most of the time, what `zmin`, `zmax` and `phimax` leave of one, a cylinder or a disk.
+/// A quadric: mostly a whole sphere, otherwise one cut by `zmin`, `zmax` and `phimax`, a cylinder
+/// or a disk.
 fn form(radius: f64) -> impl Strategy<Value = Form> {
     let z = || prop::sample::select(vec![-1.0, -0.8, -0.6, 0.0, 0.1, 0.6, 1.0]);
     let phi = || {
@@ -82,7 +83,7 @@ fn form(radius: f64) -> impl Strategy<Value = Form> {
     let cut_sphere = (z(), z(), phi()).prop_map(move |(low, high, phi)| {
         Form::Sphere(Cut::new(radius, low * radius, high * radius, phi))
     });
-    // Whole numbers, so that the ends are on the grid.
+    // Integers, so that the ends are on the grid.
     let end = || prop_oneof![-3i32..4, -1i32..2].prop_map(f64::from);
     let cylinder = (end(), end(), phi())
         .prop_map(|(low, high, phi)| Form::Cylinder(Cut::of_cylinder(low, high, phi)));
@@ -108,7 +109,7 @@ impl Ball {
     }
 }
 
-/// Turns by whole quarters, so that axes lie along, across and against the view.
+/// Rotations by quarter turns, so that axes lie along, across and against the view.
 fn quarter_turns() -> impl Strategy<Value = Matrix> {
     let turns = [
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
@@ -165,9 +166,9 @@ fn matrix() -> impl Strategy<Value = Matrix> {
     (one(), one()).prop_map(|(a, b)| a.times(&b))
 }
 
-/// The small ones; the dragon would take the reference hours.
+/// Only the small scenes; the dragon would take the reference hours.
 #[test]
-fn the_scenes_to_try_are_right() {
+fn the_example_scenes_agree() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
     for name in [
         "sphere",
@@ -196,9 +197,9 @@ fn the_scenes_to_try_are_right() {
     }
 }
 
-/// A triangle so close to the eye that in `f32` it is at the eye, in a scene that is not.
+/// A triangle so close to the eye that `f32` places it at the eye, in a scene of normal size.
 #[test]
-fn what_is_too_small_for_f32_beside_the_scene() {
+fn a_triangle_too_small_for_f32_beside_the_scene() {
     for small in [-872, -160, -140, -120, -60] {
         for large in [0, 20] {
             let scaled = |corner: Corner, exponent| {
@@ -233,7 +234,8 @@ fn what_is_too_small_for_f32_beside_the_scene() {
 proptest! {
     #![proptest_config(cases(1500))]
 
-    /// Small whole numbers: ties, shared edges, rays through vertices and in planes appear by themselves.
+    /// Small integers: ties, shared edges, and rays through vertices and in planes appear by
+    /// themselves.
     #[test]
     fn on_integer_grids(
         triangles in prop::collection::vec(prop::array::uniform3(corner(3)), 0..12),
@@ -242,7 +244,8 @@ proptest! {
         projection in projection(),
     ) {
         let mut geometry = Geometry::default();
-        let corners: Vec<[Point; 3]> = triangles.iter().map(|triangle| triangle.map(point)).collect();
+        let corners = triangles.iter().map(|triangle| triangle.map(point));
+        let corners: Vec<[Point; 3]> = corners.collect();
         let (first, second) = corners.split_at(corners.len() / 2);
         add_triangles(&mut geometry, first, &Matrix::IDENTITY, 1);
         balls.iter().zip(2..).for_each(|(ball, shape)| ball.add_to(&mut geometry, shape));
@@ -251,7 +254,7 @@ proptest! {
         agrees_with_the_reference(&camera, &geometry)?;
     }
 
-    /// The same under matrices that round, which leave rays beside what they would hit by a rounding or two.
+    /// The same under matrices that round, so that rays miss or hit by one or two roundings.
     #[test]
     fn under_random_transforms(
         triangles in prop::collection::vec(prop::array::uniform3(corner(2)), 0..8),
@@ -262,24 +265,26 @@ proptest! {
         moves_camera in any::<bool>(),
     ) {
         let mut geometry = Geometry::default();
-        let corners: Vec<[Point; 3]> = triangles.iter().map(|triangle| triangle.map(point)).collect();
+        let corners = triangles.iter().map(|triangle| triangle.map(point));
+        let corners: Vec<[Point; 3]> = corners.collect();
         add_triangles(&mut geometry, &corners, &world_from_object, 1);
         for (ball, shape) in balls.iter().zip(2..) {
             let world_from_object = world_from_object.times(&ball.world_from_object);
             Ball { world_from_object, ..ball.clone() }.add_to(&mut geometry, shape);
         }
-        // The camera in the same space sees what the grid shows, but for the roundings.
+        // Up to roundings, the camera in the same space sees the grid.
         let eye = Matrix::translate(eye.map(f64::from));
         let world_from_camera = if moves_camera { world_from_object.times(&eye) } else { eye };
         agrees_with_the_reference(&grid_camera(world_from_camera, projection, 5), &geometry)?;
     }
 
-    /// Every shape, and the camera, in units of its own, from 1e-300 to 1e300, and beyond either end.
+    /// Every shape and the camera have their own units, from 1e-300 to 1e300, and beyond either
+    /// end.
     #[test]
     fn at_any_scale(
         triangles in prop::collection::vec((prop::array::uniform3(corner(3)), 0usize..3), 0..6),
         balls in prop::collection::vec((grid_ball(), 0usize..3), 0..3),
-        // Most often where rays travel together, and about the ends of that.
+        // Mostly scales that the rasterizer can handle, and those around its limits.
         base in prop_oneof![-1040i32..1010, -50i32..50, -50i32..50],
         offsets in prop::array::uniform3(-1.0f64..1.0),
         spread in prop::sample::select(vec![0.0, 0.0, 20.0, 100.0, 200.0, 2000.0]),
@@ -292,46 +297,55 @@ proptest! {
         let exponent = |k: usize| (base + (offsets[k] * spread) as i32).clamp(-1040, 1010);
         let mut geometry = Geometry::default();
         for (triangle, unit) in &triangles {
-            let corners = triangle.map(|corner| Point::from(corner.map(|x| times_power_of_two(f64::from(x), exponent(*unit)))));
+            let scaled = |x: i32| times_power_of_two(f64::from(x), exponent(*unit));
+            let corners = triangle.map(|corner| Point::from(corner.map(scaled)));
             add_triangles(&mut geometry, &[corners], &Matrix::IDENTITY, 1);
         }
         for ((ball, unit), shape) in balls.iter().zip(2..) {
-            // A size of its own for each axis, where that was drawn.
+            // Optionally another scale for each axis.
             let size = |k: usize| times_power_of_two(1.0, exponent(if uneven { k } else { *unit }));
-            let world_from_object = Matrix::scale([size(0), size(1), size(2)]).times(&ball.world_from_object);
+            let scale = Matrix::scale([size(0), size(1), size(2)]);
+            let world_from_object = scale.times(&ball.world_from_object);
             Ball { world_from_object, ..ball.clone() }.add_to(&mut geometry, shape);
         }
         let size = times_power_of_two(1.0, exponent(0));
-        let directions = times_power_of_two(1.0, (exponent(0) + camera_exponent).clamp(-1040, 1010));
+        let camera_exponent = (exponent(0) + camera_exponent).clamp(-1040, 1010);
+        let directions = times_power_of_two(1.0, camera_exponent);
         let scale = Matrix::scale([directions; 3]);
         let mut world_from_camera = scale;
         for k in 0..3 {
             world_from_camera.rows[k][3] = f64::from(eye[k]) * size;
         }
         if projection == Projection::Orthographic && distance > 0 {
-            // From so far away that no f32 can hold the distance.
-            world_from_camera.rows[2][3] = -times_power_of_two(1.0, (exponent(0) + distance).min(1010));
+            // So far away that the distance exceeds f32.
+            let distance = (exponent(0) + distance).min(1010);
+            world_from_camera.rows[2][3] = -times_power_of_two(1.0, distance);
         }
         agrees_with_the_reference(&grid_camera(world_from_camera, projection, 5), &geometry)?;
     }
 
-    /// Slivers, needles and planes seen edge-on, near the eye and far away from the origin.
+    /// Slivers, needles and planes seen edge-on, near the eye and far from the origin.
     #[test]
     fn slivers_and_offsets(
-        corners in prop::collection::vec((prop::array::uniform3(corner(3)), -60i32..0, corner(2)), 1..8),
-        offset in prop::array::uniform3(prop::sample::select(vec![0.0, 0.1, 4.2e5, -5.4e6, 1e8, 1e15])),
+        corners in prop::collection::vec(
+            (prop::array::uniform3(corner(3)), -60i32..0, corner(2)),
+            1..8,
+        ),
+        offset in prop::array::uniform3(
+            prop::sample::select(vec![0.0, 0.1, 4.2e5, -5.4e6, 1e8, 1e15])),
         eye in corner(3),
         projection in projection(),
     ) {
         let sliver = |(triangle, thinness, off): &([Corner; 3], i32, Corner)| {
             let [a, b, _] = triangle.map(point);
-            // The third corner lies beside the middle of the first two, by very little.
+            // The third corner almost lies on the edge between the first two.
             let middle = |k: usize| 0.5 * (a[k] + b[k]) + f64::from(off[k]) * 2f64.powi(*thinness);
             [a, b, Point::new(middle(0), middle(1), middle(2))]
         };
         let mut geometry = Geometry::default();
         let slivers: Vec<[Point; 3]> = corners.iter().map(sliver).collect();
-        let whole: Vec<[Point; 3]> = corners.iter().map(|(triangle, ..)| triangle.map(point)).collect();
+        let whole = corners.iter().map(|(triangle, ..)| triangle.map(point));
+        let whole: Vec<[Point; 3]> = whole.collect();
         add_triangles(&mut geometry, &slivers, &Matrix::translate(offset), 1);
         add_triangles(&mut geometry, &whole, &Matrix::translate(offset), 2);
         let eye = Matrix::translate(offset).times(&Matrix::translate(eye.map(f64::from)));

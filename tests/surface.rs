@@ -1,4 +1,4 @@
-//! What surfaces are like where they are hit: the channels `N`, `P`, `u` and `v`.
+//! Tests the channels that describe surfaces: `N`, `P`, `u` and `v`.
 
 mod common;
 
@@ -18,7 +18,7 @@ const SURFACE: LoadOptions = LoadOptions {
     input_budget: BudgetFactor::ONCE,
 };
 
-/// The scene of a text, as far as the picture depends on it.
+/// Loads the scene of a text.
 fn scene_of(text: &str) -> Scene {
     scene_with(text, &SURFACE)
 }
@@ -41,7 +41,7 @@ fn image_of(scene: &Scene) -> Image {
     .image
 }
 
-/// The world before an eye at the origin that looks along z.
+/// A world in front of an eye at the origin that looks along z.
 fn seen(world: &str) -> Scene {
     seen_by("perspective\" \"float fov\" 90", world)
 }
@@ -70,18 +70,26 @@ fn hits(image: &Image) -> Vec<usize> {
         .collect()
 }
 
-/// Every kind of shape, cut, mirrored, turned round and instanced; a sliver, and a triangle that lies nearly in the rays.
+/// Every kind of shape, cut, mirrored, reversed and instanced; a sliver, and a triangle almost
+/// parallel to the rays.
 const ALL_SHAPES: &str = "
-    AttributeBegin Translate -2 1.5 6 Rotate 50 1 2 3 Shape \"sphere\" \"float zmax\" 0.6 \"float phimax\" 250 AttributeEnd
-    AttributeBegin Translate 1 -1 5 Scale 1.5 0.5 -0.7 ReverseOrientation Shape \"sphere\" AttributeEnd
-    AttributeBegin Translate 2 2 6 Rotate 60 1 0 0 Shape \"cylinder\" \"float phimax\" 300 AttributeEnd
-    AttributeBegin Translate -2 -2 5 Rotate 30 1 1 0 Shape \"disk\" \"float innerradius\" 0.3 AttributeEnd
-    Shape \"trianglemesh\" \"point3 P\" [ -9 -9 12  9 -9 12  9 9 12  -9 9 11 ] \"integer indices\" [ 0 1 2 0 2 3 ]
+    AttributeBegin Translate -2 1.5 6 Rotate 50 1 2 3
+        Shape \"sphere\" \"float zmax\" 0.6 \"float phimax\" 250 AttributeEnd
+    AttributeBegin Translate 1 -1 5 Scale 1.5 0.5 -0.7 ReverseOrientation
+        Shape \"sphere\" AttributeEnd
+    AttributeBegin Translate 2 2 6 Rotate 60 1 0 0
+        Shape \"cylinder\" \"float phimax\" 300 AttributeEnd
+    AttributeBegin Translate -2 -2 5 Rotate 30 1 1 0
+        Shape \"disk\" \"float innerradius\" 0.3 AttributeEnd
+    Shape \"trianglemesh\" \"point3 P\" [ -9 -9 12  9 -9 12  9 9 12  -9 9 11 ]
+        \"integer indices\" [ 0 1 2 0 2 3 ]
         \"point2 uv\" [ 0 0  1.5 0  1.5 -1  0 -1 ]
-    Shape \"trianglemesh\" \"point3 P\" [ -3 0 4  3 0.000001 4  3 0 4  -1 -0.3 1  1 -0.3 1  0 -0.3000001 9 ] \"integer indices\" [ 0 1 2 3 4 5 ]
+    Shape \"trianglemesh\" \"point3 P\" [ -3 0 4  3 0.000001 4  3 0 4
+        -1 -0.3 1  1 -0.3 1  0 -0.3000001 9 ] \"integer indices\" [ 0 1 2 3 4 5 ]
     ObjectBegin \"pair\"
         Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0  1 1 0 ]
-        AttributeBegin Scale -0.4 0.4 0.4 Shape \"sphere\" Shape \"disk\" \"float height\" 2 AttributeEnd
+        AttributeBegin Scale -0.4 0.4 0.4
+            Shape \"sphere\" Shape \"disk\" \"float height\" 2 AttributeEnd
     ObjectEnd
     AttributeBegin Translate 0.5 0.5 4 Rotate 20 0 1 0 ObjectInstance \"pair\" AttributeEnd
     AttributeBegin Translate -1 -1 4 Scale 0.5 0.5 -0.5 ObjectInstance \"pair\" AttributeEnd";
@@ -92,7 +100,7 @@ fn both_cameras() -> [Scene; 2] {
 }
 
 #[test]
-fn surfaces_depend_on_no_way_of_computing() {
+fn surfaces_do_not_depend_on_the_way_of_rendering() {
     for scene in both_cameras() {
         for precision in Precision::ALL {
             let image = agreed_picture(&scene.camera, &scene.geometry, precision).image;
@@ -150,8 +158,7 @@ fn crops_are_parts_of_the_whole() {
                         row.iter()
                             .zip(of_whole)
                             .all(|(a, b)| a.to_bits() == b.to_bits()),
-                        "{}",
-                        name.as_str()
+                        "{name}"
                     );
                 }
             }
@@ -173,7 +180,7 @@ fn misses_are_0() {
 }
 
 #[test]
-fn points_are_where_the_depth_says() {
+fn points_agree_with_depths() {
     for Scene {
         camera, geometry, ..
     } in both_cameras()
@@ -207,7 +214,7 @@ fn points_are_where_the_depth_says() {
 }
 
 #[test]
-fn spheres_have_the_normals_of_spheres() {
+fn normals_of_spheres_point_along_the_radius() {
     let (centre, radius) = ([0.5, -0.25, 3.0], 1.5);
     for camera in ["perspective", "orthographic"] {
         let image = image_of(&seen_by(
@@ -228,7 +235,7 @@ fn spheres_have_the_normals_of_spheres() {
     }
 }
 
-/// The z of the normal in the middle of the picture, which is 1 or -1.
+/// Asserts the z of the normal in the middle of the image, 1 or -1.
 #[track_caller]
 fn assert_normal(world: &str, expected: f64) {
     let image = image_of(&seen(world));
@@ -243,7 +250,7 @@ const TRIANGLE: &str = "Shape \"trianglemesh\" \"point3 P\" [ -1 -1 2  1 -1 2  0
 const SPHERE: &str = "Translate 0 0 3 Shape \"sphere\"";
 
 #[test]
-fn triangles_show_the_side_of_their_corners_whatever_mirrors_them() {
+fn normals_of_triangles_follow_their_corners_in_mirrors() {
     assert_normal(TRIANGLE, 1.0);
     assert_normal(
         &TRIANGLE.replace("-1 -1 2  1 -1 2", "1 -1 2  -1 -1 2"),
@@ -258,7 +265,8 @@ fn triangles_show_the_side_of_their_corners_whatever_mirrors_them() {
     assert_normal(&format!("Rotate 180 0 1 0 {turned}"), -1.0);
     let bilinear = "Shape \"bilinearmesh\" \"point3 P\" [ -1 -1 2  1 -1 2  -1 1 2  1 1 2 ]";
     assert_normal(bilinear, 1.0);
-    let subdivided = "Shape \"loopsubdiv\" \"integer indices\" [ 0 1 2 ] \"integer levels\" 3 \"point3 P\" [ -4 -4 2  4 -4 2  0 4 2 ]";
+    let subdivided = "Shape \"loopsubdiv\" \"integer indices\" [ 0 1 2 ] \"integer levels\" 3 \
+                      \"point3 P\" [ -4 -4 2  4 -4 2  0 4 2 ]";
     // pbrt's vertex normals of a subdivision surface point against the right hand of its faces, and
     // the faces follow them.
     assert_normal(subdivided, -1.0);
@@ -271,7 +279,7 @@ fn triangles_show_the_side_of_their_corners_whatever_mirrors_them() {
 }
 
 #[test]
-fn spheres_look_outwards_unless_they_are_mirrored() {
+fn normals_of_spheres_point_outwards_except_in_mirrors() {
     assert_normal(SPHERE, -1.0);
     assert_normal(&format!("ReverseOrientation {SPHERE}"), 1.0);
     assert_normal(&format!("Scale -1 1 1 {SPHERE}"), 1.0);
@@ -284,14 +292,15 @@ fn spheres_look_outwards_unless_they_are_mirrored() {
     let disk = "Shape \"disk\" \"float height\" 2";
     assert_normal(disk, 1.0);
     assert_normal(&format!("ReverseOrientation {disk}"), -1.0);
-    // Its z axis points to the eye, and it is turned round.
+    // Its z axis points to the eye, and its orientation is reversed.
     assert_normal("Scale 1 1 -1 Shape \"disk\" \"float height\" -2", 1.0);
     assert_normal("Rotate 180 1 0 0 Shape \"disk\" \"float height\" -2", -1.0);
 }
 
-/// pbrt's dp/du x dp/dv changes sides with the radius, but for a sphere, whose is no normal then.
+/// pbrt's dp/du x dp/dv changes its side with the sign of the radius, except for a sphere, for
+/// which it is then no normal.
 #[test]
-fn a_radius_below_0_turns_what_is_not_a_sphere() {
+fn a_negative_radius_reverses_normals_except_for_spheres() {
     let negative = "\"float radius\" -1";
     assert_normal(&format!("{SPHERE} {negative}"), -1.0);
     let cylinder = format!("Translate 0 0 3 Rotate 90 1 0 0 Shape \"cylinder\" {negative}");
@@ -302,10 +311,9 @@ fn a_radius_below_0_turns_what_is_not_a_sphere() {
     assert_normal(&format!("ReverseOrientation {disk}"), 1.0);
 }
 
-/// Both radii of a disk count for v with the signs they are given, as (r - distance) / (r -
-/// innerradius).
+/// Both radii of a disk enter v with their signs: (r - distance) / (r - innerradius).
 #[test]
-fn signs_count_for_v_of_a_disk() {
+fn v_of_a_disk_depends_on_signs() {
     let corner = 0.5f64.hypot(0.5);
     for (radius, inner) in [
         (1.0, 0.5),
@@ -331,10 +339,11 @@ fn signs_count_for_v_of_a_disk() {
 }
 
 #[test]
-fn instances_show_the_side_of_their_object() {
+fn normals_of_instances_follow_their_object() {
     let instance = |object: &str, place: &str| {
         format!(
-            "ObjectBegin \"a\" {object} ObjectEnd AttributeBegin {place} ObjectInstance \"a\" AttributeEnd"
+            "ObjectBegin \"a\" {object} ObjectEnd \
+             AttributeBegin {place} ObjectInstance \"a\" AttributeEnd"
         )
     };
     for place in [
@@ -386,9 +395,10 @@ fn orientation_is_reversed_within_its_block_and_in_the_world() {
 }
 
 #[test]
-fn instances_are_like_what_they_stand_for() {
+fn surfaces_of_instances_equal_those_written_out() {
     let object = format!(
-        "{TRIANGLE} AttributeBegin Scale -1 1 2 Translate 0.2 0.1 0 {SPHERE} AttributeEnd ReverseOrientation Shape \"disk\""
+        "{TRIANGLE} AttributeBegin Scale -1 1 2 Translate 0.2 0.1 0 {SPHERE} AttributeEnd \
+         ReverseOrientation Shape \"disk\""
     );
     let place = "Translate 0.3 0.2 2 Rotate 33 1 2 3 Scale 0.9 1.1 1.3";
     let instanced = format!("ObjectBegin \"a\" {object} ObjectEnd {place} ObjectInstance \"a\"");
@@ -403,12 +413,12 @@ fn instances_are_like_what_they_stand_for() {
     assert_same(&written, &instanced, "written out");
 }
 
-/// A square of two triangles with coordinates that differ from corner to corner.
+/// A square of two triangles with different coordinates at each corner.
 const P: &str = "-1 -1 2  1 -1 2  1 1 2  -1 1 2";
 const UV: &str = "0 0.25  1 0.5  2 -3  -0.125 1";
 
 #[test]
-fn a_mesh_has_the_same_coordinates_in_all_forms() {
+fn a_mesh_has_the_same_coordinates_in_every_format() {
     let folder = tempfile::tempdir().unwrap();
     let (p, uv): (Vec<f32>, Vec<f32>) = {
         let numbers = |text: &str| {
@@ -429,8 +439,9 @@ fn a_mesh_has_the_same_coordinates_in_all_forms() {
     };
     let header = |encoding: &str| {
         format!(
-            "ply\nformat {encoding} 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nproperty float s\n\
-             property float t\nelement face 1\nproperty list uchar uchar vertex_indices\nend_header\n"
+            "ply\nformat {encoding} 1.0\nelement vertex 4\nproperty float x\nproperty float y\n\
+             property float z\nproperty float s\nproperty float t\nelement face 1\n\
+             property list uchar uchar vertex_indices\nend_header\n"
         )
     };
     let lines: String = (0..4)
@@ -505,7 +516,7 @@ fn a_mesh_has_the_same_coordinates_in_all_forms() {
             "{world}"
         );
     }
-    // In the middle of the edge between both.
+    // The middle of the edge between both triangles.
     assert_eq!(
         [ChannelName::U, ChannelName::V].map(|name| measures(&expected, name)[CENTRE]),
         [1.0, -1.375]
@@ -516,8 +527,9 @@ fn a_mesh_has_the_same_coordinates_in_all_forms() {
 }
 
 #[test]
-fn what_nobody_asks_for_is_not_kept() {
-    let mirrored = "WorldBegin Scale -1 1 1 ReverseOrientation Shape \"sphere\" ReverseOrientation Shape \"disk\"";
+fn attributes_that_are_not_requested_are_not_kept() {
+    let mirrored = "WorldBegin Scale -1 1 1 ReverseOrientation Shape \"sphere\" \
+                    ReverseOrientation Shape \"disk\"";
     let bytes = |text: &str, options: &LoadOptions| scene_with(text, options).geometry.bytes();
     let arrays = format!(
         "WorldBegin Shape \"trianglemesh\" \"point3 P\" [ {P} ] \"integer indices\" [ 0 1 2 0 2 3 ]"
@@ -531,8 +543,8 @@ fn what_nobody_asks_for_is_not_kept() {
 }
 
 #[test]
-fn meshes_without_coordinates_have_those_of_pbrt() {
-    // The corners are seen through the middles of pixels, at 0.8 times the half width.
+fn meshes_without_coordinates_get_those_of_pbrt() {
+    // The corners project to the centres of pixels, at 0.8 times the half width.
     let image = image_of(&seen(
         "Shape \"trianglemesh\" \"point3 P\" [ -10 -10 10.25  10 -10 10.25  10 10 10.25 ]",
     ));
@@ -544,7 +556,8 @@ fn meshes_without_coordinates_have_those_of_pbrt() {
         [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.5, 0.5], [0.75, 0.25]]
     );
     let patch = image_of(&seen(
-        "Shape \"bilinearmesh\" \"point3 P\" [ -10 -10 10.25  10 -10 10.25  -10 10 10.25  10 10 10.25 ]",
+        "Shape \"bilinearmesh\" \"point3 P\" [ -10 -10 10.25  10 -10 10.25 \
+         -10 10 10.25  10 10 10.25 ]",
     ));
     for (x, y) in [(0, 0), (10, 30), (30, 10), (40, 40), (0, 40)] {
         let found =
@@ -554,7 +567,7 @@ fn meshes_without_coordinates_have_those_of_pbrt() {
 }
 
 #[test]
-fn coordinates_in_the_wrong_number_are_a_warning() {
+fn a_wrong_number_of_coordinates_is_a_warning() {
     for (uv, found) in [
         (
             "point2 uv\" [ 0 0 1 0 ]",

@@ -1,5 +1,5 @@
-//! Surfaces that coincide: the first in the file wins everywhere, and no ray needs integers to
-//! know.
+//! Tests coincident surfaces: the first in the file wins everywhere, without exact arithmetic for
+//! each ray.
 
 mod common;
 
@@ -25,13 +25,13 @@ fn scene(world: &str) -> Scene {
     .unwrap()
 }
 
-/// `count` times what `shape` says of each number.
+/// Concatenates `shape` for the numbers below `count`.
 fn many(count: u32, shape: impl Fn(u32) -> String) -> String {
     (0..count).map(|k| shape(k) + " ").collect()
 }
 
-/// Renders, in tiles and with rays alone, and asserts that the answers are those of the reference
-/// and that no two hits were compared by integers.
+/// Renders in tiles and with single rays. Asserts that the hits are those of the reference, and
+/// that no two hits were compared exactly.
 #[track_caller]
 fn assert_decided_once(world: &str) {
     let Scene {
@@ -71,7 +71,7 @@ fn assert_decided_once(world: &str) {
 const TURN: &str = "Rotate 33 1 2 3";
 
 #[test]
-fn surfaces_in_one_place_are_compared_once() {
+fn coincident_surfaces_are_compared_once() {
     assert_decided_once(&format!(
         "{TURN} {}",
         many(20, |k| format!(
@@ -115,7 +115,7 @@ fn surfaces_in_one_place_are_compared_once() {
 }
 
 #[test]
-fn triangles_in_one_plane_are_compared_once() {
+fn coplanar_triangles_are_compared_once() {
     let triangle = |k: u32, z: &dyn Fn(f64, f64) -> f64| {
         let [a, b, c] = [k * 7 % 11, k * 5 % 13, k * 3 % 7].map(f64::from);
         let corner = |x: f64, y: f64| format!("{x} {y} {} ", z(x, y));
@@ -125,10 +125,10 @@ fn triangles_in_one_plane_are_compared_once() {
         format!("Shape \"trianglemesh\" \"point3 P\" [ {corners} ] ")
     };
     assert_decided_once(&many(20, |k| triangle(k, &|_, _| 0.25)));
-    // Exact in an f64, and in no plane across an axis.
+    // Exact in f64, and not in a plane across an axis.
     let tilted = many(20, |k| triangle(k, &|x, y| 0.5 * x + 0.25 * y));
     assert_decided_once(&tilted);
-    // No plane, but one triangle again and again.
+    // The same triangle many times.
     assert_decided_once(&format!(
         "{TURN} {}",
         many(20, |_| triangle(3, &|_, _| 0.25))
@@ -142,13 +142,14 @@ fn triangles_in_one_plane_are_compared_once() {
     // A disk in the plane of triangles.
     let level = many(20, |k| triangle(k, &|_, _| 0.25));
     assert_decided_once(&format!(
-        "Shape \"disk\" \"float height\" 0.25 {level} Shape \"disk\" \"float radius\" 2 \"float height\" 0.25"
+        "Shape \"disk\" \"float height\" 0.25 {level} \
+         Shape \"disk\" \"float radius\" 2 \"float height\" 0.25"
     ));
 }
 
-/// Nearly in one plane is not in one.
+/// Almost coplanar shapes are not coplanar.
 #[test]
-fn what_is_off_by_a_rounding_is_told_apart() {
+fn shapes_that_differ_by_a_rounding_are_distinguished() {
     let z = 0.25f64;
     let plate = |z: [f64; 3]| {
         let [a, b, c] = z;
@@ -193,8 +194,8 @@ fn piece() -> impl Strategy<Value = Piece> {
     ]
 }
 
-/// Triangles and disks in one plane, spheres and cylinders around one middle, some of them in
-/// instances: with few sizes to choose from, so that many are the same.
+/// Coplanar triangles and disks, concentric spheres and cylinders, some of them in instances. There
+/// are few sizes, so many are equal.
 fn shapes_of(pieces: &[(Piece, bool)], place: &Matrix, level: i32) -> Geometry {
     let (mut geometry, mut object) = (Geometry::default(), Geometry::default());
     let transforms = [
@@ -244,7 +245,7 @@ proptest! {
     #![proptest_config(cases(150))]
 
     #[test]
-    fn coincident_pieces_are_right(
+    fn coincident_shapes_agree_with_the_reference(
         pieces in prop::collection::vec((piece(), any::<bool>()), 1..14),
         level in -1i32..2,
         angle in prop::sample::select(vec![0.0, 90.0, 37.0]),
@@ -253,14 +254,20 @@ proptest! {
     ) {
         let turn = Transform::rotate(angle, Vector::new(1.0, 2.0, 2.0)).matrix;
         let geometry = shapes_of(&pieces, &turn, level);
-        let projection = if is_perspective { Projection::Perspective { tangent: 0.5 } } else { Projection::Orthographic };
+        let projection = match is_perspective {
+            true => Projection::Perspective { tangent: 0.5 },
+            false => Projection::Orthographic,
+        };
         let screen_window = ScreenWindow { x0: -3.5, x1: 3.5, y0: -3.5, y1: 3.5 };
         let eye = Matrix::translate([f64::from(eye[0]), f64::from(eye[1]), -6.0]);
         for world_from_camera in [eye, turn.times(&eye)] {
-            let camera = Camera { world_from_camera, projection, screen_window, resolution: [7, 7] };
+            let resolution = [7, 7];
+            let camera = Camera { world_from_camera, projection, screen_window, resolution };
             let expected = judged(&camera, &geometry);
-            for (method, max_leaf) in [(SplitMethod::None, 16), (SplitMethod::Sah, 1), (SplitMethod::Hlbvh, 4)] {
-                let image = picture(&camera, &geometry, BuildOptions { method, max_leaf }, Precision::Exact, 2, whole(&camera)).image;
+            let builds = [(SplitMethod::None, 16), (SplitMethod::Sah, 1), (SplitMethod::Hlbvh, 4)];
+            for (method, max_leaf) in builds {
+                let (options, window) = (BuildOptions { method, max_leaf }, whole(&camera));
+                let image = picture(&camera, &geometry, options, Precision::Exact, 2, window).image;
                 prop_assert_eq!(&rendered(&image), &expected, "{}", method);
             }
         }

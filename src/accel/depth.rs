@@ -1,7 +1,7 @@
 //! Depths and distances of hits, each rounded once.
 
 use super::Precision;
-use super::hit::Hit;
+use super::hit::{ExactFallbacks, Hit};
 use crate::exact::{Bracket, Dyadic, ExactVector, exponent_of, nearest_f32, power_of_two};
 use crate::geometry::{Ray, Vector};
 use crate::shape::Geometry;
@@ -16,29 +16,27 @@ pub struct Depth {
 }
 
 impl Depth {
-    /// The depth of the `hit` of `ray` in `geometry`, and how many of its two numbers needed exact
-    /// arithmetic to be rounded.
+    /// The depth of the `hit` of `ray` in `geometry`. Counts exact roundings in `fallbacks`.
     pub(super) fn of(
         hit: &Hit,
         ray: &Ray,
         geometry: &Geometry,
         precision: Precision,
-    ) -> (Depth, u64) {
+        fallbacks: &mut ExactFallbacks,
+    ) -> Depth {
         let length = length(ray.direction);
         if precision == Precision::Fast {
             let (z, distance) = (hit.t.low as f32, (hit.t.low * length) as f32);
-            return (Depth { z, distance }, 0);
+            return Depth { z, distance };
         }
         let bracket = hit.t.times(&length_bracket(length));
-        match (hit.t.nearest_f32(), bracket.nearest_f32()) {
-            (Some(z), Some(distance)) => (Depth { z, distance }, 0),
-            (z, distance) => {
-                let roundings = u64::from(z.is_none()) + u64::from(distance.is_none());
-                let known = (z, distance);
-                let depth = Depth::rounded_exactly(hit, ray, geometry, known, &bracket);
-                (depth, roundings)
-            }
+        let known = (hit.t.nearest_f32(), bracket.nearest_f32());
+        if let (Some(z), Some(distance)) = known {
+            return Depth { z, distance };
         }
+        fallbacks.roundings += u64::from(known.0.is_none()) + u64::from(known.1.is_none());
+        fallbacks.rays += u64::from(!hit.is_hard);
+        Depth::rounded_exactly(hit, ray, geometry, known, &bracket)
     }
 
     /// Rounds the numbers that are not `known` by exact comparisons.

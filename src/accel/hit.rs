@@ -49,6 +49,13 @@ impl ExactFallbacks {
         }
     }
 
+    /// Adds the fallbacks of one ray.
+    pub(super) fn add_ray(&mut self, of_ray: ExactFallbacks) {
+        if of_ray.is_any() {
+            *self += ExactFallbacks { rays: 1, ..of_ray };
+        }
+    }
+
     /// Tests whether there was any fallback.
     pub(super) fn is_any(&self) -> bool {
         self.unsure_tests + self.comparisons + self.roundings > 0

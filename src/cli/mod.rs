@@ -1,88 +1,114 @@
-//! The command line: what people type, what it means, and what they get to read.
+//! The command line: parses it, runs a command, and reports the error that ended it.
 
-mod args;
-mod batch;
 mod bench;
 mod check;
-#[cfg(unix)]
-mod closed_stdout;
-mod columns;
 mod compare;
-mod completions;
-mod counted;
-mod failures;
-mod inputs;
-mod job;
-mod loaded_scene;
-mod man;
-mod manifest;
+mod files;
+mod manual;
 mod merge;
-mod new_folders;
-mod open_folders;
-#[cfg(unix)]
-mod out_of_memory;
-mod output_name;
-mod outputs;
-mod panics;
-mod picture;
+mod options;
 mod pixel;
-mod place;
-mod plan;
-mod progress_bar;
-mod record;
-mod reporter;
-mod result_files;
-mod scene_files;
-#[cfg(unix)]
-mod signals;
-mod stdout;
-mod summary;
+mod process;
+mod render;
 mod terminal;
-mod thread_pool;
-mod timing;
 mod usage;
-mod version;
 
-use args::{Command, TalkArgs};
+use clap::{CommandFactory, Parser, Subcommand};
 use feimos::error::Result;
-use reporter::Reporter;
+use manual::completions::{CompletionsArgs, completions};
+use manual::man::{ManArgs, man};
+use manual::version::long_version;
+use options::messages::MessageArgs;
+use process::panics;
+#[cfg(unix)]
+use process::signals;
 use std::process::ExitCode;
+use terminal::reporter::Reporter;
 
-/// The exit code of warnings under `--strict`.
-const WARNED: u8 = 1;
+/// Hit and depth images of PBRT scenes.
+#[derive(Debug, Parser)]
+#[command(name = "feimos", version, max_term_width = 100)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
 
-/// Runs the command that was typed and returns the exit code for it.
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Render scenes to images.
+    ///
+    /// A scene is a .pbrt file, `-` for standard input, or a bare .ply or .obj mesh, which is
+    /// framed automatically.
+    Render(Box<render::RenderArgs>),
+    /// Check scenes without rendering them: list their content and their mistakes.
+    ///
+    /// Reads everything that rendering needs, and prints the camera, the film, shapes, bounds and
+    /// directives. Casts no ray and builds no tree.
+    Check(check::CheckArgs),
+    /// Measure speed against error: how fast accelerators are built and traced, and how many
+    /// answers are wrong.
+    ///
+    /// Builds every accelerator and traces the whole image with every kernel, in turn, round after
+    /// round, so that other load on the machine affects all of them alike. Compares the answers
+    /// with exact arithmetic on all primitives.
+    Bench(bench::BenchArgs),
+    /// Compare two images: hits, primitives, and depths in units in the last place.
+    ///
+    /// A is the expected image, B the image to test. Reads EXR files with any of feimos's channels,
+    /// NPY and PFM files, and PNG files of 16-bit depths. Two misses are equal, whatever their
+    /// depths. Exits with code 1 if more pixels differ than allowed.
+    Compare(compare::CompareArgs),
+    /// Explain one pixel: its ray, what it hits, where that is in the scene file, and how close it
+    /// was.
+    ///
+    /// Prints the answer of each precision, the cost with each accelerator, and the result of exact
+    /// arithmetic on every primitive.
+    Pixel(pixel::PixelArgs),
+    /// Merge crops of one film: into the file that one process would have written, byte for byte.
+    ///
+    /// The data window of each crop gives its position. Missing pixels are an error, and so are
+    /// crops that differ where they overlap or that come from other films, scenes or options.
+    Merge(merge::MergeArgs),
+    /// Print a completion script for a shell.
+    Completions(CompletionsArgs),
+    /// Write the manual: a page for feimos and one for each command.
+    Man(ManArgs),
+}
+
+/// Runs the command that the user typed and returns its exit code.
 pub(crate) fn run() -> ExitCode {
-    let cli = match usage::parse() {
+    let cli: Cli = match usage::parse(Cli::command().long_version(long_version())) {
         Ok(cli) => cli,
         Err(code) => return code.into(),
     };
     match cli.command {
-        Command::Render(args) => report(&args.talk, |reporter| batch::render(&args, reporter)),
-        Command::Check(args) => report(&args.talk, |reporter| check::check(&args, reporter)),
-        Command::Compare(args) => report(&args.talk, |reporter| compare::compare(&args, reporter)),
-        Command::Bench(args) => report(&args.talk, |reporter| bench::bench(&args, reporter)),
-        Command::Merge(args) => report(&args.talk, |reporter| merge::merge(&args, reporter)),
-        Command::Pixel(args) => report(&args.talk, |reporter| pixel::pixel(&args, reporter)),
-        Command::Completions(args) => {
-            conclude(&Reporter::silent(), |_| completions::completions(&args))
+        Command::Render(args) => report(&args.messages, |reporter| render::render(&args, reporter)),
+        Command::Check(args) => report(&args.messages, |reporter| check::check(&args, reporter)),
+        Command::Compare(args) => {
+            report(&args.messages, |reporter| compare::compare(&args, reporter))
         }
-        Command::Man(args) => conclude(&Reporter::silent(), |_| man::man(&args)),
+        Command::Bench(args) => report(&args.messages, |reporter| bench::bench(&args, reporter)),
+        Command::Merge(args) => report(&args.messages, |reporter| merge::merge(&args, reporter)),
+        Command::Pixel(args) => report(&args.messages, |reporter| pixel::pixel(&args, reporter)),
+        Command::Completions(args) => {
+            conclude(&Reporter::silent(), |_| completions(&args, Cli::command()))
+        }
+        Command::Man(args) => conclude(&Reporter::silent(), |_| man(&args, Cli::command())),
     }
 }
 
-/// Runs a command that is told how to talk.
-fn report(talk: &TalkArgs, command: impl FnOnce(&Reporter) -> Result<u8>) -> ExitCode {
-    conclude(&Reporter::new(talk), command)
+/// Runs a command whose messages the user has chosen.
+fn report(args: &MessageArgs, command: impl FnOnce(&Reporter) -> Result<u8>) -> ExitCode {
+    conclude(&Reporter::new(args), command)
 }
 
-/// Runs a command and tells of the error that ended it, if one did.
+/// Runs a command and reports the error that ended it, if any.
 fn conclude(reporter: &Reporter, command: impl FnOnce(&Reporter) -> Result<u8>) -> ExitCode {
     panics::keep_messages();
     #[cfg(unix)]
     {
         signals::end_cleanly(reporter);
-        out_of_memory::end_with_its_own_code();
+        signals::exit_when_out_of_memory();
     }
     let code = panics::guarded(None, || command(reporter)).unwrap_or_else(|error| {
         reporter.error(&error);

@@ -1,68 +1,69 @@
-//! What is different in each channel, and where.
+//! Collects everything about a comparison in one pass: counts, errors by channel, and the first
+//! differing pixels.
 
-use super::{Comparison, Difference, Pair, Tally, Ulps};
+use super::comparison::{Comparison, Difference};
+use super::tally::Tally;
+use super::ulps::Ulps;
 use crate::film::ChannelName;
 use rayon::prelude::*;
+use std::ops::Range;
 
-/// Everything about two images in one pass: the [`Tally`], the same channel by channel, and the first pixels that differ.
+/// The [`Tally`] of a comparison, the same by channel, and the first pixels that differ.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Details {
-    /// Pixels by what is wrong with them.
+    /// Pixels by their difference.
     pub tally: Tally,
-    /// Hits in the image expected.
+    /// Hits in the expected image.
     pub hits: u64,
-    /// Of each channel of numbers that both images have, the hits of both whose number is another one.
+    /// For each compared channel of numbers, the hits of both images whose numbers differ.
     pub numbers: Vec<(ChannelName, u64)>,
-    /// Of each channel of depths that both images have, and then of each that says what surfaces are like, the errors of those hits of
-    /// both whose numbers are right.
+    /// For each compared channel of depths and surfaces, the errors of the hits of both images
+    /// whose numbers are right.
     pub measures: Vec<(ChannelName, Ulps)>,
-    /// The first pixels that differ, by their numbers from the upper left corner, row by row.
+    /// The numbers of the first pixels that differ, counted row by row from the upper left corner.
     pub first: Vec<usize>,
 }
 
-/// Pixels that a thread looks at.
+/// Pixels that one thread looks at.
 const PART: usize = 1 << 16;
 
 impl Details {
-    /// Of the first `pixels` of a comparison, which are all of an image of so many; measures may be off by `max_ulp`, and of the
-    /// pixels that differ no more than `listed` are listed.
+    /// Compares the first `pixels` pixels. Values within `max_ulp` ulps count as equal, and no more
+    /// than `listed` differing pixels are recorded.
     pub fn of(comparison: &Comparison, pixels: usize, max_ulp: u32, listed: usize) -> Details {
         let starts = (0..pixels).into_par_iter().step_by(PART);
-        let parts: Vec<Details> = starts
-            .map(|start| {
-                Details::of_part(comparison, start..pixels.min(start + PART), max_ulp, listed)
-            })
-            .collect();
-        let mut all = Details::none(comparison);
+        let part =
+            |start| Details::of_part(comparison, start..pixels.min(start + PART), max_ulp, listed);
+        let parts: Vec<Details> = starts.map(part).collect();
+        let mut all = Details::empty(comparison);
         for part in parts {
             all.merge(part, listed);
         }
         all
     }
 
-    fn none(comparison: &Comparison) -> Details {
+    fn empty(comparison: &Comparison) -> Details {
+        let measures = comparison.measures();
         Details {
             numbers: comparison
                 .numbers()
                 .iter()
                 .map(|pair| (pair.name, 0))
                 .collect(),
-            measures: measures(comparison)
-                .map(|pair| (pair.name, Ulps::default()))
-                .collect(),
+            measures: measures.map(|pair| (pair.name, Ulps::default())).collect(),
             ..Details::default()
         }
     }
 
     fn of_part(
         comparison: &Comparison,
-        pixels: std::ops::Range<usize>,
+        pixels: Range<usize>,
         max_ulp: u32,
         listed: usize,
     ) -> Details {
         let mut part = Details {
             tally: Tally::of(comparison, pixels.clone()),
-            ..Details::none(comparison)
+            ..Details::empty(comparison)
         };
         for pixel in pixels {
             part.hits += u64::from(comparison.is_hit(pixel));
@@ -74,41 +75,34 @@ impl Details {
                 Difference::FalseHit | Difference::MissedHit => {}
                 Difference::WrongPrimitive => {
                     for (pair, (_, wrong)) in comparison.numbers().iter().zip(&mut part.numbers) {
-                        *wrong += u64::from(pair.expected[pixel] != pair.found[pixel]);
+                        *wrong += u64::from(pair.differs(pixel));
                     }
                 }
-                Difference::None | Difference::Depth(_) | Difference::Primitive(_)
-                    if comparison.is_hit(pixel) =>
-                {
-                    for (pair, (_, ulps)) in measures(comparison).zip(&mut part.measures) {
-                        ulps.add(super::ulps_between(pair.expected[pixel], pair.found[pixel]));
+                Difference::None | Difference::Depth(_) | Difference::Surface(_) => {
+                    if comparison.is_hit(pixel) {
+                        for (pair, (_, ulps)) in comparison.measures().zip(&mut part.measures) {
+                            ulps.add(pair.error(pixel));
+                        }
                     }
                 }
-                Difference::None | Difference::Depth(_) | Difference::Primitive(_) => {}
             }
         }
         part
     }
 
-    /// Adds those of the pixels that follow.
+    /// Adds the details of the pixels that follow.
     fn merge(&mut self, next: Details, listed: usize) {
         self.tally.merge(&next.tally);
         self.hits += next.hits;
-        self.numbers
-            .iter_mut()
-            .zip(next.numbers)
-            .for_each(|((_, wrong), (_, more))| *wrong += more);
-        self.measures
-            .iter_mut()
-            .zip(&next.measures)
-            .for_each(|((_, ulps), (_, more))| ulps.merge(more));
-        self.first
-            .extend(next.first.into_iter().take(listed - self.first.len()));
+        for ((_, wrong), (_, more)) in self.numbers.iter_mut().zip(next.numbers) {
+            *wrong += more;
+        }
+        for ((_, ulps), (_, more)) in self.measures.iter_mut().zip(&next.measures) {
+            ulps.merge(more);
+        }
+        let room = listed - self.first.len();
+        self.first.extend(next.first.into_iter().take(room));
     }
-}
-
-fn measures<'a, 'b>(comparison: &'b Comparison<'a>) -> impl Iterator<Item = &'b Pair<'a, f32>> {
-    comparison.depths().iter().chain(comparison.surfaces())
 }
 
 #[cfg(test)]

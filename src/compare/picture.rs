@@ -1,27 +1,28 @@
-//! Differences as a picture for people.
+//! Pictures of differences.
 
-use super::{ColorComparison, ColorDifference, Comparison, Difference};
+use super::comparison::{Comparison, Difference};
 use rayon::prelude::*;
 
 /// A colour: red, green, blue.
 type Rgb = [u8; 3];
 
-/// Misses, and colours, that are equal.
+/// Equal misses.
 pub const EQUAL: Rgb = [20, 20, 24];
-/// Hits that are equal.
+/// Equal hits.
 pub const EQUAL_HIT: Rgb = [88, 88, 88];
-/// A hit where a miss was expected: vermilion, one of the colours of Okabe and Ito that the colour-blind tell apart, as
-/// are those below.
+/// A false hit: vermilion. This and the following are colours of Okabe and Ito, which colour-blind
+/// readers can distinguish.
 pub const FALSE_HIT: Rgb = [213, 94, 0];
-/// A miss where a hit was expected: sky blue.
+/// A missed hit: sky blue.
 pub const MISSED_HIT: Rgb = [86, 180, 233];
-/// A hit of something else: reddish purple.
+/// A wrong primitive: reddish purple.
 pub const WRONG_PRIMITIVE: Rgb = [204, 121, 167];
 /// The ends of the ramp of depth errors: from a dark green to yellow.
 pub const DEPTH: [Rgb; 2] = [[0, 84, 62], [240, 228, 66]];
 
-/// A colour for each of `pixels` pixels, which are all of the images compared. Errors of depths, and of what surfaces are like, are shown by the logarithm of one more
-/// than their units in the last place; those of `max_ulp` and beyond get the brightest colour.
+/// A colour for each of the first `pixels` pixels. The brightness of an error of a depth or a
+/// surface is the logarithm of one more than its ulps; errors of `max_ulp` and more are the
+/// brightest.
 pub fn difference_picture(comparison: &Comparison, pixels: usize, max_ulp: u32) -> Vec<[u8; 3]> {
     let color = |pixel: usize| match comparison.difference(pixel) {
         Difference::None if comparison.is_hit(pixel) => EQUAL_HIT,
@@ -29,24 +30,9 @@ pub fn difference_picture(comparison: &Comparison, pixels: usize, max_ulp: u32) 
         Difference::FalseHit => FALSE_HIT,
         Difference::MissedHit => MISSED_HIT,
         Difference::WrongPrimitive => WRONG_PRIMITIVE,
-        Difference::Depth(ulps) | Difference::Primitive(ulps) => ramp(ulps, max_ulp),
+        Difference::Depth(ulps) | Difference::Surface(ulps) => ramp(ulps, max_ulp),
     };
     (0..pixels).into_par_iter().map(color).collect()
-}
-
-/// Likewise of two pictures; differences of colours, where nothing tells of hits, get the colours of depth errors, the brightest
-/// one from a difference of `max` on.
-pub fn color_difference_picture(comparison: &ColorComparison, max: u16) -> Vec<[u8; 3]> {
-    let color = |pixel: usize| match comparison.difference(pixel) {
-        ColorDifference::None => EQUAL,
-        ColorDifference::FalseHit => FALSE_HIT,
-        ColorDifference::MissedHit => MISSED_HIT,
-        ColorDifference::Color(difference) => ramp(difference.into(), max.into()),
-    };
-    (0..comparison.pixels())
-        .into_par_iter()
-        .map(color)
-        .collect()
 }
 
 /// The colour of an error that is not 0.
@@ -65,7 +51,7 @@ mod tests {
     use crate::film::{Channel, ChannelName, Image, PixelBounds, Samples};
 
     #[test]
-    fn each_kind_has_a_color_of_its_own() {
+    fn each_kind_of_difference_has_its_colour() {
         let image = |prim: [u32; 6], z: [f32; 6]| Image {
             display_window: (6, 1),
             data_window: PixelBounds::of_film(6, 1),

@@ -1,21 +1,22 @@
-//! How many pixels are wrong, and how.
+//! Counts of pixels by their difference.
 
-use super::{Comparison, Difference, Ulps};
+use super::comparison::{Comparison, Difference};
+use super::ulps::Ulps;
 
-/// Counts of pixels, each in one place: by what is [wrong with it](Difference).
+/// Counts of pixels, each by its [difference](Difference).
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Tally {
     /// Pixels that were compared.
     pub pixels: u64,
-    /// Of these, hits where misses were expected.
+    /// Hits, but misses were expected.
     pub false_hits: u64,
-    /// Misses where hits were expected.
+    /// Misses, but hits were expected.
     pub missed_hits: u64,
-    /// Hits of something else.
+    /// Hits of the wrong primitive.
     pub wrong_primitives: u64,
-    /// Errors of the depths of all other hits, but for these:
+    /// Errors of the depths of other hits, except for those below.
     pub depths: Ulps,
-    /// Errors of what surfaces are like, of hits where that is farther off than their depth.
+    /// Errors of the surfaces of hits, if they are worse than the depth.
     pub surfaces: Ulps,
 }
 
@@ -30,7 +31,7 @@ impl Tally {
                 Difference::MissedHit => tally.missed_hits += 1,
                 Difference::WrongPrimitive => tally.wrong_primitives += 1,
                 Difference::Depth(ulps) => tally.depths.add(ulps),
-                Difference::Primitive(ulps) => tally.surfaces.add(ulps),
+                Difference::Surface(ulps) => tally.surfaces.add(ulps),
                 Difference::None if comparison.is_hit(pixel) && comparison.has_depths() => {
                     tally.depths.add(0)
                 }
@@ -40,22 +41,22 @@ impl Tally {
         tally
     }
 
-    /// Hits for misses and misses for hits.
+    /// False and missed hits.
     pub fn wrong_hits(&self) -> u64 {
         self.false_hits + self.missed_hits
     }
 
-    /// Pixels with the wrong answer to what is hit, if anything.
+    /// Pixels with a wrong hit or a wrong primitive.
     pub fn wrong_decisions(&self) -> u64 {
         self.wrong_hits() + self.wrong_primitives
     }
 
-    /// Pixels that differ, where depths and surfaces may be off by `max_ulp` units in the last place.
+    /// Pixels that differ by more than `max_ulp` units in the last place, or in their decision.
     pub fn different(&self, max_ulp: u32) -> u64 {
         self.wrong_decisions() + self.depths.above(max_ulp) + self.surfaces.above(max_ulp)
     }
 
-    /// The largest error of a depth, or of what a surface is like.
+    /// The largest error of a depth or a surface.
     pub fn max_ulps(&self) -> u32 {
         self.depths.max().max(self.surfaces.max()).unwrap_or(0)
     }

@@ -1,26 +1,28 @@
-//! What an image file says of the camera, in OpenEXR's terms.
+//! The camera in the standard attributes of OpenEXR.
 
 use crate::camera::{Camera, Projection, ScreenWindow};
 
-/// OpenEXR's standard attributes of a view. Matrices are for row vectors, as OpenEXR has them: a point, followed by a 1, times the matrix.
-/// They stand row by row, the translation last.
+/// OpenEXR's standard attributes of a view. Matrices are for row vectors, as in OpenEXR: a point,
+/// followed by a 1, times the matrix. They are stored row by row, with the translation last.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CameraAttributes {
-    /// Width of a pixel over its height, on the film.
+    /// Aspect ratio of a pixel on the film: width over height.
     pub pixel_aspect: f32,
-    /// The middle of what the film shows of the plane at distance 1, in units of camera space, y upwards.
+    /// The centre of the film in the plane at distance 1, in units of camera space, y upwards.
     pub screen_window_center: [f32; 2],
-    /// How wide that is.
+    /// The width of the film in this plane.
     pub screen_window_width: f32,
-    /// World to camera space: x to the right, y upwards, z along the view.
+    /// World space to camera space: x to the right, y upwards, z along the view.
     pub world_to_camera: [f32; 16],
-    /// World space to the display window: after division by the fourth component x goes from 0 on the left to 1 on the right and y
-    /// from 0 at the top to 1 at the bottom; z is 1/Z where rays leave one eye, and Z where they are parallel.
+    /// World space to the display window: after division by the fourth component, x goes from 0 on
+    /// the left to 1 on the right and y from 0 at the top to 1 at the bottom. z is 1/Z for a
+    /// perspective camera, and Z for an orthographic one.
     pub world_to_ndc: [f32; 16],
 }
 
 impl CameraAttributes {
-    /// Those of `camera`; rounded, and for other programs only. `None` where one of them is not finite in `f32`, or the film shows nothing.
+    /// The attributes of `camera`, rounded, for other programs only. `None` if one of them is not
+    /// finite in `f32`, or if the film is empty.
     pub fn of(camera: &Camera) -> Option<CameraAttributes> {
         let ScreenWindow { x0, x1, y0, y1 } = camera.screen_window;
         let [width, height] = camera.resolution.map(f64::from);
@@ -48,7 +50,8 @@ impl CameraAttributes {
         attributes.is_sound().then_some(attributes)
     }
 
-    /// Whether readers will take it: they refuse a file of odd aspect.
+    /// Returns true if readers accept the attributes: they refuse files with an extreme aspect
+    /// ratio.
     fn is_sound(&self) -> bool {
         let numbers = [self.screen_window_width]
             .into_iter()
@@ -60,7 +63,8 @@ impl CameraAttributes {
 
 type Matrix4 = [[f64; 4]; 4];
 
-/// For column vectors, as all matrices here but those in files; `scale` is the tangent, of a perspective.
+/// The projection for column vectors, like all matrices except those in files; `scale` is the
+/// tangent of a perspective camera.
 fn ndc_from_camera(camera: &Camera, scale: f64) -> Matrix4 {
     let ScreenWindow { x0, x1, y0, y1 } = camera.screen_window;
     let (width, height) = (x1 - x0, y1 - y0);
@@ -108,7 +112,7 @@ mod tests {
         }
     }
 
-    /// A point times a matrix, as OpenEXR says, and divided.
+    /// A point times a matrix, as in OpenEXR, and divided.
     fn apply(point: Point, matrix: &[f32; 16]) -> [f64; 3] {
         let row = [point.x, point.y, point.z, 1.0];
         let column = |j: usize| {
@@ -120,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn points_on_a_pixels_ray_are_in_the_pixel() {
+    fn points_on_the_ray_of_a_pixel_project_into_it() {
         let windows = [
             ScreenWindow::of_aspect(4.0 / 3.0),
             ScreenWindow {
@@ -157,7 +161,7 @@ mod tests {
     }
 
     #[test]
-    fn the_window_is_that_of_the_plane_at_distance_1() {
+    fn the_screen_window_lies_in_the_plane_at_distance_1() {
         let window = ScreenWindow {
             x0: -1.0,
             x1: 2.0,
@@ -186,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn what_no_file_should_say_is_left_out() {
+    fn attributes_that_are_not_finite_are_left_out() {
         let whole = ScreenWindow::of_aspect(1.0);
         let far = Camera {
             world_from_camera: Matrix::scale([1e-50; 3]),

@@ -1,6 +1,8 @@
-//! The channels of an image: what they are called and what they hold.
+//! The channels of an image: their names and their samples.
 
-/// What a channel says about each pixel.
+use crate::named::named;
+
+/// What a channel holds for each pixel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum ChannelName {
     /// Depth along the view axis, `f32`.
@@ -13,54 +15,41 @@ pub enum ChannelName {
     Id,
     /// Number of the primitive that was hit, from 1; 0 for a miss, `u32`.
     Prim,
-    /// Number of the object instance that was hit, from 1; 0 for a miss and for what is in no instance, `u32`.
+    /// Number of the object instance that was hit, from 1; 0 for a miss and for primitives in no
+    /// instance, `u32`.
     Instance,
-    /// Boxes of nodes and primitives that the pixel's ray is tested against when it goes alone through the whole tree, `u32`.
+    /// Node boxes and primitives that the pixel's ray tests when it is traced alone through the
+    /// whole tree, `u32`.
     Cost,
-    /// The geometric normal, a unit vector in world space, to the side that [pbrt takes for the front](crate::shape::SurfacePoint);
-    /// its first component; `f32`, and 0 for a miss, as are those that follow.
+    /// First component of the geometric normal: a unit vector in world space, on the side that
+    /// [pbrt takes for the front](crate::shape::SurfacePoint). This and the following channels
+    /// are `f32`, and 0 for a miss.
     Nx,
-    /// Its second component.
+    /// Second component of the normal.
     Ny,
-    /// Its third component.
+    /// Third component of the normal.
     Nz,
-    /// The point where the ray meets the surface, in world space: its first coordinate.
+    /// First coordinate of the point of the hit, in world space.
     Px,
     /// Its second coordinate.
     Py,
     /// Its third coordinate.
     Pz,
-    /// The first of the surface's own coordinates there, as pbrt has them.
+    /// First parameter of the surface at the hit, as in pbrt.
     U,
-    /// The second one.
+    /// Its second parameter.
     V,
 }
 
-impl ChannelName {
-    /// Every channel there is.
-    pub const ALL: [ChannelName; 15] = {
-        let [z, t, a, id, prim] = ChannelName::USUAL;
-        let [nx, ny, nz, px, py, pz, u, v] = ChannelName::SURFACE;
-        [
-            z,
-            t,
-            a,
-            id,
-            prim,
-            ChannelName::Instance,
-            ChannelName::Cost,
-            nx,
-            ny,
-            nz,
-            px,
-            py,
-            pz,
-            u,
-            v,
-        ]
-    };
+// Names in files; case matters.
+named!(ChannelName:
+    Z => "Z", T => "t", A => "A", Id => "id", Prim => "prim", Instance => "instance",
+    Cost => "cost", Nx => "N.X", Ny => "N.Y", Nz => "N.Z", Px => "P.X", Py => "P.Y", Pz => "P.Z",
+    U => "u", V => "v",
+);
 
-    /// Those of an image of which nothing else was said.
+impl ChannelName {
+    /// The channels of an image if the user asks for none.
     pub const USUAL: [ChannelName; 5] = [
         ChannelName::Z,
         ChannelName::T,
@@ -69,7 +58,7 @@ impl ChannelName {
         ChannelName::Prim,
     ];
 
-    /// Those that say what the surface is like where it is hit.
+    /// Channels that describe the surface at the hit.
     pub const SURFACE: [ChannelName; 8] = [
         ChannelName::Nx,
         ChannelName::Ny,
@@ -81,38 +70,17 @@ impl ChannelName {
         ChannelName::V,
     ];
 
-    /// The name in files; capitals count.
-    pub fn as_str(self) -> &'static str {
-        match self {
-            ChannelName::Z => "Z",
-            ChannelName::T => "t",
-            ChannelName::A => "A",
-            ChannelName::Id => "id",
-            ChannelName::Prim => "prim",
-            ChannelName::Instance => "instance",
-            ChannelName::Cost => "cost",
-            ChannelName::Nx => "N.X",
-            ChannelName::Ny => "N.Y",
-            ChannelName::Nz => "N.Z",
-            ChannelName::Px => "P.X",
-            ChannelName::Py => "P.Y",
-            ChannelName::Pz => "P.Z",
-            ChannelName::U => "u",
-            ChannelName::V => "v",
-        }
-    }
-
-    /// Whether the samples are whole numbers (`u32`) and not `f32`.
+    /// Returns true if the samples are integers (`u32`) rather than `f32`.
     pub fn is_integer(self) -> bool {
         self.is_number_of_hit() || self == ChannelName::Cost
     }
 
-    /// Whether the samples are depths, which hold at a miss what was asked for.
+    /// Returns true for depths, whose value at a miss the user chooses.
     pub fn is_depth(self) -> bool {
         matches!(self, ChannelName::Z | ChannelName::T)
     }
 
-    /// Whether the samples are numbers of what was hit, 0 for a miss.
+    /// Returns true for numbers that identify what was hit; they are 0 at a miss.
     pub fn is_number_of_hit(self) -> bool {
         matches!(
             self,
@@ -120,7 +88,7 @@ impl ChannelName {
         )
     }
 
-    /// Whether it is one of [`ChannelName::SURFACE`].
+    /// Returns true for a channel of [`ChannelName::SURFACE`].
     pub fn is_of_surface(self) -> bool {
         ChannelName::SURFACE.contains(&self)
     }
@@ -129,14 +97,14 @@ impl ChannelName {
 /// The values of one channel, row by row of the data window, from the top.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Samples {
-    /// Measures.
+    /// Measured values: depths, coordinates.
     F32(Vec<f32>),
-    /// Numbers of things.
+    /// Identifiers and counts.
     U32(Vec<u32>),
 }
 
 impl Samples {
-    /// How many values there are.
+    /// The number of values.
     pub fn len(&self) -> usize {
         match self {
             Samples::F32(values) => values.len(),
@@ -144,7 +112,7 @@ impl Samples {
         }
     }
 
-    /// Whether there is no value.
+    /// Returns true if there is no value.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -153,8 +121,8 @@ impl Samples {
 /// One channel of an image.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Channel {
-    /// What the samples mean.
+    /// What the samples are.
     pub name: ChannelName,
-    /// One sample per pixel of the data window.
+    /// One sample a pixel of the data window.
     pub samples: Samples,
 }

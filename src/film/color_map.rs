@@ -1,37 +1,30 @@
-//! Colour maps: from near to far in colours.
+//! Colour maps from near to far.
 
-use clap::ValueEnum;
+use crate::named::named;
 
 /// A colour, red, green, blue.
 pub(super) type Rgb = [u8; 3];
 
-/// How depth becomes colour. In each of them near is the bright or warm end, as if one carried the lamp. A high cost has the
-/// colour of what is near.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, ValueEnum)]
+/// How depths become colours. In every map, near is the bright or warm end, as if the viewer
+/// carried the lamp. A high cost has the colour of near.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum ColorMap {
-    /// Rainbow of even steps: near is red, far is blue, in the end almost black
+    /// A rainbow of even steps: near is red, far is blue and in the end almost black.
     #[default]
     Turbo,
-    /// Even to the eye, also to the colour-blind: near is yellow, far is dark violet
+    /// Perceptually uniform, also for colour-blind viewers: near is yellow, far is dark violet.
     Viridis,
-    /// Near is white, far is black
+    /// Near is white, far is black.
     Gray,
 }
 
-/// Entries of a colour table: more than the colours between two neighbours of any of the maps.
+/// Entries of a colour table. Neighbours differ by at most 2 of 255 in each component.
 pub(super) const TABLE_LENGTH: usize = 4096;
 
-impl ColorMap {
-    /// The name on the command line.
-    pub fn as_str(self) -> &'static str {
-        match self {
-            ColorMap::Turbo => "turbo",
-            ColorMap::Viridis => "viridis",
-            ColorMap::Gray => "gray",
-        }
-    }
+named!(ColorMap: Turbo => "turbo", Viridis => "viridis", Gray => "gray");
 
-    /// What the near and the far end are called.
+impl ColorMap {
+    /// The names of the colours at the near and at the far end.
     pub fn ends(self) -> [&'static str; 2] {
         match self {
             ColorMap::Turbo => ["red", "dark violet"],
@@ -40,7 +33,7 @@ impl ColorMap {
         }
     }
 
-    /// Tells the colour at a position between near (0) and far (1), quickly, as one of many equal steps.
+    /// A quick function from a position between near (0) and far (1) to its colour, in equal steps.
     pub(super) fn steps(self) -> impl Fn(f64) -> Rgb {
         let table = self.table();
         // Rounds by hand: `round` is a call where the target has no instruction for it.
@@ -72,13 +65,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn clap_and_we_call_the_maps_by_the_same_names() {
-        for map in ColorMap::value_variants() {
-            assert_eq!(map.to_possible_value().unwrap().get_name(), map.as_str());
-        }
-    }
-
-    #[test]
     fn near_is_bright_or_warm() {
         let ends = |map: ColorMap| (map.color(0.0), map.color(1.0));
         assert_eq!(ends(ColorMap::Gray), ([255; 3], [0; 3]));
@@ -97,8 +83,8 @@ mod tests {
     }
 
     #[test]
-    fn no_map_jumps() {
-        for map in ColorMap::value_variants() {
+    fn neighbouring_colours_are_close() {
+        for map in ColorMap::ALL {
             let table = map.table();
             let steps = table
                 .windows(2)
@@ -108,8 +94,8 @@ mod tests {
     }
 
     #[test]
-    fn a_colour_stands_for_one_depth_and_its_neighbours() {
-        for map in ColorMap::value_variants() {
+    fn no_colour_occurs_at_two_distant_depths() {
+        for map in ColorMap::ALL {
             let table = map.table();
             let mut places = std::collections::HashMap::new();
             for (place, color) in table.iter().enumerate() {
@@ -123,7 +109,7 @@ mod tests {
     }
 
     #[test]
-    fn the_table_skips_no_gray() {
+    fn the_gray_table_has_every_gray() {
         let table = ColorMap::Gray.table();
         assert_eq!(table.len(), TABLE_LENGTH);
         assert!(

@@ -1,20 +1,20 @@
-//! OpenEXR's ZIP of a scan line.
+//! Compresses scan lines with OpenEXR's ZIP.
 
 use super::{Channel, Samples, run_deflate};
 use std::ops::Range;
 
-/// Zips scan lines, one after the other. Each thread has its own.
+/// Compresses scan lines one after the other. Each thread has its own.
 #[derive(Default)]
 pub(super) struct Zipper {
-    /// The line's bytes at even places, then those at odd ones.
+    /// The bytes of the line at even places, then those at odd places.
     split: Vec<u8>,
     differences: Vec<u8>,
     zipped: Vec<u8>,
 }
 
 impl Zipper {
-    /// Row `line` of `channels`, `width` samples each, as the file stores it: zipped, or as it is where that would not be
-    /// shorter, since readers tell by the length.
+    /// Row `line` of `channels`, with `width` samples each, as stored in the file: compressed, or
+    /// uncompressed if that is not longer. Readers recognize this by the length.
     pub(super) fn zip(&mut self, channels: &[&Channel], width: usize, line: usize) -> Vec<u8> {
         let row = line * width..(line + 1) * width;
         self.split
@@ -48,7 +48,7 @@ impl Zipper {
     }
 }
 
-/// Samples of four bytes, lowest first: those at even places, and those at odd ones.
+/// Splits samples of four bytes, lowest first, into those at even and those at odd places.
 fn split(samples: impl Iterator<Item = u32>, even: &mut [[u8; 2]], odd: &mut [[u8; 2]]) {
     for ((sample, even), odd) in samples.zip(even).zip(odd) {
         let [byte0, byte1, byte2, byte3] = sample.to_le_bytes();
@@ -57,7 +57,7 @@ fn split(samples: impl Iterator<Item = u32>, even: &mut [[u8; 2]], odd: &mut [[u
     }
 }
 
-/// The first byte, and of each further one the difference from the one before, 128 for none.
+/// The first byte, then the difference of each byte from the one before, with 128 for none.
 fn take_differences(bytes: &[u8], differences: &mut Vec<u8>) {
     differences.resize(bytes.len(), 0);
     differences[0] = bytes[0];
@@ -66,7 +66,7 @@ fn take_differences(bytes: &[u8], differences: &mut Vec<u8>) {
     }
 }
 
-/// The row's samples, channel after channel, in little-endian order.
+/// The samples of the row, channel after channel, in little-endian order.
 pub(super) fn bytes_of_row(channels: &[&Channel], row: Range<usize>) -> Vec<u8> {
     let mut bytes = Vec::with_capacity(channels.len() * row.len() * size_of::<u32>());
     for channel in channels {

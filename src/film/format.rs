@@ -1,27 +1,27 @@
-//! File formats, told by the extension of the output's name.
+//! File formats, by the extension of the name.
 
 use std::path::Path;
 
 use crate::error::{Error, Result};
 
-/// A format that images are written in.
+/// A format of image files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Format {
     /// OpenEXR: data, every channel as computed.
     Exr,
-    /// PNG: a picture for people.
+    /// PNG: a view for people, or 16-bit depths.
     Png,
     /// PFM: one or three channels of floats.
     Pfm,
-    /// NumPy's format: an array of some channels.
+    /// NumPy: an array of channels.
     Npy,
 }
 
 impl Format {
-    /// Every format there is.
+    /// Every format.
     pub const ALL: [Format; 4] = [Format::Exr, Format::Png, Format::Pfm, Format::Npy];
 
-    /// The extension of the format's files, without the point.
+    /// The extension of the format, without the dot.
     pub fn extension(self) -> &'static str {
         match self {
             Format::Exr => "exr",
@@ -31,7 +31,7 @@ impl Format {
         }
     }
 
-    /// The format that the name `path` asks for; capitals do not count.
+    /// The format of the name `path`; case does not matter.
     pub fn of_path(path: &Path) -> Result<Format> {
         let extension = path
             .extension()
@@ -61,7 +61,7 @@ mod tests {
     use crate::error::ErrorKind;
 
     #[test]
-    fn the_extension_decides_whatever_its_case() {
+    fn the_extension_decides_in_any_case() {
         assert_eq!(Format::of_path(Path::new("a/b.exr")).unwrap(), Format::Exr);
         assert_eq!(
             Format::of_path(Path::new("b.tar.PNG")).unwrap(),
@@ -70,7 +70,7 @@ mod tests {
     }
 
     #[test]
-    fn an_unknown_or_missing_extension_is_answered_with_the_known_ones() {
+    fn an_unknown_or_missing_extension_lists_the_known_ones() {
         for path in ["a.jpg", "a", ".png", "a.", "a.png/..", ""] {
             let error = Format::of_path(Path::new(path)).unwrap_err();
             assert_eq!(error.kind(), ErrorKind::Usage);

@@ -1,27 +1,29 @@
-//! What an image file says beside its pixels.
+//! Metadata of an EXR.
 
 use super::{CameraAttributes, ChannelName};
 
-/// Everything in an EXR that is not pixels, windows or names of channels.
+/// Everything in an EXR except its pixels, windows and channel names.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Metadata {
-    /// A JSON object that says what made the image and what its numbers mean; empty where nothing is said.
+    /// A JSON object that describes how the image was made and what its numbers mean; empty if
+    /// there is none.
     pub json: String,
-    /// Where it was seen from, where that is known.
+    /// The camera, if it is known.
     pub camera: Option<CameraAttributes>,
-    /// The name of the channel [`ChannelName::Z`] in the file, where it is not its own. [`Metadata::json`] has to say so under
-    /// [`DEPTH_CHANNEL`]: that is how readers know.
+    /// The name of the channel [`ChannelName::Z`] in the file, if it is another one.
+    /// [`Metadata::json`] must name it under [`DEPTH_CHANNEL`] for readers.
     pub depth_channel: Option<String>,
 }
 
-/// The key of [`Metadata::json`] that holds the name of the depth channel.
+/// The key of [`Metadata::json`] for the name of the depth channel.
 pub const DEPTH_CHANNEL: &str = "depth_channel";
 
-/// The key of [`Metadata::json`] that holds what `Z` and `t` are where nothing is hit: a number, or a string with an infinite one.
+/// The key of [`Metadata::json`] for the value of `Z` and `t` at a miss: a number, or a string if
+/// it is not finite.
 pub const MISS: &str = "miss";
 
 impl Metadata {
-    /// What `json` says, without a camera.
+    /// The metadata of `json`, without a camera.
     pub fn of_json(json: String) -> Metadata {
         let value: Option<serde_json::Value> = serde_json::from_str(&json).ok();
         let depth_channel = value
@@ -35,7 +37,8 @@ impl Metadata {
         }
     }
 
-    /// What `Z` and `t` hold where nothing is hit: as the JSON says under [`MISS`], else infinity.
+    /// The value of `Z` and `t` at a miss: the JSON names it under [`MISS`], otherwise it is
+    /// infinity.
     pub fn miss(&self) -> f32 {
         let value: Option<serde_json::Value> = serde_json::from_str(&self.json).ok();
         let miss = value.and_then(|value| match &value[MISS] {
@@ -45,11 +48,11 @@ impl Metadata {
         miss.unwrap_or(f32::INFINITY)
     }
 
-    /// What channel `name` is called in the file.
+    /// The name of channel `name` in the file.
     pub(super) fn name_in_file(&self, name: ChannelName) -> &str {
         match (name, &self.depth_channel) {
             (ChannelName::Z, Some(depth_channel)) => depth_channel,
-            _ => name.as_str(),
+            _ => name.name(),
         }
     }
 }
@@ -59,7 +62,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_miss_is_what_the_json_says() {
+    fn the_json_names_the_value_of_a_miss() {
         let miss = |json: &str| Metadata::of_json(json.to_owned()).miss();
         assert_eq!(
             (miss(r#"{"miss": -1.5}"#), miss(r#"{"miss": "-inf"}"#)),
@@ -73,7 +76,7 @@ mod tests {
     }
 
     #[test]
-    fn the_depth_channel_is_called_as_the_json_says() {
+    fn the_json_names_the_depth_channel() {
         let renamed = Metadata::of_json(r#"{"depth_channel": "Y"}"#.to_owned());
         assert_eq!(
             [ChannelName::Z, ChannelName::A].map(|name| renamed.name_in_file(name)),

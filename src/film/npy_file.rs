@@ -1,30 +1,31 @@
-//! NumPy's `.npy`: an array, rows from the top.
+//! Writes NumPy arrays, `.npy`, with rows from the top.
 //!
-//! One field makes a plain array, height x width, with a last axis where the field has several components; several fields make a structured
-//! array, with a name each. Format version 1.0 (NumPy Enhancement Proposal 1), little-endian, C order.
+//! One field makes a plain array, height x width, with a last axis if the field has several
+//! components. Several fields make a structured array with a name for each. Format version 1.0
+//! (NumPy Enhancement Proposal 1), little-endian, C order.
 
 use super::{Channel, ChannelName, Image, Samples};
 use std::io::{self, Write};
 
-/// Channels that belong together, and what they are called.
+/// A field: channels that belong together, and their name.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Field {
     /// The name in a structured array.
     pub name: &'static str,
-    /// Its components, of one type.
+    /// The components, of one type.
     pub channels: Vec<ChannelName>,
 }
 
 /// Writes the `fields` of `image`.
 ///
 /// # Errors
-/// An image that lacks a channel, or writing.
+/// The image lacks a channel, or writing fails.
 pub fn write(image: &Image, fields: &[Field], out: &mut impl Write) -> io::Result<()> {
     let invalid = |problem: String| io::Error::new(io::ErrorKind::InvalidInput, problem);
     image.validate().map_err(invalid)?;
     let channel = |name: &ChannelName| {
         let found = image.channels.iter().find(|channel| channel.name == *name);
-        found.ok_or_else(|| invalid(format!("no channel {}", name.as_str())))
+        found.ok_or_else(|| invalid(format!("no channel {name}")))
     };
     let names = fields.iter().flat_map(|field| &field.channels);
     let channels = names.map(channel).collect::<io::Result<Vec<&Channel>>>()?;
@@ -46,7 +47,8 @@ pub fn write(image: &Image, fields: &[Field], out: &mut impl Write) -> io::Resul
     Ok(())
 }
 
-/// All before the samples: a Python dictionary, blanks until the length is a multiple of 64, and an end of line.
+/// Everything before the samples: a Python dictionary, blanks up to a length that is a multiple of
+/// 64, and a line end.
 fn header(image: &Image, fields: &[Field]) -> Vec<u8> {
     const BEFORE: usize = 10;
     let (width, height) = (image.data_window.width(), image.data_window.height());
@@ -134,7 +136,7 @@ mod tests {
         }
     }
 
-    /// The header's dictionary, and the samples.
+    /// The dictionary of the header, and the samples.
     fn written(fields: &[Field]) -> (String, Vec<u8>) {
         let mut file = Vec::new();
         write(&image(), fields, &mut file).unwrap();
@@ -194,7 +196,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_there_is_an_error() {
+    fn a_missing_channel_is_an_error() {
         let error = write(&image(), &[field("A", &[ChannelName::A])], &mut Vec::new()).unwrap_err();
         assert_eq!(error.to_string(), "no channel A");
     }

@@ -1,6 +1,6 @@
-//! PFM, the portable float map: one or three channels of `f32`, rows from the bottom.
+//! Writes PFM, the portable float map: one or three channels of `f32`, with rows from the bottom.
 //!
-//! <http://www.pauldebevec.com/Research/HDR/PFM/>. Little-endian, which the format says by a scale below 0.
+//! <http://www.pauldebevec.com/Research/HDR/PFM/>. A scale below 0 marks little-endian samples.
 
 use super::{ChannelName, Image};
 use std::io::{self, Write};
@@ -8,14 +8,14 @@ use std::io::{self, Write};
 /// Writes one or three channels of `image`.
 ///
 /// # Errors
-/// Channels that are not there, of whole numbers, or other than one or three; writing.
+/// Channels are missing, integers, or not one or three; or writing fails.
 pub fn write(image: &Image, channels: &[ChannelName], out: &mut impl Write) -> io::Result<()> {
     let invalid = |problem: String| io::Error::new(io::ErrorKind::InvalidInput, problem);
     image.validate().map_err(invalid)?;
     let samples = |name: &ChannelName| {
         image
             .measures(*name)
-            .ok_or_else(|| invalid(format!("no channel {} of floats", name.as_str())))
+            .ok_or_else(|| invalid(format!("no channel {name} of floats")))
     };
     let samples = channels
         .iter()
@@ -98,7 +98,7 @@ mod tests {
     }
 
     #[test]
-    fn what_the_format_cannot_hold_is_an_error() {
+    fn content_that_the_format_cannot_hold_is_an_error() {
         for channels in [
             &[ChannelName::Id][..],
             &[ChannelName::Cost],

@@ -14,7 +14,7 @@ pub struct PixelBounds {
 }
 
 impl PixelBounds {
-    /// Pixels along a side of a film at most.
+    /// A limit on the sides of a film, in pixels.
     pub const MAX_SIDE: u32 = 1 << 24;
 
     /// All pixels of a film of `width` by `height`.
@@ -27,9 +27,9 @@ impl PixelBounds {
         }
     }
 
-    /// The pixels of a crop window in fractions of a film: x0, x1, y0, y1, each end at `ceil` of its product with the
-    /// resolution (pbrt-v3's rule), so that windows that share an end share no pixel. Ends are put in order and
-    /// clamped to the film.
+    /// The pixels of a crop window in fractions of a film: x0, x1, y0, y1. Each end is `ceil` of
+    /// its product with the resolution (pbrt-v3), so that adjacent windows share no pixel. Ends are
+    /// put in order and clamped to the film.
     pub fn of_crop_window([x0, x1, y0, y1]: [f64; 4], [width, height]: [u32; 2]) -> PixelBounds {
         let pixel =
             |fraction: f64, count: u32| (fraction.clamp(0.0, 1.0) * f64::from(count)).ceil() as u32;
@@ -41,7 +41,7 @@ impl PixelBounds {
         }
     }
 
-    /// The pixels in both.
+    /// The intersection.
     pub fn intersection(&self, other: &PixelBounds) -> PixelBounds {
         PixelBounds {
             x0: self.x0.max(other.x0),
@@ -51,32 +51,32 @@ impl PixelBounds {
         }
     }
 
-    /// Columns; none where the ends are crossed.
+    /// The width; 0 if the ends are in the wrong order.
     pub fn width(&self) -> u32 {
         self.x1.saturating_sub(self.x0)
     }
 
-    /// Rows; none where the ends are crossed.
+    /// The height; 0 if the ends are in the wrong order.
     pub fn height(&self) -> u32 {
         self.y1.saturating_sub(self.y0)
     }
 
-    /// Pixels.
+    /// The number of pixels.
     pub fn area(&self) -> u64 {
         u64::from(self.width()) * u64::from(self.height())
     }
 
-    /// Whether there is no pixel inside.
+    /// Returns true if there is no pixel inside.
     pub fn is_empty(&self) -> bool {
         self.area() == 0
     }
 
-    /// Whether pixel (`x`, `y`) is inside.
+    /// Returns true if pixel (`x`, `y`) is inside.
     pub fn contains(&self, x: u32, y: u32) -> bool {
         (self.x0..self.x1).contains(&x) && (self.y0..self.y1).contains(&y)
     }
 
-    /// Whether every pixel of `other` is inside.
+    /// Returns true if every pixel of `other` is inside.
     pub fn contains_bounds(&self, other: &PixelBounds) -> bool {
         other.is_empty()
             || (self.contains(other.x0, other.y0) && self.contains(other.x1 - 1, other.y1 - 1))
@@ -88,7 +88,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn measures_beyond_32_bits() {
+    fn areas_exceed_32_bits() {
         assert_eq!(
             PixelBounds::of_film(u32::MAX, u32::MAX).area(),
             u64::from(u32::MAX).pow(2)
@@ -96,7 +96,7 @@ mod tests {
     }
 
     #[test]
-    fn crop_windows_that_share_an_end_share_no_pixel() {
+    fn adjacent_crop_windows_share_no_pixel() {
         let left = PixelBounds::of_crop_window([0.0, 0.3, 0.0, 1.0], [7, 5]);
         let right = PixelBounds::of_crop_window([0.3, 1.0, 0.0, 1.0], [7, 5]);
         assert_eq!((left.x0, left.x1, right.x0, right.x1), (0, 3, 3, 7));
@@ -137,7 +137,7 @@ mod tests {
     }
 
     #[test]
-    fn crossed_ends_hold_no_pixel() {
+    fn bounds_with_crossed_ends_are_empty() {
         let crossed = PixelBounds {
             x0: 3,
             x1: 2,

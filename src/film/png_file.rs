@@ -1,22 +1,23 @@
-//! PNG: pixels and words to a file.
+//! Writes PNG files: pixels and texts.
 
 use super::color_map::Rgb;
 use png::{BitDepth, ColorType, Compression, Encoder, EncodingError, Filter};
 use std::io::{self, Write};
 
-/// Words in a file, under a keyword that programs look for: `Software` and `Description` are PNG's own.
+/// A text in a file, under a keyword that programs look for: PNG defines `Software` and
+/// `Description`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Text {
-    /// What the words are about; 1 to 79 characters of ASCII.
+    /// The keyword: 1 to 79 ASCII characters.
     pub keyword: &'static str,
-    /// The words.
+    /// The text.
     pub text: String,
 }
 
-/// Writes a picture of these colours, row by row from the top.
+/// Writes colours, row by row from the top.
 ///
 /// # Errors
-/// Where there are not as many of them as pixels, or writing fails.
+/// There are not as many pixels as the size says, or writing fails.
 pub fn write_rgb(
     size: [u32; 2],
     pixels: &[Rgb],
@@ -33,10 +34,10 @@ pub fn write_rgb(
     )
 }
 
-/// Writes a picture of these shades of gray, 16 bits each, row by row from the top.
+/// Writes 16-bit gray values, row by row from the top.
 ///
 /// # Errors
-/// As [`write_rgb`].
+/// Like [`write_rgb`].
 pub fn write_gray16(
     size: [u32; 2],
     pixels: &[u16],
@@ -64,9 +65,11 @@ fn check_count([width, height]: [u32; 2], count: usize) -> io::Result<()> {
     ))
 }
 
-/// Filter `Up` and the fast deflate made for PNG. Depth of the dragon from nearby, 1920 by 1080, one thread, fastest of 15 runs: 8 ms and 0.74 MB;
-/// filter `Sub` takes as long for 0.87 MB. Bands in parallel, on two threads, gained nothing: 7 ms by the same deflate, whose
-/// streams cannot be joined, and 9 ms for 1.0 MB by zlib's level 1, whose can. Adaptive filters took four times as long.
+/// Filter `Up` and the fast deflate made for PNG. Depth of the dragon from nearby, 1920 by 1080,
+/// one thread, fastest of 15 runs: 8 ms and 0.74 MB; filter `Sub` takes as long for 0.87 MB.
+/// Parallel bands on two threads gained nothing: 7 ms with the same deflate, whose streams cannot
+/// be joined, and 9 ms for 1.0 MB with level 1 of zlib, whose streams can. Adaptive filters took
+/// four times as long.
 fn encode(
     [width, height]: [u32; 2],
     (color, depth): (ColorType, BitDepth),
@@ -83,7 +86,7 @@ fn encode(
     encoder.set_filter(Filter::Up);
     for Text { keyword, text } in texts {
         let (keyword, text) = ((*keyword).to_owned(), text.clone());
-        // The older kind of chunk, which more programs show, holds Latin-1.
+        // The older kind of chunk, which more programs display, holds Latin-1.
         let added = match text.is_ascii() {
             true => encoder.add_text_chunk(keyword, text),
             false => encoder.add_itxt_chunk(keyword, text),
@@ -122,7 +125,7 @@ mod tests {
     }
 
     #[test]
-    fn colours_are_written_as_they_are() {
+    fn colours_are_written_unchanged() {
         let colors = [
             [255, 0, 0],
             [255, 255, 0],
@@ -139,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn shades_of_16_bits_are_written_as_they_are() {
+    fn gray_values_of_16_bits_are_written_unchanged() {
         let shades = [0, 1, 255, 256, 0x1234, u16::MAX];
         let mut file = Vec::new();
         write_gray16([3, 2], &shades, &texts(), &mut file).unwrap();
@@ -151,7 +154,7 @@ mod tests {
     }
 
     #[test]
-    fn words_come_back_whatever_their_alphabet() {
+    fn texts_in_any_alphabet_are_read_back() {
         let directory = tempfile::tempdir().unwrap();
         let path = directory.path().join("a.png");
         let mut file = std::fs::File::create(&path).unwrap();

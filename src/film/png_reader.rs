@@ -1,10 +1,11 @@
-//! PNG files, read: colours.
+//! Reads PNG files: 16-bit depths as the depth16 view writes them, and the texts of any PNG.
 
+use super::{Channel, ChannelName, Image, MISS, PixelBounds, Samples};
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
-use crate::film::PixelBounds;
+use crate::film::exr_file::ATTRIBUTE;
 use crate::input::BudgetFactor;
 use crate::memory;
-use png::{BitDepth, Decoder, Limits, OutputInfo, Transformations};
+use png::{BitDepth, ColorType, Decoder, Info, Limits};
 use std::fmt::Display;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Cursor, Read, Seek, SeekFrom};
@@ -16,57 +17,85 @@ const MAGIC: [u8; 8] = *b"\x89PNG\r\n\x1a\n";
 /// The last bytes of any PNG file: a chunk without content.
 const END: [u8; 12] = *b"\0\0\0\0IEND\xae\x42\x60\x82";
 
-/// A picture: colours, of which nothing is known but how they look.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Picture {
-    /// Columns.
-    pub width: u32,
-    /// Rows.
-    pub height: u32,
-    /// Red, green, blue and opacity, row by row from the top.
-    pub pixels: Vec<[u16; 4]>,
-    /// The largest value of a component: 255 or 65535.
-    pub full: u16,
-}
+/// A limit on the bytes of a text after decompression.
+const MAX_TEXT: usize = 1 << 20;
 
-/// Whether a file of these bytes claims to be a PNG file.
+/// Returns true if the file claims to be a PNG.
 pub fn recognises(bytes: &[u8]) -> bool {
     bytes.starts_with(&MAGIC)
 }
 
-/// The picture in `bytes`, the content of the file `path`; grays become colours.
+/// Reads `bytes`, the content of the file `path`: one 16-bit gray channel, which holds depths in
+/// steps of an unknown size.
+///
+/// The image has `Z` as integers, unlike images of other formats, and `A`. A miss is the value that
+/// the file's header names, else 0.
 ///
 /// # Errors
-/// What is no PNG file, damaged, cut off, or takes far more memory than the file.
-pub fn decode(path: &Path, bytes: &[u8]) -> Result<Picture> {
+/// The file is not a PNG of one 16-bit channel, is damaged, or takes far more memory than its size.
+pub fn decode(path: &Path, bytes: &[u8]) -> Result<Image> {
     decode_within(path, bytes, BudgetFactor::default())
 }
 
-/// As [`decode`], where pixels may take so many times the usual memory.
-pub(super) fn decode_within(path: &Path, bytes: &[u8], factor: BudgetFactor) -> Result<Picture> {
+/// Like [`decode`], with `factor` times the usual memory for pixels.
+pub(super) fn decode_within(path: &Path, bytes: &[u8], factor: BudgetFactor) -> Result<Image> {
     let limit = factor.image_limit(bytes.len() as u64);
     let mut decoder = decoder(Cursor::new(bytes));
     decoder.set_limits(Limits {
         bytes: usize::try_from(limit).unwrap_or(usize::MAX),
     });
-    // Words and colour profiles are nothing that is compared.
-    decoder.set_ignore_text_chunk(true);
-    decoder.set_transformations(Transformations::EXPAND);
-    let mut reader = decoder.read_info().map_err(|error| refused(path, &error))?;
-    let (width, height) = (reader.info().width, reader.info().height);
+    let mut reader = decoder.read_info().map_err(|error| damaged(path, &error))?;
+    let info = reader.info();
+    let (width, height) = (info.width, info.height);
+    if (info.color_type, info.bit_depth) != (ColorType::Grayscale, BitDepth::Sixteen) {
+        let diagnostic = Diagnostic::new("this PNG file holds colours, not data")
+            .at(SourceLocation::file(path))
+            .note("expected 16-bit depths, as from --view depth16, or an .exr, .npy or .pfm");
+        return Err(Error::bad_input(diagnostic));
+    }
     check_size(path, (width, height), bytes.len(), factor)?;
-    let too_large = || refused(path, &"it is too large for this machine's memory");
+    let header = text(info, ATTRIBUTE).map_err(|error| damaged(path, &error))?;
+    let miss = header.map_or(0, |header| miss_of(&header));
+    let too_large = || damaged(path, &"it is too large for this machine's memory");
     let mut samples = Vec::new();
     let size = reader.output_buffer_size().ok_or_else(too_large)?;
     samples.try_reserve_exact(size).map_err(|_| too_large())?;
     samples.resize(size, 0);
-    let frame = reader
+    reader
         .next_frame(&mut samples)
-        .map_err(|error| refused(path, &error))?;
-    Ok(Picture::of(&samples[..frame.buffer_size()], &frame))
+        .map_err(|error| damaged(path, &error))?;
+    let steps = samples
+        .as_chunks()
+        .0
+        .iter()
+        .map(|bytes| u16::from_be_bytes(*bytes));
+    let is_hit = |step: u16| if step == miss { 0.0 } else { 1.0 };
+    let a = Samples::F32(steps.clone().map(is_hit).collect());
+    let z = Samples::U32(steps.map(u32::from).collect());
+    Ok(Image {
+        display_window: (width, height),
+        data_window: PixelBounds::of_film(width, height),
+        channels: vec![
+            Channel {
+                name: ChannelName::A,
+                samples: a,
+            },
+            Channel {
+                name: ChannelName::Z,
+                samples: z,
+            },
+        ],
+    })
 }
 
-/// Refuses pictures that are too wide or high, and those whose pixels take far more memory than the file.
+/// The value of a miss that a header names; else 0.
+fn miss_of(header: &str) -> u16 {
+    let header: Option<serde_json::Value> = serde_json::from_str(header).ok();
+    let miss = header.and_then(|header| header[MISS].as_u64());
+    miss.and_then(|miss| miss.try_into().ok()).unwrap_or(0)
+}
+
+/// Refuses images that are too wide or high, or take far more memory than the file has bytes.
 fn check_size(
     path: &Path,
     (width, height): (u32, u32),
@@ -75,12 +104,11 @@ fn check_size(
 ) -> Result<()> {
     let limit = PixelBounds::MAX_SIDE;
     if width.max(height) > limit {
-        return Err(refused(
-            path,
-            &format!("it is {width} x {height} pixels, and a side has {limit} at most"),
-        ));
+        let found = format!("it has {width} x {height} pixels, more than {limit} along a side");
+        return Err(damaged(path, &found));
     }
-    let taken = (u64::from(width) * u64::from(height)).saturating_mul(size_of::<[u16; 4]>() as u64);
+    const PIXEL: u64 = (size_of::<f32>() + size_of::<u32>()) as u64;
+    let taken = (u64::from(width) * u64::from(height)).saturating_mul(PIXEL);
     if taken > factor.image_limit(size as u64) {
         let found = format!(
             "{size} bytes of PNG hold {width} x {height} pixels, which take {taken} bytes of memory"
@@ -88,59 +116,47 @@ fn check_size(
         let diagnostic = Diagnostic::new(found).at(SourceLocation::file(path));
         return Err(Error::bad_input(diagnostic.note(factor.advice())));
     }
+    let path = path.display();
     memory::check(taken, || {
-        format!(
-            "{}: this image is too large for this machine's memory",
-            path.display()
-        )
+        format!("{path}: this image is too large for this machine's memory")
     })
 }
 
-/// A decoder that leaves colour profiles alone.
+/// A decoder that ignores colour profiles.
 fn decoder<R: BufRead + Seek>(file: R) -> Decoder<R> {
     let mut decoder = Decoder::new(file);
     decoder.set_ignore_iccp_chunk(true);
     decoder
 }
 
-/// Bytes of a text at most, when it is decompressed.
-const MOST_TEXT: usize = 1 << 20;
-
-/// The words that the file `path` has under `keyword`, where it has some; pixels are not read.
+/// Reads the text of the file `path` under `keyword`, if it has one; reads no pixels.
 ///
 /// # Errors
-/// What is no PNG file, damaged, or cannot be read; words of more than a megabyte.
+/// The file is not a PNG, is damaged or cannot be read, or the text exceeds a megabyte.
 pub fn read_text(path: &Path, keyword: &str) -> Result<Option<String>> {
     let file = File::open(path).map_err(|error| Error::reading(path, &error))?;
-    let reader = decoder(BufReader::new(file))
-        .read_info()
-        .map_err(|error| refused(path, &error))?;
-    let info = reader.info();
-    if let Some(chunk) = info
-        .uncompressed_latin1_text
-        .iter()
-        .find(|chunk| chunk.keyword == keyword)
-    {
-        return Ok(Some(chunk.text.clone()));
-    }
-    let Some(mut chunk) = info
-        .utf8_text
-        .iter()
-        .find(|chunk| chunk.keyword == keyword)
-        .cloned()
-    else {
-        return Ok(None);
-    };
-    let text = chunk
-        .decompress_text_with_limit(MOST_TEXT)
-        .and_then(|()| chunk.get_text());
-    text.map(Some).map_err(|error| refused(path, &error))
+    let reader = decoder(BufReader::new(file)).read_info();
+    let reader = reader.map_err(|error| damaged(path, &error))?;
+    text(reader.info(), keyword).map_err(|error| damaged(path, &error))
 }
 
-/// Whether the file `path` has the end that every PNG file has; no pixel is read.
+fn text(info: &Info, keyword: &str) -> std::result::Result<Option<String>, png::DecodingError> {
+    let mut latin1 = info.uncompressed_latin1_text.iter();
+    if let Some(chunk) = latin1.find(|chunk| chunk.keyword == keyword) {
+        return Ok(Some(chunk.text.clone()));
+    }
+    let utf8 = info.utf8_text.iter().find(|chunk| chunk.keyword == keyword);
+    let Some(mut chunk) = utf8.cloned() else {
+        return Ok(None);
+    };
+    chunk.decompress_text_with_limit(MAX_TEXT)?;
+    chunk.get_text().map(Some)
+}
+
+/// Returns true if the file `path` ends like every PNG file; reads no pixels.
 ///
 /// # Errors
-/// Reading; a file that ends too early is no error.
+/// The file cannot be read; a file that is too short is no error.
 pub fn is_whole(path: &Path) -> Result<bool> {
     let last = || {
         let mut file = File::open(path)?;
@@ -150,120 +166,74 @@ pub fn is_whole(path: &Path) -> Result<bool> {
     };
     match last() {
         Ok(bytes) => Ok(bytes == END),
-        // A file of fewer bytes has no place that far from its end.
+        // The file has fewer bytes.
         Err(error) if error.kind() == io::ErrorKind::InvalidInput => Ok(false),
         Err(error) => Err(Error::reading(path, &error)),
     }
 }
 
-fn refused(path: &Path, error: &impl Display) -> Error {
-    let found = Diagnostic::new(format!("this PNG file cannot be read: {error}"))
-        .at(SourceLocation::file(path));
-    Error::bad_input(found.note("expected a whole file: it may be damaged or cut off"))
-}
-
-impl Picture {
-    /// The picture of `samples`, a frame without palette whose samples have 8 or 16 bits.
-    fn of(samples: &[u8], frame: &OutputInfo) -> Picture {
-        let channels = frame.color_type.samples();
-        let is_deep = frame.bit_depth == BitDepth::Sixteen;
-        let full = if is_deep { u16::MAX } else { u8::MAX.into() };
-        let pixel = |values: &[u16]| match *values {
-            [gray] => [gray, gray, gray, full],
-            [gray, alpha] => [gray, gray, gray, alpha],
-            [red, green, blue] => [red, green, blue, full],
-            [red, green, blue, alpha] => [red, green, blue, alpha],
-            _ => [0; 4],
-        };
-        let mut values = [0; 4];
-        let values = &mut values[..channels];
-        let pixels = match is_deep {
-            true => samples
-                .chunks_exact(2 * channels)
-                .map(|bytes| {
-                    let deep = bytes
-                        .as_chunks()
-                        .0
-                        .iter()
-                        .map(|bytes| u16::from_be_bytes(*bytes));
-                    values
-                        .iter_mut()
-                        .zip(deep)
-                        .for_each(|(value, sample)| *value = sample);
-                    pixel(values)
-                })
-                .collect(),
-            false => samples
-                .chunks_exact(channels)
-                .map(|bytes| {
-                    values
-                        .iter_mut()
-                        .zip(bytes)
-                        .for_each(|(value, sample)| *value = (*sample).into());
-                    pixel(values)
-                })
-                .collect(),
-        };
-        Picture {
-            width: frame.width,
-            height: frame.height,
-            pixels,
-            full,
-        }
-    }
+fn damaged(path: &Path, error: &impl Display) -> Error {
+    let diagnostic = Diagnostic::new(format!("this PNG file cannot be read: {error}"))
+        .at(SourceLocation::file(path))
+        .note("the file is truncated or damaged; was its writer interrupted?");
+    Error::bad_input(diagnostic)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::error::ErrorKind;
-    use image::{DynamicImage, GrayImage, ImageBuffer, ImageFormat, Luma, Rgb};
+    use crate::film::png_file::{self, Text};
+    use image::{DynamicImage, ImageFormat, RgbImage};
 
-    fn encoded(image: impl Into<DynamicImage>) -> Vec<u8> {
+    fn file(steps: &[u16], header: Option<&str>) -> Vec<u8> {
+        let keyword = ATTRIBUTE;
+        let text = |header: &str| Text {
+            keyword,
+            text: header.to_owned(),
+        };
+        let texts: Vec<Text> = header.map(text).into_iter().collect();
         let mut file = Cursor::new(Vec::new());
-        image.into().write_to(&mut file, ImageFormat::Png).unwrap();
+        png_file::write_gray16([2, 2], steps, &texts, &mut file).unwrap();
         file.into_inner()
     }
 
-    fn decoded(file: &[u8]) -> Result<Picture> {
+    fn decoded(file: &[u8]) -> Result<Image> {
         decode(Path::new("a.png"), file)
     }
 
     #[test]
-    fn eight_and_sixteen_bits_are_read() {
-        let gray = decoded(&encoded(GrayImage::from_fn(2, 1, |x, _| {
-            Luma([x as u8 * 7])
-        })))
-        .unwrap();
-        let expected = vec![[0, 0, 0, 255], [7, 7, 7, 255]];
-        assert_eq!(
-            gray,
-            Picture {
-                width: 2,
-                height: 1,
-                pixels: expected,
-                full: 255
-            }
-        );
-        let deep = ImageBuffer::from_fn(1, 2, |_, y| Rgb([y as u16, 300, 65535]));
-        let deep = decoded(&encoded(DynamicImage::ImageRgb16(deep))).unwrap();
-        let expected = vec![[0, 300, 65535, 65535], [1, 300, 65535, 65535]];
-        assert_eq!(
-            deep,
-            Picture {
-                width: 1,
-                height: 2,
-                pixels: expected,
-                full: 65535
-            }
+    fn depths_are_read_as_steps_with_misses() {
+        let steps = [0, 1, 300, 65535];
+        for (header, a) in [
+            (None, [0.0, 1.0, 1.0, 1.0]),
+            (Some("{\"miss\":300}"), [1.0, 1.0, 0.0, 1.0]),
+            (Some("no JSON"), [0.0, 1.0, 1.0, 1.0]),
+        ] {
+            let image = decoded(&file(&steps, header)).unwrap();
+            assert_eq!(image.data_window, PixelBounds::of_film(2, 2));
+            assert_eq!(image.numbers(ChannelName::Z).unwrap(), steps.map(u32::from));
+            assert_eq!(image.measures(ChannelName::A).unwrap(), a);
+        }
+    }
+
+    #[test]
+    fn colours_are_refused() {
+        let mut file = Cursor::new(Vec::new());
+        let image: DynamicImage = RgbImage::new(5, 4).into();
+        image.write_to(&mut file, ImageFormat::Png).unwrap();
+        let error = decoded(file.get_ref()).unwrap_err().to_string();
+        assert!(
+            error.starts_with("a.png: this PNG file holds colours, not data"),
+            "{error}"
         );
     }
 
     #[test]
-    fn the_end_of_a_file_is_missed_without_reading_pixels() {
+    fn a_missing_end_is_found_without_reading_pixels() {
         let directory = tempfile::tempdir().unwrap();
         let path = directory.path().join("a.png");
-        let file = encoded(GrayImage::from_fn(5, 4, |x, y| Luma([(x * y) as u8])));
+        let file = file(&[1, 2, 3, 4], None);
         for end in 0..=file.len() {
             std::fs::write(&path, &file[..end]).unwrap();
             assert_eq!(is_whole(&path).unwrap(), end == file.len());
@@ -272,15 +242,14 @@ mod tests {
 
     #[test]
     fn damage_is_an_error_and_no_panic() {
-        let file = encoded(GrayImage::from_fn(5, 4, |x, y| Luma([(x * y) as u8])));
+        let file = file(&[1, 2, 3, 4], None);
         for end in 0..file.len() - 12 {
-            let error = decoded(&file[..end]).expect_err("cut off");
+            let error = decoded(&file[..end]).expect_err("truncated");
             assert_eq!(error.kind(), ErrorKind::BadInput);
+            let message = error.to_string();
             assert!(
-                error
-                    .to_string()
-                    .starts_with("a.png: this PNG file cannot be read: "),
-                "{error}"
+                message.starts_with("a.png: this PNG file cannot be read: "),
+                "{message}"
             );
         }
         for place in 0..file.len() {

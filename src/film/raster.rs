@@ -2,21 +2,22 @@
 
 use super::{Channel, ChannelName, PixelBounds, Samples};
 
-/// What was rendered of a film: the channels asked for, over the pixels asked for.
+/// An image: the requested channels over the requested pixels.
 ///
-/// A miss holds in `Z` and `t` whatever the user chose, so `A` alone tells it from a hit.
+/// The user chooses the values of `Z` and `t` at a miss, so only `A` distinguishes hits from
+/// misses.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Image {
     /// Width and height of the whole film.
     pub display_window: (u32, u32),
     /// The pixels of the film that were rendered.
     pub data_window: PixelBounds,
-    /// The channels, in any order, each name at most once.
+    /// The channels in any order, each name once.
     pub channels: Vec<Channel>,
 }
 
 impl Image {
-    /// The samples of an `f32` channel, where the image has it.
+    /// The samples of an `f32` channel, if the image has it.
     pub fn measures(&self, name: ChannelName) -> Option<&[f32]> {
         match self.samples(name)? {
             Samples::F32(values) => Some(values),
@@ -24,7 +25,7 @@ impl Image {
         }
     }
 
-    /// The samples of a `u32` channel, where the image has it.
+    /// The samples of a `u32` channel, if the image has it.
     pub fn numbers(&self, name: ChannelName) -> Option<&[u32]> {
         match self.samples(name)? {
             Samples::U32(values) => Some(values),
@@ -39,7 +40,7 @@ impl Image {
             .map(|channel| &channel.samples)
     }
 
-    /// Checks what the writers rely on; says what is wrong.
+    /// Checks the invariants that writers rely on; the error is what is wrong.
     pub fn validate(&self) -> Result<(), String> {
         let (width, height) = self.display_window;
         let window = self.data_window;
@@ -49,7 +50,7 @@ impl Image {
             ));
         }
         for (index, channel) in self.channels.iter().enumerate() {
-            let name = channel.name.as_str();
+            let name = channel.name;
             if channel.samples.len() as u64 != window.area() {
                 return Err(format!(
                     "{} samples of {name} for {window:?}",
@@ -89,7 +90,7 @@ mod tests {
     }
 
     #[test]
-    fn finds_a_channel_by_name_and_type() {
+    fn channels_are_found_by_name_and_type() {
         let image = image(ChannelName::Id, Samples::U32(vec![7, 8]));
         assert_eq!(image.validate(), Ok(()));
         assert_eq!(image.numbers(ChannelName::Id), Some(&[7, 8][..]));
@@ -98,7 +99,7 @@ mod tests {
     }
 
     #[test]
-    fn refuses_what_no_file_can_hold() {
+    fn invalid_images_are_refused() {
         assert!(
             image(ChannelName::Z, Samples::F32(vec![1.0]))
                 .validate()

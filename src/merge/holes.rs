@@ -1,17 +1,18 @@
-//! What rectangles leave uncovered of a rectangle.
+//! The part of a rectangle that other rectangles do not cover.
 
 use crate::film::PixelBounds;
 
-/// The pixels of a window that are in none of some others.
+/// The pixels of a window that no part covers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Holes {
     pub(super) count: u64,
-    /// The topmost, and of those the leftmost.
+    /// The leftmost of the topmost holes.
     pub(super) first: Option<[u32; 2]>,
 }
 
 impl Holes {
-    /// Those that `parts` leave of `window`. Looks at bands of rows in which the same parts are, so at no pixel by itself.
+    /// The pixels of `window` that no part covers. Visits bands of rows with the same parts, not
+    /// single pixels.
     pub(super) fn of(window: &PixelBounds, parts: &[PixelBounds]) -> Holes {
         let mut holes = Holes {
             count: 0,
@@ -25,7 +26,7 @@ impl Holes {
     }
 }
 
-/// Shows `visit` the rectangles that make up what `parts` leave of `window`, from the topmost on.
+/// Visits the rectangles of `window` that `parts` leave uncovered, from the top.
 pub(super) fn each(
     window: &PixelBounds,
     parts: &[PixelBounds],
@@ -94,11 +95,16 @@ mod tests {
 
     proptest! {
         #[test]
-        fn are_the_pixels_in_no_part(parts in prop::collection::vec((0u32..12, 0u32..8, 0u32..12, 0u32..8), 0..9)) {
+        fn holes_are_the_pixels_in_no_part(
+            parts in prop::collection::vec((0u32..12, 0u32..8, 0u32..12, 0u32..8), 0..9),
+        ) {
             let window = bounds(2, 11, 1, 12);
-            let parts: Vec<PixelBounds> = parts.into_iter().map(|(x, w, y, h)| bounds(x, w, y, h)).collect();
-            let pixels = (window.y0..window.y1).flat_map(|y| (window.x0..window.x1).map(move |x| [x, y]));
-            let holes: Vec<[u32; 2]> = pixels.filter(|[x, y]| parts.iter().all(|part| !part.contains(*x, *y))).collect();
+            let parts = parts.into_iter().map(|(x, w, y, h)| bounds(x, w, y, h));
+            let parts: Vec<PixelBounds> = parts.collect();
+            let row = |y| (window.x0..window.x1).map(move |x| [x, y]);
+            let is_hole = |[x, y]: &[u32; 2]| parts.iter().all(|part| !part.contains(*x, *y));
+            let pixels = (window.y0..window.y1).flat_map(row);
+            let holes: Vec<[u32; 2]> = pixels.filter(is_hole).collect();
             let expected = Holes { count: holes.len() as u64, first: holes.first().copied() };
             prop_assert_eq!(Holes::of(&window, &parts), expected);
         }

@@ -1,7 +1,8 @@
-//! Crops of one film, put together.
+//! Merges crops of one film.
 //!
-//! What the headers say is checked before a pixel is read: that all crops are of one film, scene and set of options, and which pixels no
-//! crop has. Then the crops are read one after the other. So a whole of many gigabytes takes its own memory and that of one crop.
+//! Headers are checked before any pixel is read: all crops must come from one film, scene and set
+//! of options, and cover all pixels. Then the crops are read one after the other, so a merged image
+//! of many gigabytes takes its own memory and that of one crop.
 
 mod holes;
 #[cfg(test)]
@@ -16,37 +17,36 @@ use crate::render;
 use holes::Holes;
 use std::path::{Path, PathBuf};
 
-/// The key of [`Metadata::json`] that holds the number of pixels that no crop had.
+/// The key of [`Metadata::json`] for the number of pixels that no crop covers.
 pub const HOLES: &str = "holes";
 
-/// A film put together.
+/// A merged image.
 #[derive(Debug)]
 pub struct Merged {
-    /// The whole film; if it may be a part, the smallest rectangle around all crops.
+    /// The whole film; for a partial merge, the smallest rectangle around all crops.
     pub image: Image,
-    /// That of the crops. Where there are holes, their number is added to the JSON.
+    /// The metadata of the crops. If there are holes, their number is added to the JSON.
     pub metadata: Metadata,
-    /// Pixels that no crop has: they are as a miss is.
+    /// Pixels that no crop covers; they are misses.
     pub holes: u64,
 }
 
-/// Puts the EXR files `crops` together by their data windows. Pixels that several crops have must be the same in all of them.
-/// Without `partial` every pixel of the film must be in one; with it, the image ends where the crops do, and may have holes.
+/// Merges the EXR files `crops` by their data windows. Crops must have the same values where they
+/// overlap. Without `partial`, every pixel of the film must be covered; with it, the image ends
+/// where the crops do, and may have holes.
 ///
 /// The pixels of a crop may take `factor` times the usual memory. `progress` counts crops.
 ///
 /// # Errors
-/// Files that cannot be read, or are not of one film, scene and set of options; pixels that are missing, or differ.
+/// A file cannot be read, or comes from another film, scene or set of options; pixels are missing, or differ.
 pub fn merge(
     crops: &[PathBuf],
     partial: bool,
     factor: BudgetFactor,
     progress: Progress,
 ) -> Result<Merged> {
-    let outlines = crops
-        .iter()
-        .map(|path| exr_reader::read_outline(path))
-        .collect::<Result<Vec<Outline>>>()?;
+    let outlines = crops.iter().map(|path| exr_reader::read_outline(path));
+    let outlines = outlines.collect::<Result<Vec<Outline>>>()?;
     let Some(first) = outlines.first() else {
         return Err(Error::usage("no crop to merge"));
     };
@@ -69,9 +69,8 @@ pub fn merge(
     for (place, path) in crops.iter().enumerate() {
         let (crop, _) = exr_reader::read_with_metadata(path, factor)?;
         if crop.data_window != windows[place] || crop.channels.len() != image.channels.len() {
-            return Err(Error::bad_input(
-                Diagnostic::new("the file changed").at(SourceLocation::file(path)),
-            ));
+            let diagnostic = Diagnostic::new("the file changed").at(SourceLocation::file(path));
+            return Err(Error::bad_input(diagnostic));
         }
         for (other, before) in windows[..place].iter().enumerate() {
             check_same(&image, &crop, &crop.data_window.intersection(before))
@@ -82,7 +81,7 @@ pub fn merge(
     }
     let mut metadata = first.metadata.clone();
     if holes.count > 0 {
-        // Only now: memory that is not written to is not taken, and any of the crops might have been damaged.
+        // Late, because writing takes memory, and one of the crops may be damaged.
         fill_holes(&mut image, &windows, metadata.miss());
         metadata.json = with_holes(&metadata.json, holes.count);
     }
@@ -93,7 +92,7 @@ pub fn merge(
     })
 }
 
-/// What is different about two crops that should be of one image, if anything is.
+/// Checks the headers of two crops of one image; the error is their difference.
 fn check_alike(first: &Outline, other: &Outline) -> std::result::Result<(), String> {
     if first.film != other.film {
         let [a, b] = [first.film, other.film].map(|(width, height)| format!("{width} x {height}"));
@@ -109,20 +108,17 @@ fn check_alike(first: &Outline, other: &Outline) -> std::result::Result<(), Stri
         return Err("the cameras are different".to_owned());
     }
     if first.channels != other.channels {
-        let [a, b] = [first, other].map(|outline| {
-            outline
-                .channels
-                .iter()
-                .map(|name| name.as_str())
-                .collect::<Vec<_>>()
-                .join(", ")
-        });
+        let names = |outline: &Outline| {
+            let names = outline.channels.iter().map(|channel| channel.name());
+            names.collect::<Vec<_>>().join(", ")
+        };
+        let (a, b) = (names(first), names(other));
         return Err(format!("the channels are {a}, and {b}"));
     }
     Ok(())
 }
 
-/// The first key whose values differ, with both of them.
+/// The first key whose values differ, with both values.
 fn difference_of_json(first: &str, other: &str) -> String {
     let [first, other] = [first, other]
         .map(|json| serde_json::from_str::<serde_json::Value>(json).unwrap_or_default());
@@ -130,11 +126,9 @@ fn difference_of_json(first: &str, other: &str) -> String {
     let mut keys = a.keys().chain(b.keys());
     match keys.find(|key| a.get(*key) != b.get(*key)) {
         Some(key) => {
-            let [a, b] = [&a, &b].map(|object| {
-                object
-                    .get(key)
-                    .map_or("nothing".to_owned(), ToString::to_string)
-            });
+            let [a, b] = [&a, &b].map(|object| object.get(key));
+            let [a, b] =
+                [a, b].map(|value| value.map_or("missing".to_owned(), ToString::to_string));
             format!("`{key}` is {a} and {b}")
         }
         None => "their attributes `feimos` are different".to_owned(),
@@ -142,16 +136,13 @@ fn difference_of_json(first: &str, other: &str) -> String {
 }
 
 fn unlike(first: &Path, other: &Path, difference: &str) -> Error {
-    let message = format!(
-        "this is no crop of the image that {} is a crop of: {difference}",
-        first.display()
-    );
-    let diagnostic = Diagnostic::new(message).at(SourceLocation::file(other));
-    Error::bad_input(
-        diagnostic.note(
-            "expected crops of one scene, rendered with the same options by the same version",
-        ),
-    )
+    let first = first.display();
+    let diagnostic = Diagnostic::new(format!(
+        "not a crop of the same image as {first}: {difference}"
+    ))
+    .at(SourceLocation::file(other))
+    .note("expected crops of one scene, rendered with the same options by the same version");
+    Error::bad_input(diagnostic)
 }
 
 fn missing(holes: &Holes, [x, y]: [u32; 2], (width, height): (u32, u32)) -> Error {
@@ -159,43 +150,39 @@ fn missing(holes: &Holes, [x, y]: [u32; 2], (width, height): (u32, u32)) -> Erro
         "{} of the film's {width} x {height} pixels are in no crop, the first is ({x}, {y})",
         holes.count
     );
-    Error::bad_input(
-        Diagnostic::new(message).note("render what is missing, or take --partial to have holes"),
-    )
+    let advice = "render the missing pixels, or use --partial to allow holes";
+    Error::bad_input(Diagnostic::new(message).note(advice))
 }
 
 fn differing(first: &Path, other: &Path, difference: &str) -> Error {
-    let message = format!(
-        "{} has other values for the same pixels: {difference}",
-        first.display()
-    );
-    let diagnostic = Diagnostic::new(message).at(SourceLocation::file(other));
-    Error::bad_input(
-        diagnostic.note("expected crops that agree where they overlap: render both again"),
-    )
+    let first = first.display();
+    let message = format!("{first} has other values for the same pixels: {difference}");
+    let diagnostic = Diagnostic::new(message)
+        .at(SourceLocation::file(other))
+        .note("expected crops that agree where they overlap: render both again");
+    Error::bad_input(diagnostic)
 }
 
-/// The smallest rectangle around all of `windows`, of which there is one at least.
+/// The smallest rectangle around all of `windows`, which are not empty.
 fn around(windows: &[PixelBounds]) -> PixelBounds {
-    windows[1..]
-        .iter()
-        .fold(windows[0], |around, window| PixelBounds {
-            x0: around.x0.min(window.x0),
-            x1: around.x1.max(window.x1),
-            y0: around.y0.min(window.y0),
-            y1: around.y1.max(window.y1),
-        })
+    let union = |a: PixelBounds, b: &PixelBounds| PixelBounds {
+        x0: a.x0.min(b.x0),
+        x1: a.x1.max(b.x1),
+        y0: a.y0.min(b.y0),
+        y1: a.y1.max(b.y1),
+    };
+    windows[1..].iter().fold(windows[0], union)
 }
 
-/// Puts `miss` into the depths of the pixels that are in none of `windows`.
+/// Sets the depths of the pixels that no window covers to `miss`.
 fn fill_holes(image: &mut Image, windows: &[PixelBounds], miss: f32) {
     let whole = image.data_window;
     holes::each(&whole, windows, |hole| {
-        for channel in image
+        let depths = image
             .channels
             .iter_mut()
-            .filter(|channel| channel.name.is_depth())
-        {
+            .filter(|channel| channel.name.is_depth());
+        for channel in depths {
             if let Samples::F32(values) = &mut channel.samples {
                 (hole.y0..hole.y1).for_each(|y| values[row(&whole, hole, y)].fill(miss));
             }
@@ -203,23 +190,20 @@ fn fill_holes(image: &mut Image, windows: &[PixelBounds], miss: f32) {
     });
 }
 
-/// The places of the pixels of a row of `part` among the samples of `window`.
+/// The range of a row of `part` among the samples of `window`.
 fn row(window: &PixelBounds, part: &PixelBounds, y: u32) -> std::ops::Range<usize> {
     let start = (y - window.y0) as usize * window.width() as usize + (part.x0 - window.x0) as usize;
     start..start + part.width() as usize
 }
 
-/// Whether both have the same bits in `part`, which is in both; if not, says where not.
+/// Checks that both images have the same bits in `part`; the error is the first difference.
 fn check_same(image: &Image, crop: &Image, part: &PixelBounds) -> std::result::Result<(), String> {
     if part.is_empty() {
         return Ok(());
     }
     for (a, b) in pairs(image, crop) {
         for y in part.y0..part.y1 {
-            let (at_a, at_b) = (
-                row(&image.data_window, part, y),
-                row(&crop.data_window, part, y),
-            );
+            let [at_a, at_b] = [image, crop].map(|image| row(&image.data_window, part, y));
             let different = match (&a.samples, &b.samples) {
                 (Samples::F32(a), Samples::F32(b)) => {
                     let mut pairs = a[at_a].iter().zip(&b[at_b]);
@@ -231,38 +215,33 @@ fn check_same(image: &Image, crop: &Image, part: &PixelBounds) -> std::result::R
                 _ => Some(0),
             };
             if let Some(place) = different {
-                return Err(format!(
-                    "{} differs in pixel ({}, {y})",
-                    a.name.as_str(),
-                    part.x0 + place as u32
-                ));
+                let x = part.x0 + place as u32;
+                return Err(format!("{} differs in pixel ({x}, {y})", a.name));
             }
         }
     }
     Ok(())
 }
 
-/// The channels of both by their names.
+/// The channels of both images with the same name.
 fn pairs<'a>(
     image: &'a Image,
     crop: &'a Image,
 ) -> impl Iterator<Item = (&'a Channel, &'a Channel)> {
     image.channels.iter().filter_map(|channel| {
-        crop.channels
+        let other = crop
+            .channels
             .iter()
-            .find(|other| other.name == channel.name)
-            .map(|other| (channel, other))
+            .find(|other| other.name == channel.name)?;
+        Some((channel, other))
     })
 }
 
 fn put(image: &mut Image, crop: Image) {
     let (window, part) = (image.data_window, crop.data_window);
     for from in crop.channels {
-        let Some(to) = image
-            .channels
-            .iter_mut()
-            .find(|channel| channel.name == from.name)
-        else {
+        let mut channels = image.channels.iter_mut();
+        let Some(to) = channels.find(|channel| channel.name == from.name) else {
             continue;
         };
         for y in part.y0..part.y1 {

@@ -179,17 +179,16 @@ fn crops_of_different_images_are_told_apart() {
         (
             image(whole, FILM),
             r#"{"miss":-1.0}"#,
-            r#"`scene` is "one" and nothing"#,
+            r#"`scene` is "one" and missing"#,
         ),
-        (image(whole, FILM), "", r#"`miss` is -1.0 and nothing"#),
+        (image(whole, FILM), "", r#"`miss` is -1.0 and missing"#),
         (one_channel, JSON, "the channels are Z, id, and Z"),
     ];
     for (image, json, difference) in cases {
         let mut crops = Crops::new(&[[0, 7, 0, 5]]);
         crops.add(&image, json);
         let message = crops.refused();
-        let expected =
-            format!("1.exr: this is no crop of the image that 0.exr is a crop of: {difference}\n");
+        let expected = format!("1.exr: not a crop of the same image as 0.exr: {difference}\n");
         assert!(message.starts_with(&expected), "{message}");
     }
 }

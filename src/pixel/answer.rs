@@ -1,80 +1,71 @@
-//! What each way of computing finds.
+//! The answers of each kernel to one ray.
 
 use crate::accel::{Aggregate, Depth, Precision, Tracer};
-use crate::bench::{Classic, Kernel, Yardstick};
+use crate::bench::{Baseline, BaselineKernel, Kernel};
 use crate::compare::ulps_between;
 use crate::error::Result;
-use crate::film::{ChannelName, Image, PixelBounds};
+use crate::film::{ChannelName, PixelBounds};
 use crate::progress::Progress;
 use crate::render::{RenderOptions, render};
 use crate::scene::Scene;
 use crate::shape::InstancedId;
 use crate::simd::Level;
 
-/// The answer of one way of computing.
+/// The answer of one kernel.
 #[derive(Debug, Clone, Copy)]
 pub struct Answer {
-    /// How hits are decided; `None` where somebody else's arithmetic is the yardstick.
+    /// How hits are decided; `None` for a baseline kernel.
     pub precision: Option<Precision>,
-    /// `in a tile`, as `render` does it, or `alone`; of a yardstick its name.
+    /// `in a tile`, as in `render`, or `alone`; for a baseline kernel its name.
     pub way: &'static str,
     /// `None` for a miss.
     pub found: Option<Found>,
-    /// By how many units in the last place its Z and t are off, where both it and the exact answer hit.
+    /// Errors of Z and t in units in the last place, if both this and the exact answer are hits.
     pub ulps: Option<[u32; 2]>,
 }
 
-/// A hit, in the numbers of images.
+/// A hit, in the values of image channels.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Found {
-    /// As channel `prim` has it.
+    /// Channel `prim`.
     pub prim: u32,
-    /// As channel `instance` has it.
+    /// Channel `instance`.
     pub instance: u32,
-    /// As channel `Z` has it.
+    /// Channel `Z`.
     pub z: f32,
-    /// As channel `t` has it.
+    /// Channel `t`.
     pub t: f32,
 }
 
 impl Found {
-    /// Equal where everything is, bit for bit.
+    /// Values that are equal only if the hits are, bit for bit.
     pub(super) fn bits(self) -> [u32; 4] {
         [self.prim, self.instance, self.z.to_bits(), self.t.to_bits()]
     }
 }
 
-/// All answers: that of the exact search for single rays first, those of the yardsticks last.
+/// All answers: the exact one of a single ray first, those of the baseline kernels last.
 pub(super) fn answers(scene: &Scene, tree: &Aggregate, pixel: [u32; 2]) -> Result<Vec<Answer>> {
-    let mut found: Vec<(Option<Precision>, &'static str, Option<Found>)> = Vec::new();
-    for precision in Precision::ALL {
-        found.push((
-            Some(precision),
-            "alone",
-            alone(scene, tree, pixel, precision),
-        ));
-        found.push((
-            Some(precision),
-            "in a tile",
-            in_tile(scene, tree, pixel, precision)?,
-        ));
-    }
-    for classic in [Classic::MoellerTrumbore, Classic::Watertight] {
-        found.push((
-            None,
-            Kernel::Classic(classic).name(),
-            by_yardstick(scene, tree, pixel, classic),
-        ));
-    }
-    let exact = found[0].2;
-    let off = |(a, b): (Found, Found)| [ulps_between(a.z, b.z), ulps_between(a.t, b.t)];
-    let answer = |(precision, way, found)| Answer {
+    let exact = alone(scene, tree, pixel, Precision::Exact);
+    let ulps = |(a, b): (Found, Found)| [ulps_between(a.z, b.z), ulps_between(a.t, b.t)];
+    let answer = |precision, way, found| Answer {
         precision,
         way,
         found,
-        ulps: exact.zip(found).map(off),
+        ulps: exact.zip(found).map(ulps),
     };
-    Ok(found.into_iter().map(answer).collect())
+    let mut answers = Vec::new();
+    for precision in Precision::ALL {
+        let found = alone(scene, tree, pixel, precision);
+        answers.push(answer(Some(precision), "alone", found));
+        let found = in_tile(scene, tree, pixel, precision)?;
+        answers.push(answer(Some(precision), "in a tile", found));
+    }
+    for baseline in [Baseline::MoellerTrumbore, Baseline::Watertight] {
+        let found = by_baseline(scene, tree, pixel, baseline);
+        answers.push(answer(None, Kernel::Baseline(baseline).name(), found));
+    }
+    Ok(answers)
 }
 
 fn alone(scene: &Scene, tree: &Aggregate, [x, y]: [u32; 2], precision: Precision) -> Option<Found> {
@@ -85,31 +76,30 @@ fn alone(scene: &Scene, tree: &Aggregate, [x, y]: [u32; 2], precision: Precision
     Some(of_hit(scene, hit.primitive, depth))
 }
 
-fn by_yardstick(
+fn by_baseline(
     scene: &Scene,
     tree: &Aggregate,
     [x, y]: [u32; 2],
-    classic: Classic,
+    baseline: Baseline,
 ) -> Option<Found> {
     let mut tracer = Tracer::new(tree, &scene.geometry, Precision::Exact);
-    let (primitive, depth) = Yardstick::new(classic, &scene.geometry)
-        .closest_hit(&mut tracer, &scene.camera.ray(x, y))?;
+    let kernel = BaselineKernel::new(baseline, &scene.geometry);
+    let (primitive, depth) = kernel.closest_hit(&mut tracer, &scene.camera.ray(x, y))?;
     Some(of_hit(scene, primitive, depth))
 }
 
 fn of_hit(scene: &Scene, primitive: InstancedId, depth: Depth) -> Found {
-    let instance = primitive
-        .instance()
-        .map_or(0, |instance| instance as u32 + 1);
     Found {
         prim: scene.geometry.image_number(primitive),
-        instance,
+        instance: primitive
+            .instance()
+            .map_or(0, |instance| instance as u32 + 1),
         z: depth.z,
         t: depth.distance,
     }
 }
 
-/// By an image of this pixel.
+/// Renders an image of this pixel.
 fn in_tile(
     scene: &Scene,
     tree: &Aggregate,
@@ -130,26 +120,16 @@ fn in_tile(
         counted: false,
         level: Level::detect(),
     };
-    let image = render(
-        &scene.camera,
-        &scene.geometry,
-        tree,
-        &options,
-        Progress::SILENT,
-    )?
-    .image;
-    Ok((measure(&image, A) != 0.0).then(|| Found {
-        prim: number(&image, Prim),
-        instance: number(&image, Instance),
-        z: measure(&image, Z),
-        t: measure(&image, T),
+    let Scene {
+        camera, geometry, ..
+    } = scene;
+    let image = render(camera, geometry, tree, &options, Progress::SILENT)?.image;
+    let measure = |name| image.measures(name).expect("a requested channel")[0];
+    let number = |name| image.numbers(name).expect("a requested channel")[0];
+    Ok((measure(A) != 0.0).then(|| Found {
+        prim: number(Prim),
+        instance: number(Instance),
+        z: measure(Z),
+        t: measure(T),
     }))
-}
-
-fn measure(image: &Image, name: ChannelName) -> f32 {
-    image.measures(name).expect("the channel asked for")[0]
-}
-
-fn number(image: &Image, name: ChannelName) -> u32 {
-    image.numbers(name).expect("the channel asked for")[0]
 }

@@ -4,10 +4,10 @@ use crate::camera::{Camera, Projection};
 use crate::geometry::{Matrix, Point};
 use crate::shape::Triangle;
 
-/// Edges are cut off where they are nearer to the eye's plane than this part of the distance of their farther end.
+/// Edges are clipped at this fraction of the depth of their farther end, in front of the eye.
 const NEAREST: f64 = 1e-9;
 
-/// The film around the centre of a pixel. In `f64`, for people: nothing is decided by it.
+/// The film around the centre of a pixel. In `f64`, for people: nothing depends on it.
 pub(super) struct FilmSpace<'a> {
     camera: &'a Camera,
     camera_from_world: Matrix,
@@ -16,7 +16,7 @@ pub(super) struct FilmSpace<'a> {
 }
 
 impl<'a> FilmSpace<'a> {
-    /// `None` where the camera's transform has no inverse.
+    /// `None` if the camera's transform has no inverse.
     pub(super) fn new(camera: &'a Camera, pixel: [u32; 2]) -> Option<FilmSpace<'a>> {
         let camera_from_world = camera.world_from_camera.inverse();
         let centre = pixel.map(|place| f64::from(place) + 0.5);
@@ -27,7 +27,8 @@ impl<'a> FilmSpace<'a> {
         })
     }
 
-    /// How far the centre of the pixel is from the nearest edge of a triangle, as far as that is before the eye.
+    /// The distance from the pixel's centre to the nearest edge of the part of a triangle in front
+    /// of the eye.
     pub(super) fn distance(&self, triangle: &Triangle) -> Option<f64> {
         let corners = triangle
             .0
@@ -55,7 +56,7 @@ impl<'a> FilmSpace<'a> {
         Some((a[0] + share * along[0]).hypot(a[1] + share * along[1]))
     }
 
-    /// Where a point in camera space is, in pixels from the centre.
+    /// The position of a point in camera space, in pixels from the pixel's centre.
     fn on_film(&self, point: Point) -> [f64; 2] {
         let [x, y] = match self.camera.projection {
             Projection::Perspective { tangent } => {
@@ -63,17 +64,15 @@ impl<'a> FilmSpace<'a> {
             }
             Projection::Orthographic => [point.x, point.y],
         };
-        let (screen, [width, height]) = (
-            &self.camera.screen_window,
-            self.camera.resolution.map(f64::from),
-        );
+        let screen = &self.camera.screen_window;
+        let [width, height] = self.camera.resolution.map(f64::from);
         let across = (x - screen.x0) / (screen.x1 - screen.x0) * width;
         let down = (y - screen.y1) / (screen.y0 - screen.y1) * height;
         [across - self.centre[0], down - self.centre[1]]
     }
 }
 
-/// The end `a` of an edge to `b`, moved along it up to z = `least` if it is before that. `None` if all of the edge is.
+/// The end `a` of an edge to `b`, clipped at z = `least`. `None` if nothing of the edge is left.
 fn cut(a: Point, b: Point, least: f64) -> Option<Point> {
     if a.z >= least && a.z > 0.0 || least == 0.0 && a.z >= 0.0 {
         return Some(a);

@@ -1,4 +1,4 @@
-//! What is to be said of a hit.
+//! The details of a hit.
 
 use super::Margin;
 use crate::accel::Depth;
@@ -8,26 +8,26 @@ use crate::scene::Scene;
 use crate::shape::{InstancedId, Primitive, Triangle};
 use std::cmp::Ordering;
 
-/// A hit in numbers.
+/// A hit: its primitive, its depth, and how close it was to a miss.
 #[derive(Debug, Clone)]
 pub struct HitDetails {
-    /// What is hit.
+    /// The primitive and its instance.
     pub primitive: InstancedId,
-    /// The number of the primitive as channel `prim` has it.
+    /// Channel `prim`.
     pub prim: u32,
     /// The number of the `Shape` statement, from 1.
     pub shape: u32,
-    /// Where the primitive is in the world.
+    /// The primitive's geometry in the world.
     pub surface: Primitive,
-    /// How far away it is, rounded once.
+    /// The depth and the distance, each rounded once.
     pub depth: Depth,
-    /// Where the ray's parameter lies, which is the planar depth, as narrowly as an `f64` or two can tell.
+    /// The narrowest bracket of the ray's parameter, which is the planar depth, in `f64`.
     pub z: Bracket,
-    /// Where the ray meets it, in the world; rounded more than once.
+    /// The point of the hit, in the world; rounded more than once.
     pub point: Point,
-    /// A unit vector across the surface there, to the side that the ray comes from; where `f64` can tell.
+    /// The unit normal at this point, on the side of the ray, if `f64` can represent it.
     pub normal: Option<Vector>,
-    /// How close it was.
+    /// The distance from a miss.
     pub margin: Margin,
 }
 
@@ -72,13 +72,15 @@ fn normal(surface: &Primitive, ray: &Ray, t: f64) -> Option<Vector> {
     }
 }
 
-/// Made exactly and then rounded: slivers have normals, too.
+/// Computed exactly and then rounded: slivers have normals, too.
 fn normal_of_triangle(triangle: &Triangle, ray: &Ray) -> Option<Vector> {
     let unit = triangle.exact_normal()?;
-    let is_away = triangle
+    let cosine = triangle
         .exact_cross()
-        .dot(&ExactVector::from(ray.direction))
-        .sign()
-        == Ordering::Greater;
-    Some(if is_away { -unit } else { unit })
+        .dot(&ExactVector::from(ray.direction));
+    Some(if cosine.sign() == Ordering::Greater {
+        -unit
+    } else {
+        unit
+    })
 }

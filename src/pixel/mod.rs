@@ -1,4 +1,5 @@
-//! The ray of one pixel, explained: what it meets and where, how close that was, and what each way of computing says.
+//! Explains the ray of one pixel: what it hits and where, how close that was, and the answer of
+//! each kernel.
 
 mod answer;
 mod film_space;
@@ -21,37 +22,38 @@ use crate::reference::{self, ReferenceHit};
 use crate::scene::Scene;
 use answer::answers;
 
-/// Primitives up to which the [reference](mod@reference) is asked, too: a few microseconds each.
-pub const MAX_JUDGED: u64 = 2_000_000;
+/// With more primitives the [reference](mod@reference), which takes a few microseconds for each, is
+/// not computed.
+pub const MAX_REFERENCED: u64 = 2_000_000;
 
-/// All that is to be said of a pixel.
+/// The explanation of a pixel.
 #[derive(Debug)]
 pub struct Explanation {
-    /// From the left and from the top.
+    /// Column and row, from the upper left corner.
     pub pixel: [u32; 2],
-    /// Through the pixel's centre.
+    /// The ray through the pixel's centre.
     pub ray: Ray,
-    /// What it hits, exactly.
+    /// The exact hit.
     pub hit: Option<HitDetails>,
-    /// What of the scene is near the ray; `None` where there is too much to look at all of it.
+    /// The primitives near the ray; `None` if the scene has too many.
     pub scan: Option<Scan>,
-    /// What each way of computing finds. The first one is what [`Explanation::hit`] tells.
+    /// The answers of all kernels; the first one is [`Explanation::hit`].
     pub answers: Vec<Answer>,
-    /// What the ray costs with each accelerator, by the exact search.
+    /// Tests of the ray with each accelerator, by the exact kernel.
     pub costs: Vec<(SplitMethod, TraversalCounts)>,
-    /// Whether the reference was asked.
-    pub is_judged: bool,
-    /// Where exact answers contradict each other, in words: a bug of this program.
+    /// The reference was computed.
+    pub has_reference: bool,
+    /// Contradictions between exact answers: a bug in feimos.
     pub contradictions: Vec<String>,
 }
 
-/// Explains pixel `x`, `y` of the film, which holds it. Each of `builds` is tried; the answers come of the first one's tree.
+/// Explains a pixel of the film. Each of `builds` is tried; the answers come from the first tree.
 ///
 /// # Errors
-/// Where an image of one pixel does not fit into memory.
+/// An image of one pixel does not fit into memory.
 ///
 /// # Panics
-/// Where `builds` is empty.
+/// `builds` is empty.
 pub fn explain(scene: &Scene, pixel: [u32; 2], builds: &[BuildOptions]) -> Result<Explanation> {
     let Scene {
         camera, geometry, ..
@@ -79,9 +81,9 @@ pub fn explain(scene: &Scene, pixel: [u32; 2], builds: &[BuildOptions]) -> Resul
             .map(|build| (build.method, cost(&tree(*build)))),
     );
     let scan = Scan::of(scene, pixel, &ray, hit.is_none());
-    let is_judged = geometry.primitive_count() <= MAX_JUDGED;
-    let judged = is_judged.then(|| reference::closest_hit(geometry, &ray));
-    let contradictions = contradictions(hit.as_ref(), &answers, scan.as_ref(), judged);
+    let has_reference = geometry.primitive_count() <= MAX_REFERENCED;
+    let reference = has_reference.then(|| reference::closest_hit(geometry, &ray));
+    let contradictions = contradictions(hit.as_ref(), &answers, scan.as_ref(), reference);
     Ok(Explanation {
         pixel,
         ray,
@@ -89,7 +91,7 @@ pub fn explain(scene: &Scene, pixel: [u32; 2], builds: &[BuildOptions]) -> Resul
         scan,
         answers,
         costs,
-        is_judged,
+        has_reference,
         contradictions,
     })
 }
@@ -98,13 +100,11 @@ fn contradictions(
     hit: Option<&HitDetails>,
     answers: &[Answer],
     scan: Option<&Scan>,
-    judged: Option<Option<ReferenceHit>>,
+    reference: Option<Option<ReferenceHit>>,
 ) -> Vec<String> {
     let mut found = Vec::new();
-    for answer in answers
-        .iter()
-        .filter(|answer| answer.precision == Some(Precision::Exact))
-    {
+    let is_exact = |answer: &&Answer| answer.precision == Some(Precision::Exact);
+    for answer in answers.iter().filter(is_exact) {
         if answer.found.map(Found::bits) != answers[0].found.map(Found::bits) {
             found.push(format!(
                 "exact {}: {:?} is not {:?}",
@@ -119,17 +119,12 @@ fn contradictions(
             scan.first
         ));
     }
-    let expected = hit.map(|hit| {
-        (
-            hit.primitive,
-            hit.depth.z.to_bits(),
-            hit.depth.distance.to_bits(),
-        )
-    });
-    if let Some(judged) = judged {
-        let judged = judged.map(|hit| (hit.primitive, hit.z.to_bits(), hit.distance.to_bits()));
-        if judged != expected {
-            found.push(format!("the reference: {judged:?} is not {expected:?}"));
+    let bits = |z: f32, distance: f32| [z.to_bits(), distance.to_bits()];
+    let expected = hit.map(|hit| (hit.primitive, bits(hit.depth.z, hit.depth.distance)));
+    if let Some(reference) = reference {
+        let reference = reference.map(|hit| (hit.primitive, bits(hit.z, hit.distance)));
+        if reference != expected {
+            found.push(format!("the reference: {reference:?} is not {expected:?}"));
         }
     }
     found

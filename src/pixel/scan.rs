@@ -1,4 +1,4 @@
-//! Everything that a ray meets or passes, without any tree.
+//! Scans all primitives for those that a ray hits or passes, without a tree.
 
 use super::film_space::FilmSpace;
 use crate::exact::{Bracket, Root};
@@ -8,34 +8,34 @@ use crate::shape::{FilterRay, FilterResult, Geometry, InstancedId, Primitive, Pr
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
-/// Primitives that are looked at, at most: some seconds.
+/// Scenes with more primitives are not scanned: it would take more than some seconds.
 pub const MAX_SCANNED: u64 = 200_000_000;
 
-/// What is near a ray.
+/// The primitives near a ray.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scan {
-    /// Primitives that it meets.
+    /// The number of primitives that it hits.
     pub met: u64,
-    /// The nearest of them; of several, the first in the file.
+    /// The nearest of them; of several at one depth the first in the file.
     pub first: Option<InstancedId>,
-    /// The one after that.
+    /// The second nearest.
     pub next: Option<Next>,
-    /// Where it meets none: what it passes most closely.
+    /// The triangle that it passes most closely, if it hits nothing.
     pub missed: Option<Missed>,
-    /// Spheres, cylinders and disks, whose distance to a ray that misses them is not measured.
+    /// The number of quadrics, whose distance to a ray that misses them is not measured.
     pub unmeasured: u64,
 }
 
 /// The second nearest hit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Next {
-    /// What would be hit if the first one were not there.
+    /// The primitive and its instance.
     pub primitive: InstancedId,
-    /// Where the planar depth lies.
+    /// The bracket of the planar depth.
     pub z: Bracket,
-    /// How much farther the planar depth is, in `f64`.
+    /// The difference to the first planar depth, in `f64`.
     pub farther: f64,
-    /// Whether both are at exactly the same depth: the first in the file wins (rule E3).
+    /// Both are at exactly the same depth: the first in the file wins (rule E3).
     pub is_tie: bool,
 }
 
@@ -44,11 +44,11 @@ pub struct Next {
 pub struct Missed {
     /// The triangle.
     pub primitive: InstancedId,
-    /// Pixels on the film from the pixel's centre to the nearest edge.
+    /// Distance on the film from the pixel's centre to the nearest edge, in pixels.
     pub on_film: f64,
 }
 
-/// What some primitives contribute.
+/// The result for some primitives.
 #[derive(Default)]
 struct Part {
     hits: Vec<(InstancedId, Bracket)>,
@@ -56,7 +56,8 @@ struct Part {
 }
 
 impl Scan {
-    /// Looks at every primitive; `None` where there are too many. Distances to what is missed are measured if `is_miss`.
+    /// Scans every primitive; `None` if there are too many. Measures distances of missed triangles
+    /// if `is_miss`.
     pub(super) fn of(scene: &Scene, pixel: [u32; 2], ray: &Ray, is_miss: bool) -> Option<Scan> {
         let geometry = &scene.geometry;
         if geometry.primitive_count() > MAX_SCANNED {
@@ -70,7 +71,7 @@ impl Scan {
             part.hits.extend(
                 filter_ray
                     .as_ref()
-                    .and_then(|ray| meet(&surface, ray))
+                    .and_then(|ray| bracket_of_hit(&surface, ray))
                     .map(|t| (placed, t)),
             );
             if let (Primitive::Triangle(triangle), Some(film)) = (&surface, &film) {
@@ -111,7 +112,7 @@ impl Scan {
     }
 }
 
-/// All primitives, where they are in the world.
+/// All primitives with their geometry in the world.
 fn all(geometry: &Geometry) -> impl ParallelIterator<Item = (InstancedId, Primitive)> {
     let triangles = (0..geometry.triangle_count())
         .into_par_iter()
@@ -138,7 +139,7 @@ fn all(geometry: &Geometry) -> impl ParallelIterator<Item = (InstancedId, Primit
         .chain(instanced)
 }
 
-fn meet(surface: &Primitive, ray: &FilterRay) -> Option<Bracket> {
+fn bracket_of_hit(surface: &Primitive, ray: &FilterRay) -> Option<Bracket> {
     if !surface.can_be_hit() {
         return None;
     }
@@ -157,7 +158,7 @@ fn closer(a: Option<Missed>, b: Option<Missed>, geometry: &Geometry) -> Option<M
     })
 }
 
-/// The nearest hit and the one after it, by exact comparisons of those whose brackets leave a doubt.
+/// The nearest two hits. Exact comparisons decide between overlapping brackets.
 fn nearest_two(
     mut hits: Vec<(InstancedId, Bracket)>,
     geometry: &Geometry,

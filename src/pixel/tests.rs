@@ -2,7 +2,8 @@ use super::*;
 use crate::scene::{LoadOptions, parse};
 use std::path::Path;
 
-/// Four by four pixels over x and y from -1 to 1, seen along z: the centres are at odd multiples of 1/4.
+/// Four by four pixels over x and y from -1 to 1, seen along z: the centres are at odd multiples of
+/// 1/4.
 fn scene(camera: &str, world: &str) -> Scene {
     let text = format!(
         "Camera {camera}\nFilm \"rgb\" \"integer xresolution\" 4 \"integer yresolution\" 4\nWorldBegin\n{world}"
@@ -22,9 +23,9 @@ fn explained(scene: &Scene, pixel: [u32; 2]) -> Explanation {
     let builds = SplitMethod::ALL.map(BuildOptions::new);
     let explanation = explain(scene, pixel, &builds).unwrap();
     assert_eq!(explanation.contradictions, [""; 0]);
-    assert!(explanation.is_judged);
+    assert!(explanation.has_reference);
     assert_eq!(explanation.costs.len(), builds.len());
-    // Ours alone and in a tile, exact and fast, and two yardsticks.
+    // Ours alone and in a tile, exact and fast, and two baselines.
     assert_eq!(explanation.answers.len(), 6);
     explanation
 }
@@ -159,7 +160,8 @@ fn what_reaches_behind_the_eye_is_measured_before_it() {
         .missed
         .unwrap()
         .on_film;
-    // The edge along z goes to the middle of the film, 0.5 pixels away from this pixel's centre both ways.
+    // The edge along z goes to the middle of the film, 0.5 pixels away from this pixel's centre
+    // both ways.
     assert!((on_film - 0.5f64.hypot(0.5)).abs() < 1e-4, "{on_film}");
     let behind = self::scene(
         "\"perspective\" \"float fov\" 90",

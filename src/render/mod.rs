@@ -51,8 +51,8 @@ pub fn render(
     Ok(Rendering { image, traced })
 }
 
-/// Like [`render`], into an image that [`blank_image`] made for these options. It may already have
-/// been rendered into.
+/// Like [`render`], into an image that [`blank_image()`] made for these options. It may already
+/// have been rendered into.
 pub fn render_into(
     image: &mut Image,
     camera: &Camera,
@@ -120,11 +120,8 @@ struct Renderer<'a> {
 impl Renderer<'_> {
     /// Traces the tiles of all segments, on all threads.
     fn fill_all(&self, tiles: &Tiles, segments: Vec<Segment>) -> Traced {
-        let segments = segments.into_par_iter();
-        let traced = segments.map_init(
-            || tiles.tracer(),
-            |tracer, segment| self.fill(tracer, segment),
-        );
+        let fill = |tracer: &mut TileTracer, segment| self.fill(tracer, segment);
+        let traced = segments.into_par_iter().map_init(|| tiles.tracer(), fill);
         traced.reduce(Traced::default, Traced::plus)
     }
 
@@ -137,23 +134,16 @@ impl Renderer<'_> {
             SurfaceTile::of_channels(&self.options.channels, self.camera, self.geometry);
         let mut hits = 0;
         for first_column in (x0 / TILE * TILE..x1).step_by(TILE as usize) {
-            let traced = tracer.trace([first_column, first_row], &self.options.data_window);
+            let first = [first_column, first_row];
+            let traced = tracer.trace(first, &self.options.data_window);
             let columns = [x0.max(first_column), x1.min(first_column + TILE)];
-            let (within, rows) = (
-                columns.map(|x| x - first_column),
-                [y0 - first_row, y1 - first_row],
-            );
+            let within = columns.map(|x| x - first_column);
+            let rows = [y0 - first_row, y1 - first_row];
             hits += traced.hits_within(within, rows);
             if let Some(surface) = &mut surface {
-                surface.fill(traced, [first_column, first_row], within, rows);
+                surface.fill(traced, first, within, rows);
             }
-            segment.put(
-                traced,
-                surface.as_ref(),
-                [first_column, first_row],
-                columns,
-                self.geometry,
-            );
+            segment.put(traced, surface.as_ref(), first, columns, self.geometry);
         }
         self.progress.advance(segment.bounds.area() as usize);
         Traced {

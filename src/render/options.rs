@@ -24,20 +24,14 @@ pub struct RenderOptions {
 }
 
 impl RenderOptions {
-    fn wants(&self, name: ChannelName) -> bool {
-        self.channels.contains(&name)
-    }
-
     /// The options of the tiles.
     pub(crate) fn of_tiles(&self) -> TileOptions {
+        let needs_hit = |name: &ChannelName| name.is_number_of_hit() || name.is_of_surface();
         TileOptions {
             precision: self.precision,
-            with_z: self.wants(ChannelName::Z),
-            with_distance: self.wants(ChannelName::T),
-            with_primitives: self
-                .channels
-                .iter()
-                .any(|channel| channel.is_number_of_hit() || channel.is_of_surface()),
+            with_z: self.channels.contains(&ChannelName::Z),
+            with_distance: self.channels.contains(&ChannelName::T),
+            with_primitives: self.channels.iter().any(needs_hit),
             miss: self.miss,
             level: self.level,
         }

@@ -44,45 +44,33 @@ pub(super) fn segments_of<'a>(
             y1: *y1,
         })
     });
-    let mut segments: Vec<Segment> = bounds
-        .map(|bounds| Segment {
-            bounds,
-            channels: Vec::new(),
-        })
-        .collect();
+    let segment = |bounds| Segment {
+        bounds,
+        channels: Vec::new(),
+    };
+    let mut segments: Vec<Segment> = bounds.map(segment).collect();
     for channel in channels {
-        let name = channel.name;
-        let mut next = segments.iter_mut();
-        let mut add = |rows| {
-            next.next()
-                .map(|segment| segment.channels.push((name, rows)))
+        let divided = match &mut channel.samples {
+            Samples::F32(values) => divide(values, window, &columns, &rows, Rows::F32),
+            Samples::U32(values) => divide(values, window, &columns, &rows, Rows::U32),
         };
-        match &mut channel.samples {
-            Samples::F32(values) => {
-                for rows in divide(values, window, &columns, &rows) {
-                    add(Rows::F32(rows));
-                }
-            }
-            Samples::U32(values) => {
-                for rows in divide(values, window, &columns, &rows) {
-                    add(Rows::U32(rows));
-                }
-            }
+        for (segment, rows) in segments.iter_mut().zip(divided) {
+            segment.channels.push((channel.name, rows));
         }
     }
     segments
 }
 
-/// Cuts the samples of a channel into the rows of every segment.
+/// Cuts the samples of a channel into the rows of every segment, which `rows_of` wraps.
 fn divide<'a, T>(
     values: &'a mut [T],
     window: &PixelBounds,
     columns: &[[u32; 2]],
     rows: &[[u32; 2]],
-) -> Vec<Vec<&'a mut [T]>> {
-    let mut divided: Vec<Vec<&mut [T]>> = (0..columns.len() * rows.len())
-        .map(|_| Vec::new())
-        .collect();
+    rows_of: fn(Vec<&'a mut [T]>) -> Rows<'a>,
+) -> Vec<Rows<'a>> {
+    let mut divided = Vec::new();
+    divided.resize_with(columns.len() * rows.len(), Vec::new);
     let mut lines = values.chunks_mut(window.width() as usize);
     for (down, [y0, y1]) in rows.iter().enumerate() {
         for line in lines.by_ref().take((y1 - y0) as usize) {
@@ -94,7 +82,7 @@ fn divide<'a, T>(
             }
         }
     }
-    divided
+    divided.into_iter().map(rows_of).collect()
 }
 
 impl Segment<'_> {

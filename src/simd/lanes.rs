@@ -76,7 +76,7 @@ pub(crate) trait Mask:
 }
 
 /// A computation that is compiled for each level.
-pub(crate) trait Kernel {
+pub(crate) trait SimdKernel {
     type Output;
 
     /// Must be `#[inline(always)]`.

@@ -1,6 +1,6 @@
 //! Instruction sets: detection, names, and running a kernel with one.
 
-use super::lanes::Kernel;
+use super::lanes::SimdKernel;
 use super::portable::Portable;
 use std::fmt;
 use std::str::FromStr;
@@ -69,7 +69,7 @@ impl Level {
     }
 
     /// Runs `kernel` with this instruction set, or as plain code if the machine does not have it.
-    pub(crate) fn run<K: Kernel>(self, kernel: K) -> K::Output {
+    pub(crate) fn run<K: SimdKernel>(self, kernel: K) -> K::Output {
         #[cfg(target_arch = "x86_64")]
         {
             use super::x86::{Avx2, Avx512, Sse};

@@ -27,7 +27,7 @@ fn double_bits<D: F64s>(x: D) -> [u64; LANES] {
     stored.map(f64::to_bits)
 }
 
-impl Kernel for Everything<'_> {
+impl SimdKernel for Everything<'_> {
     type Output = Results;
 
     #[inline(always)]
@@ -133,7 +133,7 @@ impl Results {
 #[test]
 fn min_and_max_return_the_second_operand_instead_of_nan() {
     struct MinMaxOfNan;
-    impl Kernel for MinMaxOfNan {
+    impl SimdKernel for MinMaxOfNan {
         type Output = [f32; 2];
         #[inline(always)]
         fn run<S: Lanes>(self, simd: S) -> [f32; 2] {

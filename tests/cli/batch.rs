@@ -4,7 +4,7 @@ use crate::folder::{BALL, Folder, WARNED, json_lines};
 
 const BROKEN: &str = "WorldBegin\nShape\n";
 
-/// Three scenes, the second of them broken.
+/// Three scenes; the second is broken.
 fn three() -> Folder {
     Folder::new()
         .with("broken.pbrt", BROKEN)
@@ -12,7 +12,7 @@ fn three() -> Folder {
 }
 
 #[test]
-fn each_scene_gets_its_image() {
+fn each_scene_has_its_image() {
     let folder = three();
     folder
         .render("ball.pbrt second.pbrt -o {stem}.exr")
@@ -47,7 +47,7 @@ fn fail_fast_stops_at_the_first_failure() {
 }
 
 #[test]
-fn the_highest_exit_code_is_that_of_the_batch() {
+fn a_batch_exits_with_the_highest_code() {
     let folder = three().with("warned.pbrt", WARNED);
     folder
         .render("gone.pbrt broken.pbrt ball.pbrt -o {stem}.exr")
@@ -101,7 +101,7 @@ fn skip_existing_renders_the_others() {
         let run = folder.render(&command).succeeded();
         assert!(
             run.stderr.contains(&format!(
-                "ball.pbrt: skipped, ball.{extension} is there already"
+                "ball.pbrt: skipped, ball.{extension} exists already"
             )),
             "{}",
             run.stderr
@@ -122,7 +122,7 @@ fn skip_existing_renders_the_others() {
 }
 
 #[test]
-fn skip_existing_looks_at_scene_and_options_and_not_at_names() {
+fn skip_existing_compares_scenes_and_options_not_names() {
     let folder = Folder::new();
     let made = |arguments: &str| {
         let run = folder
@@ -156,12 +156,12 @@ fn skip_existing_looks_at_scene_and_options_and_not_at_names() {
     let run = folder
         .render("ball.pbrt -o a.png --colormap gray --skip-existing -v")
         .succeeded();
-    run.said("a.png: of other options, made anew")
+    run.said("a.png: exists with other options, rendering it again")
         .did_not_say("skipped");
 }
 
 #[test]
-fn skip_existing_makes_anew_what_was_cut_off() {
+fn skip_existing_renders_truncated_images_again() {
     let folder = Folder::new();
     for name in ["a.exr", "a.png"] {
         let command = format!("ball.pbrt -o {name} --resolution 40x30 --skip-existing");
@@ -175,23 +175,25 @@ fn skip_existing_makes_anew_what_was_cut_off() {
             folder
                 .render(&command)
                 .succeeded()
-                .said(&format!("{name}: was cut off, made anew"));
+                .said(&format!("{name}: is truncated, rendering it again"));
             assert!(folder.bytes(name) == whole);
         }
         // Without its header there is nothing to tell whose it is.
         std::fs::write(folder.path(name), &whole[..whole.len().min(40)]).unwrap();
-        folder.render(&command).failed(73, "is no image of feimos");
+        folder
+            .render(&command)
+            .failed(73, "is not an image by feimos");
     }
 }
 
 #[test]
-fn skip_existing_leaves_alone_what_is_not_its_own() {
+fn skip_existing_keeps_files_of_other_programs() {
     let folder = Folder::new().with("film.exr", "old").with("a.png", "old");
     for file in ["film.exr", "a.png"] {
         let run = folder
             .render(&format!("ball.pbrt -o {file} --skip-existing"))
             .exited(73);
-        let expected = format!("error: {file}: exists already, and is no image of feimos\n");
+        let expected = format!("error: {file}: exists already, and is not an image by feimos\n");
         assert!(run.stderr.starts_with(&expected), "{}", run.stderr);
         assert_eq!(folder.text(file), "old");
     }
@@ -208,7 +210,7 @@ fn skip_existing_needs_a_format_with_a_header() {
 }
 
 #[test]
-fn to_force_and_to_skip_is_a_contradiction() {
+fn force_and_skip_existing_contradict_each_other() {
     Folder::new()
         .render("ball.pbrt --force --skip-existing")
         .failed(2, "cannot be used with");
@@ -232,7 +234,7 @@ fn two_scenes_for_one_image_are_refused_before_any_work() {
 }
 
 #[test]
-fn one_image_by_two_spellings_is_one_image() {
+fn two_spellings_of_one_image_are_one_image() {
     let folder = Folder::new().with("second.pbrt", BALL.replace("film.exr", "./film.exr"));
     folder
         .render("ball.pbrt second.pbrt --force")
@@ -250,13 +252,13 @@ fn standard_input_may_be_one_of_the_scenes() {
 }
 
 #[test]
-fn scenes_of_one_name_are_not_told_to_use_what_they_use() {
+fn scenes_of_one_name_get_suitable_advice() {
     let folder = Folder::new();
     let run = folder
         .render("ball.pbrt ./ball.pbrt -o {stem}.exr")
         .exited(2);
     let expected = "error: ball.pbrt and ./ball.pbrt would both be written to ball.exr
-   = scenes of the same name need a command each
+   = render scenes of the same name by separate commands
 ";
     assert_eq!(run.stderr, expected);
 }
@@ -299,7 +301,7 @@ fn the_manifest_has_a_line_for_each_scene() {
 }
 
 #[test]
-fn a_manifest_goes_on_where_it_ended() {
+fn a_manifest_continues_at_its_end() {
     let folder = Folder::new();
     for _ in 0..2 {
         folder.render("ball.pbrt --manifest all.jsonl").succeeded();

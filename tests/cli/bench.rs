@@ -1,9 +1,9 @@
-//! `feimos bench`: configurations, rows, and what is refused.
+//! `feimos bench`: configurations, rows and errors.
 
 use crate::folder::{Folder, Run, WARNED};
 use serde_json::Value;
 
-/// One round of everything.
+/// Options for one round of everything.
 const ONCE: &str = "--runs 1 --warmup 0";
 
 const ERRORS: [&str; 6] = [
@@ -95,7 +95,7 @@ fn a_row_has_the_documented_keys_in_their_order() {
 }
 
 #[test]
-fn rows_hold_what_was_measured_and_null_for_what_was_not() {
+fn rows_hold_measurements_and_null_for_the_others() {
     let rows = rows(
         &Folder::new(),
         "ball.pbrt --runs 4 --warmup 2 --accel none,sah --precision exact,fast --threads 2 --reference none",
@@ -133,7 +133,7 @@ fn rows_hold_what_was_measured_and_null_for_what_was_not() {
 }
 
 #[test]
-fn trees_are_told_from_lists() {
+fn trees_differ_from_lists() {
     let folder = Folder::new().with("floor.pbrt", floor(50));
     let rows = rows(
         &folder,
@@ -212,7 +212,7 @@ fn the_tables_have_a_line_for_each_tree_and_each_row() {
 }
 
 #[test]
-fn exact_rows_have_no_error_and_the_others_theirs() {
+fn only_exact_rows_have_no_errors() {
     let folder = Folder::new();
     let rows = rows(&folder, &format!("ball.pbrt {ONCE} --accel sah"));
     for row in &rows {
@@ -240,7 +240,7 @@ fn exact_rows_have_no_error_and_the_others_theirs() {
 }
 
 #[test]
-fn two_runs_agree_on_every_error_and_all_work() {
+fn two_runs_agree_on_errors_and_counts() {
     let folder = Folder::new().with("floor.pbrt", floor(9000));
     let figures = || -> Vec<Value> {
         let mut rows = rows(
@@ -292,18 +292,18 @@ fn every_output_holds_every_row() {
 
 #[cfg(unix)]
 #[test]
-fn results_that_would_meet_in_one_place_are_refused() {
+fn two_outputs_in_one_place_are_refused() {
     let folder = Folder::new();
     std::os::unix::fs::symlink("a.json", folder.path("a.csv")).unwrap();
     folder
         .bench("ball.pbrt --json-file a.json --csv ./a.csv")
-        .failed(2, "two results would both go to `./a.csv`");
+        .failed(2, "two outputs would both go to `./a.csv`");
     folder
         .bench("ball.pbrt --json-file - --plot -")
-        .failed(2, "two results would both go to `-`");
+        .failed(2, "two outputs would both go to `-`");
     folder.bench("ball.pbrt --json --plot -").failed(
         2,
-        "two results would both go to `-`\n   = of --json and --plot",
+        "two outputs would both go to `-`\n   = of --json and --plot",
     );
     folder
         .bench("ball.pbrt --report ball.pbrt")
@@ -311,7 +311,7 @@ fn results_that_would_meet_in_one_place_are_refused() {
 }
 
 #[test]
-fn a_file_of_json_goes_with_the_table() {
+fn a_json_file_comes_with_the_tables() {
     let folder = Folder::new();
     let run = folder
         .bench(&format!(
@@ -325,7 +325,7 @@ fn a_file_of_json_goes_with_the_table() {
 }
 
 #[test]
-fn a_bad_place_for_the_json_is_known_before_anything_is_measured() {
+fn a_bad_place_for_the_json_is_reported_before_measuring() {
     let run = Folder::new()
         .bench("ball.pbrt --json-file out/rows.json")
         .failed(73, "out/rows.json: cannot create");
@@ -333,7 +333,7 @@ fn a_bad_place_for_the_json_is_known_before_anything_is_measured() {
 }
 
 #[test]
-fn a_bad_scene_is_told_and_the_others_go_on() {
+fn a_bad_scene_is_reported_and_the_others_continue() {
     let folder = Folder::new()
         .with("bad.pbrt", "Shap")
         .with("warned.pbrt", WARNED);
@@ -359,7 +359,7 @@ fn a_bad_scene_is_told_and_the_others_go_on() {
     );
 }
 
-/// A floor of `2 * count` triangles, behind the camera: no ray comes near, so that the test is quick.
+/// A floor of `2 * count` triangles behind the camera: no ray comes near, so the test is quick.
 fn floor(count: usize) -> String {
     let corners: String = (0..2 * (count + 1))
         .map(|i| format!("{} 0 {} ", i / 2, i % 2))
@@ -374,7 +374,7 @@ fn floor(count: usize) -> String {
 }
 
 #[test]
-fn none_is_sampled_where_it_would_take_long_and_says_so() {
+fn none_is_sampled_if_it_would_take_long_with_a_note() {
     let folder = Folder::new().with("floor.pbrt", floor(9000));
     let run = folder
         .bench(&format!(
@@ -384,7 +384,7 @@ fn none_is_sampled_where_it_would_take_long_and_says_so() {
     let text = stdout(&run);
     assert!(
         text.contains("\nnone is sampled: ")
-            && text.contains(" of 102,400 rays, some tiles chosen at random"),
+            && text.contains(" of 102,400 rays, in some tiles chosen at random"),
         "{text}"
     );
     let rows = rows(
@@ -410,7 +410,7 @@ fn none_is_sampled_where_it_would_take_long_and_says_so() {
 }
 
 #[test]
-fn what_cannot_be_measured_is_refused() {
+fn impossible_measurements_are_refused() {
     let folder = Folder::new();
     let cases = [
         (
@@ -419,12 +419,12 @@ fn what_cannot_be_measured_is_refused() {
         ),
         (
             "--accel sah,kd",
-            "invalid value 'kd' for '--accel <METHODS>': expected one of none, middle, equal, sah, hlbvh",
+            "invalid value 'kd' for '--accel <METHODS>'\n  [possible values: none, middle, equal, sah, hlbvh]",
         ),
         ("--accel sah,none,sah", "--accel names `sah` twice"),
         (
             "--precision slow",
-            "invalid value 'slow' for '--precision <HOW>': expected some of exact, fast, exact-single, moeller-trumbore, watertight",
+            "invalid value 'slow' for '--precision <HOW>'\n  [possible values: exact, fast, exact-single, moeller-trumbore, watertight]",
         ),
         ("--precision fast,fast", "--precision names `fast` twice"),
         (
@@ -452,12 +452,12 @@ fn what_cannot_be_measured_is_refused() {
 }
 
 #[test]
-fn progress_is_drawn_where_it_is_asked_for() {
+fn progress_is_drawn_on_request() {
     let folder = Folder::new();
     folder
         .bench(&format!("ball.pbrt {ONCE} --progress always"))
         .succeeded()
-        .said("judging   [")
+        .said("reference [")
         .said("measuring [");
     folder
         .bench(&format!("ball.pbrt {ONCE}"))

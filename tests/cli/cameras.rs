@@ -1,4 +1,4 @@
-//! One scene from many places.
+//! One scene seen by several cameras.
 
 use crate::folder::{BALL, Folder, json_lines};
 
@@ -8,7 +8,7 @@ const POSES: &str = r#"[
     {"name": "above", "lookat": [0, 6, 0.5,  0, 0, 0,  0, 0, 1], "fov": 60}
 ]"#;
 
-/// The scenes that would be seen from there, each by itself.
+/// Scenes, one with each of these cameras.
 fn folder() -> Folder {
     let seen = |look_at: &str| BALL.replace("LookAt 0 0 -5  0 0 0  0 1 0", look_at);
     let above =
@@ -21,7 +21,7 @@ fn folder() -> Folder {
 }
 
 #[test]
-fn each_camera_makes_the_image_that_a_scene_of_its_own_would() {
+fn each_camera_gives_the_image_of_a_scene_of_its_own() {
     let folder = folder();
     for options in [
         "",
@@ -47,7 +47,7 @@ fn each_camera_makes_the_image_that_a_scene_of_its_own_would() {
 }
 
 #[test]
-fn a_hundred_cameras_are_one_load_and_one_tree() {
+fn a_hundred_cameras_share_one_load_and_one_tree() {
     let pose = |number: u32| {
         format!(
             r#"{{"lookat": [{}, 0, -5,  0, 0, 0,  0, 1, 0]}}"#,
@@ -118,7 +118,7 @@ fn matrices_of_computer_vision_are_cameras() {
 }
 
 #[test]
-fn images_of_several_cameras_need_names_of_their_own() {
+fn images_of_several_cameras_need_different_names() {
     let folder = folder();
     let run = folder
         .render("ball.pbrt --cameras poses.json -o a.exr")
@@ -130,14 +130,14 @@ fn images_of_several_cameras_need_names_of_their_own() {
     assert_eq!(run.stderr, expected);
     folder
         .render("ball.pbrt -o {camera}.exr")
-        .failed(2, "the output name has {camera}, and there is no --cameras");
+        .failed(2, "the output name has {camera}, but --cameras is missing");
     folder
         .render("ball.pbrt second.pbrt --cameras poses.json -o {camera}.exr")
         .failed(2, "would both be written to");
 }
 
 #[test]
-fn lists_that_are_wrong_are_refused_before_any_work() {
+fn wrong_lists_are_refused_before_any_work() {
     let folder = folder().with("bad.json", "[{\"nam\": 1}]").with(
         "one.json",
         r#"[{"K": [[9,0,1],[0,9,1],[0,0,1]], "R": [[1,0,0],[0,1,0],[0,0,1]], "t": [0,0,5], "resolution": [3, 3]}]"#,
@@ -149,14 +149,11 @@ fn lists_that_are_wrong_are_refused_before_any_work() {
         .render("ball.pbrt --cameras gone.json -o {camera}.exr")
         .failed(66, "gone.json: cannot read");
     let run = folder.render("ball.pbrt --cameras one.json -o {camera}.exr --resolution 4x4");
-    run.failed(
-        2,
-        "--resolution and the resolution of camera `1` contradict",
-    );
+    run.failed(2, "--resolution contradicts the resolution of camera `1`");
 }
 
 #[test]
-fn cameras_that_are_done_are_left_out() {
+fn finished_cameras_are_skipped() {
     let folder = folder();
     let command = "ball.pbrt --cameras poses.json -o {camera}.exr --skip-existing -v";
     folder.render(command).succeeded();
@@ -164,7 +161,7 @@ fn cameras_that_are_done_are_left_out() {
     let run = folder.render(command).succeeded();
     assert!(
         run.stderr
-            .contains("ball.pbrt, camera front: skipped, front.exr is there already"),
+            .contains("ball.pbrt, camera front: skipped, front.exr exists already"),
         "{}",
         run.stderr
     );
@@ -176,7 +173,7 @@ fn cameras_that_are_done_are_left_out() {
 }
 
 #[test]
-fn an_image_that_exists_does_not_keep_the_others_away() {
+fn an_existing_image_does_not_stop_the_others() {
     let folder = folder().with("side.exr", "old");
     let command = "ball.pbrt --cameras poses.json -o {camera}.exr";
     let run = folder

@@ -1,10 +1,10 @@
-//! `feimos check`: what a scene holds, warnings, many scenes.
+//! `feimos check`: the content of scenes, warnings, several scenes.
 
 use crate::folder::{BALL, Folder, Run, WARNED};
 use serde_json::{Value, json};
 use std::fs;
 
-/// The first words of the blocks' titles.
+/// The subjects of the text.
 fn titles(run: &Run) -> Vec<&str> {
     run.text()
         .lines()
@@ -25,7 +25,7 @@ fn tree() -> Folder {
 }
 
 #[test]
-fn a_block_tells_what_a_scene_holds() {
+fn text_lists_the_content_of_a_scene() {
     let run = Folder::new().check("ball.pbrt").succeeded();
     let expected = "\
 ball.pbrt
@@ -43,7 +43,7 @@ ball.pbrt
 }
 
 #[test]
-fn what_is_left_out_and_what_is_skipped_is_told() {
+fn skipped_and_unsupported_parts_are_listed() {
     let scene = "Camera \"orthographic\" Film \"rgb\" \"integer xresolution\" 8 \"integer yresolution\" 4 \
                  \"integer pixelbounds\" [ 2 8 0 3 ]
         TransformTimes 0 1 Sampler \"x\" RenderPass \"beauty\" WorldBegin Material \"m\" Material \"n\" Attribute \"light\"
@@ -56,7 +56,7 @@ fn what_is_left_out_and_what_is_skipped_is_told() {
     let found = run.text();
     let lines = [
         "  camera      orthographic, at (0, 0, 0), towards (0, 0, 1)\n",
-        "  film        8 x 4 pixels, of which 2 to 8 and 0 to 3\n",
+        "  film        8 x 4 pixels, cropped to x 2 to 8, y 0 to 3\n",
         "              nurbs            1    left out\n              sphere           2           2\n",
         "2 instances of 1 object: 4 primitives in all\n",
         "  bounds      (-1, -1, -1) to (11, 1, 1)\n",
@@ -70,7 +70,7 @@ fn what_is_left_out_and_what_is_skipped_is_told() {
 }
 
 #[test]
-fn long_lists_go_on_in_the_next_line() {
+fn long_lists_continue_on_the_next_line() {
     let names: String = ('A'..='Z')
         .map(|letter| format!("Private{letter}{letter}{letter} "))
         .collect();
@@ -93,7 +93,7 @@ fn long_lists_go_on_in_the_next_line() {
 }
 
 #[test]
-fn names_from_files_do_not_command_the_terminal() {
+fn names_from_files_have_no_control_characters() {
     let scene = "WorldBegin Shape \"b\u{1b}[31m\"";
     let run = Folder::new()
         .with("a.pbrt", scene)
@@ -106,7 +106,7 @@ fn names_from_files_do_not_command_the_terminal() {
 }
 
 #[test]
-fn a_bare_mesh_is_checked_where_it_is_named() {
+fn a_bare_mesh_is_checked_if_it_is_named() {
     let folder = Folder::new().with("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     let run = folder.check("m.obj").succeeded();
     assert!(
@@ -173,7 +173,7 @@ fn all_scenes_are_checked_and_the_highest_code_is_returned() {
 }
 
 #[test]
-fn check_says_what_render_says() {
+fn check_reports_the_warnings_of_render() {
     let folder = Folder::new()
         .with("warned.pbrt", WARNED)
         .with("kd.pbrt", format!("Accelerator \"kdtree\"\n{BALL}"));
@@ -186,7 +186,7 @@ fn check_says_what_render_says() {
     folder
         .check("kd.pbrt")
         .succeeded()
-        .said("note: the scene asks for the accelerator `kdtree`");
+        .said("note: the scene asks for the unknown accelerator `kdtree`");
     folder
         .check("ball.pbrt -v")
         .succeeded()
@@ -200,7 +200,7 @@ fn check_says_what_render_says() {
         .failed(2, "required arguments were not provided");
 }
 
-/// A scene for every kind of warning that scene files can earn.
+/// A scene for every kind of warning about scene files.
 #[test]
 fn every_kind_of_warning_counts_under_strict() {
     let mesh = "Shape \"trianglemesh\" \"point P\" [ 0 0 0 1 0 0 0 1 0 ]";
@@ -293,7 +293,7 @@ fn json_has_a_line_for_each_scene() {
 }
 
 #[test]
-fn json_says_all_that_the_block_says() {
+fn json_has_everything_that_text_has() {
     let run = Folder::new().check("ball.pbrt --json -q").succeeded();
     let [line] = &run.json()[..] else {
         panic!("{run:?}")

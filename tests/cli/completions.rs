@@ -1,4 +1,4 @@
-//! `feimos completions`: every shell, every flag, and what a shell makes of it.
+//! `feimos completions`: every shell, every flag, and the completions of bash.
 
 use crate::folder::Folder;
 use crate::offered::{commands, flags};
@@ -11,7 +11,7 @@ fn script(folder: &Folder, shell: &str) -> String {
     run.text().to_owned()
 }
 
-/// Whether a script names a flag, not only one that begins alike; fish writes `-l output`.
+/// Returns true if a script names a flag, not only a longer one; fish writes `-l output`.
 fn names(script: &str, shell: &str, flag: &str) -> bool {
     let flag = if shell == "fish" {
         flag.replacen("--", "-l ", 1)
@@ -25,7 +25,7 @@ fn names(script: &str, shell: &str, flag: &str) -> bool {
 }
 
 #[test]
-fn every_shell_learns_every_command_and_flag() {
+fn every_shell_completes_every_command_and_flag() {
     let folder = Folder::new();
     let commands = commands(&folder);
     for shell in SHELLS {
@@ -51,7 +51,7 @@ fn hidden_flags_stay_hidden() {
 }
 
 #[test]
-fn another_shell_is_answered_with_the_known_ones() {
+fn an_unknown_shell_lists_the_known_ones() {
     let run = Folder::new().run("completions", "tcsh").exited(2);
     SHELLS
         .iter()
@@ -62,7 +62,7 @@ fn another_shell_is_answered_with_the_known_ones() {
 mod linux {
     use super::*;
 
-    /// What bash offers for the last of `words`.
+    /// The completions of bash for the last of `words`.
     fn offered_by_bash(folder: &Folder, words: &str) -> String {
         let last = words.split(' ').count() - 1;
         let complete = format!(
@@ -105,7 +105,7 @@ mod linux {
     }
 
     #[test]
-    fn nobody_reads() {
+    fn a_closed_pipe_is_an_error() {
         let (reader, writer) = std::io::pipe().unwrap();
         drop(reader);
         let folder = Folder::new();

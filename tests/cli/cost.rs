@@ -1,9 +1,9 @@
-//! The channel and the view of what rays cost.
+//! The channel and the view of ray costs.
 
 use crate::folder::Folder;
 
 #[test]
-fn the_channel_is_written_when_it_is_asked_for() {
+fn the_channel_is_written_on_request() {
     let folder = Folder::new();
     let exr = folder.rendered("ball.pbrt --aov Z,cost --accel none");
     assert_eq!(
@@ -32,7 +32,7 @@ fn the_channel_is_written_when_it_is_asked_for() {
 }
 
 #[test]
-fn the_view_is_bright_where_rays_are_dear() {
+fn expensive_rays_are_bright_in_the_view() {
     let folder = Folder::new();
     let run = folder
         .render("ball.pbrt -o a.png --view cost --colormap gray --accel none")
@@ -69,7 +69,7 @@ fn the_view_is_bright_where_rays_are_dear() {
 }
 
 #[test]
-fn a_cost_picture_of_a_part_needs_a_range() {
+fn a_cost_view_of_a_part_needs_a_range() {
     let folder = Folder::new();
     let crop = "ball.pbrt -o a.png --view cost --pixelbounds 0,5,0,5";
     folder
@@ -83,7 +83,7 @@ fn a_cost_picture_of_a_part_needs_a_range() {
 }
 
 #[test]
-fn statistics_and_hits_come_with_it() {
+fn cost_comes_with_statistics_and_hits() {
     let folder = Folder::new();
     let [cost, usual] = ["--view cost", "--view hit"].map(|view| {
         let run = folder

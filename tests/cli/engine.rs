@@ -1,10 +1,10 @@
-//! Accelerators and threads: they never change a picture.
+//! Accelerators, instruction sets and threads never change an image.
 
 use crate::folder::{BALL, Folder};
 
 const ACCELERATORS: [&str; 5] = ["none", "middle", "equal", "sah", "hlbvh"];
 
-/// A floor of 200 triangles that share edges, some of them twice, with balls that sink into it.
+/// A floor of 200 triangles that share edges, some of them twice, with balls that intersect it.
 fn crowd() -> String {
     let corners: Vec<String> = (0..121)
         .map(|i| format!("{} 0 {}", i % 11 - 5, i / 11 - 5))
@@ -43,7 +43,7 @@ fn crowded() -> Folder {
 }
 
 #[test]
-fn every_accelerator_makes_the_same_bytes() {
+fn every_accelerator_gives_the_same_bytes() {
     let folder = crowded();
     for accel in ACCELERATORS {
         folder
@@ -60,7 +60,7 @@ fn every_accelerator_makes_the_same_bytes() {
 }
 
 #[test]
-fn any_number_of_threads_makes_the_same_bytes() {
+fn any_number_of_threads_gives_the_same_bytes() {
     let folder = crowded();
     for (threads, name) in [
         ("--threads 1", "a"),
@@ -90,7 +90,7 @@ fn any_number_of_threads_makes_the_same_bytes() {
 }
 
 #[test]
-fn every_instruction_set_makes_the_same_bytes() {
+fn every_instruction_set_gives_the_same_bytes() {
     let folder = crowded();
     for (precision, channels) in [
         ("exact", "Z,t,A,id,N,P"),
@@ -120,7 +120,8 @@ fn every_instruction_set_makes_the_same_bytes() {
     );
 }
 
-/// Two squares in one plane, cut in two along different diagonals: every ray hits both at the same place.
+/// Two squares in one plane, split along different diagonals: every ray hits both at the same
+/// point.
 const IN_ONE_PLANE: &str = r#"
 LookAt 0.3 1.7 -5.1  0.1 0.2 0  0 1 0
 Camera "perspective" "float fov" 60
@@ -131,7 +132,7 @@ Shape "trianglemesh" "point3 P" [-91 0 -90  92 0 -93  93 0 90  -90 0 94] "intege
 "#;
 
 #[test]
-fn exact_is_the_default_and_counts_where_integers_were_needed() {
+fn exact_is_the_default_and_counts_its_fallbacks() {
     // The second square a hair above the first: no `f64` tells which of them a ray meets first.
     let apart = IN_ONE_PLANE.replace(
         "[-91 0 -90  92 0 -93  93 0 90  -90 0 94]",
@@ -171,7 +172,7 @@ fn exact_is_the_default_and_counts_where_integers_were_needed() {
 }
 
 #[test]
-fn fast_makes_the_same_bytes_with_every_accelerator_too() {
+fn fast_also_gives_the_same_bytes_with_every_accelerator() {
     let folder = crowded();
     for accel in ACCELERATORS {
         let flags = format!("-o {accel}.exr --resolution 61x43 --accel {accel} --precision fast");
@@ -194,16 +195,16 @@ fn fast_makes_the_same_bytes_with_every_accelerator_too() {
 }
 
 #[test]
-fn an_unknown_precision_is_answered_with_the_known_ones() {
-    let message = "invalid value 'f64' for '--precision <HOW>': expected one of exact, fast";
+fn an_unknown_precision_lists_the_known_ones() {
+    let message = "invalid value 'f64' for '--precision <HOW>'\n  [possible values: exact, fast]";
     Folder::new()
         .render("ball.pbrt --precision f64")
         .failed(2, message);
 }
 
-/// A half, a cap and a slice: what is cut away shows what lies behind.
+/// A half, a cap and a slice: the missing parts show what lies behind.
 #[test]
-fn partial_spheres_are_cut_as_pbrt_cuts_them() {
+fn partial_spheres_are_cut_as_in_pbrt() {
     let sphere = |parameters: &str| {
         let head = BALL.split("Shape").next().unwrap();
         format!(
@@ -250,7 +251,7 @@ fn the_number_of_threads_is_used_as_given() {
 }
 
 #[test]
-fn numbers_of_threads_that_make_no_sense_are_refused() {
+fn impossible_numbers_of_threads_are_refused() {
     let folder = Folder::new();
     for threads in ["0", "-1", "all", "4097"] {
         let message = format!(
@@ -263,7 +264,7 @@ fn numbers_of_threads_that_make_no_sense_are_refused() {
 }
 
 #[test]
-fn the_scene_chooses_its_accelerator_and_the_command_line_overrules_it() {
+fn the_command_line_overrides_the_accelerator_of_the_scene() {
     let folder = Folder::new().with(
         "equal.pbrt",
         format!("Accelerator \"bvh\" \"string splitmethod\" \"equal\"\n{BALL}"),
@@ -282,7 +283,7 @@ fn a_scene_with_an_unknown_accelerator_is_rendered_by_sah() {
     let run = folder
         .render("kd.pbrt --json")
         .succeeded()
-        .said("`kdtree`, which is unknown here: sah is used");
+        .said("the unknown accelerator `kdtree`: using sah");
     assert_eq!(run.json()[0]["accel"], "sah");
     for (wrong, meant) in [
         ("\"bhv\"", "bvh"),
@@ -292,13 +293,13 @@ fn a_scene_with_an_unknown_accelerator_is_rendered_by_sah() {
         folder
             .render("a.pbrt")
             .succeeded()
-            .said(&format!("sah is used; did you mean `{meant}`?\n"));
+            .said(&format!("using sah; did you mean `{meant}`?\n"));
     }
 }
 
 #[test]
-fn an_unknown_accelerator_on_the_command_line_is_answered_with_the_known_ones() {
-    let message = "invalid value 'kdtree' for '--accel <METHOD>': expected one of none, middle, equal, sah, hlbvh";
+fn an_unknown_accelerator_lists_the_known_ones() {
+    let message = "invalid value 'kdtree' for '--accel <METHOD>'\n  [possible values: none, middle, equal, sah, hlbvh]";
     Folder::new()
         .render("ball.pbrt --accel kdtree")
         .failed(2, message);

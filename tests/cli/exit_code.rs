@@ -4,7 +4,7 @@ use crate::folder::{BALL, Folder, WARNED};
 use std::fs;
 
 #[test]
-fn warnings_alone_are_no_failure() {
+fn warnings_alone_are_not_a_failure() {
     Folder::new()
         .with("warned.pbrt", WARNED)
         .render("warned.pbrt --resolution 2x2")
@@ -90,7 +90,7 @@ fn a_directory_or_a_file_in_the_way() {
 }
 
 #[test]
-fn what_is_wrong_with_the_output_is_known_before_the_scene_is_built() {
+fn output_errors_are_found_before_the_tree_is_built() {
     let folder = Folder::new();
     for output in ["out/a.exr", "a.jpg", "a"] {
         folder
@@ -121,7 +121,7 @@ mod unix {
     }
 
     #[test]
-    fn standard_output_that_nobody_reads() {
+    fn a_closed_reader_of_the_image_is_an_error() {
         let folder = Folder::new();
         for arguments in [
             "ball.pbrt -o -",
@@ -139,7 +139,7 @@ mod unix {
     }
 
     #[test]
-    fn standard_output_that_nobody_needs() {
+    fn a_closed_reader_without_output_is_no_error() {
         assert_eq!(
             render_to_nobody(&Folder::new(), "ball.pbrt").status.code(),
             Some(0)
@@ -148,7 +148,7 @@ mod unix {
 
     #[test]
     #[cfg(target_os = "linux")]
-    fn a_full_disk_may_be_tried_again() {
+    fn a_full_disk_is_a_temporary_failure() {
         let folder = Folder::new();
         symlink("/dev/full", folder.path("a.exr")).unwrap();
         folder
@@ -185,7 +185,7 @@ mod unix {
     }
 
     #[test]
-    fn a_linked_output_is_written_through_its_link() {
+    fn an_output_is_written_through_its_link() {
         let folder = Folder::new();
         symlink("real.exr", folder.path("a.exr")).unwrap();
         folder.render("ball.pbrt -o a.exr").succeeded();
@@ -195,14 +195,14 @@ mod unix {
 }
 
 #[test]
-fn a_scene_on_standard_input_may_be_bad_too() {
+fn errors_of_a_scene_on_standard_input_are_reported() {
     Folder::new()
         .render_input("-", &BALL.replace("Shape", "Shap"))
         .failed(65, "-:6:1: unknown directive `Shap`");
 }
 
 #[test]
-fn standard_input_is_read_for_the_named_scene_only() {
+fn standard_input_is_read_only_if_it_is_named() {
     for part in [
         "Include \"-\"",
         "WorldBegin Shape \"plymesh\" \"string filename\" \"-\"",

@@ -1,4 +1,4 @@
-//! What stands under the final name, whatever happens on the way.
+//! The file with the final name, whatever happens during the write.
 #![cfg(unix)]
 
 use crate::folder::Folder;
@@ -16,7 +16,7 @@ fn started(folder: &Folder, arguments: &str) -> Child {
 }
 
 #[test]
-fn two_processes_that_write_one_file_leave_one_whole_file() {
+fn two_processes_that_write_one_file_leave_one_complete_file() {
     let folder = Folder::new();
     for _ in 0..3 {
         let children: Vec<Child> = (0..4)
@@ -43,7 +43,7 @@ fn two_processes_that_write_one_file_leave_one_whole_file() {
     }
 }
 
-/// Runs `feimos render` with `arguments` below a limit of the shell (`ulimit`).
+/// Runs `feimos render` with `arguments` under a limit of the shell (`ulimit`).
 fn limited(folder: &Folder, limit: &str, arguments: &str) -> (Option<i32>, String) {
     let mut shell = Command::new("sh");
     shell
@@ -62,7 +62,7 @@ fn limited(folder: &Folder, limit: &str, arguments: &str) -> (Option<i32>, Strin
 }
 
 #[test]
-fn a_file_beyond_the_limit_of_files_is_an_error() {
+fn a_file_beyond_the_size_limit_is_an_error() {
     for before in ["", "trap '' XFSZ; "] {
         let folder = Folder::new().with("old.exr", "old");
         for name in ["new.exr", "old.exr", "new.npy", "new.pfm"] {
@@ -87,12 +87,11 @@ fn a_file_beyond_the_limit_of_files_is_an_error() {
     }
 }
 
-/// All commands, by a user of whom the system allows this many threads, that of the program itself
-/// counted.
+/// Runs all commands as a user with a limit of this many threads, including the main one.
 #[test]
 #[cfg(target_os = "linux")]
 #[ignore = "becomes a user whose threads nobody else counts: needs root"]
-fn where_threads_are_refused_fewer_do_the_work() {
+fn fewer_threads_work_if_the_system_refuses_some() {
     let folder = Folder::new();
     let program = folder.path("feimos");
     std::fs::copy(folder.command("").get_program(), &program).unwrap();
@@ -155,7 +154,7 @@ fn where_threads_are_refused_fewer_do_the_work() {
 }
 
 #[test]
-fn a_replaced_file_never_runs_with_the_rights_of_its_owner() {
+fn a_replaced_file_loses_the_right_to_run_as_its_owner() {
     let folder = Folder::new().with("a.exr", "old");
     for (mode, expected) in [
         (0o640, 0o640),
@@ -191,7 +190,7 @@ fn a_replaced_file_keeps_owner_and_mode() {
 
 #[test]
 #[ignore = "becomes another user: needs root"]
-fn a_replaced_file_keeps_neither_owner_nor_mode_where_the_owner_is_out_of_reach() {
+fn a_replaced_file_keeps_neither_owner_nor_mode_if_the_owner_cannot_be_set() {
     let folder = Folder::new().with("a.exr", "old");
     let (path, program) = (folder.path("a.exr"), folder.path("feimos"));
     std::fs::copy(folder.command("").get_program(), &program).unwrap();
@@ -247,7 +246,7 @@ fn a_closed_standard_output_is_an_error() {
 }
 
 #[test]
-fn a_full_device_may_be_tried_again() {
+fn a_full_device_is_a_temporary_failure() {
     let folder = Folder::new();
     for name in ["a.exr", "a.png", "a.npy", "a.pfm"] {
         std::os::unix::fs::symlink("/dev/full", folder.path(name)).unwrap();
@@ -257,7 +256,7 @@ fn a_full_device_may_be_tried_again() {
     }
 }
 
-/// A folder that is a file system of its own: it needs the rights to make one.
+/// A folder that is its own file system; making one needs privileges.
 struct Mounted<'a>(&'a Folder);
 
 impl Mounted<'_> {
@@ -286,7 +285,7 @@ impl Drop for Mounted<'_> {
 
 #[test]
 #[ignore = "mounts a small file system: needs root"]
-fn a_full_disk_leaves_no_short_file_and_may_be_tried_again() {
+fn a_full_disk_leaves_no_short_file_and_is_a_temporary_failure() {
     let folder = Folder::new();
     let disk = Mounted::new(&folder, "size=64k");
     for name in ["a.exr", "a.png --view normal", "a.npy", "a.pfm"] {
@@ -314,7 +313,7 @@ fn a_full_disk_leaves_no_short_file_and_may_be_tried_again() {
 
 #[test]
 #[ignore = "mounts a small file system: needs root"]
-fn a_read_only_folder_is_no_place_for_an_image() {
+fn a_read_only_folder_is_an_error() {
     let folder = Folder::new();
     let disk = Mounted::new(&folder, "ro");
     for name in ["a.exr", "a.png", "a.npy", "a.pfm"] {

@@ -1,4 +1,4 @@
-//! A folder of its own for each test, and what the program does in it.
+//! A folder for each test, and runs of the program in it.
 
 use assert_cmd::cargo::cargo_bin;
 use exr::meta::attribute::{AttributeValue, Text};
@@ -9,7 +9,7 @@ use std::fs;
 use std::path::PathBuf;
 use tempfile::TempDir;
 
-/// A ball before a triangle that stands askew: 13 by 7 pixels, most of them misses.
+/// A ball in front of a slanted triangle: 13 by 7 pixels, most of them misses.
 pub(crate) const BALL: &str = r#"
 LookAt 0 0 -5  0 0 0  0 1 0
 Camera "perspective" "float fov" 40
@@ -23,13 +23,13 @@ Shape "trianglemesh" "point3 P" [-2 -1 0  2 -1 0.5  0 2 0] "integer indices" [0 
 /// Columns and rows of [`BALL`].
 pub(crate) const SIZE: (u32, u32) = (13, 7);
 
-/// Whatever is hit, one part of it is left out with a warning.
+/// A scene with a warning about an unsupported shape.
 pub(crate) const WARNED: &str = "WorldBegin\nShape \"cone\"\nShape \"cone\"\n";
 
-/// A folder that vanishes with its test.
+/// A folder that is removed after its test.
 pub(crate) struct Folder(TempDir);
 
-/// How the program ended.
+/// The end of a run.
 #[derive(Debug)]
 pub(crate) struct Run {
     pub(crate) code: i32,
@@ -38,7 +38,7 @@ pub(crate) struct Run {
 }
 
 impl Folder {
-    /// With [`BALL`] in `ball.pbrt`.
+    /// A folder with [`BALL`] in `ball.pbrt`.
     pub(crate) fn new() -> Folder {
         Folder(tempfile::tempdir().unwrap()).with("ball.pbrt", BALL)
     }
@@ -52,7 +52,7 @@ impl Folder {
         self.0.path().join(name)
     }
 
-    /// `feimos render` with `arguments`, which are separated by blanks.
+    /// The command `feimos render` with `arguments`, which are separated by blanks.
     pub(crate) fn command(&self, arguments: &str) -> std::process::Command {
         self.subcommand("render", arguments)
     }
@@ -67,7 +67,7 @@ impl Folder {
         command
     }
 
-    /// Runs `feimos` with the command `name`, or a flag, and `arguments`, and an empty standard input.
+    /// Runs `feimos` with the command or flag `name`, `arguments` and an empty standard input.
     pub(crate) fn run(&self, name: &str, arguments: &str) -> Run {
         Run::of(assert_cmd::Command::from_std(
             self.subcommand(name, arguments),
@@ -118,7 +118,7 @@ impl Folder {
         run
     }
 
-    /// Names of all files but scenes, meshes and lists of cameras, in order.
+    /// The names of all files except scenes, meshes and lists of cameras, in order.
     pub(crate) fn images(&self) -> Vec<String> {
         let entries = fs::read_dir(self.0.path()).unwrap();
         let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
@@ -175,7 +175,7 @@ impl Run {
         self
     }
 
-    /// Exited with `code` after a message with `part` in it.
+    /// Expects the exit code `code` and a message that contains `part`.
     #[track_caller]
     pub(crate) fn failed(self, code: i32, part: &str) -> Run {
         let run = self.exited(code).said(part);
@@ -222,7 +222,7 @@ pub(crate) fn png(bytes: &[u8]) -> RgbImage {
         .into_rgb8()
 }
 
-/// An EXR as the exr crate reads it.
+/// An EXR, read by the `exr` crate.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Exr {
     /// Columns and rows of the whole film.
@@ -233,7 +233,7 @@ pub(crate) struct Exr {
     pub(crate) size: (usize, usize),
     /// The bits of each channel's samples.
     pub(crate) bits: BTreeMap<String, Vec<u32>>,
-    /// Those channels that hold `u32` and not `f32`.
+    /// The channels that hold `u32` rather than `f32`.
     pub(crate) integers: Vec<String>,
     /// The attribute `feimos`.
     pub(crate) header: serde_json::Value,
@@ -289,7 +289,7 @@ impl Exr {
             .collect()
     }
 
-    /// The values of channel `name` where nothing was hit; needs `A`.
+    /// The values of channel `name` at misses; needs `A`.
     pub(crate) fn at_misses(&self, name: &str) -> Vec<f32> {
         let pairs = self.measures(name).into_iter().zip(self.measures("A"));
         pairs

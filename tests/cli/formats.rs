@@ -1,10 +1,10 @@
-//! What each format holds, and what files say of themselves.
+//! The content of each format, and the metadata of files.
 
 use crate::folder::{BALL, Folder, SIZE};
 use exr::prelude::{ReadChannels, ReadLayers};
 use feimos::film::png_reader;
 
-/// Pixels of the picture.
+/// Pixels of the image.
 const PIXELS: usize = (SIZE.0 * SIZE.1) as usize;
 
 /// The dictionary and the samples of an `.npy`.
@@ -81,7 +81,7 @@ fn a_pfm_holds_rows_from_the_bottom() {
 }
 
 #[test]
-fn what_a_pfm_cannot_hold_is_refused() {
+fn content_that_a_pfm_cannot_hold_is_refused() {
     let folder = Folder::new();
     for aov in ["id", "prim", "uv", "Z,t", "cost"] {
         folder
@@ -92,7 +92,7 @@ fn what_a_pfm_cannot_hold_is_refused() {
 }
 
 #[test]
-fn depth_may_be_called_otherwise() {
+fn depth_may_have_another_name() {
     let folder = Folder::new();
     let plain = folder.rendered("ball.pbrt");
     for name in ["Y", "R", "depth.V"] {
@@ -108,17 +108,17 @@ fn depth_may_be_called_otherwise() {
 }
 
 #[test]
-fn names_that_are_taken_or_odd_are_no_depth_channel() {
+fn taken_and_invalid_names_of_the_depth_channel_are_refused() {
     let folder = Folder::new();
     folder
         .render("ball.pbrt --depth-channel A")
-        .failed(2, "it is the name of another channel");
+        .failed(2, "another channel has this name");
     folder
         .render("ball.pbrt --depth-channel N.X")
-        .failed(2, "it is the name of another channel");
+        .failed(2, "another channel has this name");
     folder
         .render("ball.pbrt --depth-channel Tiefe\u{e4}")
-        .failed(2, "expected 1 to 31 letters");
+        .failed(2, "expected 1 to 31 ASCII characters");
     folder
         .render("ball.pbrt --aov t --depth-channel Y")
         .failed(2, "--depth-channel has no meaning without Z");
@@ -171,7 +171,7 @@ fn a_depth_beyond_16_bits_is_an_error_with_a_scale_that_fits() {
         run.stderr
     );
     assert!(
-        run.stderr.contains("of pixel (") && run.stderr.contains("--scale 5000 would fit"),
+        run.stderr.contains("of pixel (") && run.stderr.contains("--scale 5000 fits"),
         "{}",
         run.stderr
     );
@@ -249,7 +249,7 @@ fn the_normal_view_shows_normals() {
 }
 
 #[test]
-fn words_in_a_png_tell_what_it_shows() {
+fn texts_in_a_png_describe_it() {
     let folder = Folder::new();
     let text =
         |name: &str, keyword: &str| png_reader::read_text(&folder.path(name), keyword).unwrap();
@@ -289,7 +289,7 @@ fn words_in_a_png_tell_what_it_shows() {
 }
 
 #[test]
-fn the_header_of_an_exr_holds_what_decides_pixels_and_nothing_else() {
+fn the_header_of_an_exr_holds_exactly_what_decides_its_pixels() {
     let folder = Folder::new().with("moved.pbrt", BALL.replace("0 0 -5", "0 0 -6"));
     let header = |arguments: &str| folder.rendered(arguments).header;
     let plain = header("ball.pbrt");
@@ -328,7 +328,7 @@ fn the_header_of_an_exr_holds_what_decides_pixels_and_nothing_else() {
 }
 
 #[test]
-fn an_exr_says_where_it_was_seen_from() {
+fn an_exr_holds_its_camera() {
     let folder = Folder::new();
     folder
         .render("ball.pbrt -o a.exr --aov A,P --pixelbounds 2,11,1,6")

@@ -1,17 +1,17 @@
-//! Help: every flag is there, with its default.
+//! Help: every flag, with its default.
 
 use crate::folder::Folder;
 use crate::offered::{commands, flags};
 
-/// What `render` promises, whatever else it has.
+/// The promised flags of `render`.
 const RENDER: &str = "--output --aov --view --colormap --range --scale --miss --depth-channel --cropwindow --pixelbounds --resolution \
     --accel --precision --threads --cameras --force --skip-existing --fail-fast --manifest --quiet --verbose --progress --color \
     --stats --json --strict";
 
-/// What `bench` promises.
+/// The promised flags of `bench`.
 const BENCH: &str = "--accel --precision --threads --runs --warmup --reference --json --json-file --csv --plot --report";
 
-/// The help on each flag of `command`, which begins with its name.
+/// The help on each flag of `command`, which begins with the name of the flag.
 fn blocks(folder: &Folder, command: &str) -> Vec<String> {
     let help = folder.run(command, "--help").succeeded();
     let mut blocks: Vec<String> = Vec::new();
@@ -30,7 +30,7 @@ fn blocks(folder: &Folder, command: &str) -> Vec<String> {
 }
 
 #[test]
-fn every_flag_tells_its_default() {
+fn every_flag_has_its_default_in_help() {
     let folder = Folder::new();
     for command in commands(&folder) {
         for block in blocks(&folder, &command) {
@@ -45,7 +45,7 @@ fn every_flag_tells_its_default() {
 }
 
 #[test]
-fn every_flag_that_was_promised_is_there() {
+fn every_promised_flag_exists() {
     let folder = Folder::new();
     let promised = [
         ("render", RENDER),
@@ -66,7 +66,7 @@ fn every_flag_that_was_promised_is_there() {
 }
 
 #[test]
-fn other_names_of_flags_are_taken() {
+fn aliases_of_flags_work() {
     let folder = Folder::new();
     folder
         .render("ball.pbrt --outfile a.exr --nthreads 1 -q")

@@ -1,9 +1,9 @@
-//! Few bytes at bounded cost: what input files may expand to, and the flag that raises it.
+//! Limits on what input files may expand to, and the flag that raises them.
 
 use crate::folder::Folder;
 use flate2::Compression;
 use flate2::write::GzEncoder;
-use image::{GrayImage, ImageFormat};
+use image::{ImageBuffer, ImageFormat, Luma};
 use std::io::{Cursor, Write};
 
 const WORLD: &str = "Camera \"perspective\"\nWorldBegin\n";
@@ -65,7 +65,7 @@ fn faces_made_by_subdivision_have_one_limit() {
 }
 
 #[test]
-fn meshes_named_again_and_again_have_one_limit() {
+fn meshes_named_repeatedly_have_one_limit() {
     let numbers: Vec<f32> = (0..3 * 1000).map(|k| k as f32).collect();
     let numbers: Vec<String> = numbers.iter().map(f32::to_string).collect();
     let default = format!(
@@ -98,8 +98,8 @@ fn meshes_named_again_and_again_have_one_limit() {
 }
 
 #[test]
-fn images_take_no_more_memory_than_their_files_justify() {
-    let image = GrayImage::new(8000, 8000);
+fn images_that_take_far_more_memory_than_their_files_are_refused() {
+    let image = ImageBuffer::<Luma<u16>, _>::new(8000, 8000);
     let mut file = Cursor::new(Vec::new());
     image.write_to(&mut file, ImageFormat::Png).unwrap();
     let folder = Folder::new().with("a.png", file.into_inner());
@@ -114,7 +114,7 @@ fn images_take_no_more_memory_than_their_files_justify() {
 
 #[cfg(unix)]
 #[test]
-fn what_a_scene_names_has_to_be_a_file() {
+fn a_scene_must_name_regular_files() {
     let folder = Folder::new();
     let made = std::process::Command::new("mkfifo")
         .arg(folder.path("pipe"))

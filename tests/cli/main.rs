@@ -1,4 +1,4 @@
-//! The program as people run it: flags, files, streams, exit codes and messages.
+//! The program as users run it: flags, files, streams, exit codes and messages.
 
 mod batch;
 mod bench;
@@ -18,6 +18,7 @@ mod man;
 mod manifest;
 mod merge;
 mod message;
+mod messages;
 mod names;
 mod offered;
 mod output;
@@ -27,5 +28,4 @@ mod places;
 mod region;
 mod signals;
 mod standard_output;
-mod talk;
 mod version;

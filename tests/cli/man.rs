@@ -13,7 +13,7 @@ fn names_in(folder: &Folder, directory: &str) -> Vec<String> {
     names
 }
 
-/// A page as it reads: hyphens are escaped in the source.
+/// A page without the escapes of hyphens.
 fn page(folder: &Folder, name: &str) -> String {
     folder
         .text(name)
@@ -23,7 +23,7 @@ fn page(folder: &Folder, name: &str) -> String {
 }
 
 #[test]
-fn there_is_a_page_for_the_program_and_for_each_command() {
+fn the_program_and_each_command_have_a_page() {
     let folder = Folder::new();
     let run = folder.run("man", "share/man1").succeeded();
     assert!(run.stdout.is_empty() && run.stderr.is_empty(), "{run:?}");
@@ -52,7 +52,7 @@ fn there_is_a_page_for_the_program_and_for_each_command() {
 }
 
 #[test]
-fn a_page_tells_every_flag_and_hides_what_is_hidden() {
+fn a_page_has_every_flag_except_hidden_ones() {
     let folder = Folder::new();
     folder.run("man", ".").succeeded();
     for command in commands(&folder) {
@@ -80,7 +80,7 @@ fn old_pages_are_replaced() {
 }
 
 #[test]
-fn pages_that_cannot_be_created() {
+fn pages_that_cannot_be_created_are_an_error() {
     let folder = Folder::new();
     folder
         .run("man", "ball.pbrt/man1")

@@ -1,4 +1,4 @@
-//! The manifest, whatever happens to it.
+//! The manifest, under all circumstances.
 
 use crate::folder::{BALL, Folder, json_lines};
 
@@ -7,7 +7,7 @@ fn lines(folder: &Folder) -> Vec<serde_json::Value> {
 }
 
 #[test]
-fn a_line_follows_one_that_was_cut_short() {
+fn a_line_follows_a_truncated_one() {
     let whole = "{\"scene\":\"old.pbrt\",\"status\":\"done\"}\n";
     let cut = "{\"scene\":\"lost.pbrt\",\"sta";
     let folder = Folder::new().with("all.jsonl", format!("{whole}{cut}"));
@@ -34,7 +34,7 @@ fn a_line_follows_one_that_was_cut_short() {
 }
 
 #[test]
-fn what_is_no_manifest_is_not_added_to() {
+fn other_files_are_not_appended_to() {
     for other in [
         "[{\"name\": \"a\"}]",
         "scene,status\n",
@@ -43,7 +43,10 @@ fn what_is_no_manifest_is_not_added_to() {
     ] {
         let folder = Folder::new().with("all.jsonl", other);
         let run = folder.render("ball.pbrt -o a.exr --manifest all.jsonl");
-        run.failed(73, "all.jsonl: exists already, and is no manifest");
+        run.failed(
+            73,
+            "all.jsonl: exists already, and is not a manifest by feimos",
+        );
         assert_eq!(
             (
                 folder.text("all.jsonl").as_str(),
@@ -65,7 +68,7 @@ mod without_room {
 
     const SCENES: usize = 12;
 
-    /// Twelve scenes with images of less than two kilobytes, and a limit of files that has room for
+    /// Twelve scenes with images of less than two kilobytes, and a file size limit with room for
     /// some lines.
     fn limited(folder: &Folder, kilobytes: u32, arguments: &str) -> Output {
         let program = folder.command("").get_program().to_owned();
@@ -92,7 +95,7 @@ mod without_room {
     }
 
     #[test]
-    fn lines_without_room_are_taken_back_and_the_images_are_made() {
+    fn partial_lines_are_removed_and_images_are_still_made() {
         let (folder, names) = scenes();
         let output = limited(
             &folder,
@@ -137,7 +140,7 @@ mod without_room {
     }
 
     #[test]
-    fn two_batches_write_whole_lines_into_one_manifest() {
+    fn two_batches_write_complete_lines_into_one_manifest() {
         let (folder, names) = scenes();
         let children: Vec<_> = (0..3)
             .map(|number| {

@@ -1,8 +1,8 @@
-//! `feimos merge`: crops to the whole.
+//! `feimos merge`: crops and the whole image.
 
 use crate::folder::{BALL, Folder};
 
-/// The same, with parallel rays.
+/// The same scene with parallel rays.
 fn parallel() -> String {
     BALL.replace(
         "\"perspective\" \"float fov\" 40",
@@ -10,11 +10,11 @@ fn parallel() -> String {
     )
 }
 
-/// Columns and rows of a grid, and of the film, which they do not divide.
+/// Columns and rows of a grid that does not divide the film.
 const GRID: [u32; 2] = [7, 5];
 const FILM: [u32; 2] = [37, 23];
 
-/// How a crop is given: from one place in the grid to another, along both axes.
+/// The range of a crop in the grid, along both axes.
 type Region = fn([u32; 2], [u32; 2]) -> String;
 
 fn in_pixels([x0, x1]: [u32; 2], [y0, y1]: [u32; 2]) -> String {
@@ -56,7 +56,7 @@ fn grid(folder: &Folder, scene: &str, region: Region, options: &str) -> Vec<Stri
 }
 
 #[test]
-fn a_grid_of_crops_is_the_whole_byte_for_byte() {
+fn a_grid_of_crops_merges_into_the_whole_byte_for_byte() {
     let folder = Folder::new().with("parallel.pbrt", parallel());
     let options = "--aov Z,t,A,id,prim,N,P,uv,cost --miss -1";
     for (scene, region) in [
@@ -81,7 +81,7 @@ fn a_grid_of_crops_is_the_whole_byte_for_byte() {
 }
 
 #[test]
-fn crop_windows_that_overlap_or_come_in_any_order_make_the_whole_too() {
+fn overlapping_crop_windows_in_any_order_merge_into_the_whole() {
     let folder = Folder::new();
     folder
         .render("ball.pbrt -o right.exr --cropwindow 0.4,1,0,1 --accel middle --threads 1")
@@ -97,7 +97,7 @@ fn crop_windows_that_overlap_or_come_in_any_order_make_the_whole_too() {
 }
 
 #[test]
-fn a_crop_of_the_scene_is_a_crop() {
+fn a_crop_of_the_scene_can_be_merged() {
     let crop = |x0: u32, x1: u32| {
         BALL.replace(
             "Film \"rgb\"",
@@ -141,7 +141,7 @@ fn holes_are_an_error_unless_they_are_allowed() {
 }
 
 #[test]
-fn crops_of_something_else_are_refused() {
+fn crops_of_other_images_are_refused() {
     let folder = Folder::new().with("moved.pbrt", BALL.replace("0 0 -5", "0 0 -6"));
     folder
         .render("ball.pbrt -o a.exr --pixelbounds 0,6,0,7")
@@ -163,8 +163,7 @@ fn crops_of_something_else_are_refused() {
         folder
             .render(&format!("{arguments} -o b.exr {right}"))
             .succeeded();
-        let expected =
-            format!("b.exr: this is no crop of the image that a.exr is a crop of: {difference}");
+        let expected = format!("b.exr: not a crop of the same image as a.exr: {difference}");
         folder
             .merge("a.exr b.exr -o merged.exr")
             .failed(65, &expected);
@@ -173,7 +172,7 @@ fn crops_of_something_else_are_refused() {
 }
 
 #[test]
-fn what_is_no_crop_is_refused() {
+fn files_that_are_not_crops_are_refused() {
     let folder = Folder::new()
         .with("text.exr", "no image")
         .with("empty.exr", "");
@@ -183,14 +182,14 @@ fn what_is_no_crop_is_refused() {
         .failed(66, "gone.exr: cannot read");
     folder
         .merge("a.exr text.exr -o b.exr")
-        .failed(65, "text.exr: this is no OpenEXR file");
+        .failed(65, "text.exr: this is not an OpenEXR file");
     folder
         .merge("empty.exr -o b.exr")
-        .failed(65, "empty.exr: this is no OpenEXR file");
+        .failed(65, "empty.exr: this is not an OpenEXR file");
     folder.merge(". -o b.exr").failed(66, "cannot read");
     folder
         .merge("a.exr -o b.png")
-        .failed(2, "b.png: the whole is an EXR");
+        .failed(2, "b.png: the merged image is an EXR");
     folder
         .merge("a.exr -o out/b.exr")
         .failed(73, "out/b.exr: cannot create");
@@ -200,7 +199,7 @@ fn what_is_no_crop_is_refused() {
 }
 
 #[test]
-fn progress_is_shown_where_it_is_wanted() {
+fn progress_is_shown_on_request() {
     let folder = Folder::new();
     folder.render("ball.pbrt -o a.exr").succeeded();
     folder
@@ -214,7 +213,7 @@ fn progress_is_shown_where_it_is_wanted() {
 }
 
 #[test]
-fn the_whole_does_not_take_the_place_of_a_crop() {
+fn the_whole_does_not_overwrite_a_crop() {
     let folder = Folder::new();
     folder
         .render("ball.pbrt -o a.exr --pixelbounds 0,6,0,7")

@@ -1,8 +1,8 @@
-//! Whole messages for the mistakes that people make most.
+//! Complete messages for the most frequent mistakes.
 
 use crate::folder::Folder;
 
-/// What is said of a world of `shapes`, all of it, and the exit code.
+/// The complete message about a world of `shapes`, and the exit code.
 fn said_of(shapes: &str) -> (String, i32) {
     let run = Folder::new()
         .with("a.pbrt", format!("WorldBegin\n{shapes}\n"))

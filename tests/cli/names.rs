@@ -1,21 +1,21 @@
-//! Names that would command a terminal, or be taken for more than names.
+//! Names with control characters or markup.
 #![cfg(unix)]
 
 use crate::folder::{BALL, Folder, Run};
 
-/// A title, red, a control character of Latin-1, a turn of the direction of writing.
+/// A terminal title, red, a control character of Latin-1, and a change of the writing direction.
 const EVIL: &str = "a\u{1b}]0;PWNED\u{7}\u{1b}[31m\u{9b}1m\u{7f}\u{202e}gnp\u{2066}\u{200f}";
 
 const ONCE: &str = "--runs 1 --warmup 0 --accel sah --precision fast --reference none";
 
-/// Runs the program with blanks in its arguments only where `EVIL` has some, which it has not.
+/// A folder for names without blanks, which separate arguments.
 fn folder() -> Folder {
     Folder::new()
         .with(&format!("{EVIL}.pbrt"), BALL)
         .with(&format!("{EVIL}-bad.pbrt"), "Shap")
 }
 
-/// Nothing on either stream commands a terminal; lines end as lines do.
+/// Checks that neither stream has control characters, except for line ends.
 #[track_caller]
 fn is_plain(run: Run) -> Run {
     let is_command =
@@ -29,7 +29,7 @@ fn is_plain(run: Run) -> Run {
 }
 
 #[test]
-fn no_line_of_output_commands_a_terminal() {
+fn no_line_of_output_has_control_characters() {
     let folder = folder();
     let output = "-o {stem}.exr --color never --progress never";
     is_plain(folder.render(&format!("{EVIL}.pbrt {output}")).succeeded()).said("]0;PWNED");
@@ -90,7 +90,7 @@ fn no_line_of_output_commands_a_terminal() {
 }
 
 #[test]
-fn mistakes_are_quoted_without_what_commands_a_terminal() {
+fn usage_errors_quote_arguments_without_control_characters() {
     let folder = folder();
     is_plain(folder.run(EVIL, "").exited(2)).said("unrecognized subcommand 'a");
     is_plain(folder.render(&format!("ball.pbrt --{EVIL}")).exited(2)).said("unexpected argument");
@@ -109,7 +109,7 @@ fn mistakes_are_quoted_without_what_commands_a_terminal() {
 }
 
 #[test]
-fn json_means_what_the_name_is() {
+fn json_preserves_names() {
     let folder = folder();
     let run = folder
         .render(&format!("{EVIL}.pbrt -o a.exr --json --manifest all.jsonl"))
@@ -123,7 +123,7 @@ fn json_means_what_the_name_is() {
 }
 
 #[test]
-fn a_film_may_not_name_its_image_so() {
+fn a_film_may_not_give_its_image_such_a_name() {
     for character in [
         "\u{1b}[31m",
         "\\n",
@@ -146,7 +146,7 @@ fn a_film_may_not_name_its_image_so() {
 }
 
 #[test]
-fn a_camera_may_not_be_named_so() {
+fn a_camera_may_not_have_such_a_name() {
     for character in [
         "\\u001b", "\\u009b", "\\u202e", "\\u2066", "\\u200f", "\\u061c",
     ] {
@@ -159,7 +159,7 @@ fn a_camera_may_not_be_named_so() {
 }
 
 #[test]
-fn markdown_is_not_made_of_names() {
+fn names_are_not_markdown() {
     let name = "<img_src=x>|`*a*`[b](c).pbrt";
     let folder = Folder::new().with(name, BALL);
     folder

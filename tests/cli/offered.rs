@@ -1,8 +1,8 @@
-//! What the program offers, as its help tells.
+//! Commands and flags that help lists.
 
 use crate::folder::Folder;
 
-/// Commands, without `help`.
+/// The commands, without `help`.
 pub(crate) fn commands(folder: &Folder) -> Vec<String> {
     let help = folder.run("--help", "").succeeded();
     let (_, listed) = help
@@ -17,7 +17,7 @@ pub(crate) fn commands(folder: &Folder) -> Vec<String> {
     names.filter(|name| name != "help").collect()
 }
 
-/// Long flags of a command, such as `--output`.
+/// The long flags of a command, such as `--output`.
 pub(crate) fn flags(folder: &Folder, command: &str) -> Vec<String> {
     let help = folder.run(command, "--help").succeeded();
     // Of the lines that name a flag: `  -o, --output <TEMPLATE>`, `      --aov <CHANNELS>`.
@@ -31,7 +31,7 @@ pub(crate) fn flags(folder: &Folder, command: &str) -> Vec<String> {
 }
 
 #[test]
-fn help_is_understood() {
+fn commands_and_flags_are_found_in_help() {
     let folder = Folder::new();
     let commands = commands(&folder);
     for command in [

@@ -1,4 +1,4 @@
-//! Where images go and what is in them.
+//! The names and the content of images.
 
 use crate::folder::{Exr, Folder, SIZE, png};
 use image::Rgb;
@@ -11,7 +11,7 @@ const PLY: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\npr
                    element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 
 #[test]
-fn without_a_name_the_film_gives_it() {
+fn without_a_name_the_film_names_the_image() {
     let folder = Folder::new();
     folder
         .render("ball.pbrt")
@@ -21,14 +21,14 @@ fn without_a_name_the_film_gives_it() {
 }
 
 #[test]
-fn without_any_name_it_is_called_as_by_pbrt() {
+fn without_any_name_the_image_has_the_name_of_pbrt() {
     let folder = Folder::new().with("bare.pbrt", "WorldBegin");
     folder.render("bare.pbrt --resolution 2x2").succeeded();
     assert_eq!(folder.images(), ["pbrt.exr"]);
 }
 
 #[test]
-fn bare_meshes_become_pictures_of_their_name() {
+fn bare_meshes_become_images_of_their_name() {
     let gz = {
         let mut encoder = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
         std::io::Write::write_all(&mut encoder, PLY.as_bytes()).unwrap();
@@ -112,7 +112,7 @@ fn an_exr_holds_five_channels_of_the_whole_film() {
 }
 
 #[test]
-fn the_channels_asked_for_are_written_and_no_others() {
+fn exactly_the_requested_channels_are_written() {
     let folder = Folder::new();
     let all = folder.rendered("ball.pbrt");
     let some = folder.rendered("ball.pbrt --aov prim,Z");
@@ -121,7 +121,7 @@ fn the_channels_asked_for_are_written_and_no_others() {
 }
 
 #[test]
-fn what_surfaces_are_like_is_eight_channels() {
+fn surfaces_have_eight_channels() {
     let exr = Folder::new().rendered("ball.pbrt --aov N,P,uv");
     assert_eq!(
         exr.channels(),
@@ -141,7 +141,7 @@ fn what_surfaces_are_like_is_eight_channels() {
 }
 
 #[test]
-fn channels_that_do_not_exist_or_are_named_twice_are_refused() {
+fn unknown_and_repeated_channels_are_refused() {
     let folder = Folder::new();
     folder
         .render("ball.pbrt --aov Z,depth")
@@ -153,7 +153,7 @@ fn channels_that_do_not_exist_or_are_named_twice_are_refused() {
 }
 
 #[test]
-fn misses_hold_what_was_asked_for() {
+fn misses_have_the_requested_value() {
     let folder = Folder::new();
     for (flag, expected) in [
         ("", f32::INFINITY),
@@ -175,7 +175,7 @@ fn misses_hold_what_was_asked_for() {
 }
 
 #[test]
-fn hits_do_not_depend_on_what_misses_hold() {
+fn hits_do_not_depend_on_the_value_of_misses() {
     let folder = Folder::new();
     let (inf, zero) = (
         folder.rendered("ball.pbrt"),
@@ -191,7 +191,7 @@ fn hits_do_not_depend_on_what_misses_hold() {
 }
 
 #[test]
-fn a_miss_that_is_no_number_is_refused() {
+fn a_value_of_misses_must_be_a_number() {
     let run = Folder::new().render("ball.pbrt --miss far").exited(2);
     assert!(run.stderr.starts_with(
         "error: invalid value 'far' for '--miss <VALUE>': expected inf, nan or a number\n"
@@ -214,7 +214,7 @@ fn the_hit_view_is_red_and_yellow() {
 }
 
 #[test]
-fn the_depth_view_is_the_default_and_tells_its_range() {
+fn the_depth_view_is_the_default_and_names_its_range() {
     let folder = Folder::new();
     let run = folder.render("ball.pbrt -o a.png").succeeded();
     assert!(run.stderr.contains("depth 4 (red) to "), "{}", run.stderr);
@@ -252,7 +252,7 @@ fn gray_depth_goes_from_white_to_black() {
 }
 
 #[test]
-fn each_colour_map_makes_a_picture_of_its_own() {
+fn each_colour_map_gives_another_image() {
     let folder = Folder::new();
     for map in ["turbo", "viridis", "gray"] {
         folder
@@ -287,11 +287,11 @@ fn a_range_is_stretched_over_the_colours_and_clamps() {
         .failed(2, "is empty");
     folder
         .render("ball.pbrt -o c.png --range 1,1e39")
-        .failed(2, "beyond the depths that an image can hold");
+        .failed(2, "exceeds the depths of an image");
 }
 
 #[test]
-fn an_image_without_a_hit_is_an_image() {
+fn an_image_without_hits_is_written() {
     let folder = Folder::new().with("empty.pbrt", "WorldBegin");
     folder
         .render("empty.pbrt -o a.png --resolution 3x2")
@@ -326,10 +326,10 @@ fn flags_without_a_meaning_for_the_format_are_refused() {
 }
 
 #[test]
-fn where_an_unfit_name_comes_from_is_said() {
+fn the_origin_of_an_unsuitable_name_is_reported() {
     let scene = crate::folder::BALL.replace("film.exr", "film.tga");
     let folder = Folder::new().with("old.pbrt", scene);
-    let note = "\n   = this name comes from the scene; -o gives another one\n";
+    let note = "\n   = the scene names this file; use -o to name another one\n";
     folder
         .render("ball.pbrt --view hit")
         .failed(2, "--view has no meaning for film.exr")
@@ -368,7 +368,7 @@ fn an_image_may_go_to_standard_output() {
 }
 
 #[test]
-fn the_same_scene_makes_the_same_file() {
+fn the_same_scene_gives_the_same_file() {
     let folder = Folder::new();
     for name in ["a", "b"] {
         folder

@@ -1,9 +1,9 @@
-//! What is read is never written, and what others made is not replaced.
+//! Inputs are never overwritten, and files of other programs are not replaced.
 
 use crate::folder::{BALL, Folder, Run};
 use std::fs;
 
-/// One round of one configuration.
+/// Options for one round of one configuration.
 const ONCE: &str = "--runs 1 --warmup 0 --accel sah --precision fast --reference none";
 
 const MESH: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
@@ -23,7 +23,7 @@ fn folder() -> Folder {
     )
 }
 
-/// Everything in the folder, by name.
+/// The content of all files in the folder, by name.
 fn content(folder: &Folder) -> Vec<(String, Vec<u8>)> {
     let entries = fs::read_dir(folder.path("."))
         .unwrap()
@@ -41,7 +41,7 @@ fn content(folder: &Folder) -> Vec<(String, Vec<u8>)> {
     content
 }
 
-/// Runs `command`, which is refused without anything being written.
+/// Runs `command`, which must fail without writing anything.
 #[track_caller]
 fn refused(folder: &Folder, command: &str, message: &str) -> Run {
     let before = content(folder);
@@ -53,7 +53,7 @@ fn refused(folder: &Folder, command: &str, message: &str) -> Run {
 }
 
 #[test]
-fn results_do_not_take_the_place_of_a_scene() {
+fn results_do_not_overwrite_a_scene() {
     let folder = folder();
     for flag in ["--json-file", "--csv", "--markdown", "--plot"] {
         let message = format!(
@@ -89,16 +89,16 @@ fn results_do_not_take_the_place_of_a_scene() {
 }
 
 #[test]
-fn results_keep_to_their_extensions() {
+fn results_need_their_extensions() {
     let folder = folder();
     let cases = [
         (
             "bench ball.pbrt --json-file a.txt",
-            "a.txt: --json-file writes no file of this kind\n   = expected a name that ends in .json or .jsonl",
+            "a.txt: --json-file writes another kind of file\n   = expected a name that ends in .json or .jsonl",
         ),
         (
             "bench ball.pbrt --csv a",
-            "a: --csv writes no file of this kind\n   = expected a name that ends in .csv",
+            "a: --csv writes another kind of file\n   = expected a name that ends in .csv",
         ),
         (
             "bench ball.pbrt --csv part.inc",
@@ -114,7 +114,7 @@ fn results_keep_to_their_extensions() {
         ),
         (
             "render ball.pbrt --manifest part.inc",
-            "part.inc: --manifest writes no file of this kind\n   = expected a name that ends in .jsonl or .json",
+            "part.inc: --manifest writes another kind of file\n   = expected a name that ends in .jsonl or .json",
         ),
     ];
     for (command, message) in cases {
@@ -126,10 +126,10 @@ fn results_keep_to_their_extensions() {
 }
 
 #[test]
-fn json_is_a_switch_and_says_so_to_those_who_give_it_a_file() {
+fn json_with_a_file_name_is_refused_with_advice() {
     let folder = folder();
-    let message = "results.json: this is the name of a file of results, not of a scene\n   = --json takes no file: it \
-                   prints on standard output\n   = did you mean --json-file results.json?";
+    let message = "results.json: this is a result file, not a scene\n   = --json takes no file name: it \
+                   prints to standard output\n   = did you mean --json-file results.json?";
     refused(&folder, "bench --json results.json ball.pbrt", message);
     refused(
         &folder,
@@ -144,7 +144,7 @@ fn json_is_a_switch_and_says_so_to_those_who_give_it_a_file() {
     refused(
         &folder,
         "check --json a.json ball.pbrt",
-        "a.json: this is the name of a file of results",
+        "a.json: this is a result file",
     );
     // Two scenes are two scenes.
     let run = folder
@@ -155,7 +155,7 @@ fn json_is_a_switch_and_says_so_to_those_who_give_it_a_file() {
 }
 
 #[test]
-fn where_nothing_was_measured_older_results_stay() {
+fn without_measurements_older_results_stay() {
     let folder = folder()
         .with("bad.pbrt", "Shap")
         .with("r.csv", "old")
@@ -199,17 +199,17 @@ fn where_nothing_was_measured_older_results_stay() {
 }
 
 #[test]
-fn a_page_of_somebody_else_is_no_place_for_a_report() {
+fn a_page_of_another_program_is_not_overwritten() {
     let folder = Folder::new().with("index.html", "<html>my site</html>");
     folder
         .bench(&format!("ball.pbrt {ONCE} --report ."))
-        .failed(73, "./index.html: exists already, and is no report");
+        .failed(73, "./index.html: exists already, and is not a report");
     assert_eq!(folder.text("index.html"), "<html>my site</html>");
 }
 
 #[cfg(unix)]
 #[test]
-fn links_to_what_is_read_are_no_outputs() {
+fn links_to_inputs_are_refused_as_outputs() {
     use std::os::unix::fs::symlink;
     let folder = folder();
     let links = [
@@ -239,8 +239,7 @@ fn links_to_what_is_read_are_no_outputs() {
         ),
         (
             "render mesh.ply --resolution 2x2",
-            "mesh.png: the name that the scene gives to its image would overwrite a scene"
-                .to_owned(),
+            "mesh.png: the image name in the scene would overwrite a scene".to_owned(),
         ),
         (
             "render mesh.ply --resolution 2x2 --force",
@@ -263,7 +262,10 @@ fn links_to_what_is_read_are_no_outputs() {
         refused(&folder, command, &message);
     }
     let run = folder.render("ball.pbrt parts.pbrt -o {stem}.exr --manifest part.jsonl");
-    run.failed(73, "part.jsonl: exists already, and is no manifest");
+    run.failed(
+        73,
+        "part.jsonl: exists already, and is not a manifest by feimos",
+    );
     assert_eq!(folder.text("part.inc"), "Shape \"sphere\"\n");
     // Another line would still be one of a scene that cannot be read.
     let part = "{\"scene\":";
@@ -276,7 +278,7 @@ fn links_to_what_is_read_are_no_outputs() {
 
 #[cfg(unix)]
 #[test]
-fn what_was_measured_before_a_conflict_is_written() {
+fn measurements_before_a_conflict_are_written() {
     let folder = folder();
     std::os::unix::fs::symlink("mesh.ply", folder.path("m.csv")).unwrap();
     let run = folder.bench(&format!(
@@ -292,14 +294,14 @@ fn what_was_measured_before_a_conflict_is_written() {
 }
 
 #[test]
-fn an_image_that_is_compared_or_put_together_stays() {
+fn compared_and_merged_images_are_not_overwritten() {
     let folder = folder();
     folder.render("ball.pbrt -o a.exr").succeeded();
     folder.render("ball.pbrt -o a.png").succeeded();
     refused(
         &folder,
         "compare a.png a.png --diff ./a.png",
-        "./a.png: --diff would overwrite an image that is compared",
+        "./a.png: --diff would overwrite a compared image",
     );
     refused(
         &folder,
@@ -312,7 +314,7 @@ fn an_image_that_is_compared_or_put_together_stays() {
         refused(
             &folder,
             "compare a.exr a.exr --diff b.png",
-            "b.png: --diff would overwrite an image that is compared",
+            "b.png: --diff would overwrite a compared image",
         );
         std::os::unix::fs::symlink("a.exr", folder.path("c.exr")).unwrap();
         refused(
@@ -330,7 +332,7 @@ fn a_scene_does_not_overwrite_itself() {
     refused(
         &folder,
         "render self.png",
-        "self.png: the name that the scene gives to its image would overwrite a scene",
+        "self.png: the image name in the scene would overwrite a scene",
     );
     refused(
         &folder,
@@ -340,12 +342,15 @@ fn a_scene_does_not_overwrite_itself() {
 }
 
 #[test]
-fn a_name_from_the_scene_replaces_images_of_feimos_alone() {
+fn a_name_from_the_scene_replaces_only_images_by_feimos() {
     let folder = Folder::new().with("film.exr", "my holidays");
-    let advice = "give another one by -o, move it away, or use --force to overwrite it";
+    let advice = "use -o to name another one, move it away, or use --force to overwrite it";
     folder
         .render("ball.pbrt")
-        .failed(73, "film.exr: exists already, and is no image of feimos")
+        .failed(
+            73,
+            "film.exr: exists already, and is not an image by feimos",
+        )
         .said(advice);
     assert_eq!(folder.text("film.exr"), "my holidays");
     folder.render("ball.pbrt --force").succeeded();
@@ -369,15 +374,16 @@ fn a_name_from_the_scene_replaces_images_of_feimos_alone() {
     folder.render("f.pbrt").succeeded();
     folder
         .render("f.pbrt")
-        .failed(73, "f.pfm: exists already, and is no image of feimos");
+        .failed(73, "f.pfm: exists already, and is not an image by feimos");
     folder.render("f.pbrt -o f.pfm").succeeded();
 }
 
 #[test]
 fn a_bare_mesh_does_not_replace_its_photograph() {
     let folder = folder().with("mesh.png", "a photograph");
-    folder
-        .render("mesh.ply --resolution 2x2")
-        .failed(73, "mesh.png: exists already, and is no image of feimos");
+    folder.render("mesh.ply --resolution 2x2").failed(
+        73,
+        "mesh.png: exists already, and is not an image by feimos",
+    );
     assert_eq!(folder.text("mesh.png"), "a photograph");
 }

@@ -1,4 +1,4 @@
-//! Where images go: two that would meet, and places that cannot be written to.
+//! Two images in one place, and places that cannot be written to.
 
 use crate::folder::{BALL, Folder};
 use std::fs;
@@ -8,7 +8,7 @@ fn two() -> Folder {
 }
 
 #[test]
-fn images_that_meet_by_other_names_are_refused_before_the_work() {
+fn two_names_of_one_image_are_refused_before_the_work() {
     let folder = two();
     fs::create_dir(folder.path("sub")).unwrap();
     folder
@@ -22,7 +22,7 @@ fn images_that_meet_by_other_names_are_refused_before_the_work() {
 
 #[cfg(unix)]
 #[test]
-fn images_that_meet_through_links_are_refused_before_the_work() {
+fn links_to_one_image_are_refused_before_the_work() {
     use std::os::unix::fs::symlink;
     let folder = Folder::new();
     fs::create_dir(folder.path("real")).unwrap();
@@ -55,7 +55,7 @@ fn images_that_meet_through_links_are_refused_before_the_work() {
 }
 
 #[test]
-fn an_image_whose_name_is_known_late_does_not_replace_one_of_the_batch() {
+fn an_image_with_a_late_name_does_not_replace_one_of_the_batch() {
     let folder = Folder::new();
     let run = folder
         .render_input("ball.pbrt - --force", BALL)
@@ -64,7 +64,7 @@ fn an_image_whose_name_is_known_late_does_not_replace_one_of_the_batch() {
 }
 
 #[test]
-fn a_name_of_a_folder_is_no_name_of_an_image() {
+fn the_name_of_a_folder_is_refused() {
     let folder = Folder::new();
     for output in ["a.exr/", "a.exr/.", "a.exr//"] {
         folder
@@ -115,8 +115,7 @@ mod rights {
         fs::set_permissions(folder.path(name), fs::Permissions::from_mode(mode)).unwrap();
     }
 
-    /// Runs the program without the rights of root, who may do anything; `None` where that is not
-    /// to be had.
+    /// Runs the program without the privileges of root; `None` if that is not possible.
     fn without_rights(folder: &Folder, arguments: &str) -> Option<Run> {
         let program = folder.command("");
         let mut command = match fs::metadata(folder.path(".")).unwrap().uid() {
@@ -144,7 +143,7 @@ mod rights {
     }
 
     #[test]
-    fn a_folder_that_is_closed_to_the_user_is_found_before_the_render() {
+    fn a_folder_without_write_permission_is_found_before_the_render() {
         let folder = Folder::new();
         fs::create_dir(folder.path("closed")).unwrap();
         set_mode(&folder, "closed", 0o555);
@@ -177,7 +176,7 @@ mod rights {
     }
 
     #[test]
-    fn a_file_of_another_user_in_a_folder_of_all_is_found_before_the_render() {
+    fn a_file_of_another_user_in_a_sticky_folder_is_found_before_the_render() {
         let folder = Folder::new();
         fs::create_dir(folder.path("all")).unwrap();
         set_mode(&folder, "all", 0o1777);

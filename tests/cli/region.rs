@@ -3,10 +3,10 @@
 use crate::folder::{Exr, Folder};
 use std::collections::BTreeMap;
 
-/// A hole, to be told from any sample that the scene makes.
+/// A value for holes that no scene produces.
 const HOLE: u32 = 0xdead_beef;
 
-/// Pastes crops into one film; every pixel must come from exactly one.
+/// Copies crops into one film; every pixel must come from exactly one.
 fn put_together(crops: &[Exr]) -> BTreeMap<String, Vec<u32>> {
     let (width, height) = crops[0].film;
     let mut whole: BTreeMap<String, Vec<u32>> = BTreeMap::new();
@@ -39,7 +39,7 @@ fn tiles(folder: &Folder, film: &str) -> Vec<Exr> {
 }
 
 #[test]
-fn tiles_of_an_odd_film_make_the_whole_film() {
+fn tiles_of_an_odd_film_cover_the_whole_film() {
     let folder = Folder::new();
     for film in ["", "--resolution 37x23"] {
         let whole = folder.rendered(&format!("ball.pbrt {film}"));
@@ -54,7 +54,7 @@ fn a_crop_window_rounds_both_ends_up() {
 }
 
 #[test]
-fn a_crop_window_is_cut_to_the_film() {
+fn a_crop_window_is_clamped_to_the_film() {
     let exr = Folder::new().rendered("ball.pbrt --cropwindow -1,0.5,0,7");
     assert_eq!((exr.origin, exr.size), ((0, 0), (7, 7)));
 }
@@ -96,7 +96,7 @@ fn the_resolution_replaces_that_of_the_film() {
 }
 
 #[test]
-fn a_depth_picture_of_a_part_needs_a_range() {
+fn a_depth_view_of_a_part_needs_a_range() {
     let folder = Folder::new();
     for crop in ["--cropwindow 0,0.5,0,1", "--pixelbounds 0,3,0,3"] {
         folder
@@ -132,7 +132,7 @@ fn regions_without_a_pixel_are_refused() {
 }
 
 #[test]
-fn regions_that_make_no_sense_are_refused() {
+fn invalid_regions_are_refused() {
     let folder = Folder::new();
     let cases = [
         (
@@ -146,11 +146,11 @@ fn regions_that_make_no_sense_are_refused() {
             "--pixelbounds 0,1,0,1 --cropwindow 0,1,0,1",
             "cannot be used with",
         ),
-        ("--resolution 0x4", "a film needs a pixel at least"),
+        ("--resolution 0x4", "a film needs at least one pixel"),
         ("--resolution 4", "expected 2 values separated by `x`"),
         (
             "--resolution 16777217x1",
-            "at most 16777216 pixels along a side",
+            "expected sides of 16777216 pixels or fewer",
         ),
     ];
     for (flags, message) in cases {

@@ -1,4 +1,4 @@
-//! Signals: what they end, what they leave, and what they must not end.
+//! Signals: which ones end the program, and what they leave.
 #![cfg(unix)]
 
 use crate::folder::Folder;
@@ -18,13 +18,13 @@ const CAUGHT: [i32; 8] = [
     SIGTERM, SIGINT, SIGHUP, SIGQUIT, SIGXCPU, SIGUSR1, SIGUSR2, SIGALRM,
 ];
 
-/// Large enough to be caught while it is written, mostly.
+/// A film large enough that a signal usually arrives during the write.
 const LARGE: &str = "ball.pbrt -o large.exr --resolution 800x800";
 
-/// Attempts to catch it.
+/// Attempts to interrupt a write.
 const ATTEMPTS: usize = 20;
 
-/// Gives up: nothing here takes so long.
+/// A timeout that no step here should reach.
 const LIMIT: Duration = Duration::from_secs(120);
 
 fn started(folder: &Folder, arguments: &str) -> Child {
@@ -37,7 +37,7 @@ fn started(folder: &Folder, arguments: &str) -> Child {
     command.spawn().unwrap()
 }
 
-/// The same command, after `script` of a shell, that takes signals and leaves no memory dump.
+/// The same command after a shell `script`, with default signals and without core dumps.
 fn without_core(command: &Command, script: &str) -> Command {
     take_signals();
     let mut shell = Command::new("sh");
@@ -46,8 +46,8 @@ fn without_core(command: &Command, script: &str) -> Command {
     shell
 }
 
-/// Lets what this process starts be ended by signals that it was itself started with ignored, as
-/// below `nohup`. Programs inherit that a signal is ignored, and not that it is handled.
+/// Resets signals that this process inherited as ignored, as under `nohup`: programs inherit
+/// ignored signals, but not handlers.
 fn take_signals() {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let mask = status
@@ -63,7 +63,7 @@ fn take_signals() {
     }
 }
 
-/// Paths of files in `folder` that are being written: they have a temporary name or, by Linux,
+/// The paths of files in `folder` that are being written: they have a temporary name or, on Linux,
 /// none.
 fn unfinished(folder: &Folder, child: &Child) -> Vec<String> {
     let folder_path = folder.path("").canonicalize().unwrap();
@@ -90,7 +90,7 @@ fn wait_until(mut is_so: impl FnMut() -> bool) {
     }
 }
 
-/// Sends `signal` when the program has begun to write, and waits for its end.
+/// Sends `signal` after the program has begun to write, and waits for its end.
 fn ended_while_writing(folder: &Folder, signal: i32) -> (ExitStatus, String) {
     for _ in 0..ATTEMPTS {
         let old = std::fs::read(folder.path("large.exr")).ok();
@@ -114,7 +114,7 @@ fn ended_while_writing(folder: &Folder, signal: i32) -> (ExitStatus, String) {
     panic!("it is always faster than the signal");
 }
 
-/// Sends `signal`; a program that has just ended takes it, too, until it is waited for.
+/// Sends `signal`; a program that has just ended accepts it until it is waited for.
 fn send(signal: i32, child: &Child) {
     let kill = format!("kill -{signal} {}", child.id());
     assert!(
@@ -127,7 +127,7 @@ fn send(signal: i32, child: &Child) {
 }
 
 #[test]
-fn a_signal_ends_it_without_a_trace() {
+fn a_signal_ends_the_program_and_leaves_no_file() {
     for signal in CAUGHT {
         let folder = Folder::new().with("old.exr", "old");
         let (status, stderr) = ended_while_writing(&folder, signal);
@@ -140,7 +140,7 @@ fn a_signal_ends_it_without_a_trace() {
     }
 }
 
-/// A pipe that takes no byte more until it is read.
+/// A pipe that accepts no byte until it is read.
 fn full_pipe() -> (PipeReader, PipeWriter) {
     let (reader, writer) = std::io::pipe().unwrap();
     let mut filler = writer.try_clone().unwrap();
@@ -162,7 +162,7 @@ fn full_pipe() -> (PipeReader, PipeWriter) {
 }
 
 #[test]
-fn a_signal_ends_it_while_nobody_reads_what_it_says() {
+fn a_signal_ends_the_program_if_nobody_reads_its_messages() {
     for signal in [SIGTERM, SIGINT, SIGHUP] {
         let folder = Folder::new();
         let (_unread, full) = full_pipe();
@@ -206,7 +206,7 @@ fn a_kill_leaves_no_short_file() {
 }
 
 #[test]
-fn a_batch_that_is_ended_keeps_what_was_finished() {
+fn an_ended_batch_keeps_finished_images() {
     let pose = |number: u32| {
         format!(r#"{{"name": "{number}", "lookat": [0, 0, -5, 0, 0, 0, 0, 1, {number}]}}"#)
     };

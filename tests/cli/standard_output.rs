@@ -1,4 +1,4 @@
-//! Results that go to standard output, and nowhere if nobody looks.
+//! Results on standard output, and errors if it is closed or full.
 #![cfg(unix)]
 
 use crate::folder::Folder;
@@ -69,7 +69,7 @@ fn a_closed_standard_output_is_an_error_before_the_work() {
 }
 
 #[test]
-fn a_standard_output_that_swallows_all_is_none() {
+fn output_to_dev_null_is_no_error() {
     let folder = folder();
     for arguments in PRINTING {
         // Shells open it to write, Python's `subprocess.DEVNULL` and others to read and write.
@@ -106,7 +106,7 @@ fn a_full_standard_output_is_an_error() {
 }
 
 #[test]
-fn help_that_nobody_reads_to_its_end_is_no_error() {
+fn a_pager_that_closes_early_is_no_error() {
     let folder = Folder::new();
     for arguments in ["--help", "render --help", "--version"] {
         let mut child = folder.subcommand("", "");

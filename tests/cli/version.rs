@@ -1,4 +1,4 @@
-//! `feimos --version`: what to say in a report of a bug.
+//! `feimos --version`: the information for a bug report.
 
 use crate::folder::Folder;
 
@@ -12,7 +12,7 @@ fn the_short_version_is_a_line() {
 }
 
 #[test]
-fn the_long_version_tells_the_build_and_the_instructions_that_pictures_are_made_with() {
+fn the_long_version_has_the_build_and_the_instruction_set() {
     let folder = Folder::new();
     let run = folder.run("--version", "").succeeded();
     let lines: Vec<&str> = run.text().lines().collect();

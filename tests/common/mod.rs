@@ -1,4 +1,4 @@
-//! What several test files need: rendering to memory, and comparing images by their bits.
+//! Helpers of several test files: rendering to memory, and comparing images by their bits.
 // Each test file is a crate of its own and uses some of this.
 #![allow(dead_code)]
 
@@ -15,7 +15,7 @@ use feimos::simd::Level;
 use proptest::test_runner::Config as ProptestConfig;
 use std::path::Path;
 
-/// So many random cases of each kind, or as many as the environment variable `FEIMOS_CASES` says.
+/// `in_ci` random cases of each kind, or the number in the environment variable `FEIMOS_CASES`.
 pub(crate) fn cases(in_ci: u32) -> ProptestConfig {
     let cases = std::env::var("FEIMOS_CASES")
         .ok()
@@ -31,7 +31,7 @@ pub(crate) fn scene(path: &Path) -> Scene {
     load(path, &LoadOptions::default(), Progress::SILENT).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// How a picture is made: none of it shows.
+/// A way to render an image. None of it affects the image.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Way {
     pub(crate) build: BuildOptions,
@@ -40,18 +40,20 @@ pub(crate) struct Way {
     pub(crate) tree: Tree,
 }
 
-/// What a tree holds, and where its boxes are the most precise.
+/// The contents of a tree, and its anchor.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Tree {
-    /// Only what the picture shows, at the eye.
+    /// The visible primitives; anchored at the eye.
     OfView,
-    /// Everything, at the eye.
+    /// All primitives; anchored at the eye.
     OfAll,
-    /// Everything, in the middle of the scene: for many views. Answers of `f32` are others with it.
+    /// All primitives; anchored at the middle of the scene, for many views. Hits in `f32` differ
+    /// from those of other anchors.
     Shared,
 }
 
-/// Builds, checks the tree, and renders every channel of `window` that is the same with every accelerator, on `threads` threads.
+/// Builds and validates the tree, and renders every channel of `window` that does not depend on the
+/// accelerator, on `threads` threads.
 pub(crate) fn picture(
     camera: &Camera,
     geometry: &Geometry,
@@ -74,7 +76,7 @@ pub(crate) fn picture(
     )
 }
 
-/// As [`picture`], some given way.
+/// Like [`picture`], in a given way.
 pub(crate) fn picture_by(
     camera: &Camera,
     geometry: &Geometry,
@@ -115,7 +117,7 @@ pub(crate) fn picture_by(
             level,
         };
         let rendering = render(camera, geometry, &aggregate, &options, Progress::SILENT).unwrap();
-        // Where only hit or miss is asked for, other code answers.
+        // Other code runs if only hit or miss is requested.
         let options = RenderOptions {
             channels: vec![ChannelName::A],
             ..options
@@ -131,7 +133,7 @@ pub(crate) fn picture_by(
     })
 }
 
-/// The middle of the box around everything, or the origin where there is none.
+/// The middle of the box around everything, or the origin if the scene is empty.
 fn middle(geometry: &Geometry) -> Point {
     let middle = geometry.extent().centre();
     if middle.is_finite() {
@@ -147,8 +149,9 @@ pub(crate) fn whole(camera: &Camera) -> PixelBounds {
     PixelBounds::of_film(width, height)
 }
 
-/// Renders with every accelerator, three leaf sizes, several numbers of threads, all instructions that the machine has, with
-/// trees of all, for one view or many, and of what is seen, and asserts that no bit differs from the plain list on one thread, which is returned.
+/// Renders with every accelerator, three leaf sizes, several numbers of threads, all SIMD levels of
+/// the machine, and all kinds of trees. Asserts that no bit differs from the plain list on one
+/// thread, and returns that image.
 pub(crate) fn agreed_picture(
     camera: &Camera,
     geometry: &Geometry,
@@ -174,7 +177,7 @@ pub(crate) fn agreed_picture(
     let mut turn = 0;
     for method in SplitMethod::ALL {
         for (max_leaf, threads) in [(4, 2), (1, 1), (16, 3)] {
-            // Every level meets every accelerator, leaf size and kind of tree in some order.
+            // Combines every level with every accelerator, leaf size and kind of tree.
             let (level, tree) = (
                 levels[turn % levels.len()],
                 trees[turn / levels.len() % trees.len()],
@@ -202,16 +205,15 @@ pub(crate) fn assert_same(expected: &Image, found: &Image, what: &str) {
         let (a_bits, b_bits) = (bits(a), bits(b));
         let different = a_bits.iter().zip(&b_bits).filter(|(a, b)| a != b).count();
         assert_eq!(
-            different,
-            0,
+            different, 0,
             "{what}: {different} samples of {} differ",
-            a.name.as_str()
+            a.name
         );
     }
 }
 
-/// What the reference says of every pixel: primitive and bits of Z and t, 0 for a miss. One ray at a time and, which has to be
-/// the same, sorted out by area.
+/// The reference hit of every pixel: primitive and bits of Z and t, 0 for a miss. Computed ray by
+/// ray and area by area, which must agree.
 pub(crate) fn judged(camera: &Camera, geometry: &Geometry) -> Vec<[u32; 3]> {
     let [width, height] = camera.resolution;
     let pixels: Vec<[u32; 2]> = (0..height)
@@ -239,7 +241,7 @@ pub(crate) fn judged(camera: &Camera, geometry: &Geometry) -> Vec<[u32; 3]> {
         .collect()
 }
 
-/// What an image says of every pixel, in the same form.
+/// The hits of an image, in the same form.
 pub(crate) fn rendered(image: &Image) -> Vec<[u32; 3]> {
     let [prim, z, t] =
         [ChannelName::Prim, ChannelName::Z, ChannelName::T].map(|name| bits_of(image, name));
@@ -253,7 +255,7 @@ pub(crate) fn rendered(image: &Image) -> Vec<[u32; 3]> {
     (0..prim.len()).map(pixel).collect()
 }
 
-/// Adds a mesh of triangles that share no corner.
+/// Adds a mesh of triangles that share no vertices.
 pub(crate) fn add_triangles(
     geometry: &mut Geometry,
     triangles: &[[Point; 3]],
@@ -269,7 +271,7 @@ pub(crate) fn add_triangles(
         .unwrap();
 }
 
-/// The samples of the channel of that name as bits.
+/// The samples of the named channel as bits.
 pub(crate) fn bits_of(image: &Image, name: ChannelName) -> Vec<u32> {
     bits(
         image

@@ -1,8 +1,9 @@
 //! Finds the split plane of least cost by the binned surface area heuristic (Wald, 2007).
 
-use super::build_primitive::{BuildPrimitive, centre_bounds};
+use super::build_primitive::BuildPrimitive;
+use super::centre_grid::CentreGrid;
+use super::f32x4::LaneBox;
 use super::full_leaves::LeafSize;
-use super::lanes::{LaneBox, Lanes};
 
 /// The largest number of bins along an axis.
 const BINS: usize = 16;
@@ -29,61 +30,10 @@ fn sample(primitives: &[BuildPrimitive]) -> Vec<BuildPrimitive> {
 
 /// A plane between two bins.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Plane {
+pub(super) struct SplitPlane {
     pub(super) axis: usize,
     /// Primitives with a smaller doubled centre go left.
     pub(super) at: f32,
-}
-
-/// Maps doubled centres to bins on each axis. The first and the last bin are half as wide as the
-/// others.
-#[derive(Debug, Clone, Copy)]
-struct Binning {
-    low: Lanes,
-    extent: Lanes,
-    /// Bins per unit; 0 on an axis without extent.
-    per_unit: Lanes,
-    count: usize,
-}
-
-impl Binning {
-    fn new(centres: LaneBox, count: usize) -> Binning {
-        let extent = centres.extent();
-        let per_unit = |extent: f32| {
-            if extent > 0.0 {
-                (count - 1) as f32 / extent
-            } else {
-                0.0
-            }
-        };
-        let [x, y, z, _] = extent.0;
-        Binning {
-            low: centres.low,
-            extent,
-            per_unit: Lanes([per_unit(x), per_unit(y), per_unit(z), 0.0]),
-            count,
-        }
-    }
-
-    /// The bin on each axis; an arbitrary one for the NaN of an infinite box.
-    #[inline(always)]
-    fn places(&self, primitive: &BuildPrimitive) -> [usize; 3] {
-        let bins = primitive
-            .doubled_centre()
-            .minus(self.low)
-            .times(self.per_unit);
-        let [x, y, z, _] = bins.rounded().map(|bin| bin as usize % BINS);
-        [x, y, z]
-    }
-
-    /// The plane behind the first `left_bins`.
-    fn plane(&self, axis: usize, left_bins: usize) -> Plane {
-        let share = (left_bins as f32 - 0.5) / (self.count - 1) as f32;
-        Plane {
-            axis,
-            at: self.low.0[axis] + share * self.extent.0[axis],
-        }
-    }
 }
 
 /// The contents of one or several bins.
@@ -124,14 +74,15 @@ struct Bins {
 }
 
 impl Bins {
-    fn of(binning: &Binning, primitives: &[BuildPrimitive]) -> Bins {
+    fn of(grid: &CentreGrid, primitives: &[BuildPrimitive]) -> Bins {
         let mut bins = Bins {
             bounds: [[LaneBox::EMPTY; BINS]; 3],
             counts: [[0; BINS]; 3],
         };
         for primitive in primitives {
-            let places = binning.places(primitive);
-            for (axis, place) in places.into_iter().enumerate() {
+            let cells = grid.cells(primitive);
+            for axis in 0..3 {
+                let place = cells[axis] as usize % BINS;
                 let bounds = &mut bins.bounds[axis][place];
                 *bounds = primitive.bounds().union(*bounds);
                 bins.counts[axis][place] += 1;
@@ -160,7 +111,7 @@ impl Bins {
 }
 
 /// The plane of the least cost over all axes; `None` if all centres coincide.
-pub(super) fn best_plane(primitives: &[BuildPrimitive], leaf_size: LeafSize) -> Option<Plane> {
+pub(super) fn best_plane(primitives: &[BuildPrimitive], leaf_size: LeafSize) -> Option<SplitPlane> {
     if primitives.len() > LONG {
         // Each primitive stands for many, so it counts whether or not it fills a leaf.
         return best_plane_of_all(&sample(primitives), LeafSize(1));
@@ -168,22 +119,24 @@ pub(super) fn best_plane(primitives: &[BuildPrimitive], leaf_size: LeafSize) -> 
     best_plane_of_all(primitives, leaf_size)
 }
 
-fn best_plane_of_all(primitives: &[BuildPrimitive], leaf_size: LeafSize) -> Option<Plane> {
-    let binning = Binning::new(centre_bounds(primitives), bins_for(primitives.len()));
-    let bins = Bins::of(&binning, primitives);
+fn best_plane_of_all(primitives: &[BuildPrimitive], leaf_size: LeafSize) -> Option<SplitPlane> {
+    let count = bins_for(primitives.len());
+    let grid = CentreGrid::new(primitives, count as u32 - 1);
+    let bins = Bins::of(&grid, primitives);
     let mut best = None;
     let mut least = f32::INFINITY;
-    for axis in (0..3).filter(|axis| binning.per_unit.0[*axis] > 0.0) {
-        let right_costs = bins.costs_from_the_right(axis, binning.count, leaf_size);
+    for axis in (0..3).filter(|axis| grid.has_extent(*axis)) {
+        let right_costs = bins.costs_from_the_right(axis, count, leaf_size);
         let mut left = Bin::EMPTY;
-        for left_bins in 1..binning.count {
+        for left_bins in 1..count {
             left = left.with(bins.bin(axis, left_bins - 1));
             if left.count == 0 || left.count as usize == primitives.len() {
                 continue;
             }
             let cost = left.cost(leaf_size) + right_costs[left_bins];
             if best.is_none() || cost < least {
-                best = Some(binning.plane(axis, left_bins));
+                let at = grid.boundary(axis, left_bins);
+                best = Some(SplitPlane { axis, at });
                 least = cost;
             }
         }

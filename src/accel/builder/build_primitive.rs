@@ -1,6 +1,6 @@
 //! The record that a build sorts and partitions: a box and the bits of its primitive.
 
-use super::lanes::{LaneBox, Lanes};
+use super::f32x4::{F32x4, LaneBox};
 use crate::accel::space::Box32;
 use rayon::prelude::*;
 
@@ -32,8 +32,8 @@ impl BuildPrimitive {
     /// A primitive that its maker identifies by `bits`.
     pub(crate) fn new(bounds: &Box32, bits: u32) -> BuildPrimitive {
         let ([x0, y0, z0], [x1, y1, z1]) = (bounds.low, bounds.high);
-        let low = Lanes([x0, y0, z0, with_bits(bits >> 16)]);
-        let high = Lanes([x1, y1, z1, with_bits(bits)]);
+        let low = F32x4([x0, y0, z0, with_bits(bits >> 16)]);
+        let high = F32x4([x1, y1, z1, with_bits(bits)]);
         BuildPrimitive {
             corners: LaneBox { low, high },
         }
@@ -52,7 +52,7 @@ impl BuildPrimitive {
 
     /// Twice the centre of the box. The spare lane holds a normal number.
     #[inline(always)]
-    pub(super) fn doubled_centre(&self) -> Lanes {
+    pub(super) fn doubled_centre(&self) -> F32x4 {
         self.corners.low.plus(self.corners.high)
     }
 
@@ -104,10 +104,8 @@ fn union_of(
     if primitives.len() < PARALLEL {
         return of_chunk(primitives);
     }
-    primitives
-        .par_chunks(CHUNK)
-        .map(of_chunk)
-        .reduce(|| LaneBox::EMPTY, LaneBox::union)
+    let boxes = primitives.par_chunks(CHUNK).map(of_chunk);
+    boxes.reduce(|| LaneBox::EMPTY, LaneBox::union)
 }
 
 #[cfg(test)]

@@ -58,11 +58,8 @@ pub(crate) fn collect(
 fn remove_dead(primitives: &mut Vec<BuildPrimitive>) {
     let place_of_dead =
         |(place, primitive): (usize, &BuildPrimitive)| primitive.is_dead().then_some(place);
-    let dead: Vec<usize> = primitives
-        .par_iter()
-        .enumerate()
-        .filter_map(place_of_dead)
-        .collect();
+    let places = primitives.par_iter().enumerate();
+    let dead: Vec<usize> = places.filter_map(place_of_dead).collect();
     for place in dead.into_iter().rev() {
         // No dead one is left behind this place.
         primitives.swap_remove(place);
@@ -84,10 +81,8 @@ fn all_triangles(
         }
         boxes.primitives
     };
-    let groups: Vec<_> = (0..count.div_ceil(GROUP))
-        .into_par_iter()
-        .map(boxes)
-        .collect();
+    let groups = (0..count.div_ceil(GROUP)).into_par_iter();
+    let groups: Vec<_> = groups.map(boxes).collect();
     let mut primitives = groups.into_flattened();
     primitives.truncate(count);
     primitives
@@ -108,12 +103,8 @@ fn visible_triangles(
         for first in (first..count.min(first + CHUNK)).step_by(GROUP) {
             let boxes = boxes_of_triangles(geometry, space, first, may_see);
             never_hit.fetch_add(boxes.never_hit, Ordering::Relaxed);
-            seen.extend(
-                boxes
-                    .primitives
-                    .iter()
-                    .filter(|primitive| !primitive.is_dead()),
-            );
+            let primitives = boxes.primitives.iter();
+            seen.extend(primitives.filter(|primitive| !primitive.is_dead()));
         }
         seen
     };
@@ -140,10 +131,8 @@ mod tests {
             };
             let mut primitives: Vec<BuildPrimitive> = (0..9).map(place).collect();
             remove_dead(&mut primitives);
-            let mut left: Vec<usize> = primitives
-                .iter()
-                .map(|primitive| primitive.bits() as usize)
-                .collect();
+            let index = |primitive: &BuildPrimitive| primitive.bits() as usize;
+            let mut left: Vec<usize> = primitives.iter().map(index).collect();
             left.sort_unstable();
             let alive = (0..9).filter(|index| !dead.contains(index));
             assert!(left.into_iter().eq(alive), "{dead:?}");

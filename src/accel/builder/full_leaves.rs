@@ -69,9 +69,8 @@ mod tests {
     fn the_full_split_is_the_nearest_that_fills_leaves() {
         for leaf_size in [1, 2, 3, 4, 16].map(LeafSize) {
             for len in leaf_size.0 + 1..70 {
-                let all: Vec<usize> = (1..len)
-                    .filter(|count| fills(leaf_size, len, *count))
-                    .collect();
+                let fills = |count: &usize| fills(leaf_size, len, *count);
+                let all: Vec<usize> = (1..len).filter(fills).collect();
                 for count in 1..len {
                     let full = leaf_size.full(len, count);
                     assert!(

@@ -45,22 +45,16 @@ pub(super) fn build(
     let runs = runs(&curve, TREELET_LEAVES * leaf_size.0);
     let mut order = vec![0; primitives.len()];
     let treelet = |(run, order): (&Range<usize>, &mut [u32])| {
-        let mut list: Vec<_> = curve[run.clone()]
-            .iter()
-            .map(|place| primitives[place.index()])
-            .collect();
+        let places = curve[run.clone()].iter();
+        let mut list: Vec<_> = places.map(|place| primitives[place.index()]).collect();
         let treelet = top_down.build(&mut list, run.start);
-        order
-            .iter_mut()
-            .zip(&list)
-            .for_each(|(place, primitive)| *place = primitive.bits());
+        for (place, primitive) in order.iter_mut().zip(&list) {
+            *place = primitive.bits();
+        }
         treelet
     };
-    let treelets = runs
-        .par_iter()
-        .zip(split_into(&mut order, &runs))
-        .map(treelet)
-        .collect();
+    let parts = runs.par_iter().zip(split_into(&mut order, &runs));
+    let treelets = parts.map(treelet).collect();
     (join_by_sah(treelets), order)
 }
 

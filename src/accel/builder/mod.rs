@@ -3,10 +3,11 @@
 mod binning;
 mod branch;
 mod build_primitive;
+mod centre_grid;
 mod collection;
+mod f32x4;
 mod full_leaves;
 mod hlbvh;
-mod lanes;
 mod morton;
 mod options;
 mod partition;

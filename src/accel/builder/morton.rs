@@ -1,7 +1,7 @@
 //! Sorts primitives along a Morton curve.
 
-use super::build_primitive::{BuildPrimitive, centre_bounds};
-use super::lanes::{LaneBox, Lanes};
+use super::build_primitive::BuildPrimitive;
+use super::centre_grid::CentreGrid;
 use super::radix_sort::sort_by_digits;
 use rayon::prelude::*;
 
@@ -37,51 +37,13 @@ impl CurvePlace {
 /// All `primitives` in the order of the curve; with equal codes in the order of the list.
 pub(super) fn along_curve(primitives: &[BuildPrimitive]) -> Vec<CurvePlace> {
     let axis_bits = axis_bits(primitives.len());
-    let grid = Grid::new(centre_bounds(primitives), axis_bits);
+    let grid = CentreGrid::new(primitives, (1 << axis_bits) - 1);
     let place = |(index, primitive): (usize, &BuildPrimitive)| {
-        CurvePlace(u64::from(grid.code(primitive)) << 32 | index as u64)
+        let [x, y, z] = grid.cells(primitive).map(|cell| spread(cell & grid.last));
+        CurvePlace(u64::from(z << 2 | y << 1 | x) << 32 | index as u64)
     };
     let places = primitives.par_iter().enumerate().map(place).collect();
     sort_by_digits(places, 3 * axis_bits, |place| place.code())
-}
-
-/// A grid with the same number of cells on each axis. The first and the last are half as wide as
-/// the others.
-struct Grid {
-    low: Lanes,
-    cells_per_unit: Lanes,
-    last: u32,
-}
-
-impl Grid {
-    fn new(centres: LaneBox, axis_bits: u32) -> Grid {
-        let last = (1 << axis_bits) - 1;
-        let [x, y, z, _] = centres.extent().0;
-        let cells = |extent: f32| {
-            if extent > 0.0 {
-                last as f32 / extent
-            } else {
-                0.0
-            }
-        };
-        Grid {
-            low: centres.low,
-            cells_per_unit: Lanes([cells(x), cells(y), cells(z), 0.0]),
-            last,
-        }
-    }
-
-    #[inline]
-    fn code(&self, primitive: &BuildPrimitive) -> u32 {
-        let [x, y, z, _] = primitive
-            .doubled_centre()
-            .minus(self.low)
-            .times(self.cells_per_unit)
-            .rounded();
-        // The NaN of an infinite box falls into an arbitrary cell.
-        let spread = |cell: u32| spread(cell & self.last);
-        spread(z) << 2 | spread(y) << 1 | spread(x)
-    }
 }
 
 /// Moves bit k of a 10-bit number to bit 3k.

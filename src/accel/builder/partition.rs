@@ -14,10 +14,9 @@ pub(super) fn partition(
     if primitives.len() < PARALLEL {
         return partition_serially(primitives, &is_left);
     }
-    let left_counts: Vec<usize> = primitives
-        .par_chunks_mut(CHUNK)
-        .map(|chunk| partition_serially(chunk, &is_left))
-        .collect();
+    let chunks = primitives.par_chunks_mut(CHUNK);
+    let left_counts = chunks.map(|chunk| partition_serially(chunk, &is_left));
+    let left_counts: Vec<usize> = left_counts.collect();
     exchange(primitives, &left_counts);
     left_counts.iter().sum()
 }
@@ -121,10 +120,8 @@ mod tests {
                 let is_left = |primitive: &BuildPrimitive| primitive.centre_along(0) < 2.0 * limit;
                 let parted = [1, 3].map(|threads| {
                     let mut list = scattered(len);
-                    let pool = rayon::ThreadPoolBuilder::new()
-                        .num_threads(threads)
-                        .build()
-                        .unwrap();
+                    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+                    let pool = pool.build().unwrap();
                     (pool.install(|| partition(&mut list, is_left)), list)
                 });
                 let (count, list) = &parted[0];
@@ -132,10 +129,8 @@ mod tests {
                     list[..*count].iter().all(is_left) && !list[*count..].iter().any(is_left),
                     "{len}, {share}"
                 );
-                let mut indices: Vec<usize> = list
-                    .iter()
-                    .map(|primitive| primitive.bits() as usize)
-                    .collect();
+                let index = |primitive: &BuildPrimitive| primitive.bits() as usize;
+                let mut indices: Vec<usize> = list.iter().map(index).collect();
                 indices.sort_unstable();
                 assert!(indices.into_iter().eq(0..len), "{len}, {share}");
                 assert!(parted[0] == parted[1], "{len}, {share}");

@@ -37,10 +37,7 @@ pub(super) fn boxes_of_triangles(
     let count = GROUP.min(geometry.triangle_count() - first);
     let group = TriangleGroup::fetch(geometry, first, count);
     let can_be_hit = group.can_be_hit();
-    let never_hit = can_be_hit[..count]
-        .iter()
-        .filter(|can_be_hit| !**can_be_hit)
-        .count();
+    let never_hit = (0..count).filter(|k| !can_be_hit[*k]).count();
     let alive: [bool; GROUP] =
         std::array::from_fn(|k| k < count && can_be_hit[k] && wanted(first + k));
     let mut primitives = [BuildPrimitive::DEAD; GROUP];
@@ -127,9 +124,8 @@ mod tests {
     #[test]
     fn groups_agree_with_single_triangles() {
         let place = |k: usize| (k as u32).wrapping_mul(0x9e37_79b9) as f64 * 1e-3 - 2e6;
-        let mut vertices: Vec<Point> = (0..99)
-            .map(|k| Point::new(place(k), place(k + 100), place(k + 200)))
-            .collect();
+        let point = |k| Point::new(place(k), place(k + 100), place(k + 200));
+        let mut vertices: Vec<Point> = (0..99).map(point).collect();
         vertices[40].y = f64::NAN;
         vertices[50].z = f64::INFINITY;
         vertices[60] = Point::new(1e308, 1e308, -1e308);
@@ -159,12 +155,7 @@ mod tests {
             });
             let boxes: Vec<BuildPrimitive> = boxes.collect();
             assert!(boxes.iter().take(85).copied().eq(expected));
-            assert!(
-                boxes
-                    .iter()
-                    .skip(85)
-                    .all(|primitive| *primitive == BuildPrimitive::DEAD)
-            );
+            assert!(boxes[85..].iter().all(BuildPrimitive::is_dead));
             assert!(boxes.contains(&BuildPrimitive::DEAD));
         }
     }

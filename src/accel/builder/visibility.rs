@@ -34,12 +34,8 @@ impl Visibility {
         space: &AnchorSpace,
     ) -> Option<Visibility> {
         let view = View::new(camera, space)?;
-        let vertices = geometry
-            .vertices()
-            .par_iter()
-            .with_min_len(1 << 12)
-            .map(|vertex| view.on_film(*vertex))
-            .collect();
+        let vertices = geometry.vertices().par_iter().with_min_len(1 << 12);
+        let vertices = vertices.map(|vertex| view.on_film(*vertex)).collect();
         let window = [[window.x0, window.x1 - 1], [window.y0, window.y1 - 1]]
             .map(|ends| ends.map(|end| end as f32));
         Some(Visibility {

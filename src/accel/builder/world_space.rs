@@ -26,7 +26,9 @@ fn union_of(bounds: impl ParallelIterator<Item = Bounds>) -> Bounds {
 fn finite_bounds(points: &[Point]) -> Bounds {
     let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
     for point in points {
-        for (axis, x) in point.to_array().into_iter().enumerate() {
+        let coordinates = point.to_array();
+        for axis in 0..3 {
+            let x = coordinates[axis];
             // A NaN passes neither test, an infinity only one of them and never as an end.
             if x < low[axis] && x > f64::NEG_INFINITY {
                 low[axis] = x;
@@ -46,13 +48,9 @@ fn finite_bounds(points: &[Point]) -> Bounds {
 /// may be anywhere. Rounding is monotone, so no coordinate in between is farther.
 fn reach(bounds: &Bounds, anchor: Point) -> f64 {
     let along = |k: usize| {
-        f64::max(
-            (bounds.low[k] - anchor[k]).abs(),
-            (bounds.high[k] - anchor[k]).abs(),
-        )
+        let [low, high] = [bounds.low[k], bounds.high[k]].map(|end| (end - anchor[k]).abs());
+        low.max(high)
     };
-    (0..3)
-        .filter(|k| bounds.low[*k] <= bounds.high[*k])
-        .map(along)
-        .fold(0.0, f64::max)
+    let axes = (0..3).filter(|k| bounds.low[*k] <= bounds.high[*k]);
+    axes.map(along).fold(0.0, f64::max)
 }

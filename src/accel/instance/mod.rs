@@ -54,8 +54,8 @@ impl Outlines {
     /// The box around all instances.
     pub(super) fn bounds_of_all(&self, geometry: &Geometry) -> Bounds {
         let bounds = |instance| self.bounds(geometry, instance).unwrap_or(Bounds::EMPTY);
-        (0..geometry.instances().len())
-            .into_par_iter()
+        let instances = (0..geometry.instances().len()).into_par_iter();
+        instances
             .map(bounds)
             .reduce(|| Bounds::EMPTY, Bounds::union)
     }

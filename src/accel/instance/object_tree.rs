@@ -1,6 +1,6 @@
 //! The tree of an object, in the object's own space.
 
-use super::outline::{Outline, Terms};
+use super::outline::{Outline, TermBounds};
 use super::placement::Placement;
 use crate::accel::builder::{self, BuildOptions, BuildPrimitive};
 use crate::accel::space::{AnchorSpace, Box32};
@@ -18,7 +18,7 @@ pub(crate) struct ObjectTree {
     pub(crate) tree: BinaryTree<PrimitiveId>,
     /// The same tree for tiles.
     pub(crate) wide: WideTree<Run>,
-    terms: Terms,
+    terms: TermBounds,
 }
 
 /// The box of every primitive in an object whose place is unknown.
@@ -47,11 +47,8 @@ impl ObjectTree {
         };
         let all: Vec<PrimitiveId> = object.primitives().collect();
         let pose = || Pose::new(object, Matrix::IDENTITY);
-        let placed: Vec<Option<BuildPrimitive>> = all
-            .par_iter()
-            .with_min_len(1 << 10)
-            .map_init(pose, place)
-            .collect();
+        let placed = all.par_iter().with_min_len(1 << 10).map_init(pose, place);
+        let placed: Vec<Option<BuildPrimitive>> = placed.collect();
         let primitives: Vec<BuildPrimitive> = placed.into_iter().flatten().collect();
         progress.advance(all.len() - primitives.len());
         let tree = builder::build(primitives, options, progress, PrimitiveId::from_bits);

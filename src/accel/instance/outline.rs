@@ -9,13 +9,13 @@ use rayon::prelude::*;
 pub(super) struct Outline {
     /// Encloses everything that may be hit in some instance.
     pub(super) bounds: Bounds,
-    pub(super) terms: Terms,
+    pub(super) terms: TermBounds,
 }
 
 /// Magnitudes of all points of an object, as its shapes' transforms take them from the spaces of
 /// their files to the space of its instances.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Terms {
+pub(crate) struct TermBounds {
     /// Bounds the sum of the absolute terms of each coordinate. Infinite if sums may overflow.
     pub(super) in_instance: [f64; 3],
     /// Bounds the coordinates in files.
@@ -41,15 +41,10 @@ impl Outline {
                 },
             )
         };
-        let outline = primitives
-            .par_chunks(1 << 14)
-            .map(of_chunk)
-            .reduce(|| Outline::NOTHING, Outline::union);
-        let fits = outline
-            .terms
-            .in_instance
-            .iter()
-            .all(|terms| *terms < LARGEST);
+        let outlines = primitives.par_chunks(1 << 14).map(of_chunk);
+        let outline = outlines.reduce(|| Outline::NOTHING, Outline::union);
+        let mut terms = outline.terms.in_instance.iter();
+        let fits = terms.all(|terms| *terms < LARGEST);
         if fits { outline } else { Outline::ANYWHERE }
     }
 
@@ -68,7 +63,7 @@ impl Outline {
             low: Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY),
             high: Point::new(f64::INFINITY, f64::INFINITY, f64::INFINITY),
         },
-        terms: Terms {
+        terms: TermBounds {
             in_instance: [f64::INFINITY; 3],
             in_file: f64::INFINITY,
         },
@@ -76,7 +71,7 @@ impl Outline {
 
     const NOTHING: Outline = Outline {
         bounds: Bounds::EMPTY,
-        terms: Terms {
+        terms: TermBounds {
             in_instance: [0.0; 3],
             in_file: 0.0,
         },
@@ -88,7 +83,7 @@ impl Outline {
         let in_file = self.terms.in_file.max(other.terms.in_file);
         Outline {
             bounds: self.bounds.union(other.bounds),
-            terms: Terms {
+            terms: TermBounds {
                 in_instance,
                 in_file,
             },
@@ -103,16 +98,10 @@ impl Outline {
     ) -> Option<Outline> {
         let (extent, instance_from_file) = match object.own_surface(primitive) {
             Primitive::Triangle(triangle) => {
-                let corners = triangle.0;
-                corners
-                    .iter()
-                    .all(|corner| corner.is_finite())
-                    .then_some(())?;
-                let extent = [0, 1, 2].map(|axis| {
-                    corners
-                        .iter()
-                        .fold(0.0f64, |most, p| most.max(p[axis].abs()))
-                });
+                let mut corners = triangle.0.iter();
+                corners.all(|corner| corner.is_finite()).then_some(())?;
+                let [a, b, c] = triangle.0;
+                let extent = [0, 1, 2].map(|k| a[k].abs().max(b[k].abs()).max(c[k].abs()));
                 (extent, *object.transform_of_mesh(primitive.index() as u32))
             }
             Primitive::Quadric(quadric) => (quadric.extent()?, quadric.world_from_object),
@@ -124,7 +113,7 @@ impl Outline {
         let in_file = extent.into_iter().fold(0.0, f64::max);
         Some(Outline {
             bounds: pose.surface(primitive).bounds(),
-            terms: Terms {
+            terms: TermBounds {
                 in_instance,
                 in_file,
             },

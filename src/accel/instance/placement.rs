@@ -1,7 +1,7 @@
 //! Transforms the boxes of an object to the world.
 //!
 //! With M the transform of an instance and S that of a mesh, a world vertex is W = fl(fl(M S) v),
-//! and the tree of the object knows p = fl(S v). Let u = 2^-53, let E ([`Terms::in_instance`])
+//! and the tree of the object knows p = fl(S v). Let u = 2^-53, let E ([`TermBounds::in_instance`])
 //! bound the absolute terms of every component of S v, and let m be the last column of M. Then
 //! - the error of p from S v is up to 4 u E, which M turns into 4 u |M| E;
 //! - the error of each entry of fl(M S) is up to 5 u of its absolute terms, and that of the product
@@ -12,7 +12,7 @@
 //! The sum is less than the 64 u (|M| E + |m|) that [`Placement::slack`] adds. Underflow adds up to
 //! 2^-1074 in p, in an entry of M S (which v multiplies), or in a product.
 
-use super::outline::Terms;
+use super::outline::TermBounds;
 use crate::exact::UNIT_ROUNDOFF as U;
 use crate::geometry::{Bounds, Matrix, Point};
 
@@ -28,7 +28,7 @@ pub(crate) struct Placement {
 const UNDERFLOW: f64 = f64::from_bits(1 << 10);
 
 impl Placement {
-    pub(super) fn new(world_from_instance: &Matrix, terms: &Terms) -> Placement {
+    pub(super) fn new(world_from_instance: &Matrix, terms: &TermBounds) -> Placement {
         let slack = world_from_instance.rows.each_ref().map(|row| {
             let linear = |factors: [f64; 3]| (0..3).map(|j| row[j].abs() * factors[j]).sum::<f64>();
             let rounding = 64.0 * U * (linear(terms.in_instance) + row[3].abs());

@@ -16,11 +16,8 @@ impl Aggregate {
     /// Costs are those of [`super::Statistics::sah_cost`]. Primitives of instances do not count.
     pub fn overlap_at(&self, primitive: PrimitiveId, point: Point) -> f64 {
         let point = box_of(self.space.place(&point));
-        let overlap = self
-            .tree
-            .root
-            .map(|root| overlap(&self.tree, &root, primitive, &point));
-        overlap.map_or(0.0, |overlap| overlap.cost)
+        let cost = |root| overlap(&self.tree, &root, primitive, &point).cost;
+        self.tree.root.map_or(0.0, cost)
     }
 }
 
@@ -121,20 +118,12 @@ mod tests {
             let is_around = |node: &Node| {
                 node.bounds.contains(&place) && !holds(&aggregate.tree, node, primitive)
             };
-            let around = aggregate
-                .tree
-                .nodes()
-                .map(|(node, _)| node)
-                .filter(is_around);
-            let by_hand: f64 = around
-                .map(|node| {
-                    if node.is_leaf() {
-                        f64::from(node.count)
-                    } else {
-                        NODE_COST
-                    }
-                })
-                .sum();
+            let nodes = aggregate.tree.nodes().map(|(node, _)| node);
+            let cost = |node: Node| match node.is_leaf() {
+                true => f64::from(node.count),
+                false => NODE_COST,
+            };
+            let by_hand: f64 = nodes.filter(is_around).map(cost).sum();
             assert_eq!(aggregate.overlap_at(primitive, point), by_hand);
             by_hand
         });

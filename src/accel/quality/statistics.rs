@@ -38,12 +38,8 @@ impl Aggregate {
             |instance: &u32| objects[geometry.instances()[*instance as usize].object()].sah_cost;
         let own = statistics_of(&self.tree, |leaf| leaf.count.into());
         let upper = statistics_of(&instances.tree, |leaf| {
-            instances
-                .tree
-                .in_leaf(leaf)
-                .iter()
-                .map(cost_of_instance)
-                .sum()
+            let leaf = instances.tree.in_leaf(leaf);
+            leaf.iter().map(cost_of_instance).sum()
         });
         let deepest = objects.iter().map(|object| object.depth).max().unwrap_or(0);
         let sum =

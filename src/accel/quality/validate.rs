@@ -23,9 +23,8 @@ impl Aggregate {
         })?;
         let mut order = self.tree.order.clone();
         order.sort();
-        let expected = geometry
-            .primitives()
-            .filter(|primitive| geometry.own_surface(*primitive).can_be_hit());
+        let can_be_hit = |primitive: &_| geometry.own_surface(*primitive).can_be_hit();
+        let expected = geometry.primitives().filter(can_be_hit);
         if !order.into_iter().eq(expected) {
             return Err("the leaves do not hold every primitive exactly once".into());
         }
@@ -33,21 +32,17 @@ impl Aggregate {
     }
 
     fn check_instances(&self, geometry: &Geometry) -> Result<(), String> {
-        check(&self.instances.tree, |_, _| true)?;
-        for (leaf, _) in self
-            .instances
-            .tree
-            .nodes()
-            .filter(|(node, _)| node.is_leaf())
-        {
-            for instance in self.instances.tree.in_leaf(&leaf) {
+        let tree = &self.instances.tree;
+        check(tree, |_, _| true)?;
+        for (leaf, _) in tree.nodes().filter(|(node, _)| node.is_leaf()) {
+            for instance in tree.in_leaf(&leaf) {
                 self.check_instance(geometry, *instance as usize, &leaf)?;
             }
         }
         let is_missing = |instance: usize| {
             let mut pose = geometry.pose(instance);
             let primitives = geometry.object_of(instance).primitives();
-            let listed = self.instances.tree.order.contains(&(instance as u32));
+            let listed = tree.order.contains(&(instance as u32));
             let tree = listed.then(|| &self.instances.object(geometry, instance).tree.order);
             primitives
                 .filter(|primitive| tree.is_none_or(|order| !order.contains(primitive)))
@@ -79,15 +74,10 @@ impl Aggregate {
         let is_in_leaf = |bounds: &Bounds| {
             bounds.is_empty() || leaf.bounds.contains(&self.space.enclose(bounds))
         };
-        if !object
-            .tree
-            .order
-            .iter()
-            .all(|primitive| is_in_leaf(&bounds(primitive)))
-        {
-            return Err(format!(
-                "a primitive of instance {instance} is outside its leaf"
-            ));
+        let mut order = object.tree.order.iter();
+        if !order.all(|primitive| is_in_leaf(&bounds(primitive))) {
+            let message = format!("a primitive of instance {instance} is outside its leaf");
+            return Err(message);
         }
         let in_world =
             |node: &Node| placement.enclose(&object.space.reveal(&node.bounds.corners()));

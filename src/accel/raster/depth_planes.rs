@@ -167,12 +167,9 @@ impl PlaneGroup {
             )
         };
         let inverse = simd.splat_wide(1.0) / over;
-        for (coefficient, to) in [along_start, along[1], along[2]]
-            .into_iter()
-            .zip(&mut self.nearness)
-        {
-            (coefficient * inverse).store(to);
-        }
+        (along_start * inverse).store(&mut self.nearness[0]);
+        (along[1] * inverse).store(&mut self.nearness[1]);
+        (along[2] * inverse).store(&mut self.nearness[2]);
         let per_height = [
             normal[0] * inverse,
             normal[1] * inverse,

@@ -62,41 +62,27 @@ impl Fallback<'_> {
             let (_, surface) = match &last {
                 Some(last) if last.0 == primitive => last,
                 _ => {
-                    let last = last.insert((primitive, self.geometry.surface_in_tree(primitive)));
-                    is_part = last
-                        .1
+                    let surface = self.geometry.surface_in_tree(primitive);
+                    is_part = surface
                         .as_ref()
                         .is_some_and(|surface| fronts.turn_to(surface));
-                    last
+                    last.insert((primitive, surface))
                 }
             };
             let Some(surface) = surface else { continue };
             let ray = || Some(self.ray(first, pixel)).filter(Ray::can_hit);
-            let is_exact = self.precision == Precision::Exact;
-            if is_exact
-                && is_part
+            let found = if self.precision == Precision::Fast {
+                ray().and_then(|ray| self.search_fast(&ray, primitive, pixels, pixel))
+            } else if is_part
                 && self.is_behind(&fronts.at(pixel, ray), pixels, pixel, primitive, ties)
             {
-                continue;
-            }
-            let found = match self.precision {
-                Precision::Exact => {
-                    self.search_exactly(ray, pixels, pixel, (primitive, surface), ties, fallbacks)
-                }
-                Precision::Fast => {
-                    ray().and_then(|ray| self.search_fast(&ray, primitive, pixels, pixel))
-                }
+                None
+            } else {
+                self.search_exactly(ray, pixels, pixel, (primitive, surface), ties, fallbacks)
             };
             if let Some((hit, nearness)) = found {
-                pixels.set(
-                    pixel,
-                    hit,
-                    if self.hits_only {
-                        f32::INFINITY
-                    } else {
-                        nearness
-                    },
-                );
+                let is_final = self.hits_only;
+                pixels.set(pixel, hit, if is_final { f32::INFINITY } else { nearness });
             }
         }
     }
@@ -161,9 +147,7 @@ impl Fallback<'_> {
         }
         let wins = nearest.test(primitive, surface);
         let hit = nearest.into_hit();
-        if counted.is_any() {
-            *fallbacks += ExactFallbacks { rays: 1, ..counted };
-        }
+        fallbacks.add_ray(counted);
         let mut hit = hit.filter(|_| wins)?;
         let width = hit.t.high - hit.t.low;
         let allowed = if self.view.is_perspective {
@@ -211,15 +195,12 @@ impl Fallback<'_> {
         let surface = self.geometry.surface(primitive);
         let t = surface.t_of_hit(&FilterRay::new(&ray));
         let t = t.unwrap_or_else(|| surface.exact_t(&ray).bracket());
-        self.depth_of_hit(
-            &ray,
-            &Hit {
-                primitive,
-                t,
-                is_hard: false,
-            },
-            fallbacks,
-        )
+        let hit = Hit {
+            primitive,
+            t,
+            is_hard: false,
+        };
+        Depth::of(&hit, &ray, self.geometry, self.precision, fallbacks)
     }
 
     /// The depth of a hit that the fallback found.
@@ -230,18 +211,7 @@ impl Fallback<'_> {
         hit: &Hit,
         fallbacks: &mut ExactFallbacks,
     ) -> Depth {
-        self.depth_of_hit(&self.ray(first, pixel), hit, fallbacks)
-    }
-
-    fn depth_of_hit(&self, ray: &Ray, hit: &Hit, fallbacks: &mut ExactFallbacks) -> Depth {
-        let (depth, roundings) = Depth::of(hit, ray, self.geometry, self.precision);
-        if roundings > 0 {
-            *fallbacks += ExactFallbacks {
-                roundings,
-                rays: u64::from(!hit.is_hard),
-                ..ExactFallbacks::default()
-            };
-        }
-        depth
+        let ray = self.ray(first, pixel);
+        Depth::of(hit, &ray, self.geometry, self.precision, fallbacks)
     }
 }

@@ -1,4 +1,4 @@
-//! Where the rays of a tile first meet a sphere or a cylinder that consists of several primitives.
+//! The first hits of a tile's rays with a sphere or a cylinder that consists of several primitives.
 
 use super::depth_buffer::{PIXEL_BLOCKS, TilePixel};
 use crate::geometry::Ray;

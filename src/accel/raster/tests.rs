@@ -8,7 +8,7 @@ use crate::accel::view::{TileFrame, View};
 use crate::camera::{Camera, Projection, ScreenWindow};
 use crate::geometry::{Matrix, Point, Transform, Vector};
 use crate::shape::{Geometry, InstancedId, PrimitiveId, Triangle};
-use crate::simd::{Kernel, LANES, Lanes, Level};
+use crate::simd::{LANES, Lanes, Level, SimdKernel};
 use proptest::prelude::*;
 
 /// Sixteen triangles in front of a camera, and the first pixel of a tile.
@@ -85,7 +85,7 @@ struct Prepared<'a> {
     depth_planes: DepthPlanes,
 }
 
-impl Kernel for Check<'_> {
+impl SimdKernel for Check<'_> {
     type Output = ();
 
     /// Compares computed numbers and their bounds with `f64` results from the scene's own corners.

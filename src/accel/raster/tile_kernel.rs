@@ -5,14 +5,14 @@ use super::resolve::resolve;
 use super::tile::{Tile, TileBuffers};
 use super::traversal::{HiZ, PrefetchQueue};
 use crate::shape::{InstancedId, PrimitiveId};
-use crate::simd::{Kernel, Lanes};
+use crate::simd::{Lanes, SimdKernel};
 
 /// Decides with error bounds, so that every answer is right.
 pub(super) struct ExactTile<'a>(pub(super) Tile<'a>);
 /// Takes computed numbers as they are.
 pub(super) struct FastTile<'a>(pub(super) Tile<'a>);
 
-impl Kernel for ExactTile<'_> {
+impl SimdKernel for ExactTile<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Lanes>(self, simd: S) {
@@ -20,7 +20,7 @@ impl Kernel for ExactTile<'_> {
     }
 }
 
-impl Kernel for FastTile<'_> {
+impl SimdKernel for FastTile<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Lanes>(self, simd: S) {

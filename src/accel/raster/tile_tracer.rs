@@ -44,10 +44,8 @@ pub struct Tiles<'a> {
 
 fn project_all(nodes: &[WideNode], view: &View, level: Level) -> Vec<ProjectedNode> {
     let film = FilmFromTree::of_world(view);
-    nodes
-        .par_chunks(256)
-        .flat_map_iter(|nodes| level.run(ProjectNodes { film, nodes }))
-        .collect()
+    let project = |nodes| level.run(ProjectNodes { film, nodes });
+    nodes.par_chunks(256).flat_map_iter(project).collect()
 }
 
 /// A view and the world's trees projected onto its film.

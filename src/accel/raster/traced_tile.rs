@@ -52,9 +52,8 @@ impl TracedTile {
     pub fn hits_within(&self, columns: [u32; 2], rows: [u32; 2]) -> u64 {
         let columns = (1u32 << columns[1]) - (1 << columns[0]);
         let rows = &self.hits[rows[0] as usize..rows[1] as usize];
-        rows.iter()
-            .map(|row| u64::from((u32::from(*row) & columns).count_ones()))
-            .sum()
+        let hits_of_row = |row: &u16| u64::from((u32::from(*row) & columns).count_ones());
+        rows.iter().map(hits_of_row).sum()
     }
 
     /// The primitives that the rays of a row hit, arbitrary where nothing is hit.

@@ -10,9 +10,9 @@ use crate::shape::{Coincidence, Geometry, InstancedId, Primitive};
 pub(crate) struct Ties {
     last: Option<(InstancedId, InstancedId, Coincidence)>,
     /// For a primitive another one in its plane. Primitives with the same leader are coplanar.
-    leaders: Cache<InstancedId>,
+    leaders: PairCache<InstancedId>,
     /// Pairs that look coplanar but are not.
-    apart: Cache<()>,
+    apart: PairCache<()>,
 }
 
 impl Ties {
@@ -81,18 +81,18 @@ impl Ties {
 
 /// Facts about pairs of primitives. Each pair hashes to one place, which keeps the latest entry.
 #[derive(Debug)]
-struct Cache<T> {
+struct PairCache<T> {
     /// Empty until the first use.
     places: Vec<Option<(InstancedId, InstancedId, T)>>,
 }
 
-impl<T> Default for Cache<T> {
-    fn default() -> Cache<T> {
-        Cache { places: Vec::new() }
+impl<T> Default for PairCache<T> {
+    fn default() -> PairCache<T> {
+        PairCache { places: Vec::new() }
     }
 }
 
-impl<T: Copy> Cache<T> {
+impl<T: Copy> PairCache<T> {
     const BITS: u32 = 16;
 
     fn place(a: InstancedId, b: InstancedId) -> usize {
@@ -176,15 +176,15 @@ mod tests {
 
     #[test]
     fn a_cache_forgets_and_does_not_grow() {
-        let mut cache = Cache::default();
+        let mut cache = PairCache::default();
         let placed = |k: usize| InstancedId::in_instance(k % 7, PrimitiveId::triangle(k));
         assert_eq!(cache.get(placed(0), placed(1)), None);
-        let count = 4 << Cache::<usize>::BITS;
+        let count = 4 << PairCache::<usize>::BITS;
         for k in 0..count {
             cache.put(placed(k), placed(k + 1), k);
             assert_eq!(cache.get(placed(k), placed(k + 1)), Some(k));
         }
-        assert_eq!(cache.places.len(), 1 << Cache::<usize>::BITS);
+        assert_eq!(cache.places.len(), 1 << PairCache::<usize>::BITS);
         let known: Vec<usize> = (0..count)
             .filter(|k| cache.get(placed(*k), placed(k + 1)) == Some(*k))
             .collect();

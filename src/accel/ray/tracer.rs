@@ -29,15 +29,13 @@ impl<'a> Tracer<'a> {
         geometry: &'a Geometry,
         precision: Precision,
     ) -> Tracer<'a> {
-        let (stacks, ties, fallbacks) =
-            (RayStacks::new(), Ties::default(), ExactFallbacks::default());
         Tracer {
             aggregate,
             geometry,
             precision,
-            stacks,
-            ties,
-            fallbacks,
+            stacks: RayStacks::new(),
+            ties: Ties::default(),
+            fallbacks: ExactFallbacks::default(),
         }
     }
 
@@ -74,37 +72,20 @@ impl<'a> Tracer<'a> {
         }
         let slab = self.aggregate.space.ray(ray);
         let search = ClosureSearch::new(&slab, intersect);
-        traverse::<COUNTED, _>(
-            self.aggregate,
-            self.geometry,
-            &slab,
-            search,
-            &mut self.stacks,
-            counts,
-        )
+        let (aggregate, geometry, stacks) = (self.aggregate, self.geometry, &mut self.stacks);
+        traverse::<COUNTED, _>(aggregate, geometry, &slab, search, stacks, counts)
     }
 
     /// The depth of the `hit` of `ray`.
     pub fn depth(&mut self, ray: &Ray, hit: &Hit) -> Depth {
-        let (depth, roundings) = Depth::of(hit, ray, self.geometry, self.precision);
-        if roundings > 0 {
-            let rays = u64::from(!hit.is_hard);
-            self.fallbacks += ExactFallbacks {
-                roundings,
-                rays,
-                ..ExactFallbacks::default()
-            };
-        }
-        depth
+        Depth::of(hit, ray, self.geometry, self.precision, &mut self.fallbacks)
     }
 
     /// The number of exact fallbacks so far.
     pub fn fallbacks(&self) -> ExactFallbacks {
         self.fallbacks
     }
-}
 
-impl Tracer<'_> {
     #[inline]
     fn trace<const COUNTED: bool, const ANY: bool>(
         &mut self,
@@ -114,35 +95,20 @@ impl Tracer<'_> {
         if !ray.can_hit() {
             return None;
         }
-        let Tracer {
-            aggregate,
-            geometry,
-            ..
-        } = *self;
+        let (aggregate, geometry, stacks) = (self.aggregate, self.geometry, &mut self.stacks);
         let slab = aggregate.space.ray(ray);
         match self.precision {
             Precision::Exact => {
                 let mut fallbacks = ExactFallbacks::default();
                 let search = ExactSearch::new(geometry, ray, &slab, &mut self.ties, &mut fallbacks);
-                let hit = run::<COUNTED, ANY, _>(
-                    aggregate,
-                    geometry,
-                    &slab,
-                    search,
-                    &mut self.stacks,
-                    counts,
-                );
-                if fallbacks.is_any() {
-                    self.fallbacks += ExactFallbacks {
-                        rays: 1,
-                        ..fallbacks
-                    };
-                }
+                let hit =
+                    run::<COUNTED, ANY, _>(aggregate, geometry, &slab, search, stacks, counts);
+                self.fallbacks.add_ray(fallbacks);
                 hit
             }
             Precision::Fast => {
                 let search = FastSearch::new(geometry, &aggregate.space, ray, &slab);
-                run::<COUNTED, ANY, _>(aggregate, geometry, &slab, search, &mut self.stacks, counts)
+                run::<COUNTED, ANY, _>(aggregate, geometry, &slab, search, stacks, counts)
             }
         }
     }
@@ -159,14 +125,8 @@ fn run<const COUNTED: bool, const ANY: bool, S: Search>(
     counts: &mut TraversalCounts,
 ) -> Option<Hit> {
     if ANY {
-        traverse::<COUNTED, _>(
-            aggregate,
-            geometry,
-            slab,
-            AnyHit::new(search),
-            stacks,
-            counts,
-        )
+        let search = AnyHit::new(search);
+        traverse::<COUNTED, _>(aggregate, geometry, slab, search, stacks, counts)
     } else {
         traverse::<COUNTED, _>(aggregate, geometry, slab, search, stacks, counts)
     }

@@ -147,12 +147,10 @@ impl AnchorSpace {
     /// The ray in `f32`, each number rounded to the nearest.
     pub(crate) fn single_ray(&self, ray: &Ray) -> SingleRay {
         let direction_scale = direction_scale(ray);
+        let direction = ray.direction.to_array();
         SingleRay {
             origin: self.place(&ray.origin),
-            direction: ray
-                .direction
-                .to_array()
-                .map(|component| (component * direction_scale) as f32),
+            direction: direction.map(|component| (component * direction_scale) as f32),
             largest_axis: ray.direction.largest_axis(),
             direction_scale,
             space: *self,

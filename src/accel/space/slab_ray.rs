@@ -19,8 +19,11 @@ pub(crate) struct SlabRay {
     /// The corner on whose face the ray enters a slab: the low one (0), or the high one (1) if the
     /// ray runs towards lower coordinates.
     near_corner: [usize; 3],
+    /// oh of the proof in [`super::anchor_space`], or ol if the ray runs towards lower coordinates.
     near_origin: [f32; 3],
+    /// The other end of the bracket.
     far_origin: [f32; 3],
+    /// The reciprocal of D, rounded down in magnitude, or up for `far_inverse`.
     near_inverse: [f32; 3],
     far_inverse: [f32; 3],
     /// Scaled units of `t`, in anchor space with the scaled direction, per unit of the ray's `t`.

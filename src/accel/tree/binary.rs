@@ -44,11 +44,7 @@ impl<T> BinaryTree<T> {
 
     /// The memory of the tree in bytes.
     pub(crate) fn bytes(&self) -> usize {
-        let root = if self.root.is_some() {
-            size_of::<Node>()
-        } else {
-            0
-        };
-        root + size_of_val(&self.below[..]) + size_of_val(&self.order[..])
+        let nodes = size_of_val(self.root.as_slice()) + size_of_val(&self.below[..]);
+        nodes + size_of_val(&self.order[..])
     }
 }

@@ -37,10 +37,8 @@ impl BoundingEllipsoid {
         let square = quadric.radius * quadric.radius;
         let weights = semi_axes.map(|axis| axis * axis);
         let entry = |[i, j]: [usize; 2]| {
-            square
-                * (0..3)
-                    .map(|k| weights[k] * rows[i][k] * rows[j][k])
-                    .sum::<f64>()
+            let terms = (0..3).map(|k| weights[k] * rows[i][k] * rows[j][k]);
+            square * terms.sum::<f64>()
         };
         let mut shape = SHAPE_ENTRIES.map(entry);
         let centre = match quadric.form {

@@ -1,11 +1,11 @@
-//! Pieces of HTML.
+//! Elements of HTML.
 
-use crate::bench::TextTable;
+use super::table::TextTable;
 use crate::terminal_text;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 
-/// Text as it may stand between tags and in attributes.
+/// Escapes text for content and attributes.
 pub(super) fn escaped(text: &str) -> String {
     let escape = |c: char| match c {
         '&' => "&amp;".to_owned(),
@@ -18,7 +18,7 @@ pub(super) fn escaped(text: &str) -> String {
     terminal_text::line(text).chars().map(escape).collect()
 }
 
-/// A table, whose first line is of titles.
+/// A table with titles.
 pub(super) fn table(table: &TextTable) -> String {
     let line = |cells: &Vec<String>, tag: &str| {
         let cell = |(column, cell): (usize, &String)| {
@@ -42,7 +42,7 @@ pub(super) fn table(table: &TextTable) -> String {
     )
 }
 
-/// A picture, a PNG file, that is part of the page.
+/// A figure with an embedded PNG file.
 pub(super) fn figure(caption: &str, png: &[u8]) -> String {
     let (caption, data) = (escaped(caption), BASE64_STANDARD.encode(png));
     format!(
@@ -51,7 +51,7 @@ pub(super) fn figure(caption: &str, png: &[u8]) -> String {
     )
 }
 
-/// A colour and what it means.
+/// A colour and its meaning.
 pub(super) fn swatch([red, green, blue]: [u8; 3], meaning: &str) -> String {
     format!(
         "<span class=\"swatch\" style=\"background: rgb({red} {green} {blue})\"></span>{}",
@@ -62,15 +62,11 @@ pub(super) fn swatch([red, green, blue]: [u8; 3], meaning: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bench::text_table::{name, number};
+    use crate::bench::report::table::tests::table as cells;
 
     #[test]
-    fn nothing_from_outside_becomes_a_tag() {
-        let columns = [
-            name("a", |(name, _): &(&str, u32)| (*name).to_owned()),
-            number("<b>", |(_, n)| n.to_string()),
-        ];
-        let table = table(&TextTable::new(&columns, [("\"c\" & 'd'", 1)].into_iter()));
+    fn text_never_becomes_a_tag() {
+        let table = table(&cells(["a", "<b>"], &[["\"c\" & 'd'", "1"]]));
         assert!(
             table.contains("<th class=\"name\">a</th><th>&lt;b&gt;</th>"),
             "{table}"

@@ -1,6 +1,9 @@
 //! Options of `bench` as typed.
 
-use crate::cli::args::{InputArgs, TalkArgs, threads};
+use crate::cli::options::engine::ThreadArgs;
+use crate::cli::options::input::InputArgs;
+use crate::cli::options::messages::MessageArgs;
+use crate::cli::options::values::{integer, named};
 use clap::{Args, ValueEnum};
 use feimos::accel::SplitMethod;
 use feimos::bench::Kernel;
@@ -10,93 +13,80 @@ use std::path::PathBuf;
 pub(crate) struct BenchArgs {
     /// Scenes: .pbrt files, `-`, or bare .ply or .obj meshes.
     #[arg(required = true, value_name = "SCENE")]
-    pub(crate) scenes: Vec<PathBuf>,
+    pub(super) scenes: Vec<PathBuf>,
     #[command(flatten, next_help_heading = "Configurations")]
-    pub(crate) configurations: ConfigurationArgs,
+    pub(super) configurations: ConfigurationArgs,
     #[command(flatten, next_help_heading = "Measurement")]
-    pub(crate) measurement: MeasurementArgs,
+    pub(super) measurement: MeasurementArgs,
     #[command(flatten, next_help_heading = "Output")]
-    pub(crate) output: OutputArgs,
+    pub(super) output: OutputArgs,
     #[command(flatten, next_help_heading = "Input")]
-    pub(crate) input: InputArgs,
-    #[command(flatten, next_help_heading = "Talk")]
-    pub(crate) talk: TalkArgs,
+    pub(super) input: InputArgs,
+    #[command(flatten, next_help_heading = "Messages")]
+    pub(crate) messages: MessageArgs,
 }
 
 #[derive(Debug, Args)]
-pub(crate) struct ConfigurationArgs {
-    /// Accelerators, separated by commas: none, middle, equal, sah, hlbvh [default: all].
+pub(super) struct ConfigurationArgs {
+    /// Measure these accelerators, separated by commas [default: all].
     #[arg(long, value_name = "METHODS", value_delimiter = ',')]
-    pub(crate) accel: Option<Vec<SplitMethod>>,
-    /// How hits are decided, separated by commas: exact and fast as in render, exact-single a ray at a time; moeller-trumbore and
-    /// watertight, which are yardsticks [default: all].
+    #[arg(value_parser = named(SplitMethod::ALL, SplitMethod::name))]
+    pub(super) accel: Option<Vec<SplitMethod>>,
+    /// Measure these kernels, separated by commas: exact and fast as in render, exact-single one
+    /// ray at a time, and the f32 baselines moeller-trumbore and watertight [default: all].
     #[arg(long, value_name = "HOW", value_delimiter = ',')]
-    pub(crate) precision: Option<Vec<Kernel>>,
-    /// Threads to use [default: all that the process may use].
-    #[arg(long, alias = "nthreads", value_name = "N", value_parser = threads)]
-    pub(crate) threads: Option<usize>,
+    #[arg(value_parser = named(Kernel::ALL, Kernel::name))]
+    pub(super) precision: Option<Vec<Kernel>>,
+    #[command(flatten)]
+    pub(super) threads: ThreadArgs,
 }
 
 #[derive(Debug, Args)]
-pub(crate) struct MeasurementArgs {
-    /// Rounds that are measured; each runs every configuration once.
-    #[arg(long, value_name = "N", default_value_t = 9, value_parser = runs)]
-    pub(crate) runs: usize,
-    /// Rounds before them that are not.
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = warmup)]
-    pub(crate) warmup: usize,
-    /// What answers are compared with.
+pub(super) struct MeasurementArgs {
+    /// Measure this many rounds; each runs every configuration once.
+    #[arg(long, value_name = "N", default_value_t = 9, value_parser = integer(1..=MAX_ROUNDS))]
+    pub(super) runs: usize,
+    /// Run this many rounds first that are not measured.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = integer(0..=MAX_ROUNDS))]
+    pub(super) warmup: usize,
+    /// Choose the ground truth.
     #[arg(long, value_name = "WHAT", default_value = "exact")]
-    pub(crate) reference: Reference,
+    pub(super) reference: Reference,
 }
 
-/// What answers are compared with.
+/// The ground truth that answers are compared with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Reference {
-    /// Exact arithmetic on all primitives; of some pixels, where all would take long
+pub(super) enum Reference {
+    /// Exact arithmetic on all primitives; for some pixels if all would take long.
     Exact,
-    /// Nothing: times and counts alone
+    /// Nothing: measure times and counts only.
     None,
 }
 
-/// Where results go besides the table. `-` is standard output, in place of the table.
+/// Outputs besides the tables. `-` is standard output, in place of the tables.
 #[derive(Debug, Args)]
-pub(crate) struct OutputArgs {
+pub(super) struct OutputArgs {
     /// Print the rows as JSON on standard output, in place of the tables [default: off].
     #[arg(long)]
-    pub(crate) json: bool,
-    /// Write the rows as JSON; `-` writes them to standard output, in place of the tables, as it does below [default: none].
+    pub(super) json: bool,
+    /// Write the rows as JSON; here and below, `-` prints to standard output in place of the tables
+    /// [default: none].
     #[arg(long, value_name = "FILE.json")]
-    pub(crate) json_file: Option<PathBuf>,
+    pub(super) json_file: Option<PathBuf>,
     /// Write the rows as comma-separated values [default: none].
     #[arg(long, value_name = "FILE.csv")]
-    pub(crate) csv: Option<PathBuf>,
+    pub(super) csv: Option<PathBuf>,
     /// Write the tables in Markdown [default: none].
     #[arg(long, value_name = "FILE.md")]
-    pub(crate) markdown: Option<PathBuf>,
-    /// Write a plot of error against speed, of several scenes together [default: none].
+    pub(super) markdown: Option<PathBuf>,
+    /// Write a plot of error against speed; it sums several scenes [default: none].
     #[arg(long, value_name = "FILE.svg")]
-    pub(crate) plot: Option<PathBuf>,
-    /// Write a page with all of it, and pictures of depths, costs and errors, to index.html in this directory [default: none].
+    pub(super) plot: Option<PathBuf>,
+    /// Write a page with all results and pictures of depths, costs and errors to index.html in this
+    /// directory [default: none].
     #[arg(long, value_name = "DIR")]
-    pub(crate) report: Option<PathBuf>,
+    pub(super) report: Option<PathBuf>,
 }
 
-/// Rounds at most: a typing error should not run for ever.
+/// A bound on rounds: a typing error should not run for ever.
 const MAX_ROUNDS: usize = 10_000;
-
-fn runs(text: &str) -> Result<usize, String> {
-    rounds(text, 1)
-}
-
-fn warmup(text: &str) -> Result<usize, String> {
-    rounds(text, 0)
-}
-
-fn rounds(text: &str, least: usize) -> Result<usize, String> {
-    let rounds = text
-        .parse()
-        .ok()
-        .filter(|rounds| (least..=MAX_ROUNDS).contains(rounds));
-    rounds.ok_or_else(|| format!("expected a number from {least} to {MAX_ROUNDS}"))
-}

@@ -1,33 +1,32 @@
-//! Where results of `bench` go.
+//! The outputs of `bench` besides its tables.
 
 use super::args::OutputArgs;
 use super::page;
-use crate::cli::inputs::{Inputs, check_against_scene};
-use crate::cli::new_folders::NewFolders;
-use crate::cli::output_name::Destination;
-use crate::cli::place::Places;
-use crate::cli::reporter::Reporter;
-use crate::cli::result_files::check_extension;
-use crate::cli::stdout::write_to_stdout;
+use crate::cli::files::destination::Destination;
+use crate::cli::files::folders::NewFolders;
+use crate::cli::files::inputs::{Inputs, check_against_scene};
+use crate::cli::files::places::Places;
+use crate::cli::files::results::check_extension;
+use crate::cli::terminal::reporter::Reporter;
+use crate::cli::terminal::stdout::write_to_stdout;
 use feimos::bench::{Machine, Row, Section, to_csv, to_html, to_json, to_markdown, to_svg, totals};
 use feimos::error::{Error, Result};
 use feimos::file_id::InputFiles;
 use feimos::film::atomic_file::{self, Overwrite};
 use feimos::terminal_text;
 use std::io::{self, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-/// Results that were asked for.
+/// The outputs that the user wants.
 pub(super) struct Outputs {
     results: Vec<Output>,
-    /// Made for the report.
+    /// The new folders of the report.
     _folders: Option<NewFolders>,
 }
 
-/// One of them.
 struct Output {
     content: Content,
-    /// What asks for it.
+    /// The flag that asks for it.
     flag: &'static str,
     destination: Destination,
 }
@@ -43,8 +42,8 @@ enum Content {
 
 impl Outputs {
     /// # Errors
-    /// A name of another kind of file, one of the `inputs`, two results that would go to one place;
-    /// a place where no file can be made, before anybody waits for what should go there.
+    /// A name is that of another kind of file or of one of the `inputs`, two outputs have one place,
+    /// or a file cannot be made.
     pub(super) fn new(args: &OutputArgs, inputs: &Inputs) -> Result<Outputs> {
         let results = results(args);
         let mut taken = Places::default();
@@ -59,11 +58,11 @@ impl Outputs {
                 check_extension(path, flag, content.extensions())?;
             }
             if let Some(other) = taken.take(destination, *flag) {
-                let error = Error::usage(format!("two results would both go to `{destination}`"));
+                let error = Error::usage(format!("two outputs would both go to `{destination}`"));
                 return Err(error.note(format!("of {other} and {flag}")));
             }
         }
-        // Other files may go into that folder, too.
+        // Other outputs may go into the same folder.
         let folders = args.report.as_deref().map(NewFolders::make).transpose()?;
         results
             .iter()
@@ -76,20 +75,20 @@ impl Outputs {
     }
 
     /// # Errors
-    /// A result that would overwrite one of the files that a scene reads.
+    /// An output would overwrite one of the files that a scene reads.
     pub(super) fn check_against_scene(&self, files: &InputFiles) -> Result<()> {
         self.results
             .iter()
             .try_for_each(|output| output.check_against_scene(files))
     }
 
-    /// Gives up results that would overwrite one of the files that a scene reads.
+    /// Drops outputs that would overwrite one of the files that a scene reads.
     pub(super) fn leave_out(&mut self, files: &InputFiles) {
         self.results
             .retain(|output| output.check_against_scene(files).is_ok());
     }
 
-    /// Returns true if a result replaces the tables on standard output.
+    /// Returns true if an output replaces the tables on standard output.
     pub(super) fn replace_tables(&self) -> bool {
         self.results
             .iter()
@@ -103,8 +102,8 @@ impl Outputs {
             .any(|output| output.content == Content::Page)
     }
 
-    /// Writes all results and returns the highest exit code. An error does not stop the other
-    /// results. Without rows, older results stay.
+    /// Writes all outputs and returns the highest exit code. An error does not stop the others.
+    /// Without rows, older files stay.
     pub(super) fn write(
         &self,
         machine: &Machine,
@@ -139,11 +138,12 @@ fn results(args: &OutputArgs) -> Vec<Output> {
         (Content::Page, "--report", &page),
     ];
     let output = |(content, flag, path): (Content, &'static str, &Option<_>)| {
-        let path: &std::path::PathBuf = path.as_ref()?;
+        let path: &PathBuf = path.as_ref()?;
+        let destination = Destination::of_name(path);
         Some(Output {
             content,
             flag,
-            destination: Destination::of_name(path),
+            destination,
         })
     };
     asked.into_iter().filter_map(output).collect()
@@ -167,7 +167,7 @@ impl Output {
 }
 
 impl Content {
-    /// What names of such files end in.
+    /// The extensions of such files.
     fn extensions(self) -> &'static [&'static str] {
         match self {
             Content::Json => &["json", "jsonl"],
@@ -189,36 +189,31 @@ impl Content {
     }
 }
 
-/// The same text where it may be read on a terminal.
+/// The same text without control characters, for a terminal.
 fn printable(bytes: Vec<u8>) -> Vec<u8> {
     terminal_text::lines(&String::from_utf8_lossy(&bytes)).into_bytes()
 }
 
-/// Of one scene, or of all together.
+/// A plot of one scene, or of the totals of several.
 fn plot(rows: &[Row]) -> String {
     match rows.chunk_by(|a, b| a.scene == b.scene).count() {
-        0 | 1 => to_svg(
-            &terminal_text::line(rows.first().map_or("", |row| &row.scene)),
-            rows,
-        ),
+        0 | 1 => {
+            let scene = rows.first().map_or("", |row| &row.scene);
+            to_svg(&terminal_text::line(scene), rows)
+        }
         scenes => to_svg(&format!("{scenes} scenes together"), &totals(rows)),
     }
 }
 
 fn write_file(path: &Path, bytes: io::Result<Vec<u8>>) -> Result<()> {
-    atomic_file::write_file(path, Overwrite::Yes, |out| {
-        bytes.and_then(|bytes| out.write_all(&bytes))
-    })
-    .map(|_| ())
+    let write = |out: &mut _| bytes.and_then(|bytes| Write::write_all(out, &bytes));
+    atomic_file::write_file(path, Overwrite::Yes, write).map(|_| ())
 }
 
-/// As it was typed, for people; the program without its path.
+/// The command line, with the program but without its path.
 fn command_line() -> String {
-    let arguments = std::env::args_os()
-        .skip(1)
-        .map(|argument| argument.to_string_lossy().into_owned());
-    std::iter::once("feimos".to_owned())
-        .chain(arguments)
-        .collect::<Vec<_>>()
-        .join(" ")
+    let arguments = std::env::args_os().skip(1);
+    let arguments = arguments.map(|argument| argument.to_string_lossy().into_owned());
+    let words = std::iter::once("feimos".to_owned()).chain(arguments);
+    words.collect::<Vec<_>>().join(" ")
 }

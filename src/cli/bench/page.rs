@@ -1,4 +1,4 @@
-//! The page of a report, which stands in a folder under a name that other pages have, too.
+//! The page of a report: `index.html` in a folder, a name that other pages have, too.
 
 use feimos::bench::is_report;
 use feimos::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
@@ -6,14 +6,14 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-/// The page in the directory of a report.
+/// The name of the page.
 pub(super) const NAME: &str = "index.html";
 
-/// Bytes that are looked at: what tells is in the head of the page.
+/// Bytes to read: the title of the page is among them.
 const HEAD: u64 = 1024;
 
 /// # Errors
-/// A page in `directory` that is not of feimos: the user has named the folder, and not the page.
+/// `directory` has a page that feimos did not write: the user named the folder, not the page.
 pub(super) fn check(directory: &Path) -> Result<()> {
     let path = directory.join(NAME);
     if !path.is_file() {
@@ -25,10 +25,8 @@ pub(super) fn check(directory: &Path) -> Result<()> {
     if is_report(&String::from_utf8_lossy(&head)) {
         return Ok(());
     }
-    let diagnostic = Diagnostic::new("exists already, and is no report of feimos")
-        .at(SourceLocation::file(&path));
-    Err(Error::new(
-        ErrorKind::Output,
-        diagnostic.note("move it away, or give --report another folder"),
-    ))
+    let diagnostic = Diagnostic::new("exists already, and is not a report by feimos")
+        .at(SourceLocation::file(&path))
+        .note("move it away, or give --report another folder");
+    Err(Error::new(ErrorKind::Output, diagnostic))
 }

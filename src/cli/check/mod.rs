@@ -1,42 +1,42 @@
-//! `feimos check`: what scenes hold and what is wrong with them, without a picture.
+//! `feimos check`: lists the content of scenes and their mistakes, without rendering.
 
 mod args;
-mod block;
-mod record;
+mod report;
+mod scenes;
 
 pub(crate) use args::CheckArgs;
 
-use super::WARNED;
-use super::failures::Failures;
-use super::panics::guarded;
-use super::plan::note_on;
-use super::progress_bar::{Phase, ProgressBars};
-use super::reporter::Reporter;
-use super::result_files::refuse_results;
-use super::scene_files::scenes_of;
-use super::stdout::{self, write_json_line, write_to_stdout};
-use super::thread_pool::thread_pool;
-use block::Block;
+use super::files::results::refuse_results;
+use super::options::engine::accelerator_note;
+use super::options::messages::WARNED;
+use super::process::panics::guarded;
+use super::process::threads::thread_pool;
+use super::terminal::failures::Failures;
+use super::terminal::progress::{Phase, ProgressBars};
+use super::terminal::reporter::Reporter;
+use super::terminal::stdout::{self, write_json_line, write_to_stdout};
 use feimos::error::Result;
 use feimos::progress::Progress;
 use feimos::scene::{self, LoadOptions, Scene};
-use record::Record;
+use report::Report;
+use scenes::scenes_of;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-/// Checks all scenes and returns the exit code: the highest of any scene.
+/// Checks all scenes and returns the highest exit code of any scene.
 pub(crate) fn check(args: &CheckArgs, reporter: &Reporter) -> Result<u8> {
     refuse_results(&args.scenes, args.json, None)?;
-    stdout::check_if(args.json || !args.talk.quiet)?;
-    // All of it: printing counts in parallel, too.
-    thread_pool(args.threads, reporter)?.install(|| check_all(args, reporter))
+    stdout::check_if(args.json || !args.messages.quiet)?;
+    // All work runs in the pool: reports count in parallel, too.
+    let pool = thread_pool(args.threads.count, reporter)?;
+    pool.install(|| check_all(args, reporter))
 }
 
 fn check_all(args: &CheckArgs, reporter: &Reporter) -> Result<u8> {
     let mut check = Check {
         args,
         reporter,
-        bars: ProgressBars::new(&args.talk),
+        bars: ProgressBars::new(&args.messages),
         failures: Failures::default(),
         tried: 0,
     };
@@ -57,7 +57,7 @@ fn check_all(args: &CheckArgs, reporter: &Reporter) -> Result<u8> {
         };
         for (scene, error) in results {
             let result = error.map_or_else(|| guarded(Some(&scene), || check.load(&scene)), Err);
-            code = code.max(check.tell(&scene, result)?);
+            code = code.max(check.report(&scene, result)?);
             if args.fail_fast && !check.failures.is_empty() {
                 break 'all;
             }
@@ -74,12 +74,12 @@ struct Check<'a> {
     reporter: &'a Reporter,
     bars: ProgressBars,
     failures: Failures,
-    /// Scenes so far.
+    /// Scenes tried so far.
     tried: usize,
 }
 
 impl Check<'_> {
-    /// All of `render` that comes before the aggregate.
+    /// Does everything that `render` does before it builds an aggregate.
     fn load(&self, path: &Path) -> Result<Scene> {
         let start = Instant::now();
         let options = LoadOptions {
@@ -88,41 +88,40 @@ impl Check<'_> {
         };
         let load = |progress: Progress<'_>| scene::load(path, &options, progress);
         let loaded = self.bars.during(Phase::Loading, load);
-        self.reporter.detail(format_args!(
-            "{}: read in {:.0} ms",
-            path.display(),
-            start.elapsed().as_secs_f64() * 1e3
-        ));
+        let ms = start.elapsed().as_secs_f64() * 1e3;
+        self.reporter
+            .detail(format_args!("{}: read in {ms:.0} ms", path.display()));
         loaded
     }
 
-    /// Tells what came of a scene; returns its exit code.
-    fn tell(&mut self, path: &Path, result: Result<Scene>) -> Result<u8> {
+    /// Reports on a scene and returns its exit code.
+    fn report(&mut self, path: &Path, result: Result<Scene>) -> Result<u8> {
         self.tried += 1;
         let exit_code = match &result {
             Ok(scene) if self.args.strict && !scene.warnings.is_empty() => WARNED,
             Ok(_) => 0,
             Err(error) => error.kind().exit_code(),
         };
-        if self.args.json {
-            write_json_line(&Record::new(path, exit_code, &result))?;
+        if self.args.json || (result.is_ok() && !self.args.messages.quiet) {
+            self.print(&Report::new(path, exit_code, &result))?;
         }
         match &result {
-            Ok(scene) => self.tell_of_scene(path, scene)?,
+            Ok(scene) => {
+                self.reporter.warnings(&scene.warnings);
+                if let Some(note) = accelerator_note(&scene.accelerator) {
+                    self.reporter.note(note);
+                }
+            }
             Err(error) => _ = self.failures.add(&path.display(), error, self.reporter),
         }
         Ok(exit_code)
     }
 
-    fn tell_of_scene(&self, path: &Path, scene: &Scene) -> Result<()> {
-        if !self.args.json && !self.args.talk.quiet {
-            let gap = if self.tried > 1 { "\n" } else { "" };
-            write_to_stdout(Ok(format!("{gap}{}", Block::new(path, scene)).into_bytes()))?;
+    fn print(&self, report: &Report) -> Result<()> {
+        if self.args.json {
+            return write_json_line(report);
         }
-        self.reporter.warnings(&scene.warnings);
-        note_on(&scene.accelerator)
-            .into_iter()
-            .for_each(|note| self.reporter.note(note));
-        Ok(())
+        let gap = if self.tried > 1 { "\n" } else { "" };
+        write_to_stdout(Ok(format!("{gap}{report}").into_bytes()))
     }
 }

@@ -1,77 +1,126 @@
-//! `feimos compare`: what is different between two images.
+//! `feimos compare`: compares two images.
 
 mod args;
-mod diff;
-mod images;
-mod pictures;
 mod pixel;
-mod sizes;
-mod verdict;
+mod report;
 
 pub(crate) use args::CompareArgs;
 
-use super::reporter::Reporter;
-use super::stdout::{self, write_json_line, write_to_stdout};
-use super::thread_pool::thread_pool;
-use feimos::error::{Diagnostic, Error, ErrorKind, Result};
-use feimos::film::ImageFile;
+use super::files::inputs::Inputs;
+use super::process::threads::thread_pool;
+use super::terminal::reporter::Reporter;
+use super::terminal::stdout::{self, write_json_line, write_to_stdout};
+use super::terminal::words::counted;
+use feimos::compare::{Comparison, Details, Incomparable, difference_picture};
+use feimos::error::{Diagnostic, Error, Result};
+use feimos::film::atomic_file::{self, Overwrite};
+use feimos::film::{Format, Image, png_file, read_image};
+use report::{DIFFERENT, DifferentWindows, Report};
 use serde::Serialize;
 use std::fmt::Display;
+use std::path::Path;
 
-/// The exit code of images that differ.
-const DIFFERENT: u8 = 1;
-
-/// Differing pixels that are listed at most, and with `-v`.
+/// Differing pixels to list, without and with `-v`.
 const LISTED: usize = 5;
 const LISTED_VERBOSE: usize = 100;
 
-/// Compares both images and returns the exit code: 1 where they differ by more than is allowed.
+/// Compares both images and returns the exit code: 1 if more pixels differ than allowed.
 pub(crate) fn compare(args: &CompareArgs, reporter: &Reporter) -> Result<u8> {
-    args.diff.as_ref().map_or(Ok(()), |diff| {
-        diff::check(diff, [&args.expected, &args.found])
-    })?;
-    stdout::check_if(args.json || !args.talk.quiet)?;
+    if let Some(diff) = &args.diff {
+        check_diff(diff, [&args.expected, &args.found])?;
+    }
+    stdout::check_if(args.json || !args.messages.quiet)?;
     thread_pool(None, reporter)?.install(|| compare_files(args, reporter))
 }
 
+/// Checks the name of the difference picture before any image is read.
+///
+/// # Errors
+/// The name is not that of a PNG, is one of the images, or cannot be written.
+fn check_diff(diff: &Path, inputs: [&Path; 2]) -> Result<()> {
+    if Format::of_path(diff)? != Format::Png {
+        let error = Error::usage(format!(
+            "{}: the difference picture is a PNG",
+            diff.display()
+        ));
+        return Err(error.note("expected a name that ends in .png"));
+    }
+    Inputs::default()
+        .with(inputs, "a compared image")
+        .check(diff, "--diff")?;
+    atomic_file::check(diff)
+}
+
 fn compare_files(args: &CompareArgs, reporter: &Reporter) -> Result<u8> {
-    let [expected, found] =
-        [&args.expected, &args.found].map(|path| ImageFile::read(path, args.input.input_budget));
-    match (expected?, found?) {
-        (ImageFile::Exr(expected), ImageFile::Exr(found)) => {
-            images::compare(args, &expected, &found, reporter)
-        }
-        (ImageFile::Png(_), ImageFile::Png(_)) if args.max_ulp.is_some() => {
-            let error = Error::usage("--max-ulp is about depths, and PNG files hold colours");
-            Err(error.note("compare EXR files, or leave it out"))
-        }
-        (ImageFile::Png(expected), ImageFile::Png(found)) => {
-            pictures::compare(args, &expected, &found, reporter)
-        }
-        (ImageFile::Exr(_), ImageFile::Png(_)) | (ImageFile::Png(_), ImageFile::Exr(_)) => {
-            let names = format!("{} and {}", args.expected.display(), args.found.display());
-            let diagnostic =
-                Diagnostic::new(format!("{names}: an EXR cannot be compared with a PNG"));
-            let note = "compare two EXR files, or two PNG files: `feimos render` writes either by the name of its output";
-            Err(Error::new(ErrorKind::Usage, diagnostic.note(note)))
+    let read = |path| read_image(path, args.input.input_budget);
+    let (expected, found) = (read(&args.expected)?, read(&args.found)?);
+    match Comparison::new(&expected, &found) {
+        Ok(comparison) => report(args, &comparison, [&expected, &found], reporter),
+        Err(problem @ Incomparable::Windows(..)) => report_windows(args, &problem, reporter),
+        Err(problem @ (Incomparable::NoHits | Incomparable::Units)) => {
+            let (a, b) = (args.expected.display(), args.found.display());
+            let message = format!("{a} and {b} cannot be compared: {problem}");
+            Err(Error::bad_input(Diagnostic::new(message)))
         }
     }
 }
 
-/// How many differing pixels are to be listed.
-fn listed(args: &CompareArgs) -> usize {
-    if args.talk.verbose {
+fn report(
+    args: &CompareArgs,
+    comparison: &Comparison,
+    images: [&Image; 2],
+    reporter: &Reporter,
+) -> Result<u8> {
+    let window = &images[0].data_window;
+    let pixels = window.area() as usize;
+    let listed = if args.messages.verbose {
         LISTED_VERBOSE
     } else {
         LISTED
+    };
+    let details = Details::of(comparison, pixels, args.max_ulp, listed);
+    let report = Report::new(args, comparison, images, &details);
+    print(args, &report)?;
+    if let Some(path) = &args.diff {
+        let max_error = details.tally.max_ulps();
+        let picture = difference_picture(comparison, pixels, max_error);
+        let size = [window.width(), window.height()];
+        let write = |out: &mut _| png_file::write_rgb(size, &picture, &[], out);
+        atomic_file::write_file(path, Overwrite::Yes, write)?;
+        let kinds = if comparison.surfaces().is_empty() {
+            "depth"
+        } else {
+            "depth and surface"
+        };
+        let legend = match u64::from(max_error) {
+            0 => "no depth error".to_owned(),
+            error => {
+                let largest = counted(error, "ulp");
+                format!("{kinds} errors from green to yellow, up to {largest}")
+            }
+        };
+        reporter.result(format_args!("{}: differences; {legend}", path.display()));
     }
+    Ok(report.exit_code())
 }
 
-/// Prints what was found, as a block for people or a line of JSON.
-fn print(args: &CompareArgs, block: &impl Display, record: &impl Serialize) -> Result<()> {
-    match (args.json, args.talk.quiet) {
-        (true, _) => write_json_line(record),
+/// Reports images that show different pixels.
+fn report_windows(args: &CompareArgs, problem: &Incomparable, reporter: &Reporter) -> Result<u8> {
+    print(args, &DifferentWindows::new(args, problem.to_string()))?;
+    if let Some(diff) = &args.diff {
+        let diff = diff.display();
+        reporter.note(format_args!(
+            "{diff} is not written: no pixels can be compared"
+        ));
+    }
+    Ok(DIFFERENT)
+}
+
+/// Prints a report as text or as a line of JSON.
+fn print(args: &CompareArgs, report: &(impl Display + Serialize)) -> Result<()> {
+    match (args.json, args.messages.quiet) {
+        (true, _) => write_json_line(report),
         (false, true) => Ok(()),
-        (false, false) => write_to_stdout(Ok(block.to_string().into_bytes())),
+        (false, false) => write_to_stdout(Ok(report.to_string().into_bytes())),
     }
 }

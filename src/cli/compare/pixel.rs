@@ -1,4 +1,4 @@
-//! A pixel that differs, with what both images say of it.
+//! A pixel that differs, with its values in both images.
 
 use feimos::compare::Difference;
 use feimos::film::{ChannelName, Image, Samples};
@@ -9,19 +9,19 @@ use std::fmt::{self, Display, Formatter};
 const FALSE_HIT: &str = "false hit";
 const MISSED_HIT: &str = "missed hit";
 
-/// In words and as JSON.
+/// Field names are JSON keys.
 #[derive(Debug, Serialize)]
 pub(super) struct Pixel {
     x: u32,
     y: u32,
     kind: &'static str,
-    /// Of an error of a depth or of a surface, its size.
+    /// The error of a depth or a surface.
     ulps: Option<u32>,
     expected: Values,
     found: Values,
 }
 
-/// The samples of an image by channel, those in [`Image::channels`].
+/// The samples of an image by channel.
 #[derive(Debug, Serialize)]
 #[serde(transparent)]
 struct Values(BTreeMap<&'static str, Sample>);
@@ -31,30 +31,27 @@ struct Values(BTreeMap<&'static str, Sample>);
 enum Sample {
     Measure(f32),
     Number(u32),
-    /// JSON has no infinity.
+    /// An infinity or a NaN, which JSON does not have.
     NotFinite(String),
 }
 
 impl Pixel {
-    /// Pixel number `pixel` of two images of the same pixels.
+    /// Pixel number `pixel` of the expected and the found image, which show the same pixels.
     pub(super) fn new(
-        expected: &Image,
-        found: &Image,
+        [expected, found]: [&Image; 2],
         pixel: usize,
         difference: Difference,
     ) -> Pixel {
         let window = expected.data_window;
-        let (column, row) = (
-            pixel as u64 % u64::from(window.width()),
-            pixel as u64 / u64::from(window.width()),
-        );
+        let (number, width) = (pixel as u64, u64::from(window.width()));
+        let (column, row) = (number % width, number / width);
         let (kind, ulps) = match difference {
             Difference::None => ("equal", None),
             Difference::FalseHit => (FALSE_HIT, None),
             Difference::MissedHit => (MISSED_HIT, None),
             Difference::WrongPrimitive => ("wrong primitive", None),
             Difference::Depth(ulps) => ("wrong depth", Some(ulps)),
-            Difference::Primitive(ulps) => ("wrong surface", Some(ulps)),
+            Difference::Surface(ulps) => ("wrong surface", Some(ulps)),
         };
         let (x, y) = (window.x0 + column as u32, window.y0 + row as u32);
         Pixel {
@@ -75,11 +72,10 @@ impl Values {
             Samples::F32(values) => Sample::NotFinite(values[pixel].to_string()),
             Samples::U32(values) => Sample::Number(values[pixel]),
         };
+        let channels = image.channels.iter();
         Values(
-            image
-                .channels
-                .iter()
-                .map(|channel| (channel.name.as_str(), sample(&channel.samples)))
+            channels
+                .map(|channel| (channel.name.name(), sample(&channel.samples)))
                 .collect(),
         )
     }
@@ -88,12 +84,10 @@ impl Values {
 impl Display for Pixel {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let place = format!("({}, {})", self.x, self.y);
-        let kind = format!(
-            "{}{}",
-            self.kind,
-            self.ulps
-                .map_or(String::new(), |ulps| format!(" by {ulps}"))
-        );
+        let ulps = self
+            .ulps
+            .map_or(String::new(), |ulps| format!(" by {ulps}"));
+        let kind = format!("{}{ulps}", self.kind);
         write!(f, "{place:<12}  {kind:<15}  ")?;
         match self.kind {
             FALSE_HIT => write!(f, "A: miss; B: {}", self.found),
@@ -104,16 +98,16 @@ impl Display for Pixel {
 }
 
 impl Display for Values {
-    /// Of a hit, so that `A` says nothing.
+    /// The values of a hit, without `A`.
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let names = ChannelName::ALL
             .into_iter()
             .filter(|name| *name != ChannelName::A);
-        let samples = names.filter_map(|name| Some((name.as_str(), self.0.get(name.as_str())?)));
+        let samples = names.filter_map(|name| Some((name, self.0.get(name.name())?)));
         for (place, (name, sample)) in samples.enumerate() {
             let gap = if place == 0 { "" } else { ", " };
             match sample {
-                // The shortest digits that tell it from its neighbours.
+                // The fewest digits that distinguish the value from its neighbours.
                 Sample::Measure(value) => write!(f, "{gap}{name} {value:?}")?,
                 Sample::Number(number) => write!(f, "{gap}{name} {number}")?,
                 Sample::NotFinite(value) => write!(f, "{gap}{name} {value}")?,

@@ -1,15 +1,18 @@
 //! Options of `merge` as typed.
 
-use crate::cli::args::{InputArgs, TalkArgs, threads};
+use crate::cli::options::engine::ThreadArgs;
+use crate::cli::options::input::InputArgs;
+use crate::cli::options::messages::MessageArgs;
 use clap::Args;
 use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub(crate) struct MergeArgs {
-    /// Crops of one film: EXR files that were rendered with --pixelbounds, --cropwindow or a crop of the scene.
+    /// Crops of one film: EXR files rendered with --pixelbounds, --cropwindow or a crop in the
+    /// scene.
     #[arg(required = true, value_name = "CROP")]
-    pub(crate) crops: Vec<PathBuf>,
-    /// Where the whole goes: an .exr, or `-` for standard output.
+    pub(super) crops: Vec<PathBuf>,
+    /// Name the merged image: an .exr, or `-` for standard output.
     #[arg(
         short,
         long,
@@ -17,15 +20,15 @@ pub(crate) struct MergeArgs {
         value_name = "OUT",
         help_heading = "Output"
     )]
-    pub(crate) output: PathBuf,
-    /// Allow pixels that no crop has: they become misses, and the image ends where the crops do [default: they are an error].
+    pub(super) output: PathBuf,
+    /// Allow pixels that no crop covers: they become misses, and the image ends where the crops do
+    /// [default: they are an error].
     #[arg(long, help_heading = "Output")]
-    pub(crate) partial: bool,
-    /// Threads to use [default: all that the process may use].
-    #[arg(long, alias = "nthreads", value_name = "N", value_parser = threads, help_heading = "Engine")]
-    pub(crate) threads: Option<usize>,
+    pub(super) partial: bool,
+    #[command(flatten, next_help_heading = "Engine")]
+    pub(super) threads: ThreadArgs,
     #[command(flatten, next_help_heading = "Input")]
-    pub(crate) input: InputArgs,
-    #[command(flatten, next_help_heading = "Talk")]
-    pub(crate) talk: TalkArgs,
+    pub(super) input: InputArgs,
+    #[command(flatten, next_help_heading = "Messages")]
+    pub(crate) messages: MessageArgs,
 }

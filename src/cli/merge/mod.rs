@@ -1,15 +1,15 @@
-//! `feimos merge`: crops of one film to the whole.
+//! `feimos merge`: merges crops of one film.
 
 mod args;
 
 pub(crate) use args::MergeArgs;
 
-use super::counted::counted;
-use super::inputs::Inputs;
-use super::output_name::{Destination, Encode};
-use super::progress_bar::{Phase, ProgressBars};
-use super::reporter::Reporter;
-use super::thread_pool::thread_pool;
+use crate::cli::files::destination::{Destination, Encode};
+use crate::cli::files::inputs::Inputs;
+use crate::cli::process::threads::thread_pool;
+use crate::cli::terminal::progress::{Phase, ProgressBars};
+use crate::cli::terminal::reporter::Reporter;
+use crate::cli::terminal::words::counted;
 use feimos::error::{Error, Result};
 use feimos::film::atomic_file::Overwrite;
 use feimos::film::{Format, exr_file};
@@ -18,7 +18,7 @@ use feimos::progress::Progress;
 use std::io::{self, Seek, Write};
 use std::path::Path;
 
-/// Puts the crops together and writes the whole.
+/// Merges the crops, writes the whole and returns the exit code.
 pub(crate) fn merge(args: &MergeArgs, reporter: &Reporter) -> Result<u8> {
     let destination = Destination::of_name(&args.output);
     if let Destination::File(path) = &destination {
@@ -28,37 +28,44 @@ pub(crate) fn merge(args: &MergeArgs, reporter: &Reporter) -> Result<u8> {
             .check(path, "-o")?;
     }
     destination.check()?;
-    thread_pool(args.threads, reporter)?.install(|| {
-        let put_together = |progress: Progress<'_>| {
-            merge::merge(&args.crops, args.partial, args.input.input_budget, progress)
-        };
-        let merged =
-            ProgressBars::new(&args.talk).during(Phase::Merging(args.crops.len()), put_together)?;
-        destination.write(Overwrite::Yes, &merged)?;
-        let window = &merged.image.data_window;
-        let holes = match merged.holes {
-            0 => String::new(),
-            holes => format!(", {} in no crop", counted(holes, "pixel")),
-        };
-        let crops = counted(args.crops.len() as u64, "crop");
-        reporter.result(format_args!(
-            "{destination}: {} x {} pixels of {crops}{holes}",
-            window.width(),
-            window.height()
-        ));
-        Ok(0)
-    })
+    let pool = thread_pool(args.threads.count, reporter)?;
+    pool.install(|| write_merged(args, &destination, reporter))
+        .map(|()| 0)
+}
+
+fn write_merged(args: &MergeArgs, destination: &Destination, reporter: &Reporter) -> Result<()> {
+    let MergeArgs {
+        crops,
+        partial,
+        input,
+        ..
+    } = args;
+    let merge =
+        |progress: Progress<'_>| merge::merge(crops, *partial, input.input_budget, progress);
+    let merged = ProgressBars::new(&args.messages).during(Phase::Merging(crops.len()), merge)?;
+    destination.write(Overwrite::Yes, &merged)?;
+    let window = &merged.image.data_window;
+    let (width, height) = (window.width(), window.height());
+    let holes = match merged.holes {
+        0 => String::new(),
+        holes => format!(", {} in no crop", counted(holes, "pixel")),
+    };
+    let crops = counted(crops.len() as u64, "crop");
+    reporter.result(format_args!(
+        "{destination}: {width} x {height} pixels of {crops}{holes}"
+    ));
+    Ok(())
 }
 
 fn check_format(path: &Path) -> Result<()> {
-    if Format::of_path(path)? != Format::Exr {
-        let error = Error::usage(format!(
-            "{}: the whole is an EXR, as its crops are",
-            path.display()
-        ));
-        return Err(error.note("expected a name that ends in .exr"));
+    if Format::of_path(path)? == Format::Exr {
+        return Ok(());
     }
-    Ok(())
+    let message = format!(
+        "{}: the merged image is an EXR, like its crops",
+        path.display()
+    );
+    Err(Error::usage(message).note("expected a name that ends in .exr"))
 }
 
 impl Encode for Merged {

@@ -1,7 +1,7 @@
-//! The chunks of a file: found, counted and decompressed.
+//! Finds, checks and decompresses the chunks of a file.
 
+use super::errors::{damaged, incomplete};
 use super::part::Part;
-use super::{WHOLE, damaged, wrong};
 use crate::error::Result;
 use exr::block::UncompressedBlock;
 use exr::block::chunk::{
@@ -10,13 +10,13 @@ use exr::block::chunk::{
 use exr::math::Vec2;
 use exr::meta::{BlockDescription, MetaData};
 
-/// Deflate shrinks to a 1,032nd at best, and no other code of the format by more: what claims to be larger is made to
-/// fill the memory.
+/// Deflate compresses by a factor of 1,032 or less, and no other code of the format by more: chunks
+/// that claim more are made to fill the memory.
 const MOST_TIMES: u64 = 1 << 11;
 
-/// Rows of scan lines or a tile, compressed.
+/// A compressed block of scan lines, or a tile.
 pub(super) struct Block<'a> {
-    /// The first column, row and the size, in pixels of the data window.
+    /// The first column and row, and the size, in pixels of the data window.
     pub(super) x: u32,
     pub(super) y: u32,
     pub(super) width: u32,
@@ -24,8 +24,8 @@ pub(super) struct Block<'a> {
     compressed: &'a [u8],
 }
 
-/// All blocks of the largest resolution of `part`, each once, in the order of the file's table, which begins at byte `table` of
-/// the file.
+/// All blocks of the largest resolution of `part`, each once, in the order of the offset table,
+/// which begins at byte `table` of the file.
 pub(super) fn blocks<'a>(
     bytes: &'a [u8],
     table: u64,
@@ -38,7 +38,7 @@ pub(super) fn blocks<'a>(
     let tables = bytes.get(table as usize..).unwrap_or_default();
     if chunks > tables.len() as u64 / size_of::<u64>() as u64 || grid.count() > chunks {
         let found = format!("the file ends in the table of its {chunks} chunks");
-        return Err(wrong(found, WHOLE));
+        return Err(incomplete(found));
     }
     let before = counts.take(part.index).sum::<u64>() as usize;
     let offsets = &tables.as_chunks().0[before..before + part.header.chunk_count];
@@ -47,7 +47,7 @@ pub(super) fn blocks<'a>(
         .collect();
     for offset in offsets {
         let offset = u64::from_le_bytes(*offset);
-        let at = |problem: String| wrong(format!("the chunk at byte {offset} {problem}"), WHOLE);
+        let at = |problem: String| incomplete(format!("the chunk at byte {offset} {problem}"));
         let chunk = RawChunk::read(bytes, offset, meta, part).map_err(at)?;
         let Some(place) = grid.place(&chunk).map_err(at)? else {
             continue;
@@ -55,16 +55,17 @@ pub(super) fn blocks<'a>(
         let block = grid.block(place, chunk.compressed);
         block.check_size(part).map_err(at)?;
         if blocks[place as usize].replace(block).is_some() {
-            return Err(at("holds pixels that another one holds as well".to_owned()));
+            return Err(at("repeats pixels of another chunk".to_owned()));
         }
     }
     let all: Option<Vec<Block>> = blocks.into_iter().collect();
-    all.ok_or_else(|| wrong("some pixels are in no chunk of the file", WHOLE))
+    all.ok_or_else(|| incomplete("some pixels are in no chunk of the file"))
 }
 
-/// A chunk as the file has it.
+/// A chunk of the file.
 struct RawChunk<'a> {
-    /// The row of scan lines in the file's coordinates; or a tile's column, row, and level across and down.
+    /// The row of scan lines in the coordinates of the file; or the column, row and levels of a
+    /// tile.
     position: RawPosition,
     compressed: &'a [u8],
 }
@@ -111,7 +112,7 @@ impl<'a> RawChunk<'a> {
             .ok()
             .and_then(|size| rest.0.get(..size));
         let compressed = compressed
-            .ok_or_else(|| format!("has {size} bytes, of which {} are there", rest.0.len()))?;
+            .ok_or_else(|| format!("has {size} bytes, but the file has only {}", rest.0.len()))?;
         Ok(RawChunk {
             position,
             compressed,
@@ -130,7 +131,7 @@ impl Integers<'_> {
     }
 }
 
-/// How the blocks of the largest resolution lie: row by row.
+/// The grid of the blocks of the largest resolution, row by row.
 struct Grid {
     width: u32,
     height: u32,
@@ -143,7 +144,7 @@ impl Grid {
     fn of(part: &Part) -> Grid {
         let (width, height) = (part.window.width(), part.window.height());
         let Vec2(block_width, block_height) = part.header.max_block_pixel_size();
-        // Blocks that are larger than the image are as good as some of its size.
+        // Blocks larger than the image count as blocks of its size.
         let within =
             |size: usize, side: u32| u32::try_from(size).unwrap_or(u32::MAX).clamp(1, side);
         Grid {
@@ -167,7 +168,7 @@ impl Grid {
         u64::from(self.columns()) * u64::from(self.rows())
     }
 
-    /// The number of the block in `chunk`; `None` of another resolution.
+    /// The number of the block in `chunk`; `None` for another resolution.
     fn place(&self, chunk: &RawChunk) -> std::result::Result<Option<u64>, String> {
         let (column, row) = match chunk.position {
             RawPosition::Row(y) => {
@@ -179,7 +180,7 @@ impl Grid {
                     0,
                     block
                         .filter(|row| *row < self.rows())
-                        .ok_or_else(|| format!("begins with row {y}, as none does"))?,
+                        .ok_or_else(|| format!("begins with row {y}, where no chunk begins"))?,
                 )
             }
             RawPosition::Tile([_, _, level_x, level_y]) if (level_x, level_y) != (0, 0) => {
@@ -219,12 +220,12 @@ impl Grid {
 }
 
 impl Block<'_> {
-    /// Bytes of its pixels.
+    /// The size of its pixels in bytes.
     fn size(&self, part: &Part) -> u64 {
         u64::from(self.width) * u64::from(self.height) * part.bytes_per_pixel() as u64
     }
 
-    /// Whether it can hold its pixels; else what is wrong.
+    /// Checks that the block can hold its pixels; the error is what is wrong.
     fn check_size(&self, part: &Part) -> std::result::Result<(), String> {
         let (bytes, size) = (self.compressed.len() as u64, self.size(part));
         if bytes > size || bytes.saturating_mul(MOST_TIMES) < size {
@@ -236,7 +237,8 @@ impl Block<'_> {
         Ok(())
     }
 
-    /// Its pixels as the crate has them: row by row, in each the channels one after another, in the machine's order of bytes.
+    /// Its pixels in the layout of the crate: row by row, in each row the channels one after
+    /// another, in native byte order.
     pub(super) fn decompress(&self, meta: &MetaData, part: &Part) -> Result<Vec<u8>> {
         let compressed_pixels_le = self.compressed.to_vec();
         let compressed_block = match part.header.blocks {
@@ -266,12 +268,9 @@ impl Block<'_> {
         };
         let block = UncompressedBlock::decompress_chunk(chunk, meta, false)
             .map_err(|error| damaged("pixels", &error))?;
-        match block.data.len() as u64 == self.size(part) {
-            true => Ok(block.data),
-            false => Err(wrong(
-                "a chunk does not hold as many samples as it has pixels",
-                WHOLE,
-            )),
+        if block.data.len() as u64 != self.size(part) {
+            return Err(incomplete("a chunk does not hold a sample for each pixel"));
         }
+        Ok(block.data)
     }
 }

@@ -1,4 +1,4 @@
-//! Samples of a file to those of an image.
+//! Converts samples of a file to those of an image.
 
 use crate::film::Samples;
 use exr::meta::attribute::SampleType;
@@ -6,13 +6,13 @@ use exr::prelude::f16;
 
 /// A sample that the channel's type cannot hold.
 pub(super) struct Wrong {
-    /// Which of those in a row.
+    /// The place of the sample in its row.
     pub(super) place: usize,
     pub(super) value: String,
     pub(super) expected: &'static str,
 }
 
-/// Puts samples of one type, in the machine's order of bytes, into the channel from place `start` on.
+/// Converts samples of one type, in native byte order, into the channel from place `start` on.
 pub(super) fn put(
     from: SampleType,
     bytes: &[u8],
@@ -41,7 +41,7 @@ pub(super) fn put(
     }
 }
 
-/// What is wrong with a value: the value, and what was expected.
+/// A value that does not fit: the value, and what was expected.
 type Unfit = (String, &'static str);
 
 fn convert<const N: usize, T>(
@@ -60,7 +60,7 @@ fn convert<const N: usize, T>(
 }
 
 fn number(value: f32) -> Result<u32, Unfit> {
-    // A cast takes NaN to 0 and what is out of range to an end of it.
+    // A cast turns NaN into 0 and clamps values that are out of range.
     let number = value as u32;
     let is_same = number as f32 == value && value < u32::MAX as f32;
     if is_same {
@@ -72,7 +72,7 @@ fn number(value: f32) -> Result<u32, Unfit> {
 
 fn measure(number: u32) -> Result<f32, Unfit> {
     let value = number as f32;
-    // 2^32, which is no u32, is what the largest ones are rounded to.
+    // The largest `u32` values round to 2^32, which is not a `u32`.
     let is_same = value < u32::MAX as f32 && value as u32 == number;
     if is_same {
         Ok(value)

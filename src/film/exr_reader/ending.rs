@@ -1,15 +1,14 @@
-//! Finds files that were cut off, without reading a pixel.
+//! Finds truncated files without reading pixels.
 
 use exr::meta::header::Header;
 use exr::meta::{BlockDescription, MetaData};
 use std::io::{self, Read, Seek, SeekFrom};
 
-/// Whether the file holds all chunks that its tables list, as far as their places tell: the tables
-/// begin at byte `start`. Each chunk begins within the file, and the last one of each part ends
-/// there.
+/// Returns true if the file holds all chunks of its offset tables, which begin at byte `start`:
+/// each chunk begins within the file, and the last one of each part ends there.
 ///
 /// # Errors
-/// Reading; a file that ends too early is no error.
+/// Reading fails; a file that is too short is no error.
 pub(super) fn has_end(
     file: &mut (impl Read + Seek),
     start: u64,
@@ -33,7 +32,7 @@ pub(super) fn has_end(
         let mut last = 0;
         for _ in 0..header.chunk_count {
             let offset = u64::from_le_bytes(read_array(file)?);
-            // A table that was not written holds zeros.
+            // An unwritten table holds zeros.
             if !(first..length).contains(&offset) {
                 return Ok(false);
             }
@@ -47,7 +46,7 @@ pub(super) fn has_end(
             return Ok(false);
         }
         file.seek(SeekFrom::Start(offset + before))?;
-        // No chunk is empty: zeros are what is left of a file that lost its end.
+        // No chunk is empty: zeros are the rest of a file without its end.
         let Ok(size @ 1..) = u64::try_from(i32::from_le_bytes(read_array(file)?)) else {
             return Ok(false);
         };

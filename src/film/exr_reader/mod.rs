@@ -1,12 +1,13 @@
-//! OpenEXR files of anybody, read: those of their channels that feimos knows.
+//! Reads OpenEXR files of any program: the channels that feimos knows.
 //!
-//! Scan lines or tiles, in any order, in all compressions but those that are made for colours. The crate reads the header and
-//! decompresses; the table of chunks and the chunks are read here, so that a file is known to hold all that its header claims
-//! before memory is taken for it.
+//! Reads scan lines or tiles, in any order and any compression except those for colours. The crate
+//! reads the header and decompresses; this module reads the offset table and the chunks, so that it
+//! knows that a file can hold what its header claims before it allocates memory.
 
 mod blocks;
 mod convert;
 mod ending;
+mod errors;
 mod part;
 #[cfg(test)]
 mod tests;
@@ -16,6 +17,7 @@ use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::input::{self, BudgetFactor};
 use crate::memory;
 use blocks::{Block, blocks};
+use errors::{damaged, wrong};
 use exr::meta::MetaData;
 use part::Part;
 use rayon::prelude::*;
@@ -23,42 +25,42 @@ use std::fs::File;
 use std::io::{self, BufRead, BufReader, Cursor, Seek};
 use std::path::Path;
 
-/// The first bytes of any OpenEXR file.
+/// The first bytes of every OpenEXR file.
 const MAGIC: [u8; 4] = exr::meta::magic_number::BYTES;
 
-/// Blocks that are decompressed before they are put into the image: so few that the decompressed image is not held twice.
+/// Blocks in a batch: few enough that memory does not hold the decompressed image twice.
 const BATCH: usize = 64;
 
-/// Whether a file of these bytes claims to be an OpenEXR file.
+/// Returns true if the file claims to be an OpenEXR file.
 pub fn recognises(bytes: &[u8]) -> bool {
     bytes.starts_with(&MAGIC)
 }
 
-/// The image in the file `path`, as [`decode`] reads it.
+/// Reads the image in the file `path`, like [`decode`].
 ///
 /// # Errors
-/// Likewise, and where the file cannot be read.
+/// Like [`decode`]; or the file cannot be read.
 pub fn read(path: &Path) -> Result<Image> {
     decode(path, &input::read(path)?)
 }
 
-/// What the header of a file tells.
+/// The content of the header of a file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outline {
     /// Width and height of the whole film.
     pub film: (u32, u32),
-    /// The pixels of it that the file holds.
+    /// The pixels of the film that the file holds.
     pub window: PixelBounds,
-    /// The channels that feimos knows, by the order of the file.
+    /// The channels that feimos knows, in the order of the file.
     pub channels: Vec<ChannelName>,
-    /// All that is said beside.
+    /// The metadata.
     pub metadata: Metadata,
 }
 
-/// Reads the header of the file `path`, and no pixel.
+/// Reads the header of the file `path`, but no pixels.
 ///
 /// # Errors
-/// As [`read`], as far as a header tells.
+/// Like [`read`], as far as the header shows.
 pub fn read_outline(path: &Path) -> Result<Outline> {
     let reading = |error: io::Error| Error::reading(path, &error);
     let mut file = BufReader::new(File::open(path).map_err(reading)?);
@@ -82,11 +84,11 @@ pub fn read_outline(path: &Path) -> Result<Outline> {
     outline().map_err(|error: Error| error.or_at(|| SourceLocation::file(path)))
 }
 
-/// Whether the file `path` reaches to its end, as far as its tables and its last chunks tell; no
-/// pixel is read.
+/// Returns true if the file `path` is complete, as far as its offset tables and last chunks show;
+/// reads no pixels.
 ///
 /// # Errors
-/// As [`read_outline`]; a file that ends too early is no error.
+/// Like [`read_outline`]; a file that is too short is no error.
 pub fn is_whole(path: &Path) -> Result<bool> {
     let reading = |error: io::Error| Error::reading(path, &error);
     let mut file = BufReader::new(File::open(path).map_err(reading)?);
@@ -95,27 +97,29 @@ pub fn is_whole(path: &Path) -> Result<bool> {
     ending::has_end(&mut file, start, &meta).map_err(reading)
 }
 
-/// The image in the file `path`, and what the file says of it beside: feimos's attribute and the camera's. Its pixels may take so
-/// many times the usual memory.
+/// Reads the image in the file `path` and its metadata, with `factor` times the usual memory for
+/// pixels.
 ///
 /// # Errors
-/// As [`read`].
+/// Like [`read`].
 pub fn read_with_metadata(path: &Path, factor: BudgetFactor) -> Result<(Image, Metadata)> {
     decoded(&input::read(path)?, factor).map_err(|error| error.or_at(|| SourceLocation::file(path)))
 }
 
-/// The image in `bytes`, the content of the file `path`: the channels that feimos knows of the first part that has any, each in
-/// the type that it has in feimos. Other types are taken where they hold the same numbers. Of several resolutions the
-/// largest is read. The origin of the display window becomes that of the film.
+/// Reads the image in `bytes`, the content of the file `path`: the channels that feimos knows of
+/// the first part that has any, each in the type that it has in feimos. Other types are converted
+/// if they hold the same numbers. Of several resolutions the largest is read. The origin of the
+/// display window becomes that of the film.
 ///
 /// # Errors
-/// What is no such file, is damaged or cut off; deep data, subsampled channels, DWA and B44; a data window that reaches out of the display window
-/// or is too large; numbers that are none of a channel's type. Memory is taken only for what the file can hold.
+/// The file is not an OpenEXR file, is damaged or truncated; it has deep data, subsampled channels,
+/// DWA or B44; the data window leaves the display window or is too large; a number does not fit the
+/// type of a channel. Memory is allocated only for what the file can hold.
 pub fn decode(path: &Path, bytes: &[u8]) -> Result<Image> {
     decode_within(path, bytes, BudgetFactor::default())
 }
 
-/// As [`decode`], where pixels may take so many times the usual memory.
+/// Like [`decode`], with `factor` times the usual memory for pixels.
 pub(super) fn decode_within(path: &Path, bytes: &[u8], factor: BudgetFactor) -> Result<Image> {
     let decoded =
         decoded(bytes, factor).map_err(|error| error.or_at(|| SourceLocation::file(path)));
@@ -132,7 +136,7 @@ fn decoded(bytes: &[u8], factor: BudgetFactor) -> Result<(Image, Metadata)> {
     Ok((image, part.metadata))
 }
 
-/// Refuses pixels that take far more memory than the file: zeros shrink a thousand times.
+/// Refuses images that take far more memory than the file has bytes: zeros compress a thousandfold.
 fn check_size(part: &Part, size: usize, factor: BudgetFactor) -> Result<()> {
     let bytes_each = part
         .bytes_per_pixel()
@@ -150,11 +154,11 @@ fn check_size(part: &Part, size: usize, factor: BudgetFactor) -> Result<()> {
     ))
 }
 
-/// The headers of a file, checked; what follows them is not read.
+/// Reads and checks the headers of a file, and nothing after them.
 fn meta_data(file: &mut impl BufRead) -> Result<MetaData> {
     if !file.fill_buf().is_ok_and(recognises) {
         return Err(wrong(
-            "this is no OpenEXR file",
+            "this is not an OpenEXR file",
             "its first bytes to be 76 2f 31 01",
         ));
     }
@@ -171,11 +175,11 @@ fn meta_data(file: &mut impl BufRead) -> Result<MetaData> {
     Ok(meta)
 }
 
-/// The image of these blocks, which are all there are.
+/// Decompresses all `blocks` into an image.
 fn fill(meta: &MetaData, part: &Part, blocks: &[Block]) -> Result<Image> {
     let area = part.window.area() as usize;
     let bytes = area.saturating_mul(part.channels.len() * size_of::<f32>());
-    // Zeroed memory costs nothing before it is used, but is refused by ending the program: so ask politely first.
+    // Zeroed memory is free until it is used, but a refusal ends the program: so reserve it first.
     memory::check(bytes as u64, || {
         "this image is too large for this machine's memory".to_owned()
     })?;
@@ -221,7 +225,7 @@ fn fill(meta: &MetaData, part: &Part, blocks: &[Block]) -> Result<Image> {
     })
 }
 
-/// Puts a decompressed block into its place in the samples of each channel.
+/// Copies a decompressed block into the samples of each channel.
 fn put(part: &Part, block: &Block, pixels: &[u8], samples: &mut [Samples]) -> Result<()> {
     let width = block.width as usize;
     let rows = pixels.chunks_exact(width * part.bytes_per_pixel());
@@ -236,8 +240,7 @@ fn put(part: &Part, block: &Block, pixels: &[u8], samples: &mut [Samples]) -> Re
                 );
                 let found = format!(
                     "channel {} holds {} in pixel ({x}, {y})",
-                    channel.name.as_str(),
-                    unfit.value
+                    channel.name, unfit.value
                 );
                 wrong(found, unfit.expected)
             })?;
@@ -245,18 +248,3 @@ fn put(part: &Part, block: &Block, pixels: &[u8], samples: &mut [Samples]) -> Re
     }
     Ok(())
 }
-
-/// An error in a file whose name is not known here.
-fn wrong(found: impl Into<String>, expected: impl std::fmt::Display) -> Error {
-    Error::bad_input(Diagnostic::new(found).note(format!("expected {expected}")))
-}
-
-fn damaged(what: &str, error: &exr::error::Error) -> Error {
-    wrong(
-        format!("the {what} of this OpenEXR file cannot be read: {error}"),
-        WHOLE,
-    )
-}
-
-const WHOLE: &str =
-    "a whole file: it may be damaged, cut off, or the program that wrote it was ended";

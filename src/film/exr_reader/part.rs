@@ -1,6 +1,6 @@
-//! The part of a file that is read: its windows and channels, checked.
+//! The part of a file to read: its windows and channels, checked.
 
-use super::wrong;
+use super::errors::wrong;
 use crate::error::{Error, Result};
 use crate::film::{CameraAttributes, ChannelName, Metadata, PixelBounds, exr_file};
 use exr::compression::Compression;
@@ -9,26 +9,27 @@ use exr::meta::MetaData;
 use exr::meta::attribute::{AttributeValue, ChannelDescription, IntegerBounds, SampleType, Text};
 use exr::meta::header::Header;
 
-/// Pixels of an image at most.
+/// A limit on the pixels of an image.
 const MAX_AREA: u64 = 1 << 30;
 
-/// A part, and what of it becomes an image.
+/// A part, and the image that it becomes.
 pub(super) struct Part<'a> {
     pub(super) index: usize,
     pub(super) header: &'a Header,
     pub(super) metadata: Metadata,
-    /// Width and height of the display window.
+    /// Width and height of the film, and the pixels of it that the part holds.
     pub(super) film: (u32, u32),
     /// The data window, relative to the display window.
     pub(super) window: PixelBounds,
     pub(super) channels: Vec<FileChannel>,
 }
 
-/// A channel as the file has it.
+/// A channel of the file.
 pub(super) struct FileChannel {
     pub(super) name: ChannelName,
     pub(super) sample_type: SampleType,
-    /// Bytes of a pixel in the channels before it. Those of a row lie so many times the width after the row's first.
+    /// Bytes of a pixel in the channels before this one. Times the width, this is the place of the
+    /// channel in a row.
     pub(super) offset: usize,
 }
 
@@ -82,7 +83,7 @@ impl<'a> Part<'a> {
     }
 }
 
-/// What the header says in feimos's attribute and of the camera.
+/// The metadata of a header: the attribute of feimos and the camera.
 fn metadata(header: &Header) -> Metadata {
     let attributes = &header.own_attributes;
     let json = match attributes.other.get(&Text::from(exr_file::ATTRIBUTE)) {
@@ -132,8 +133,8 @@ fn known_channels(header: &Header, metadata: &Metadata) -> Vec<FileChannel> {
     channels
 }
 
-/// DWA and B44 are made for colours, which they change; the decoders that there are for them trust what they read, as far as memory
-/// and sums are concerned.
+/// DWA and B44 are made for colours, which they change. Their decoders trust sizes and sums that
+/// they read.
 fn refuse_compression(compression: Compression) -> Result<()> {
     use Compression::{PIZ, PXR24, RLE, Uncompressed, ZIP1, ZIP16};
     match compression {
@@ -148,7 +149,7 @@ fn refuse_compression(compression: Compression) -> Result<()> {
     }
 }
 
-/// Channel names of a message, at most.
+/// A limit on the channel names in a message.
 const MAX_NAMES: usize = 10;
 
 fn unknown_channels(meta: &MetaData) -> Error {
@@ -159,15 +160,15 @@ fn unknown_channels(meta: &MetaData) -> Error {
         .map(|channel| channel.name.to_string());
     let mut found: Vec<String> = names.by_ref().take(MAX_NAMES).collect();
     found.extend(names.next().map(|_| "...".to_owned()));
-    let known = ChannelName::ALL.map(ChannelName::as_str).join(", ");
+    let known = ChannelName::ALL.map(ChannelName::name).join(", ");
     let found = format!(
-        "no channel of this image is one of feimos's; it has {}",
+        "feimos knows no channel of this image, which has {}",
         found.join(", ")
     );
     wrong(found, format!("one or more of {known}"))
 }
 
-/// Width and height of the film, and the pixels of it that the part has.
+/// Width and height of the film, and the pixels of it that the part holds.
 fn windows(header: &Header) -> Result<((u32, u32), PixelBounds)> {
     let (data, display) = (
         header.data_window(),
@@ -192,7 +193,7 @@ fn windows(header: &Header) -> Result<((u32, u32), PixelBounds)> {
         window.filter(|window| PixelBounds::of_film(film[0], film[1]).contains_bounds(window));
     let Some(window) = within else {
         let found = format!(
-            "the data window, {}, reaches out of the display window, {}",
+            "the data window, {}, leaves the display window, {}",
             words(&data),
             words(&display)
         );
@@ -204,7 +205,7 @@ fn windows(header: &Header) -> Result<((u32, u32), PixelBounds)> {
     if window.is_empty() {
         return Err(wrong(
             format!("the image is {width} x {height} pixels"),
-            "a pixel at least",
+            "at least one pixel",
         ));
     }
     if film[0].max(film[1]) > PixelBounds::MAX_SIDE || window.area() > MAX_AREA {
@@ -213,7 +214,7 @@ fn windows(header: &Header) -> Result<((u32, u32), PixelBounds)> {
             film[0], film[1]
         );
         let note = format!(
-            "{MAX_AREA} pixels at most, of a film with sides of {} at most",
+            "up to {MAX_AREA} pixels, and a film with sides of up to {} pixels",
             PixelBounds::MAX_SIDE
         );
         return Err(wrong(found, note));

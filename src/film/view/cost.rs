@@ -1,21 +1,21 @@
-//! The cost view: what each ray costs, in colours.
+//! The cost view: what each ray costs, through a colour map.
 
 use super::numbers;
 use crate::film::color_map::Rgb;
-use crate::film::{ChannelName, ColorMap, CostRange, Image};
+use crate::film::{ChannelName, ColorMap, ColorRange, Image};
 use rayon::prelude::*;
 use std::io;
 
-/// The colours of `image`, row by row from the top; `range` is stretched over `colors`, the other way round than
-/// depths are: what costs most has the colour of what is near.
+/// The colours of `image`, row by row from the top. `range` is stretched over `colors`, in the
+/// opposite direction to depths: the highest cost has the colour of near.
 ///
 /// # Errors
-/// An image without the channel `cost`.
-pub fn cost(image: &Image, colors: ColorMap, range: CostRange) -> io::Result<Vec<Rgb>> {
+/// The image lacks the channel `cost`.
+pub fn cost(image: &Image, colors: ColorMap, range: ColorRange) -> io::Result<Vec<Rgb>> {
     let color = colors.steps();
     Ok(numbers(image, ChannelName::Cost)?
         .par_iter()
-        .map(|cost| color(range.position(*cost)))
+        .map(|cost| color(1.0 - range.position(*cost as f32)))
         .collect())
 }
 
@@ -39,9 +39,9 @@ mod tests {
             cost(
                 &image,
                 colors,
-                CostRange {
-                    low: 10.0,
-                    high: 30.0,
+                ColorRange {
+                    start: 10.0,
+                    end: 30.0,
                 },
             )
             .unwrap()
@@ -54,5 +54,14 @@ mod tests {
         assert!((127..=128).contains(&gray[2][0]));
         assert_eq!(row(ColorMap::Viridis)[..2], [[68, 1, 84]; 2]);
         assert_eq!(row(ColorMap::Viridis)[3..], [[253, 231, 37]; 2]);
+        let free = ColorRange {
+            start: 0.0,
+            end: 0.0,
+        };
+        assert_eq!(
+            cost(&image, ColorMap::Gray, free).unwrap()[0],
+            [0; 3],
+            "no cost is cheap"
+        );
     }
 }

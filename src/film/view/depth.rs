@@ -1,20 +1,20 @@
-//! The depth view: from near to far in colours.
+//! The depth view: depth from near to far, through a colour map.
 
 use super::measures;
 use crate::film::color_map::Rgb;
-use crate::film::{ChannelName, ColorMap, DepthRange, Image};
+use crate::film::{ChannelName, ColorMap, ColorRange, Image};
 use rayon::prelude::*;
 use std::io;
 
-/// A miss in the depth view: a pale sky, which no colour map passes near, not even gray, and which stands off
-/// the dark far ends, where things meet the background.
+/// The colour of a miss in the depth view: a pale sky. No colour map comes near it, not even gray,
+/// and it contrasts with the dark far ends, where objects meet the background.
 pub const MISS_IN_DEPTH: Rgb = [184, 200, 224];
 
 /// The colours of `image`, row by row from the top; `range` is stretched over `colors`.
 ///
 /// # Errors
-/// An image without the channels `Z` and `A`.
-pub fn depth(image: &Image, colors: ColorMap, range: DepthRange) -> io::Result<Vec<Rgb>> {
+/// The image lacks `Z` or `A`.
+pub fn depth(image: &Image, colors: ColorMap, range: ColorRange) -> io::Result<Vec<Rgb>> {
     let (z, a) = (
         measures(image, ChannelName::Z)?,
         measures(image, ChannelName::A)?,
@@ -35,9 +35,8 @@ mod tests {
     use super::*;
     use crate::film::color_map::TABLE_LENGTH;
     use crate::film::{Channel, PixelBounds, Samples};
-    use clap::ValueEnum;
 
-    fn depths(z: &[f32], a: &[f32], colors: ColorMap, range: DepthRange) -> Vec<Rgb> {
+    fn depths(z: &[f32], a: &[f32], colors: ColorMap, range: ColorRange) -> Vec<Rgb> {
         let channel = |name, values: &[f32]| Channel {
             name,
             samples: Samples::F32(values.to_vec()),
@@ -53,16 +52,16 @@ mod tests {
     }
 
     #[test]
-    fn depth_goes_from_near_to_far_and_what_misses_hold_does_not_show() {
+    fn depth_goes_from_near_to_far_and_values_of_misses_do_not_show() {
         let z = [1.0, 3.0, f32::INFINITY, 0.0, f32::NAN, 2.0, 2.0];
         let a = [1.0, 1.0, 1.0, 1.0, 0.0, 0.0, 1.0];
         let pixels = depths(
             &z,
             &a,
             ColorMap::Gray,
-            DepthRange {
-                near: 1.0,
-                far: 3.0,
+            ColorRange {
+                start: 1.0,
+                end: 3.0,
             },
         );
         let gray = |value| [value; 3];
@@ -73,12 +72,12 @@ mod tests {
 
     #[test]
     fn depths_beyond_the_range_get_the_colours_of_its_ends() {
-        for colors in ColorMap::value_variants() {
+        for colors in ColorMap::ALL {
             let (table, range) = (
                 colors.table(),
-                DepthRange {
-                    near: 1.0,
-                    far: 3.0,
+                ColorRange {
+                    start: 1.0,
+                    end: 3.0,
                 },
             );
             let z = [
@@ -92,7 +91,7 @@ mod tests {
             ];
             let (near, far) = (table[0], table[TABLE_LENGTH - 1]);
             assert_eq!(
-                depths(&z, &[1.0; 7], *colors, range),
+                depths(&z, &[1.0; 7], colors, range),
                 [near, near, near, far, far, far, far],
                 "{colors:?}"
             );
@@ -100,15 +99,15 @@ mod tests {
     }
 
     #[test]
-    fn one_depth_makes_one_colour() {
-        for colors in ColorMap::value_variants() {
+    fn a_single_depth_has_a_single_colour() {
+        for colors in ColorMap::ALL {
             let pixels = depths(
                 &[2.0, 2.0],
                 &[1.0, 1.0],
-                *colors,
-                DepthRange {
-                    near: 2.0,
-                    far: 2.0,
+                colors,
+                ColorRange {
+                    start: 2.0,
+                    end: 2.0,
                 },
             );
             assert_eq!(pixels, [colors.table()[0]; 2]);
@@ -116,13 +115,13 @@ mod tests {
     }
 
     #[test]
-    fn no_map_passes_near_the_colour_of_a_miss() {
+    fn no_colour_map_comes_near_the_colour_of_a_miss() {
         let distance = |a: &Rgb, b: &Rgb| {
             (0..3)
                 .map(|i| (i32::from(a[i]) - i32::from(b[i])).pow(2))
                 .sum::<i32>()
         };
-        for colors in ColorMap::value_variants() {
+        for colors in ColorMap::ALL {
             let closest = colors
                 .table()
                 .iter()

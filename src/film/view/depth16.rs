@@ -1,27 +1,27 @@
-//! The depth16 view: depth as whole numbers of 16 bits, for programs.
+//! The depth16 view: depth as 16-bit integers, for programs.
 
 use super::measures;
 use crate::film::{ChannelName, Image};
 use std::fmt;
 use std::io;
 
-/// How depths become whole numbers.
+/// The conversion of depths to integers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Depth16 {
     /// Steps a scene unit; positive and finite.
     pub scale: f64,
-    /// What stands for a miss. No hit may be it.
+    /// The value of a miss, which no hit may have.
     pub miss: u16,
 }
 
-/// A depth that no number of 16 bits can stand for.
+/// A depth that does not fit into 16 bits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unfit {
     /// Column and row of the first such pixel, on the film.
     pub pixel: [u32; 2],
     /// Its depth.
     pub depth: f32,
-    /// A scale that all depths fit, if there is one.
+    /// A scale that fits all depths, if there is one.
     pub fitting_scale: Option<f64>,
 }
 
@@ -40,13 +40,15 @@ impl fmt::Display for Unfit {
 }
 
 impl Depth16 {
-    /// Steps a scene unit where nothing else is said: millimetres of metres.
+    /// The default scale: millimetres of metres.
     pub const SCALE: f64 = 1000.0;
 
-    /// The numbers of `image`, row by row from the top: of each hit its depth times the scale, rounded, halves away from 0.
+    /// The values of `image`, row by row from the top: for a hit its depth times the scale,
+    /// rounded, halves away from 0.
     ///
     /// # Errors
-    /// An image without the channels `Z` and `A`. Within, a depth that does not fit: none is cut off or wrapped round.
+    /// The image lacks `Z` or `A`. The inner error is a depth that does not fit: none is clamped or
+    /// wrapped.
     pub fn of(&self, image: &Image) -> io::Result<Result<Vec<u16>, Unfit>> {
         let (z, a) = (
             measures(image, ChannelName::Z)?,
@@ -86,7 +88,7 @@ impl Depth16 {
         fits.then_some(number as u16)
     }
 
-    /// The largest scale of one digit 1, 2 or 5 that all hits fit.
+    /// The largest scale of one digit 1, 2 or 5 that fits all hits.
     fn fitting_scale(&self, z: &[f32], a: &[f32]) -> Option<f64> {
         let hits = || z.iter().zip(a).filter(|(_, a)| **a != 0.0).map(|(z, _)| *z);
         let far = f64::from(hits().fold(0.0, f32::max));
@@ -156,7 +158,7 @@ mod tests {
     }
 
     #[test]
-    fn a_depth_that_does_not_fit_is_named_with_a_scale_that_does() {
+    fn a_depth_that_does_not_fit_is_reported_with_a_scale_that_does() {
         let unfit = numbers(PLAIN, &[1.0, 65.536, 3.0, 700.0], &[1.0; 4]).unwrap_err();
         assert_eq!(
             unfit,
@@ -185,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn where_no_scale_fits_none_is_named() {
+    fn if_no_scale_fits_none_is_suggested() {
         for z in [[1e-3, 1e4], [f32::INFINITY, 1.0], [-1.0, 1.0]] {
             assert_eq!(
                 numbers(PLAIN, &z, &[1.0; 2]).unwrap_err().fitting_scale,

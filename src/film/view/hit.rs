@@ -1,4 +1,4 @@
-//! The hit view: the classic picture of a course on ray tracing.
+//! The hit view: hits red, misses yellow.
 
 use super::measures;
 use crate::film::color_map::Rgb;
@@ -6,15 +6,15 @@ use crate::film::{ChannelName, Image};
 use rayon::prelude::*;
 use std::io;
 
-/// A hit.
+/// The colour of a hit.
 pub const HIT: Rgb = [255, 0, 0];
-/// A miss.
+/// The colour of a miss.
 pub const MISS: Rgb = [255, 255, 0];
 
 /// The colours of `image`, row by row from the top.
 ///
 /// # Errors
-/// An image without the channel `A`.
+/// The image lacks the channel `A`.
 pub fn hit(image: &Image) -> io::Result<Vec<Rgb>> {
     let a = measures(image, ChannelName::A)?;
     Ok(a.par_iter()

@@ -6,11 +6,11 @@ use crate::film::{ChannelName, Image};
 use rayon::prelude::*;
 use std::io;
 
-/// The colours of `image`, row by row from the top: black where nothing is hit. The same number has the same colour in every picture; two
-/// numbers that follow each other never look alike, and some that are far apart do.
+/// The colours of `image`, row by row from the top; a miss is black. A number has the same colour
+/// in every image. Consecutive numbers never look alike, but some distant ones do.
 ///
 /// # Errors
-/// An image without the channel `id`.
+/// The image lacks the channel `id`.
 pub fn id(image: &Image) -> io::Result<Vec<Rgb>> {
     Ok(numbers(image, ChannelName::Id)?
         .par_iter()
@@ -18,17 +18,19 @@ pub fn id(image: &Image) -> io::Result<Vec<Rgb>> {
         .collect())
 }
 
-/// The golden ratio as a fraction of 2^32: its multiples spread evenly over a circle, however many there are.
+/// The golden ratio as a fraction of 2^32: its multiples spread evenly over a circle, for any
+/// number of them.
 const GOLDEN: u32 = 0x9e37_79b9;
 
-/// A full colour of the circle of hues, in one of three brightnesses by turns.
+/// A saturated hue, in one of three brightnesses by turns.
 fn color_of(number: u32) -> Rgb {
     if number == 0 {
         return NOTHING;
     }
     let hue = f64::from(number.wrapping_mul(GOLDEN)) / f64::from(u32::MAX) * 6.0;
     let brightness = [255.0, 200.0, 150.0][number as usize % 3];
-    // Each component is a trapezium along the circle, a third of a turn after the one before.
+    // Each component is a trapezium along the circle of hues, a third of a turn after the one
+    // before.
     [0.0, 2.0, 4.0].map(|shift| {
         let distance = (hue - shift).rem_euclid(6.0);
         let distance = distance.min(6.0 - distance);
@@ -43,7 +45,7 @@ mod tests {
     use crate::film::{Channel, PixelBounds, Samples};
 
     #[test]
-    fn a_miss_is_black_and_nothing_else_is() {
+    fn only_misses_are_black() {
         let channels = vec![Channel {
             name: ChannelName::Id,
             samples: Samples::U32(vec![0, 1, 7, 1]),
@@ -62,7 +64,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_close_to_each_other_do_not_look_alike() {
+    fn close_numbers_have_different_colours() {
         let distance = |a: Rgb, b: Rgb| (0..3).map(|i| a[i].abs_diff(b[i])).max().unwrap();
         for number in 1..10_000 {
             for next in number + 1..number + 5 {

@@ -1,4 +1,4 @@
-//! Views: what an image looks like, in colours.
+//! Views: images as colours or as 16-bit depths, for PNG files.
 
 mod cost;
 mod depth;
@@ -8,7 +8,7 @@ mod id;
 mod normal;
 
 use super::{ChannelName, Image};
-use clap::ValueEnum;
+use crate::named::named;
 use std::io;
 
 pub use cost::cost;
@@ -18,53 +18,42 @@ pub use hit::{HIT, MISS, hit};
 pub use id::id;
 pub use normal::normal;
 
-/// What a picture shows.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, ValueEnum)]
+/// What a PNG shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum View {
-    /// Depth from near to far through a colour map
+    /// Depth from near to far, through a colour map.
     #[default]
     Depth,
-    /// Hits red, misses yellow
+    /// Hits red, misses yellow.
     Hit,
-    /// Which way surfaces face in the world: x, y and z from -1 to 1 as red, green and blue
+    /// Normals in world space: x, y and z from -1 to 1 as red, green and blue.
     Normal,
-    /// Which shape is hit: a colour for each number
+    /// A colour for each shape number.
     Id,
-    /// What each ray costs alone, nodes and primitives tested: cheap is dark, dear is bright or warm
+    /// Node boxes and primitives that each ray tests alone, through a colour map: cheap is dark.
     Cost,
-    /// Depth as data: 16 bits, 0 where nothing is hit, --scale steps a unit
+    /// Depth as data: 16 bits, a number of steps a scene unit, one value for misses.
     Depth16,
 }
 
-/// What has no colour of its own in pictures whose colours are data: black.
+named!(View:
+    Depth => "depth", Hit => "hit", Normal => "normal", Id => "id", Cost => "cost",
+    Depth16 => "depth16",
+);
+
+/// Black: the colour of misses in views whose colours are data.
 pub const NOTHING: [u8; 3] = [0; 3];
 
 impl View {
-    /// The name on the command line.
-    pub fn as_str(self) -> &'static str {
-        match self {
-            View::Depth => "depth",
-            View::Hit => "hit",
-            View::Normal => "normal",
-            View::Id => "id",
-            View::Cost => "cost",
-            View::Depth16 => "depth16",
-        }
-    }
-
-    /// The channels that the picture is made of, and no other.
+    /// The channels that the view reads.
     pub fn channels(self) -> &'static [ChannelName] {
+        use ChannelName::*;
         match self {
-            View::Depth | View::Depth16 => &[ChannelName::Z, ChannelName::A],
-            View::Hit => &[ChannelName::A],
-            View::Normal => &[
-                ChannelName::Nx,
-                ChannelName::Ny,
-                ChannelName::Nz,
-                ChannelName::A,
-            ],
-            View::Id => &[ChannelName::Id],
-            View::Cost => &[ChannelName::Cost],
+            View::Depth | View::Depth16 => &[Z, A],
+            View::Hit => &[A],
+            View::Normal => &[Nx, Ny, Nz, A],
+            View::Id => &[Id],
+            View::Cost => &[Cost],
         }
     }
 }
@@ -79,7 +68,7 @@ fn numbers(image: &Image, name: ChannelName) -> io::Result<&[u32]> {
     available(image, name, Image::numbers)
 }
 
-/// The samples of the channel of that name, as `samples` takes them from an image that is as it should be.
+/// Checks the image and takes the samples of a channel with `samples`.
 fn available<T>(
     image: &Image,
     name: ChannelName,
@@ -87,20 +76,13 @@ fn available<T>(
 ) -> io::Result<&[T]> {
     let invalid = |problem: String| io::Error::new(io::ErrorKind::InvalidInput, problem);
     image.validate().map_err(invalid)?;
-    samples(image, name).ok_or_else(|| invalid(format!("no channel {}", name.as_str())))
+    samples(image, name).ok_or_else(|| invalid(format!("no channel {name}")))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::film::{Channel, PixelBounds, Samples};
-
-    #[test]
-    fn clap_and_we_call_the_views_by_the_same_names() {
-        for view in View::value_variants() {
-            assert_eq!(view.to_possible_value().unwrap().get_name(), view.as_str());
-        }
-    }
 
     #[test]
     fn a_missing_channel_is_an_error() {

@@ -1,4 +1,4 @@
-//! The normal view: which way surfaces face.
+//! The normal view: the orientation of surfaces.
 
 use super::{NOTHING, measures};
 use crate::film::color_map::Rgb;
@@ -6,11 +6,11 @@ use crate::film::{ChannelName, Image};
 use rayon::prelude::*;
 use std::io;
 
-/// The colours of `image`, row by row from the top: x, y and z of the normal in the world, from -1 to 1, as red, green and blue from 0 to
-/// 255. Black, which is no normal, where nothing is hit.
+/// The colours of `image`, row by row from the top: x, y and z of the normal in world space, from
+/// -1 to 1, as red, green and blue from 0 to 255. A miss is black, which is no normal.
 ///
 /// # Errors
-/// An image without the channels of `N`, and `A`.
+/// The image lacks the channels of `N`, or `A`.
 pub fn normal(image: &Image) -> io::Result<Vec<Rgb>> {
     let channel = |name| measures(image, name);
     let (x, y, z) = (

@@ -1,7 +1,7 @@
 //! AVX-512: sixteen `f32` fill one register; truth values are bits of a mask.
 
 use super::level::level;
-use crate::simd::lanes::{F32s, F64s, Kernel, LANES, Lanes, Mask};
+use crate::simd::lanes::{F32s, F64s, LANES, Lanes, Mask, SimdKernel};
 use crate::simd::unrolled::unrolled;
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Not, Sub};

@@ -32,9 +32,9 @@ macro_rules! level {
             }
 
             /// Runs `kernel`, compiled with the instruction set.
-            pub(in crate::simd) fn run<K: Kernel>(self, kernel: K) -> K::Output {
+            pub(in crate::simd) fn run<K: SimdKernel>(self, kernel: K) -> K::Output {
                 #[target_feature(enable = $features)]
-                fn enabled<K: Kernel>(kernel: K, token: $token) -> K::Output {
+                fn enabled<K: SimdKernel>(kernel: K, token: $token) -> K::Output {
                     kernel.run(token)
                 }
                 // SAFETY: the token proves that the machine has the instructions.

@@ -36,9 +36,8 @@ pub(super) fn resolve<S: Lanes>(
     if with_depth && fallback.precision == Precision::Exact {
         pixels.planes.compute(simd, frame);
     }
-    let lengths = wanted
-        .distance
-        .then(|| RayLengths::of(fallback.camera, frame.first));
+    let lengths = || RayLengths::of(fallback.camera, frame.first);
+    let lengths = wanted.distance.then(lengths);
     let miss = simd.splat(wanted.miss);
     let mut planes = BlockPlanes::new();
     let mut unsure = UnsurePixels::new();

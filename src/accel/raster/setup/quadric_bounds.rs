@@ -34,7 +34,7 @@ impl QuadricBounds {
         let is_perspective = frame.view.is_perspective;
         let (zero, one) = (simd.splat(0.0), simd.splat(1.0));
         let mut footprints = Footprints::new();
-        let depth = Range::of(simd, frame, block, 2);
+        let depth = Interval::of(simd, frame, block, 2);
         // A comparison with NaN fails, so nothing unknown is culled.
         let is_behind = zero.above(depth.high);
         let in_front = depth.low.above(simd.splat(LEAST_DEPTH));
@@ -51,7 +51,7 @@ impl QuadricBounds {
         let mut hidden = is_behind | simd.splat(cull_nearness).above(nearest);
         let last_pixel = simd.splat(TILE as f32 - 1.0);
         for axis in 0..2 {
-            let film = Range::of(simd, frame, block, axis);
+            let film = Interval::of(simd, frame, block, axis);
             let low = (film.low * factors[0]).min(film.low * factors[1]);
             let high = (film.high * factors[0]).max(film.high * factors[1]);
             let extent = low.abs().max(high.abs());
@@ -74,14 +74,14 @@ impl QuadricBounds {
 }
 
 /// The range of a component of the quadrics' points in tile space.
-struct Range<S: Lanes> {
+struct Interval<S: Lanes> {
     low: S::F,
     high: S::F,
 }
 
-impl<S: Lanes> Range<S> {
+impl<S: Lanes> Interval<S> {
     #[inline(always)]
-    fn of(simd: S, frame: &TileFrame, block: &PrimitiveBlock, k: usize) -> Range<S> {
+    fn of(simd: S, frame: &TileFrame, block: &PrimitiveBlock, k: usize) -> Interval<S> {
         let eye = frame.eye();
         let mut from_eye = [simd.splat_wide(0.0); 3];
         for axis in 0..3 {
@@ -106,7 +106,7 @@ impl<S: Lanes> Range<S> {
         let reach = square.widen().sqrt().narrow();
         let reach =
             reach + (reach + centre.abs()) * simd.splat(8.0 * U) + simd.splat(frame.rounding[k]);
-        Range {
+        Interval {
             low: centre - reach,
             high: centre + reach,
         }

@@ -5,7 +5,7 @@ use crate::accel::space::AnchorSpace;
 use crate::accel::tree::{Child, WideNode};
 use crate::accel::view::{UNDERFLOW, View};
 use crate::exact::UNIT_ROUNDOFF;
-use crate::simd::{F32s, Kernel, LANES, Lanes, Mask};
+use crate::simd::{F32s, LANES, Lanes, Mask, SimdKernel};
 
 /// Up to sixteen children on the film.
 #[derive(Debug, Clone, PartialEq)]
@@ -112,7 +112,7 @@ pub(crate) struct ProjectNodes<'a> {
     pub(crate) nodes: &'a [WideNode],
 }
 
-impl Kernel for ProjectNodes<'_> {
+impl SimdKernel for ProjectNodes<'_> {
     type Output = Vec<ProjectedNode>;
 
     #[inline(always)]
@@ -127,16 +127,16 @@ impl Kernel for ProjectNodes<'_> {
 
 /// The terms of a component of the corners of projected boxes: `of_sides[axis][side]`, and that of
 /// the anchor.
-struct Terms<S: Lanes> {
+struct CornerTerms<S: Lanes> {
     of_sides: [[S::F; 2]; 3],
     anchor: S::F,
     /// Bounds the error of a sum of them.
     error: S::F,
 }
 
-impl<S: Lanes> Terms<S> {
+impl<S: Lanes> CornerTerms<S> {
     #[inline(always)]
-    fn of(simd: S, film: &FilmFromTree, k: usize, corners: &[[S::F; 2]; 3]) -> Terms<S> {
+    fn of(simd: S, film: &FilmFromTree, k: usize, corners: &[[S::F; 2]; 3]) -> CornerTerms<S> {
         let mut of_sides = *corners;
         let anchor = simd.splat(film.anchor[k]);
         let mut magnitude = anchor.abs();
@@ -147,7 +147,7 @@ impl<S: Lanes> Terms<S> {
             }
             magnitude = magnitude + of_sides[axis][0].abs().max(of_sides[axis][1].abs());
         }
-        Terms {
+        CornerTerms {
             of_sides,
             anchor,
             error: magnitude * simd.splat(ERROR) + simd.splat(film.slack[k]),
@@ -178,7 +178,7 @@ struct BoxDepths<S: Lanes> {
 impl<S: Lanes> BoxDepths<S> {
     #[inline(always)]
     fn of(simd: S, film: &FilmFromTree, corners: &[[S::F; 2]; 3]) -> BoxDepths<S> {
-        let terms = Terms::of(simd, film, 2, corners);
+        let terms = CornerTerms::of(simd, film, 2, corners);
         let one = simd.splat(1.0);
         let mut nearest = simd.splat(f32::INFINITY);
         let mut farthest = simd.splat(f32::NEG_INFINITY);
@@ -252,7 +252,7 @@ fn pixels_along<S: Lanes>(
     depths: &BoxDepths<S>,
 ) -> [S::F; 2] {
     let (infinity, minus_infinity) = (simd.splat(f32::INFINITY), simd.splat(f32::NEG_INFINITY));
-    let terms = Terms::of(simd, film, axis, corners);
+    let terms = CornerTerms::of(simd, film, axis, corners);
     let (mut low, mut high) = (infinity, minus_infinity);
     let (mut low_film, mut high_film) = (infinity, minus_infinity);
     for corner in 0..8 {

@@ -1,6 +1,6 @@
 use super::*;
 
-/// Small files, one of each encoding that differs in how it is read.
+/// Small files, one for each encoding that is read in its own way.
 fn files() -> Vec<Vec<u8>> {
     let ways = [
         (Compression::Uncompressed, Blocks::ScanLines),
@@ -28,7 +28,7 @@ fn files() -> Vec<Vec<u8>> {
 }
 
 #[test]
-fn files_that_are_cut_off_are_refused() {
+fn truncated_files_are_refused() {
     for file in files() {
         read(&file).unwrap();
         for end in 0..file.len() {
@@ -38,7 +38,7 @@ fn files_that_are_cut_off_are_refused() {
 }
 
 #[test]
-fn the_end_of_a_file_is_missed_without_reading_pixels() {
+fn a_missing_end_is_found_without_reading_pixels() {
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path().join("a.exr");
     let is_whole = |bytes: &[u8]| {
@@ -61,7 +61,7 @@ fn the_end_of_a_file_is_missed_without_reading_pixels() {
                 ErrorKind::BadInput
             );
         }
-        // What was preallocated and never written holds zeros.
+        // Space that was preallocated but not written holds zeros.
         let zeros = [&file[..table], &vec![0; file.len() - table]].concat();
         assert!(!is_whole(&zeros).unwrap());
     }
@@ -81,7 +81,7 @@ fn changed_bytes_are_read_or_refused() {
 }
 
 #[test]
-fn what_is_no_exr_is_refused() {
+fn other_files_are_refused() {
     for bytes in [
         &b""[..],
         b"v",
@@ -89,17 +89,17 @@ fn what_is_no_exr_is_refused() {
         b"\x89PNG\r\n\x1a\n",
         &[0; 4096],
     ] {
-        assert!(refused(bytes).contains("this is no OpenEXR file"));
+        assert!(refused(bytes).contains("this is not an OpenEXR file"));
     }
     refused(&[&MAGIC[..], &[2, 0, 0, 0]].concat());
     refused(&[&MAGIC[..], &[0xff; 500]].concat());
 }
 
 #[test]
-fn a_chunk_that_was_never_written_is_missed() {
+fn a_missing_chunk_is_refused() {
     let image = strange((3, 4), PixelBounds::of_film(3, 4));
     let file = of_our_writer(&image);
-    // The table, whose entries point behind it, in order: nothing else does.
+    // The table: the only place whose entries point behind it, in order.
     let entry = |at: usize| u64::from_le_bytes(file[at..at + 8].try_into().unwrap());
     let table = (0..file.len() - 32).find(|at| {
         (0..4).all(|row| entry(at + 8 * row) >= *at as u64 + 32) && entry(*at) == *at as u64 + 32
@@ -111,11 +111,11 @@ fn a_chunk_that_was_never_written_is_missed() {
     let mut twice = file.clone();
     twice.copy_within(table..table + 8, table + 8);
     assert!(
-        refused(&twice).contains("holds pixels that another one holds as well"),
+        refused(&twice).contains("repeats pixels of another chunk"),
         "{}",
         refused(&twice)
     );
-    // What lies between the chunks is of no account.
+    // Bytes between chunks do not matter.
     let mut moved = file.clone();
     let chunk = file[entry(table) as usize..entry(table + 8) as usize].to_vec();
     moved.extend([[7; 5].to_vec(), chunk].concat());
@@ -124,7 +124,7 @@ fn a_chunk_that_was_never_written_is_missed() {
 }
 
 #[test]
-fn nothing_is_taken_for_what_the_file_cannot_hold() {
+fn no_memory_is_allocated_for_pixels_that_the_file_cannot_hold() {
     // A row of 2^24 pixels in 20 bytes.
     let encoding = Encoding {
         compression: Compression::ZIP1,

@@ -1,7 +1,7 @@
 use super::*;
 use ChannelName::{A, Id, Instance, Prim, T, Z};
 
-/// Every way in which the crate writes without loss.
+/// Every lossless encoding of the crate.
 fn encodings() -> Vec<Encoding> {
     let mut encodings = Vec::new();
     for compression in [
@@ -31,7 +31,7 @@ fn encodings() -> Vec<Encoding> {
 }
 
 #[test]
-fn our_own_files_come_back_to_the_last_bit() {
+fn files_of_feimos_are_read_bit_for_bit() {
     let crop = PixelBounds {
         x0: 17,
         x1: 60,
@@ -56,7 +56,7 @@ fn our_own_files_come_back_to_the_last_bit() {
 }
 
 #[test]
-fn all_encodings_read_alike() {
+fn all_encodings_give_the_same_image() {
     let size = (20, 37);
     let image = strange((20, 37), PixelBounds::of_film(20, 37));
     let samples = |name: ChannelName| match name.is_integer() {
@@ -66,16 +66,16 @@ fn all_encodings_read_alike() {
     for encoding in encodings() {
         let mut channels: Vec<_> = ChannelName::ALL
             .iter()
-            .map(|name| (name.as_str(), samples(*name)))
+            .map(|name| (name.name(), samples(*name)))
             .collect();
-        // Channels of others lie before, between and after those that are read.
+        // Unknown channels lie before, between and after the known ones.
         channels.extend(["B", "R", "depth", "zz"].map(|name| (name, as_f16(&small(20 * 37)))));
         assert_same(&image, &read(&one_layer(size, channels, encoding)).unwrap());
     }
 }
 
 #[test]
-fn encodings_for_colours_are_refused_but_for_one() {
+fn encodings_for_colours_are_refused_except_for_one() {
     let file = |compression, samples| {
         let encoding = Encoding {
             compression,
@@ -104,9 +104,9 @@ fn encodings_for_colours_are_refused_but_for_one() {
 }
 
 #[test]
-fn any_type_is_read_where_it_holds_the_same_numbers() {
+fn other_types_are_read_if_they_hold_the_same_numbers() {
     let values = small(12);
-    let all = ChannelName::ALL.map(ChannelName::as_str);
+    let all = ChannelName::ALL.map(ChannelName::name);
     for to_samples in [as_f16, as_u32, |values: &[f32]| {
         FlatSamples::F32(values.to_vec())
     }] {
@@ -141,7 +141,7 @@ fn a_half_may_be_infinite() {
 }
 
 #[test]
-fn numbers_that_do_not_fit_are_named_with_their_pixel() {
+fn numbers_that_do_not_fit_are_reported_with_their_pixel() {
     let of = |name, value: FlatSamples| {
         let FlatSamples::F32(value) = value else {
             panic!("a number")
@@ -200,7 +200,7 @@ fn the_first_part_with_a_known_channel_is_read() {
 }
 
 #[test]
-fn of_several_resolutions_the_largest_is_read() {
+fn the_largest_of_several_resolutions_is_read() {
     use exr::math::RoundingMode;
     use exr::prelude::Levels;
     let levels = [(6, 4), (3, 2), (1, 1)]

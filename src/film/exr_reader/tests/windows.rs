@@ -16,7 +16,7 @@ fn file(data: (i32, i32), display: (i32, i32), size: (usize, usize)) -> Vec<u8> 
 }
 
 #[test]
-fn the_origin_of_the_display_window_is_that_of_the_film() {
+fn the_origin_of_the_display_window_becomes_that_of_the_film() {
     let expected = PixelBounds {
         x0: 1,
         x1: 4,
@@ -48,13 +48,13 @@ fn a_data_window_beyond_the_display_window_is_refused() {
     ] {
         let message = refused(&file(data, display, (5, 6)));
         assert!(
-            message.contains("reaches out of the display window, x 0 to 4 and y "),
+            message.contains("leaves the display window, x 0 to 4 and y "),
             "{message}"
         );
     }
 }
 
-/// A header as the crate writes it, with a window put in the place of another one.
+/// A header by the crate, with one window replaced by another.
 fn with_window(name: &str, corners: [i32; 4]) -> Vec<u8> {
     let mut file = file((0, 0), (0, 0), (5, 6));
     let name = [name.as_bytes(), b"\0box2i\0"].concat();
@@ -70,7 +70,7 @@ fn with_window(name: &str, corners: [i32; 4]) -> Vec<u8> {
 }
 
 #[test]
-fn windows_of_no_pixel_or_of_too_many_are_refused() {
+fn windows_with_no_pixel_or_too_many_are_refused() {
     const FAR: i32 = i32::MAX / 2 - 2;
     let far = |side: i32| with_window("displayWindow", [0, 0, side, side]);
     assert!(
@@ -99,13 +99,13 @@ fn windows_of_no_pixel_or_of_too_many_are_refused() {
 }
 
 #[test]
-fn other_channels_are_named() {
+fn unknown_channels_are_listed() {
     let file = one_layer(
         (1, 1),
         vec![("R", as_f16(&[0.0])), ("z", as_f16(&[0.0]))],
         Encoding::default(),
     );
-    let expected = "a.exr: no channel of this image is one of feimos's; it has R, z
+    let expected = "a.exr: feimos knows no channel of this image, which has R, z
    = expected one or more of Z, t, A, id, prim, instance, cost, N.X, N.Y, N.Z, P.X, P.Y, P.Z, u, v";
     assert_eq!(refused(&file), expected);
 }

@@ -1,0 +1,228 @@
+//! Bounds of how far the roundings of rules R2, R3 and R5 move rays, in the world and on the film.
+
+use super::bound::{length, with_slack};
+use super::rounded_transform::RoundedTransform;
+use crate::camera::{Camera, Projection};
+use crate::exact::Rounded;
+
+/// A camera with the errors of its transform.
+pub(super) struct View<'a> {
+    pub(super) camera: &'a Camera,
+    /// Camera space from world space; the camera uses the inverse.
+    pub(super) rounded: &'a RoundedTransform,
+}
+
+impl View<'_> {
+    /// A bound of how far the point of a pixel's ray at `z` is from its unrounded position, in the
+    /// world.
+    pub(super) fn displacement(&self, pixel: [u32; 2], z: f32) -> f64 {
+        // `z` was rounded, too.
+        let z = f64::from(z.next_up());
+        let [x, y] = self.plane_coordinates(pixel);
+        let moved = self.rounded.inverse().map(|c| {
+            let [origin, direction] = match self.camera.projection {
+                Projection::Perspective { .. } => [c[3], c[0] * x + c[1] * y + c[2]],
+                Projection::Orthographic => [c[0] * x + c[1] * y + c[3], c[2]],
+            };
+            with_slack(origin.error + z * direction.error)
+        });
+        length(moved)
+    }
+
+    /// A bound of the size of `displacement` on the film, in pixels, at the point of a pixel's ray
+    /// at `z`.
+    ///
+    /// Let a, b and c be the rows of camera space from world space. The point appears at X = a . p
+    /// / c . p in the plane at distance 1, where a . p = X z. A point at the distance d appears at
+    /// (X z + a . d) / (z + c . d), which differs by (a - X c) . d / (z + c . d). An orthographic
+    /// camera does not divide.
+    pub(super) fn in_pixels(&self, displacement: f64, pixel: [u32; 2], z: f32) -> f64 {
+        let rows = self.rounded.matrix();
+        let reach = |row: [Rounded; 3]| with_slack(displacement * length(row.map(Rounded::most)));
+        let linear = |k: usize| [0, 1, 2].map(|j| rows[k][j]);
+        let (plane, widths) = (self.plane_coordinates(pixel), self.pixel_sizes());
+        let across = |axis: usize| {
+            let moved = match self.camera.projection {
+                Projection::Perspective { .. } => {
+                    let depth = (f64::from(z.next_down()) - reach(linear(2))).next_down();
+                    let sideways = [0, 1, 2].map(|j| rows[axis][j] - plane[axis] * rows[2][j]);
+                    if depth > 0.0 {
+                        reach(sideways) / depth
+                    } else {
+                        f64::INFINITY
+                    }
+                }
+                Projection::Orthographic => reach(linear(axis)),
+            };
+            with_slack(moved / widths[axis])
+        };
+        length([across(0), across(1), 0.0])
+    }
+
+    /// [`Camera::plane_coordinates`] with bounds.
+    fn plane_coordinates(&self, [x, y]: [u32; 2]) -> [Rounded; 2] {
+        let [width, height] = self.camera.resolution;
+        let [x0, x1, y0, y1] = self.screen_window();
+        let scale = self.scale();
+        [
+            scale * pixel_centre(x0, x1, x, width),
+            scale * pixel_centre(y1, y0, y, height),
+        ]
+    }
+
+    /// Lower bounds of the width and height of a pixel.
+    fn pixel_sizes(&self) -> [f64; 2] {
+        let [x0, x1, y0, y1] = self.screen_window();
+        let [width, height] = self
+            .camera
+            .resolution
+            .map(|count| Rounded::exactly(f64::from(count)));
+        [
+            (self.scale() * (x1 - x0)).over(width).least(),
+            (self.scale() * (y1 - y0)).over(height).least(),
+        ]
+    }
+
+    /// The factor of plane coordinates. A tangent is correctly rounded and irrational, except for
+    /// 1, the tangent of 45 degrees: those of the nearest angles are more than half a unit away.
+    fn scale(&self) -> Rounded {
+        match self.camera.projection {
+            Projection::Perspective { tangent: 1.0 } | Projection::Orthographic => {
+                Rounded::exactly(1.0)
+            }
+            Projection::Perspective { tangent } => Rounded::nearest(tangent),
+        }
+    }
+
+    /// The edges of the screen window. The film's aspect ratio and its inverse are quotients, with
+    /// no more than two roundings; neither is 1 unless it is exact. A window from the file is
+    /// exact, too, but the camera does not know where its window comes from.
+    fn screen_window(&self) -> [Rounded; 4] {
+        let window = &self.camera.screen_window;
+        [window.x0, window.x1, window.y0, window.y1].map(|edge| match edge.abs() {
+            0.0 | 1.0 => Rounded::exactly(edge),
+            size => Rounded::within(edge, with_slack(2.0 * Rounded::nearest(size).error)),
+        })
+    }
+}
+
+/// The centre of pixel `i` of `count` between `first` and `last`. The factors are integers below
+/// 2^53.
+fn pixel_centre(first: Rounded, last: Rounded, i: u32, count: u32) -> Rounded {
+    let (i, count) = (f64::from(i), f64::from(count));
+    let [before, after, all] =
+        [2.0 * (count - i) - 1.0, 2.0 * i + 1.0, 2.0 * count].map(Rounded::exactly);
+    (first * before + last * after).over(all)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::high_precision::{self, High, chain};
+    use super::*;
+    use crate::camera::ScreenWindow;
+    use proptest::prelude::*;
+
+    fn camera(rounded: &RoundedTransform, projection: Projection) -> Camera {
+        let screen_window = ScreenWindow {
+            x0: -1.7,
+            x1: 1.3,
+            y0: -0.9,
+            y1: 1.1,
+        };
+        Camera {
+            world_from_camera: rounded.transform.inverse,
+            projection,
+            screen_window,
+            resolution: [160, 91],
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(500))]
+
+        /// With an exact window, as from a file, and a field of view of 90 degrees.
+        #[test]
+        fn errors_of_rays_are_within_their_bounds(
+            chain in chain(),
+            pixel in (0u32..160, 0u32..91),
+            is_perspective: bool,
+            z in 1e-3f32..1e6,
+        ) {
+            let (rounded, meant) = chain;
+            let perspective = Projection::Perspective { tangent: 1.0 };
+            let projection = if is_perspective { perspective } else { Projection::Orthographic };
+            let camera = camera(&rounded, projection);
+            let view = View { camera: &camera, rounded: &rounded };
+            let ray = camera.ray(pixel.0, pixel.1);
+            prop_assume!(ray.can_hit());
+            let window = &camera.screen_window;
+            let centre = |first: f64, last: f64, i: u32, count: u32| {
+                let (before, after) = (f64::from(2 * (count - i) - 1), f64::from(2 * i + 1));
+                let [first, last] = [first, last].map(High::from);
+                let sum = first.times(&before.into()).plus(&last.times(&after.into()));
+                sum.over(&f64::from(2 * count).into())
+            };
+            let x = centre(window.x0, window.x1, pixel.0, 160);
+            let y = centre(window.y1, window.y0, pixel.1, 91);
+            let at_z = High::from(f64::from(z));
+            let off = std::array::from_fn(|k| {
+                let c = &meant.inverse[k];
+                let in_plane = c[0].times(&x).plus(&c[1].times(&y));
+                let meant = match is_perspective {
+                    true => in_plane.plus(&c[2]).times(&at_z).plus(&c[3]),
+                    false => in_plane.plus(&c[3]).plus(&c[2].times(&at_z)),
+                };
+                meant.minus(&at_z.times(&ray.direction[k].into()).plus(&ray.origin[k].into()))
+            });
+            let bound = view.displacement([pixel.0, pixel.1], z);
+            prop_assert!(high_precision::length(&off).is_within(bound));
+        }
+    }
+
+    #[test]
+    fn displacements_are_measured_on_the_film() {
+        let rounded = RoundedTransform::translate([0.0, 0.0, 5.0]);
+        let mut camera = camera(&rounded, Projection::Perspective { tangent: 1.0 });
+        camera.screen_window = ScreenWindow {
+            x0: -1.0,
+            x1: 1.0,
+            y0: -1.0,
+            y1: 1.0,
+        };
+        camera.resolution = [100, 100];
+        let pixels = |camera: &Camera, displacement: f64, pixel: [u32; 2], z: f32| {
+            View {
+                camera,
+                rounded: &rounded,
+            }
+            .in_pixels(displacement, pixel, z)
+        };
+        // A pixel is 0.02 wide at distance 1: at 10, 1e-6 is 5e-6 of one, in either direction.
+        let middle = pixels(&camera, 1e-6, [50, 50], 10.0);
+        assert!(
+            (middle / (5e-6 * 2f64.sqrt()) - 1.0).abs() < 1e-3,
+            "{middle}"
+        );
+        assert!(
+            pixels(&camera, 1e-6, [99, 50], 10.0) > 1.1 * middle,
+            "a step away from the eye moves the point, too"
+        );
+        assert_eq!(
+            pixels(&camera, 11.0, [50, 50], 10.0),
+            f64::INFINITY,
+            "the point may be behind the eye"
+        );
+        camera.projection = Projection::Orthographic;
+        let middle = pixels(&camera, 1e-6, [50, 50], 10.0);
+        assert!(
+            (middle / (5e-5 * 2f64.sqrt()) - 1.0).abs() < 1e-3,
+            "{middle}"
+        );
+        camera.screen_window.x0 = 1.0;
+        assert_eq!(
+            pixels(&camera, 1e-6, [50, 50], 10.0),
+            f64::INFINITY,
+            "pixels without width"
+        );
+    }
+}

@@ -1,0 +1,236 @@
+//! The columns of results, listed once for text, Markdown, HTML, CSV and JSON.
+
+use super::table::TextTable;
+use super::value::{Value, mean, rate, small};
+use crate::bench::error::Errors;
+use crate::bench::run::Row;
+
+/// A column of results.
+pub(super) struct Column {
+    /// Key in JSON and CSV.
+    pub(super) key: &'static str,
+    /// Table and title for people, if it is shown to them.
+    table: Option<(Table, &'static str)>,
+    value: fn(&Row, Option<f64>) -> Value,
+}
+
+/// The tables for people.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Table {
+    /// One line for each accelerator.
+    Trees,
+    /// One line for each accelerator and kernel.
+    Rays,
+    Both,
+}
+
+const fn hidden(key: &'static str, value: fn(&Row, Option<f64>) -> Value) -> Column {
+    Column {
+        key,
+        table: None,
+        value,
+    }
+}
+
+const fn shown(
+    key: &'static str,
+    table: Table,
+    title: &'static str,
+    value: fn(&Row, Option<f64>) -> Value,
+) -> Column {
+    Column {
+        key,
+        table: Some((table, title)),
+        value,
+    }
+}
+
+/// All columns in order. Values take a row and the machine's clock in MHz, if it is known.
+pub(super) const COLUMNS: [Column; 28] = {
+    use Table::{Both, Rays, Trees};
+    use Value::{Confidence, Count, Input, Name, Real};
+    [
+        hidden("scene", |row, _| Name(row.scene.clone())),
+        shown("accel", Both, "accel", |row, _| {
+            Name(row.method.to_string())
+        }),
+        shown("precision", Rays, "precision", |row, _| {
+            Name(row.kernel.to_string())
+        }),
+        hidden("threads", |row, _| Count(Some(row.threads as u64))),
+        hidden("rays", |row, _| Count(Some(row.rays))),
+        hidden("pixels", |row, _| Count(Some(row.pixels))),
+        shown("load_ms", Trees, "load ms", |row, _| {
+            Value::Spread(row.load_ms)
+        }),
+        shown("build_ms", Trees, "build ms", |row, _| {
+            Value::Spread(row.build_ms)
+        }),
+        shown("trace_ms", Rays, "trace ms", |row, _| {
+            Value::Spread(row.trace_ms)
+        }),
+        shown("mrays_per_s", Rays, "Mrays/s", |row, _| {
+            Real(Some(row.mrays_per_s()), rate)
+        }),
+        shown("cycles_per_ray", Rays, "cycles/ray", |row, mhz| {
+            Real(mhz.map(|mhz| row.cycles_per_ray(mhz)), mean)
+        }),
+        shown("nodes_per_ray", Rays, "nodes/ray", |row, _| {
+            Real(Some(row.nodes_per_ray), mean)
+        }),
+        shown("primitives_per_ray", Rays, "prims/ray", |row, _| {
+            Real(Some(row.primitives_per_ray), mean)
+        }),
+        shown("sah_cost", Trees, "SAH", |row, _| {
+            Real(Some(row.sah_cost).filter(|cost| cost.is_finite()), mean)
+        }),
+        shown("epo", Trees, "EPO", |row, _| Real(row.overlap, mean)),
+        shown("depth", Trees, "depth", |row, _| {
+            Count(Some(row.depth as u64))
+        }),
+        shown("bytes", Trees, "tree bytes", |row, _| {
+            Count(Some(row.bytes as u64))
+        }),
+        hidden("input", |row, _| Input(row.input)),
+        hidden("sampled_pixels", |row, _| {
+            Count(row.errors().map(|errors| errors.tally.pixels))
+        }),
+        hidden("wrong_hits", |row, _| {
+            pixels(row, |errors| errors.tally.wrong_hits())
+        }),
+        shown("false_hits", Rays, "false", |row, _| {
+            pixels(row, |errors| errors.tally.false_hits)
+        }),
+        shown("missed_hits", Rays, "missed", |row, _| {
+            pixels(row, |errors| errors.tally.missed_hits)
+        }),
+        shown("wrong_primitives", Rays, "wrong prim", |row, _| {
+            pixels(row, |errors| errors.tally.wrong_primitives)
+        }),
+        hidden("confidence_95", |row, _| {
+            Confidence(row.errors().and_then(confidence))
+        }),
+        shown("max_ulp", Rays, "max ulp", |row, _| {
+            Count(
+                row.errors()
+                    .and_then(|errors| errors.tally.depths.max())
+                    .map(u64::from),
+            )
+        }),
+        shown("p99_ulp", Rays, "99 %", |row, _| {
+            let percentile = |errors: &Errors| errors.tally.depths.percentile(99.0);
+            Count(row.errors().and_then(percentile).map(u64::from))
+        }),
+        shown("mean_ulp", Rays, "mean", |row, _| {
+            Real(
+                row.errors().and_then(|errors| errors.tally.depths.mean()),
+                small,
+            )
+        }),
+        shown("fallback_rays", Rays, "integers", |row, _| {
+            Count(row.fallback_rays)
+        }),
+    ]
+};
+
+fn pixels(row: &Row, count: fn(&Errors) -> u64) -> Value {
+    Value::Pixels(row.errors().map(|errors| {
+        let count = count(errors);
+        (count, errors.confidence(count))
+    }))
+}
+
+fn confidence(errors: &Errors) -> Option<[[f64; 2]; 2]> {
+    let wrong_hits = errors.confidence(errors.tally.wrong_hits())?;
+    Some([
+        wrong_hits,
+        errors.confidence(errors.tally.wrong_primitives)?,
+    ])
+}
+
+impl Column {
+    /// The cell of a row, on a machine with a clock of `mhz`, if that is known.
+    pub(super) fn value(&self, row: &Row, mhz: Option<f64>) -> Value {
+        (self.value)(row, mhz)
+    }
+}
+
+/// The trees of a scene: one line for the rows of each accelerator.
+pub fn tree_table(rows: &[Row]) -> TextTable {
+    let trees = rows.chunk_by(|a, b| a.scene == b.scene && a.method == b.method);
+    table(Table::Trees, trees.map(|rows| &rows[0]), None)
+}
+
+/// The rays of a scene, on a machine with a clock of `mhz`, if that is known.
+pub fn ray_table(rows: &[Row], mhz: Option<f64>) -> TextTable {
+    table(Table::Rays, rows.iter(), mhz)
+}
+
+fn table<'a>(table: Table, rows: impl Iterator<Item = &'a Row>, mhz: Option<f64>) -> TextTable {
+    let title = |column: &'static Column| {
+        let (of, title) = column.table?;
+        (of == table || of == Table::Both).then_some((column, title))
+    };
+    let columns: Vec<(&Column, &str)> = COLUMNS.iter().filter_map(title).collect();
+    let cells = |row: &Row| {
+        columns
+            .iter()
+            .map(|(column, _)| column.value(row, mhz).text())
+            .collect()
+    };
+    let titles = columns.iter().map(|(column, title)| {
+        let is_name = matches!(column.key, "accel" | "precision");
+        (title.to_string(), is_name)
+    });
+    TextTable::new(titles, rows.map(cells))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::accel::SplitMethod;
+    use crate::bench::kernel::Kernel;
+    use crate::bench::run::tests::row;
+
+    #[test]
+    fn trees_have_one_line_and_rays_one_for_each_kernel() {
+        let [exact, fast, ..] = Kernel::ALL;
+        let rows = [
+            row(SplitMethod::Sah, exact, 1000),
+            row(SplitMethod::Sah, fast, 100),
+            row(SplitMethod::Hlbvh, fast, 0),
+        ];
+        let trees = "\
+accel           load ms       build ms   SAH  EPO  depth  tree bytes
+sah    2.00 (1.00-3.00)  461 (415-492)  49.1  3.2     26  34,218,112
+hlbvh  2.00 (1.00-3.00)  461 (415-492)  49.1  3.2     26  34,218,112
+";
+        assert_eq!(tree_table(&rows).aligned(), trees);
+        let rays = "\
+accel  precision          trace ms  Mrays/s  cycles/ray  nodes/ray  prims/ray      false     missed wrong prim  max ulp  99 %   mean  integers
+sah    exact      50.0 (50.0-53.0)     0.02     250,000       19.9      1,235          1          0          2        3     3  0.750    12,345
+sah    fast       50.0 (50.0-53.0)     0.02     250,000       19.9      1,235  1 (<5.45%)  0 (<3.70%)  2 (<7.00%)        3     3  0.750         -
+hlbvh  fast       50.0 (50.0-53.0)     0.02     250,000       19.9      1,235          -          -          -        -     -      -         -
+";
+        let words = |text: &str| {
+            text.split_whitespace()
+                .map(str::to_owned)
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(
+            words(&ray_table(&rows, Some(2500.0)).aligned()),
+            words(rays)
+        );
+    }
+
+    #[test]
+    fn unknown_values_are_dashes() {
+        let [exact, ..] = Kernel::ALL;
+        let empty = Row {
+            sah_cost: f64::NAN,
+            overlap: None,
+            ..row(SplitMethod::None, exact, 0)
+        };
+        assert!(tree_table(&[empty]).aligned().contains("  -    -     26"));
+    }
+}

@@ -1,0 +1,21 @@
+//! Runs all configurations of a scene in turn, and collects rows of measurements.
+
+mod machine;
+mod measure;
+mod pictures;
+mod plan;
+mod row;
+mod spread;
+mod surface_points;
+mod total;
+
+pub use machine::Machine;
+pub use measure::{Bench, Measured, timed};
+pub use pictures::{PictureFiles, Pictures};
+pub use plan::{Plan, Rounds};
+pub use row::Row;
+pub use spread::Spread;
+pub use total::totals;
+
+#[cfg(test)]
+pub(super) mod tests;

@@ -1,0 +1,129 @@
+//! Measures one scene in every configuration.
+
+use super::args::{BenchArgs, Reference};
+use crate::cli::options::engine::build_options;
+use crate::cli::options::values::refuse_repeated;
+use crate::cli::terminal::progress::{Phase, ProgressBars};
+use crate::cli::terminal::reporter::Reporter;
+use crate::cli::terminal::scene_summary::report_scene;
+use crate::cli::terminal::words::counted;
+use feimos::accel::SplitMethod;
+use feimos::bench::{Bench, GroundTruth, Kernel, Measured, Plan, Rounds, has_ground_truth, timed};
+use feimos::error::Result;
+use feimos::file_id::InputFiles;
+use feimos::input::BudgetFactor;
+use feimos::progress::Progress;
+use feimos::reference::MAX_PRIMITIVES;
+use feimos::scene::{self, LoadOptions, Scene};
+use indicatif::HumanCount;
+use std::path::Path;
+
+/// The options of `bench`, checked.
+pub(super) struct Runner<'a> {
+    methods: Vec<SplitMethod>,
+    kernels: Vec<Kernel>,
+    rounds: Rounds,
+    reference: Reference,
+    with_pictures: bool,
+    input_budget: BudgetFactor,
+    reporter: &'a Reporter,
+    bars: ProgressBars,
+}
+
+impl<'a> Runner<'a> {
+    pub(super) fn new(
+        args: &BenchArgs,
+        with_pictures: bool,
+        reporter: &'a Reporter,
+    ) -> Result<Runner<'a>> {
+        let methods = args.configurations.accel.clone();
+        let kernels = args.configurations.precision.clone();
+        refuse_repeated("--accel", methods.as_deref())?;
+        refuse_repeated("--precision", kernels.as_deref())?;
+        let (warmup, runs) = (args.measurement.warmup, args.measurement.runs);
+        Ok(Runner {
+            methods: methods.unwrap_or_else(|| SplitMethod::ALL.to_vec()),
+            kernels: kernels.unwrap_or_else(|| Kernel::ALL.to_vec()),
+            rounds: Rounds { warmup, runs },
+            reference: args.measurement.reference,
+            with_pictures,
+            input_budget: args.input.input_budget,
+            reporter,
+            bars: ProgressBars::new(&args.messages),
+        })
+    }
+
+    /// Loads `path` on the threads of the current pool. Returns the scene with the milliseconds
+    /// that loading took, and in any case the files that were read.
+    pub(super) fn load(&self, path: &Path) -> (Result<(Scene, f64)>, InputFiles) {
+        let options = LoadOptions {
+            transform_history: self.reference == Reference::Exact,
+            input_budget: self.input_budget,
+            ..LoadOptions::default()
+        };
+        let load = |progress: Progress<'_>| scene::load_listing_files(path, &options, progress);
+        let ((scene, files), load_ms) = timed(|| self.bars.during(Phase::Loading, load));
+        (scene.map(|scene| (scene, load_ms)), files)
+    }
+
+    /// Measures the scene `path` on the threads of the current pool; returns a title, too.
+    pub(super) fn measure(
+        &self,
+        path: &Path,
+        (scene, load_ms): (Scene, f64),
+    ) -> Result<(String, Measured)> {
+        report_scene(&scene, self.reporter);
+        let builds = self.methods.iter();
+        let plan = Plan {
+            builds: builds
+                .map(|method| build_options(*method, &scene.accelerator))
+                .collect(),
+            kernels: self.kernels.clone(),
+            rounds: self.rounds,
+            with_pictures: self.with_pictures,
+        };
+        let bench = Bench {
+            path,
+            scene: &scene,
+            load_ms,
+            input_budget: self.input_budget,
+            truth: self.ground_truth(path, &scene),
+        };
+        let run = |progress: Progress<'_>| bench.measure(&plan, progress);
+        let measured = self.bars.during(Phase::Measuring(plan.steps()), run)?;
+        Ok((self.title(path, &scene), measured))
+    }
+
+    /// Exact answers, if the user wants them and the scene is small enough.
+    fn ground_truth(&self, path: &Path, scene: &Scene) -> Option<GroundTruth> {
+        if self.reference == Reference::None {
+            return None;
+        }
+        if !has_ground_truth(scene) {
+            self.reporter.note(format_args!(
+                "{}: errors are not measured: exact arithmetic takes too long for more than {} \
+                 primitives, and the scene has {}",
+                path.display(),
+                HumanCount(MAX_PRIMITIVES),
+                HumanCount(scene.geometry.primitive_count()),
+            ));
+            return None;
+        }
+        let pixels = GroundTruth::affordable_pixels(scene);
+        let compute = |progress: Progress<'_>| GroundTruth::new(scene, pixels, progress);
+        Some(self.bars.during(Phase::Reference(pixels), compute))
+    }
+
+    fn title(&self, path: &Path, scene: &Scene) -> String {
+        let film = &scene.film.crop;
+        format!(
+            "{}: {} x {} rays, {}, {}, median (fastest-slowest) of {}",
+            path.display(),
+            film.width(),
+            film.height(),
+            counted(scene.geometry.primitive_count(), "primitive"),
+            counted(rayon::current_num_threads() as u64, "thread"),
+            counted(self.rounds.runs as u64, "run"),
+        )
+    }
+}

@@ -1,0 +1,239 @@
+//! The report on a scene: one struct for `--json`, whose keys are its field names, and for text.
+
+mod text;
+
+use crate::cli::terminal::scene_summary::StoredGeometry;
+use feimos::camera::Camera;
+use feimos::error::{Diagnostic, Error};
+use feimos::film::PixelBounds;
+use feimos::scene::{AcceleratorParameters, Film, Listed, Scene, ShapeCount, Warning};
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+#[derive(Debug, Serialize)]
+pub(super) struct Report<'a> {
+    scene: String,
+    exit_code: u8,
+    /// The error, if the scene could not be read.
+    error: Option<Message<'a>>,
+    warnings: Vec<CountedWarning<'a>>,
+    #[serde(flatten)]
+    content: Option<Content<'a>>,
+}
+
+#[derive(Debug, Serialize)]
+struct Message<'a> {
+    message: &'a str,
+    place: Option<String>,
+    notes: &'a [String],
+}
+
+#[derive(Debug, Serialize)]
+struct CountedWarning<'a> {
+    kind: &'a str,
+    #[serde(flatten)]
+    first: Message<'a>,
+    count: u64,
+}
+
+/// The content of a scene.
+#[derive(Debug, Serialize)]
+struct Content<'a> {
+    camera: CameraContent,
+    film: FilmContent<'a>,
+    accelerator: AcceleratorContent<'a>,
+    /// `Shape` statements.
+    statements: u32,
+    shapes: BTreeMap<&'a str, ShapeContent>,
+    #[serde(flatten)]
+    geometry: StoredGeometry,
+    transforms: usize,
+    bytes: usize,
+    bounds: Option<Bounds>,
+    directives: BTreeMap<&'a str, u64>,
+    skipped: BTreeMap<&'a str, u64>,
+    unknown: BTreeMap<&'a str, u64>,
+    /// Shapes that only bound a medium, which rays pass through.
+    medium_boundaries: List<'a>,
+    /// Objects without an instance.
+    unused_objects: List<'a>,
+}
+
+#[derive(Debug, Serialize)]
+struct List<'a> {
+    count: u64,
+    /// The first items.
+    first: Vec<Item<'a>>,
+}
+
+#[derive(Debug, Serialize)]
+struct Item<'a> {
+    name: &'a str,
+    place: &'a str,
+}
+
+#[derive(Debug, Serialize)]
+struct ShapeContent {
+    statements: u64,
+    primitives: u64,
+    left_out: bool,
+}
+
+#[derive(Debug, Serialize)]
+struct Bounds {
+    low: [f64; 3],
+    high: [f64; 3],
+}
+
+#[derive(Debug, Serialize)]
+struct CameraContent {
+    projection: &'static str,
+    /// Degrees, across the shorter side of the usual screen window.
+    fov: Option<f64>,
+    eye: [f64; 3],
+    direction: [f64; 3],
+    screen_window: [f64; 4],
+}
+
+#[derive(Debug, Serialize)]
+struct FilmContent<'a> {
+    width: u32,
+    height: u32,
+    /// x0, x1, y0, y1, in pixels; upper ends exclusive.
+    crop: [u32; 4],
+    filename: Option<&'a str>,
+}
+
+#[derive(Debug, Serialize)]
+struct AcceleratorContent<'a> {
+    name: Option<&'a str>,
+    splitmethod: Option<&'a str>,
+    maxnodeprims: Option<u32>,
+}
+
+impl<'a> Report<'a> {
+    pub(super) fn new(path: &Path, exit_code: u8, result: &'a Result<Scene, Error>) -> Report<'a> {
+        let warnings = result.iter().flat_map(|scene| scene.warnings.iter());
+        Report {
+            scene: path.display().to_string(),
+            exit_code,
+            error: result
+                .as_ref()
+                .err()
+                .map(|error| Message::new(error.diagnostic())),
+            warnings: warnings.map(CountedWarning::new).collect(),
+            content: result.as_ref().ok().map(Content::new),
+        }
+    }
+}
+
+impl<'a> Message<'a> {
+    fn new(diagnostic: &'a Diagnostic) -> Message<'a> {
+        Message {
+            message: &diagnostic.message,
+            place: diagnostic.location.as_ref().map(ToString::to_string),
+            notes: &diagnostic.notes,
+        }
+    }
+}
+
+impl<'a> CountedWarning<'a> {
+    fn new(warning: &'a Warning) -> CountedWarning<'a> {
+        CountedWarning {
+            kind: &warning.kind,
+            first: Message::new(&warning.first),
+            count: warning.count,
+        }
+    }
+}
+
+impl<'a> Content<'a> {
+    fn new(scene: &'a Scene) -> Content<'a> {
+        let (geometry, census) = (&scene.geometry, &scene.census);
+        let AcceleratorParameters {
+            name,
+            split_method,
+            max_leaf,
+        } = &scene.accelerator;
+        let shape = |(name, count): (&'a str, ShapeCount)| {
+            let ShapeCount {
+                statements,
+                primitives,
+                is_left_out: left_out,
+            } = count;
+            (
+                name,
+                ShapeContent {
+                    statements,
+                    primitives,
+                    left_out,
+                },
+            )
+        };
+        let extent = geometry.extent();
+        let bounds = Bounds {
+            low: extent.low.to_array(),
+            high: extent.high.to_array(),
+        };
+        Content {
+            camera: CameraContent::new(&scene.camera),
+            film: FilmContent::new(&scene.film),
+            accelerator: AcceleratorContent {
+                name: name.as_deref(),
+                splitmethod: split_method.as_deref(),
+                maxnodeprims: *max_leaf,
+            },
+            statements: scene.shape_count,
+            shapes: census.shapes().map(shape).collect(),
+            geometry: StoredGeometry::of(geometry),
+            transforms: scene.transform_count,
+            bytes: geometry.bytes(),
+            bounds: (!extent.is_empty()).then_some(bounds),
+            directives: census.executed().collect(),
+            skipped: census.skipped().collect(),
+            unknown: census.unknown().collect(),
+            medium_boundaries: List::new(census.boundaries(), |of| (&of.shape, &of.place)),
+            unused_objects: List::new(census.unused_objects(), |of| (&of.name, &of.place)),
+        }
+    }
+}
+
+impl<'a> List<'a> {
+    fn new<T>(listed: &'a Listed<T>, item: impl Fn(&'a T) -> (&'a String, &'a String)) -> List<'a> {
+        let item = |of| {
+            let (name, place) = item(of);
+            Item { name, place }
+        };
+        List {
+            count: listed.count,
+            first: listed.first.iter().map(item).collect(),
+        }
+    }
+}
+
+impl CameraContent {
+    fn new(camera: &Camera) -> CameraContent {
+        let window = &camera.screen_window;
+        CameraContent {
+            projection: camera.projection.name(),
+            fov: camera.projection.field_of_view(),
+            eye: camera.anchor().to_array(),
+            direction: camera.view_direction().to_array(),
+            screen_window: [window.x0, window.x1, window.y0, window.y1],
+        }
+    }
+}
+
+impl<'a> FilmContent<'a> {
+    fn new(film: &'a Film) -> FilmContent<'a> {
+        let [width, height] = film.resolution;
+        let PixelBounds { x0, x1, y0, y1 } = film.crop;
+        FilmContent {
+            width,
+            height,
+            crop: [x0, x1, y0, y1],
+            filename: film.filename.as_deref(),
+        }
+    }
+}

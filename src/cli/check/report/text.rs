@@ -1,0 +1,179 @@
+//! The report on a scene as text.
+
+use super::{Bounds, CameraContent, FilmContent, Item, List, Report, ShapeContent};
+use crate::cli::terminal::words::{INDENT, counted, line, lines};
+use feimos::error::printable;
+use indicatif::HumanCount;
+use std::collections::BTreeMap;
+use std::fmt::{self, Display, Formatter};
+
+/// Width of text, unless a word is longer.
+const WIDTH: usize = 100;
+
+/// Width of the name of a shape type.
+const NAME_WIDTH: usize = 40;
+
+/// The text of a scene that could be read.
+impl Display for Report<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let Some(content) = &self.content else {
+            return Ok(());
+        };
+        writeln!(f, "{}", printable(&self.scene))?;
+        line(f, "camera", &content.camera.to_string())?;
+        line(f, "film", &content.film.to_string())?;
+        lines(f, "shapes", shape_table(&content.shapes))?;
+        line(f, "geometry", &content.geometry.to_string())?;
+        let bounds = content.bounds.as_ref().map(ToString::to_string);
+        line(
+            f,
+            "bounds",
+            bounds.as_deref().unwrap_or("nothing that can be hit"),
+        )?;
+        let transforms = counted(content.transforms as u64, "transform");
+        let bytes = counted(content.bytes as u64, "byte");
+        line(f, "memory", &format!("{transforms}, {bytes}"))?;
+        lines(f, "directives", wrapped(&content.directives))?;
+        lines(f, "skipped", wrapped(&content.skipped))?;
+        lines(f, "unknown", wrapped(&content.unknown))?;
+        let media = "shapes that only bound a medium: rays pass through them";
+        lines(f, "media", content.medium_boundaries.lines(media))?;
+        lines(
+            f,
+            "unused",
+            content.unused_objects.lines("objects without an instance"),
+        )
+    }
+}
+
+impl Display for CameraContent {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.write_str(self.projection)?;
+        if let Some(fov) = self.fov {
+            write!(f, ", {} degrees", short(fov))?;
+        }
+        write!(
+            f,
+            ", at {}, towards {}",
+            triple(self.eye),
+            triple(self.direction)
+        )
+    }
+}
+
+impl Display for FilmContent<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let FilmContent {
+            width,
+            height,
+            crop,
+            filename,
+        } = self;
+        write!(f, "{width} x {height} pixels")?;
+        let [x0, x1, y0, y1] = crop;
+        if [*x0, *x1, *y0, *y1] != [0, *width, 0, *height] {
+            write!(f, ", cropped to x {x0} to {x1}, y {y0} to {y1}")?;
+        }
+        filename.map_or(Ok(()), |name| write!(f, ", {name}"))
+    }
+}
+
+impl Display for Bounds {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(f, "{} to {}", triple(self.low), triple(self.high))
+    }
+}
+
+impl List<'_> {
+    /// The items below a line with their count and `noun`; nothing if there are none.
+    fn lines(&self, noun: &str) -> Vec<String> {
+        if self.count == 0 {
+            return Vec::new();
+        }
+        let mut lines = vec![format!("{} {noun}", HumanCount(self.count))];
+        let item =
+            |Item { name, place }: &Item| format!("{}, {}", printable(name), printable(place));
+        lines.extend(self.first.iter().map(item));
+        let more = self.count - self.first.len() as u64;
+        lines.extend((more > 0).then(|| format!("and {} more", HumanCount(more))));
+        lines
+    }
+}
+
+/// A line for each type of shape, below titles.
+fn shape_table(shapes: &BTreeMap<&str, ShapeContent>) -> Vec<String> {
+    let name = |name: &str| printable(name).chars().take(NAME_WIDTH).collect::<String>();
+    let names: Vec<String> = shapes.keys().map(|of| name(of)).collect();
+    let Some(width) = names.iter().map(|name| name.chars().count()).max() else {
+        return vec!["none".to_owned()];
+    };
+    let row = |(name, shape): (&String, &ShapeContent)| {
+        let statements = HumanCount(shape.statements).to_string();
+        let primitives = HumanCount(shape.primitives).to_string();
+        let primitives = if shape.left_out {
+            "left out"
+        } else {
+            &primitives
+        };
+        format!("{name:<width$}  {statements:>10}  {primitives:>10}")
+    };
+    let titles = format!("{:width$}  statements  primitives", "");
+    std::iter::once(titles)
+        .chain(names.iter().zip(shapes.values()).map(row))
+        .collect()
+}
+
+/// The count of each name, in lines of limited width.
+fn wrapped(counts: &BTreeMap<&str, u64>) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for (name, count) in counts {
+        let item = format!("{} {}", HumanCount(*count), printable(name));
+        match lines.last_mut() {
+            Some(last) if INDENT + last.len() + 2 + item.len() < WIDTH => {
+                last.push_str(&format!(", {item}"));
+            }
+            Some(last) => {
+                last.push(',');
+                lines.push(item);
+            }
+            None => lines.push(item),
+        }
+    }
+    lines
+}
+
+fn triple(numbers: [f64; 3]) -> String {
+    let [x, y, z] = numbers.map(short);
+    format!("({x}, {y}, {z})")
+}
+
+/// A number in six digits.
+fn short(number: f64) -> String {
+    let rounded: f64 = format!("{number:.5e}").parse().unwrap_or(number);
+    match rounded.abs() {
+        0.0 => "0".to_owned(),
+        size if (1e-4..1e9).contains(&size) => rounded.to_string(),
+        _ => format!("{rounded:e}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::short;
+
+    #[test]
+    fn numbers_have_six_digits() {
+        let cases = [
+            (0.1 + 0.2, "0.3"),
+            (-0.0, "0"),
+            (1.0 / 3.0, "0.333333"),
+            (123_456_789.0, "123457000"),
+            (-1e300, "-1e300"),
+            (1.5e-7, "1.5e-7"),
+            (f64::INFINITY, "inf"),
+        ];
+        for (number, expected) in cases {
+            assert_eq!(short(number), expected);
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! Places of outputs: two names of one place are recognized.
+
+use super::destination::Destination;
+use feimos::file_id::FileId;
+use feimos::film::atomic_file::{self, directory_of};
+use std::collections::HashMap;
+use std::ffi::OsString;
+use std::path::PathBuf;
+
+/// A place, independent of links, `..` and other spellings of its name.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+enum Place {
+    Stdout,
+    /// A file that exists.
+    File(FileId),
+    /// A name in a directory that exists.
+    Name(FileId, OsString),
+    /// A name that leads nowhere.
+    Unknown(PathBuf),
+}
+
+impl Place {
+    /// The identities of a destination: its name, and its file if it exists. A file that appears
+    /// later still has the identity of its name.
+    fn all_of(destination: &Destination) -> Vec<Place> {
+        let Destination::File(path) = destination else {
+            return vec![Place::Stdout];
+        };
+        let target = atomic_file::target(path).unwrap_or_else(|_| path.to_path_buf());
+        let directory = FileId::of_directory(directory_of(&target));
+        let name = match (directory, target.file_name()) {
+            (Some(directory), Some(name)) => Place::Name(directory, name.to_owned()),
+            _ => Place::Unknown(target),
+        };
+        let file = FileId::of(path).map(Place::File);
+        [Some(name), file].into_iter().flatten().collect()
+    }
+}
+
+/// Places that are taken, each with its owner.
+#[derive(Debug)]
+pub(crate) struct Places<T>(HashMap<Place, T>);
+
+impl<T> Default for Places<T> {
+    fn default() -> Places<T> {
+        Places(HashMap::new())
+    }
+}
+
+impl<T: Clone> Places<T> {
+    /// Takes the place of `destination` for `owner`, or returns its present owner.
+    pub(crate) fn take(&mut self, destination: &Destination, owner: T) -> Option<T> {
+        let places = Place::all_of(destination);
+        let other = places.iter().find_map(|place| self.0.get(place)).cloned();
+        if other.is_none() {
+            let places = places.into_iter();
+            self.0.extend(places.map(|place| (place, owner.clone())));
+        }
+        other
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fs;
+    use std::path::Path;
+
+    /// Returns true if both names in `directory` are one place.
+    fn meet(directory: &Path, one: &str, other: &str) -> bool {
+        let destination = |name: &str| Destination::File(directory.join(name));
+        let mut places = Places::default();
+        assert_eq!(places.take(&destination(one), 1), None);
+        places.take(&destination(other), 2) == Some(1)
+    }
+
+    #[test]
+    fn spellings_of_one_place_are_equal() {
+        let directory = tempfile::tempdir().unwrap();
+        fs::create_dir(directory.path().join("sub")).unwrap();
+        let meet = |one, other| meet(directory.path(), one, other);
+        assert!(meet("a.exr", "sub/../a.exr") && meet("gone/a.exr", "gone/a.exr"));
+        assert!(!meet("a.exr", "b.exr") && !meet("a.exr", "sub/a.exr"));
+        fs::write(directory.path().join("a.exr"), "").unwrap();
+        assert!(meet("a.exr", "./a.exr"));
+    }
+
+    #[test]
+    fn a_file_that_appears_has_the_place_of_its_name() {
+        let directory = tempfile::tempdir().unwrap();
+        let destination = Destination::File(directory.path().join("a.exr"));
+        let mut places = Places::default();
+        assert_eq!(places.take(&destination, 1), None);
+        fs::write(directory.path().join("a.exr"), "").unwrap();
+        assert_eq!(places.take(&destination, 2), Some(1));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_have_the_place_of_their_target() {
+        use std::os::unix::fs::symlink;
+        let directory = tempfile::tempdir().unwrap();
+        let path = |name: &str| directory.path().join(name);
+        fs::create_dir(path("sub")).unwrap();
+        symlink("sub", path("link")).unwrap();
+        symlink("sub/a.exr", path("b.exr")).unwrap();
+        let meet = |one, other| meet(directory.path(), one, other);
+        assert!(meet("link/a.exr", "sub/a.exr"));
+        assert!(meet("b.exr", "sub/a.exr"), "the target does not exist yet");
+        fs::write(path("sub/a.exr"), "").unwrap();
+        fs::hard_link(path("sub/a.exr"), path("c.exr")).unwrap();
+        assert!(meet("b.exr", "c.exr"));
+    }
+}

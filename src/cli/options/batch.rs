@@ -1,0 +1,31 @@
+//! Options for batches: several images, images that exist, and cameras of a list.
+
+use clap::Args;
+use std::path::PathBuf;
+
+#[derive(Debug, Args)]
+pub(crate) struct CameraArgs {
+    /// Render each scene from every camera in this file instead of its own: a JSON list of objects
+    /// with a `name` and with `lookat`, `transform`, or `K`, `R`, `t` and `resolution`. Use
+    /// {camera} in the output name [default: the scene's camera].
+    #[arg(long, value_name = "POSES.json")]
+    pub(crate) cameras: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct BatchArgs {
+    /// Overwrite existing images also if the command writes several, and files that feimos did not
+    /// write also if the scene names them [default: both are errors].
+    #[arg(long, conflicts_with = "skip_existing")]
+    pub(crate) force: bool,
+    /// Skip images that exist and come from the same scene and options; works with .exr and .png
+    /// [default: off].
+    #[arg(long)]
+    pub(crate) skip_existing: bool,
+    /// Stop at the first image that fails [default: continue, and list failures at the end].
+    #[arg(long)]
+    pub(crate) fail_fast: bool,
+    /// Append a line of JSON for each image to this file [default: none].
+    #[arg(long, value_name = "FILE.jsonl")]
+    pub(crate) manifest: Option<PathBuf>,
+}

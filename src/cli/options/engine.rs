@@ -1,0 +1,81 @@
+//! Options for the engine, and the accelerator that a scene asks for.
+
+use super::values::{integer, named};
+use clap::Args;
+use feimos::accel::{BuildOptions, Precision, SplitMethod};
+use feimos::scene::{AcceleratorParameters, spelling};
+use feimos::simd::{Level, UnavailableLevel};
+
+#[derive(Debug, Args)]
+pub(crate) struct EngineArgs {
+    /// Choose how primitives are aggregated [default: the scene's method, else sah].
+    #[arg(long, value_name = "METHOD", value_parser = named(SplitMethod::ALL, SplitMethod::name))]
+    pub(crate) accel: Option<SplitMethod>,
+    /// Choose how hits are decided: exact gives the right answer for every pixel, to the last bit
+    /// of the depth; fast computes in f32 without error bounds.
+    #[arg(long, value_name = "HOW", default_value = "exact")]
+    #[arg(value_parser = named(Precision::ALL, Precision::name))]
+    pub(crate) precision: Precision,
+    /// Choose the instruction set of the kernels: auto (the widest of this machine), avx512, avx2,
+    /// sse4.1 or portable. All give the same images.
+    #[arg(long, value_name = "SET", default_value = "auto", value_parser = simd)]
+    pub(crate) simd: Level,
+    #[command(flatten)]
+    pub(crate) threads: ThreadArgs,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ThreadArgs {
+    /// Set the number of threads [default: all that the process may use].
+    #[arg(long = "threads", alias = "nthreads", value_name = "N")]
+    #[arg(value_parser = integer(1..=MAX_THREADS))]
+    pub(crate) count: Option<usize>,
+}
+
+/// A bound on threads: a typing error should not take the machine down.
+const MAX_THREADS: usize = 4096;
+
+fn simd(name: &str) -> Result<Level, String> {
+    if name == "auto" {
+        return Ok(Level::detect());
+    }
+    let unavailable = |error: UnavailableLevel| format!("{error}; auto takes the widest");
+    name.parse().map_err(unavailable)
+}
+
+/// Build options for `method`, with the leaf size that the scene asks for.
+pub(crate) fn build_options(
+    method: SplitMethod,
+    accelerator: &AcceleratorParameters,
+) -> BuildOptions {
+    let max_leaf = accelerator
+        .max_leaf
+        .map_or(BuildOptions::MAX_LEAF, |count| count as usize);
+    BuildOptions { method, max_leaf }
+}
+
+/// The split method that the scene asks for, or the name that feimos does not know.
+pub(crate) fn method_of_scene(accelerator: &AcceleratorParameters) -> Result<SplitMethod, &str> {
+    let AcceleratorParameters {
+        name, split_method, ..
+    } = accelerator;
+    match (name.as_deref(), split_method.as_deref()) {
+        (None, _) | (Some("bvh"), None) => Ok(SplitMethod::Sah),
+        (Some("bvh"), Some(name)) => name.parse().map_err(|_| name),
+        (Some(name), _) => Err(name),
+    }
+}
+
+/// A note on an accelerator that feimos does not know.
+pub(crate) fn accelerator_note(accelerator: &AcceleratorParameters) -> Option<String> {
+    let unknown = method_of_scene(accelerator).err()?;
+    let methods = SplitMethod::ALL.map(SplitMethod::name);
+    let meant = match accelerator.split_method {
+        Some(_) => spelling::closest(unknown, methods.into_iter()),
+        None => spelling::closest(unknown, ["bvh"].into_iter()),
+    };
+    let meant = meant.map_or(String::new(), |known| format!("; did you mean `{known}`?"));
+    Some(format!(
+        "the scene asks for the unknown accelerator `{unknown}`: using sah{meant}"
+    ))
+}

@@ -1,0 +1,33 @@
+//! Options of `render` as typed.
+
+use crate::cli::options::batch::{BatchArgs, CameraArgs};
+use crate::cli::options::engine::EngineArgs;
+use crate::cli::options::input::InputArgs;
+use crate::cli::options::messages::{MessageArgs, ReportArgs};
+use crate::cli::options::output::OutputArgs;
+use crate::cli::options::region::RegionArgs;
+use clap::Args;
+use std::path::PathBuf;
+
+#[derive(Debug, Args)]
+pub(crate) struct RenderArgs {
+    /// Scenes: .pbrt files, `-`, or bare .ply or .obj meshes.
+    #[arg(required = true, value_name = "SCENE")]
+    pub(crate) scenes: Vec<PathBuf>,
+    #[command(flatten, next_help_heading = "Output")]
+    pub(crate) output: OutputArgs,
+    #[command(flatten, next_help_heading = "Region")]
+    pub(crate) region: RegionArgs,
+    #[command(flatten, next_help_heading = "Engine")]
+    pub(crate) engine: EngineArgs,
+    #[command(flatten, next_help_heading = "Cameras")]
+    pub(crate) cameras: CameraArgs,
+    #[command(flatten, next_help_heading = "Batch")]
+    pub(crate) batch: BatchArgs,
+    #[command(flatten, next_help_heading = "Input")]
+    pub(crate) input: InputArgs,
+    #[command(flatten, next_help_heading = "Messages")]
+    pub(crate) messages: MessageArgs,
+    #[command(flatten, next_help_heading = "Messages")]
+    pub(crate) report: ReportArgs,
+}

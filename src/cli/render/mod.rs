@@ -1,0 +1,19 @@
+//! `feimos render`: renders scenes to images, one scene after the other.
+
+mod args;
+mod batch;
+mod encode;
+mod image;
+mod image_options;
+mod manifest;
+mod milliseconds;
+mod output_name;
+mod outputs;
+mod plan;
+mod record;
+mod scene;
+mod summary;
+mod target;
+
+pub(crate) use args::RenderArgs;
+pub(crate) use batch::render;

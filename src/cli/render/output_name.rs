@@ -1,0 +1,205 @@
+//! Output names: templates, and the destinations that they give.
+
+use crate::cli::files::destination::Destination;
+use feimos::accel::SplitMethod;
+use feimos::error::{Error, Result};
+use std::path::{Path, PathBuf};
+
+/// The template of `-o`, checked; without one, the scene names its image.
+#[derive(Debug, Clone)]
+pub(crate) struct OutputName {
+    template: Option<String>,
+}
+
+/// pbrt's name for an image whose Film has none.
+const PBRT_DEFAULT: &str = "pbrt.exr";
+
+impl OutputName {
+    /// # Errors
+    /// The template has an unknown placeholder, or {camera} without a list of cameras.
+    pub(crate) fn new(template: Option<String>, has_cameras: bool) -> Result<OutputName> {
+        if let Some(unknown) = template.as_deref().and_then(unknown_placeholder) {
+            let error = Error::usage(format!(
+                "the output name has an unknown placeholder `{unknown}`"
+            ));
+            return Err(error.note(format!("known placeholders: {}", PLACEHOLDERS.join(", "))));
+        }
+        let output_name = OutputName { template };
+        if output_name.has("{camera}") && !has_cameras {
+            return Err(Error::usage(
+                "the output name has {camera}, but --cameras is missing",
+            ));
+        }
+        Ok(output_name)
+    }
+
+    /// Returns true if the name depends on the content of the scene file.
+    pub(crate) fn needs_scene(&self, accel: Option<SplitMethod>) -> bool {
+        match &self.template {
+            None => true,
+            Some(template) => template.contains("{accel}") && accel.is_none(),
+        }
+    }
+
+    /// An example with the format of all images; `None` if the format depends on the scene.
+    pub(crate) fn example(&self) -> Option<Destination> {
+        let template = self.template.as_deref()?;
+        let extension = template.rsplit('.').next().unwrap_or(template);
+        match template {
+            "-" => Some(Destination::Stdout),
+            _ if extension.contains('{') => None,
+            _ => Some(Destination::File(template.into())),
+        }
+    }
+
+    /// Returns true if the user gave a template.
+    pub(crate) fn is_given(&self) -> bool {
+        self.template.is_some()
+    }
+
+    /// What names the images, for messages.
+    pub(crate) fn cause(&self) -> &'static str {
+        if self.is_given() {
+            "-o"
+        } else {
+            "the image name in the scene"
+        }
+    }
+
+    /// Returns true if the template has this placeholder.
+    pub(crate) fn has(&self, placeholder: &str) -> bool {
+        let template = self.template.as_ref();
+        template.is_some_and(|template| template.contains(placeholder))
+    }
+
+    /// The destination for `scene`, whose Film has the name `film_filename`, seen by `camera`.
+    pub(crate) fn destination(
+        &self,
+        scene: &Path,
+        film_filename: Option<&str>,
+        accel: SplitMethod,
+        camera: Option<&str>,
+    ) -> Destination {
+        let stem = stem(scene);
+        match &self.template {
+            Some(template) if template == "-" => Destination::Stdout,
+            Some(template) => Destination::File(
+                filled(template, [&stem, accel.name(), camera.unwrap_or_default()]).into(),
+            ),
+            None => Destination::File(match film_filename {
+                Some(name) => name.into(),
+                None if feimos::scene::is_bare_mesh(scene) => format!("{stem}.png").into(),
+                None => PBRT_DEFAULT.into(),
+            }),
+        }
+    }
+}
+
+/// The scene's file name without `.gz` and its extension; `stdin` for standard input.
+fn stem(scene: &Path) -> String {
+    if scene == Path::new("-") {
+        return "stdin".to_owned();
+    }
+    let without = |path: &Path| path.file_stem().map(PathBuf::from).unwrap_or_default();
+    let stem = without(scene);
+    let extension = scene.extension();
+    let zipped = extension.is_some_and(|extension| extension.eq_ignore_ascii_case("gz"));
+    let stem = if zipped { without(&stem) } else { stem };
+    stem.to_string_lossy().into_owned()
+}
+
+/// The placeholders of a template.
+const PLACEHOLDERS: [&str; 3] = ["{stem}", "{accel}", "{camera}"];
+
+/// Replaces the placeholders of `template`, in one pass: names may look like placeholders.
+fn filled(template: &str, values: [&str; 3]) -> String {
+    let mut name = String::new();
+    let mut rest = template;
+    while let Some(open) = rest.find('{') {
+        let (before, after) = rest.split_at(open);
+        name.push_str(before);
+        let mut known = PLACEHOLDERS.into_iter().zip(values);
+        let found = known.find(|(placeholder, _)| after.starts_with(placeholder));
+        let (placeholder, value) = found.unwrap_or(("{", "{"));
+        name.push_str(value);
+        rest = &after[placeholder.len()..];
+    }
+    name + rest
+}
+
+fn unknown_placeholder(template: &str) -> Option<&str> {
+    let mut rest = template;
+    while let Some(open) = rest.find('{') {
+        let close = open + rest[open..].find('}')? + 1;
+        let placeholder = &rest[open..close];
+        if !PLACEHOLDERS.contains(&placeholder) {
+            return Some(placeholder);
+        }
+        rest = &rest[close..];
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn name(template: Option<&str>, scene: &str, film: Option<&str>) -> String {
+        let output = OutputName::new(template.map(str::to_owned), true).unwrap();
+        output
+            .destination(Path::new(scene), film, SplitMethod::Sah, Some("left"))
+            .to_string()
+    }
+
+    #[test]
+    fn templates_are_filled_in() {
+        assert_eq!(
+            name(Some("out/{stem}-{accel}.png"), "a/b.pbrt", None),
+            "out/b-sah.png"
+        );
+        assert_eq!(
+            name(Some("{stem}.exr"), "a/dragon.ply.gz", None),
+            "dragon.exr"
+        );
+        assert_eq!(name(Some("{stem}.exr"), "-", None), "stdin.exr");
+        assert_eq!(name(Some("-"), "a.pbrt", None), "-");
+        assert_eq!(
+            name(Some("{camera}/{stem}{.exr"), "{accel}.pbrt", None),
+            "left/{accel}{.exr"
+        );
+    }
+
+    #[test]
+    fn without_a_template_the_film_names_the_image() {
+        assert_eq!(name(None, "a.pbrt", Some("film.png")), "film.png");
+        assert_eq!(name(None, "a.pbrt", None), "pbrt.exr");
+        assert_eq!(name(None, "a.ply", None), "a.png");
+    }
+
+    #[test]
+    fn an_example_exists_if_the_format_is_known() {
+        let example = |template: &str| {
+            OutputName::new(Some(template.into()), false)
+                .unwrap()
+                .example()
+        };
+        assert_eq!(example("-"), Some(Destination::Stdout));
+        assert_eq!(
+            example("{stem}.jpg"),
+            Some(Destination::File("{stem}.jpg".into()))
+        );
+        assert_eq!(example("a"), Some(Destination::File("a".into())));
+        assert_eq!(example("out.d/{stem}"), None, "for a.exr.pbrt it is an EXR");
+        assert_eq!(OutputName::new(None, false).unwrap().example(), None);
+    }
+
+    #[test]
+    fn unknown_placeholders_are_refused() {
+        assert!(OutputName::new(Some("{stem}-{name}.png".into()), true).is_err());
+        assert!(OutputName::new(Some("{stem}-{camera}.png".into()), false).is_err());
+        assert!(
+            OutputName::new(Some("{stem.png".into()), false).is_ok(),
+            "an open brace is an ordinary character"
+        );
+    }
+}

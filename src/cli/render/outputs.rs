@@ -1,0 +1,223 @@
+//! The destinations of a batch, as far as they are known before a scene is read.
+
+use super::output_name::OutputName;
+use super::plan::Plan;
+use super::target::Targets;
+use crate::cli::files::destination::Destination;
+use crate::cli::files::inputs::Inputs;
+use crate::cli::files::places::Places;
+use crate::cli::terminal::reporter::Reporter;
+use feimos::accel::SplitMethod;
+use feimos::error::{Error, Result};
+use feimos::film::atomic_file::Overwrite;
+use feimos::scene::{self, SceneOptions};
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// Identifies an image for messages.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ImageName<'a> {
+    pub(super) scene: &'a Path,
+    /// The name in the list of cameras, if there is one.
+    pub(super) camera: Option<&'a str>,
+}
+
+impl fmt::Display for ImageName<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.scene.display())?;
+        self.camera
+            .map_or(Ok(()), |camera| write!(f, ", camera {camera}"))
+    }
+}
+
+/// The destinations of each scene, in the order of the cameras; `None` if the scene must be read
+/// first.
+pub(super) struct Outputs {
+    known: Vec<Option<Vec<Destination>>>,
+    of_scene: usize,
+    taken: Taken,
+}
+
+impl Outputs {
+    /// # Errors
+    /// An image would overwrite one of the `inputs`, or two images have one destination.
+    pub(super) fn new(
+        scenes: &[PathBuf],
+        plan: &Plan,
+        inputs: &Inputs,
+        manifest: Option<&Path>,
+    ) -> Result<Outputs> {
+        let of_scene = plan.poses.as_ref().map_or(1, Vec::len);
+        let is_single = scenes.len() * of_scene == 1;
+        let mut taken = Taken::default();
+        let mut known = Vec::with_capacity(scenes.len());
+        for scene in scenes {
+            // Do not read a single scene twice only for the name of its image.
+            let is_late = is_single && plan.output_name.needs_scene(plan.accel);
+            let destinations = if is_late {
+                None
+            } else {
+                destinations(scene, plan)
+            };
+            for (destination, camera) in destinations.iter().flatten().zip(cameras(plan)) {
+                if let Destination::File(path) = destination {
+                    inputs.check(path, plan.output_name.cause())?;
+                }
+                taken.add(&ImageName { scene, camera }, destination, &plan.output_name)?;
+            }
+            known.push(destinations);
+        }
+        if let Some(path) = manifest {
+            taken.reserve(path)?;
+        }
+        Ok(Outputs {
+            known,
+            of_scene,
+            taken,
+        })
+    }
+
+    /// Images of the batch.
+    pub(super) fn count(&self) -> usize {
+        self.known.len() * self.of_scene
+    }
+
+    /// Images of each scene.
+    pub(super) fn of_scene(&self) -> usize {
+        self.of_scene
+    }
+
+    /// # Errors
+    /// No image of scene `number`, which is `path`, can be written: then it need not be read.
+    pub(super) fn check(
+        &self,
+        number: usize,
+        path: &Path,
+        plan: &Plan,
+        targets: &Targets,
+    ) -> Result<()> {
+        // A skipped image needs no place to be written to.
+        if plan.skip_existing {
+            return Ok(());
+        }
+        let replaces_nothing = targets.overwrite == Overwrite::No;
+        let late = || replaces_nothing.then(|| destinations(path, plan)).flatten();
+        let destinations = self.known[number].clone().or_else(late).unwrap_or_default();
+        let mut first = None;
+        for destination in &destinations {
+            match targets.check_place(destination) {
+                Ok(()) => return Ok(()),
+                Err(error) => _ = first.get_or_insert(error),
+            }
+        }
+        first.map_or(Ok(()), Err)
+    }
+
+    /// Claims the destination of an image of scene `number`, after the scene has been read.
+    ///
+    /// # Errors
+    /// Another image has this destination.
+    pub(super) fn claim(
+        &mut self,
+        number: usize,
+        name: &ImageName,
+        destination: &Destination,
+        plan: &Plan,
+    ) -> Result<()> {
+        if self.known[number].is_some() || self.count() == 1 {
+            return Ok(());
+        }
+        self.taken.add(name, destination, &plan.output_name)
+    }
+}
+
+/// The places of images, each with the scene and the camera of its image.
+#[derive(Debug, Default)]
+struct Taken(Places<(PathBuf, Option<String>)>);
+
+impl Taken {
+    /// # Errors
+    /// Another image has this place.
+    fn add(
+        &mut self,
+        name: &ImageName,
+        destination: &Destination,
+        output_name: &OutputName,
+    ) -> Result<()> {
+        let owner = (name.scene.to_path_buf(), name.camera.map(str::to_owned));
+        let Some((scene, camera)) = self.0.take(destination, owner) else {
+            return Ok(());
+        };
+        let other = ImageName {
+            scene: &scene,
+            camera: camera.as_deref(),
+        };
+        Err(twice(&other, name, destination, output_name))
+    }
+
+    /// Reserves the place of the manifest.
+    ///
+    /// # Errors
+    /// An image has this place.
+    fn reserve(&mut self, manifest: &Path) -> Result<()> {
+        let destination = Destination::File(manifest.to_path_buf());
+        let Some((scene, camera)) = self.0.take(&destination, (manifest.to_path_buf(), None))
+        else {
+            return Ok(());
+        };
+        let name = ImageName {
+            scene: &scene,
+            camera: camera.as_deref(),
+        };
+        let manifest = manifest.display();
+        let message = format!("{manifest}: the manifest and the image of {name} would be one file");
+        Err(Error::usage(message).note("give one of them another name"))
+    }
+}
+
+/// The names of the cameras, or one without a name.
+fn cameras(plan: &Plan) -> Vec<Option<&str>> {
+    match &plan.poses {
+        Some(poses) => poses.iter().map(|pose| Some(pose.name())).collect(),
+        None => vec![None],
+    }
+}
+
+/// The destinations of a scene; `None` if it cannot be read, which rendering will report.
+fn destinations(path: &Path, plan: &Plan) -> Option<Vec<Destination>> {
+    let (film_filename, method) = if plan.output_name.needs_scene(plan.accel) {
+        if path == Path::new("-") {
+            return None;
+        }
+        let options = scene::read_options(path, plan.load.input_budget).ok()?;
+        let SceneOptions {
+            film_filename,
+            accelerator,
+        } = options;
+        let build = plan.build_options(&accelerator, &Reporter::silent());
+        (film_filename, build.method)
+    } else {
+        (None, plan.accel.unwrap_or(SplitMethod::Sah))
+    };
+    let destination = |camera| {
+        plan.output_name
+            .destination(path, film_filename.as_deref(), method, camera)
+    };
+    Some(cameras(plan).into_iter().map(destination).collect())
+}
+
+fn twice(
+    one: &ImageName,
+    other: &ImageName,
+    destination: &Destination,
+    output_name: &OutputName,
+) -> Error {
+    let message = format!("{one} and {other} would both be written to {destination}");
+    Error::usage(message).note(if one.scene == other.scene && one.camera != other.camera {
+        "use -o with {camera} in the name, such as -o '{stem}-{camera}.exr'"
+    } else if output_name.has("{stem}") {
+        "render scenes of the same name by separate commands"
+    } else {
+        "use -o with {stem} in the name, such as -o 'out/{stem}.png'"
+    })
+}

@@ -1,0 +1,122 @@
+//! The plan of a `render` command: its options, checked against each other before any work starts.
+
+use super::args::RenderArgs;
+use super::image_options::ImageOptions;
+use super::output_name::OutputName;
+use crate::cli::options::engine::{accelerator_note, build_options, method_of_scene};
+use crate::cli::terminal::reporter::Reporter;
+use feimos::accel::{BuildOptions, Precision, SplitMethod};
+use feimos::error::{Error, Result};
+use feimos::film::{Aov, PixelBounds, View};
+use feimos::scene::{self, AcceleratorParameters, Film, LoadOptions, Pose};
+use feimos::simd::Level;
+
+/// How the command renders every scene.
+#[derive(Debug)]
+pub(super) struct Plan {
+    pub(super) output_name: OutputName,
+    pub(super) images: ImageOptions,
+    pub(super) load: LoadOptions,
+    /// The method of the command line, which overrides the scene's.
+    pub(super) accel: Option<SplitMethod>,
+    pub(super) precision: Precision,
+    /// The instruction set of the kernels.
+    pub(super) simd: Level,
+    pub(super) stats: bool,
+    /// The cameras that replace each scene's own.
+    pub(super) poses: Option<Vec<Pose>>,
+    pub(super) skip_existing: bool,
+    pub(super) force: bool,
+    cropwindow: Option<[f64; 4]>,
+    pixelbounds: Option<[u32; 4]>,
+}
+
+impl Plan {
+    pub(super) fn new(args: &RenderArgs) -> Result<Plan> {
+        let output = &args.output;
+        let images = ImageOptions::new(output, args.batch.skip_existing)?;
+        if args.report.json && output.output.as_deref() == Some("-") {
+            return Err(Error::usage(
+                "--json and -o - would both write to standard output",
+            ));
+        }
+        let poses = args
+            .cameras
+            .cameras
+            .as_deref()
+            .map(scene::read_poses)
+            .transpose()?;
+        let mut sized = poses.iter().flatten().filter(|pose| pose.has_resolution());
+        if let (Some(_), Some(pose)) = (args.region.resolution, sized.next()) {
+            let name = pose.name();
+            let message = format!("--resolution contradicts the resolution of camera `{name}`");
+            let error = Error::usage(message);
+            return Err(error.note("leave out --resolution: `K` fits one size of image"));
+        }
+        let has_aov = |wanted| output.aov.iter().flatten().any(|aov| *aov == wanted);
+        let load = LoadOptions {
+            resolution: args.region.resolution,
+            orientation: has_aov(Aov::Normal) || output.view == Some(View::Normal),
+            uv: has_aov(Aov::Uv),
+            input_budget: args.input.input_budget,
+            ..LoadOptions::default()
+        };
+        let plan = Plan {
+            output_name: OutputName::new(output.output.clone(), poses.is_some())?,
+            images,
+            load,
+            accel: args.engine.accel,
+            precision: args.engine.precision,
+            simd: args.engine.simd,
+            stats: args.report.stats,
+            poses,
+            skip_existing: args.batch.skip_existing,
+            force: args.batch.force,
+            cropwindow: args.region.cropwindow,
+            pixelbounds: args.region.pixelbounds,
+        };
+        // Report mistakes that every scene would show before the first one is read.
+        if let Some(example) = plan.output_name.example() {
+            plan.images.content(&example)?;
+        }
+        Ok(plan)
+    }
+
+    /// The pixels of `film` to render: the region of the command line, else the scene's crop.
+    pub(super) fn data_window(&self, film: &Film) -> Result<PixelBounds> {
+        let [width, height] = film.resolution;
+        let (flag, window) = match (self.pixelbounds, self.cropwindow) {
+            (Some([x0, x1, y0, y1]), _) => {
+                let bounds = PixelBounds { x0, x1, y0, y1 };
+                (
+                    "--pixelbounds",
+                    bounds.intersection(&PixelBounds::of_film(width, height)),
+                )
+            }
+            (None, Some(window)) => (
+                "--cropwindow",
+                PixelBounds::of_crop_window(window, film.resolution),
+            ),
+            (None, None) => return Ok(film.crop),
+        };
+        if window.is_empty() {
+            let message = format!("{flag} holds no pixel of the film, which is {width} x {height}");
+            let error = Error::usage(message);
+            return Err(error.note("expected x0,x1,y0,y1 with x0 < x1 and y0 < y1"));
+        }
+        Ok(window)
+    }
+
+    /// Build options: by the method of the command line, else the scene's, else `sah`.
+    pub(super) fn build_options(
+        &self,
+        accelerator: &AcceleratorParameters,
+        reporter: &Reporter,
+    ) -> BuildOptions {
+        if let (None, Some(note)) = (self.accel, accelerator_note(accelerator)) {
+            reporter.note(note);
+        }
+        let method = self.accel.or(method_of_scene(accelerator).ok());
+        build_options(method.unwrap_or(SplitMethod::Sah), accelerator)
+    }
+}

@@ -1,0 +1,138 @@
+//! The record of a finished image: what `--json` and the manifest hold.
+
+use super::milliseconds::Milliseconds;
+use super::scene::{LoadedScene, Viewpoint};
+use crate::cli::files::destination::Destination;
+use feimos::accel::{ExactFallbacks, Precision, SplitMethod, Statistics};
+use feimos::render::Rendering;
+use feimos::simd::Level;
+use serde::Serialize;
+
+/// An image that was rendered and written.
+pub(super) struct Finished {
+    pub(super) destination: Destination,
+    pub(super) method: SplitMethod,
+    pub(super) precision: Precision,
+    pub(super) simd: Level,
+    pub(super) statistics: Statistics,
+    pub(super) rendering: Rendering,
+    /// The meaning of a view's colours.
+    pub(super) legend: Option<String>,
+    pub(super) ms: Milliseconds,
+}
+
+/// One line of JSON. Field names are its keys.
+#[derive(Debug, Clone, Serialize)]
+pub(super) struct Record {
+    scene: String,
+    /// The name in the list of cameras, if there is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    camera: Option<String>,
+    output: String,
+    accel: &'static str,
+    precision: &'static str,
+    threads: usize,
+    simd: &'static str,
+    width: u32,
+    height: u32,
+    rays: u64,
+    hits: u64,
+    shapes: u32,
+    /// Stored triangles: those of an object count once.
+    triangles: usize,
+    /// Stored quadrics: spheres, cylinders and disks.
+    spheres: usize,
+    instances: usize,
+    /// Primitives, counted once in every instance.
+    primitives: u64,
+    ms: Milliseconds,
+    bvh: Bvh,
+    /// Exact fallbacks; `None` unless the precision is `exact`.
+    exact: Option<Fallbacks>,
+    /// The most memory that the process has used so far, if the system knows.
+    peak_bytes: Option<u64>,
+}
+
+/// Tree statistics.
+#[derive(Debug, Clone, Copy, Serialize)]
+struct Bvh {
+    nodes: usize,
+    leaves: usize,
+    depth: usize,
+    sah_cost: f64,
+    bytes: usize,
+}
+
+/// Counts of what `f64` could not decide.
+#[derive(Debug, Clone, Copy, Serialize)]
+struct Fallbacks {
+    unsure_tests: u64,
+    comparisons: u64,
+    roundings: u64,
+    fallback_rays: u64,
+}
+
+impl Record {
+    pub(super) fn new(loaded: &LoadedScene, view: &Viewpoint, finished: &Finished) -> Record {
+        let window = finished.rendering.image.data_window;
+        let geometry = &loaded.scene.geometry;
+        let Statistics {
+            nodes,
+            leaves,
+            depth,
+            sah_cost,
+            bytes,
+        } = finished.statistics;
+        let traced = &finished.rendering.traced;
+        let ExactFallbacks {
+            unsure_tests,
+            comparisons,
+            roundings,
+            rays,
+        } = traced.fallbacks;
+        let fallbacks = Fallbacks {
+            unsure_tests,
+            comparisons,
+            roundings,
+            fallback_rays: rays,
+        };
+        Record {
+            scene: loaded.path.display().to_string(),
+            camera: view.name.clone(),
+            output: finished.destination.to_string(),
+            accel: finished.method.name(),
+            precision: finished.precision.name(),
+            threads: rayon::current_num_threads(),
+            simd: finished.simd.as_str(),
+            width: window.width(),
+            height: window.height(),
+            rays: window.area(),
+            hits: traced.hits,
+            shapes: loaded.scene.shape_count,
+            triangles: geometry.stored_triangles(),
+            spheres: geometry.stored_quadrics(),
+            instances: geometry.instances().len(),
+            primitives: geometry.primitive_count(),
+            ms: finished.ms,
+            bvh: Bvh {
+                nodes,
+                leaves,
+                depth,
+                sah_cost,
+                bytes,
+            },
+            exact: (finished.precision == Precision::Exact).then_some(fallbacks),
+            peak_bytes: peak_bytes(),
+        }
+    }
+}
+
+/// The high-water mark of resident memory, from Linux's `/proc`.
+fn peak_bytes() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status
+        .lines()
+        .find_map(|line| line.strip_prefix("VmHWM:"))?;
+    let kib: u64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
+    Some(kib * 1024)
+}

@@ -1,0 +1,129 @@
+//! A loaded scene, and everything that its images share.
+
+use super::milliseconds::timed;
+use super::plan::Plan;
+use crate::cli::terminal::progress::{Phase, ProgressBars};
+use crate::cli::terminal::reporter::Reporter;
+use crate::cli::terminal::scene_summary::report_scene;
+use feimos::accel::{Aggregate, BuildOptions, Statistics};
+use feimos::camera::Camera;
+use feimos::digest::Digest;
+use feimos::error::Result;
+use feimos::file_id::InputFiles;
+use feimos::geometry::Point;
+use feimos::progress::Progress;
+use feimos::scene::{self, Film, Pose, Scene, SceneDigest};
+use feimos::shape::Geometry;
+use std::path::Path;
+use std::sync::OnceLock;
+
+/// A scene and the viewpoints of its images.
+pub(super) struct LoadedScene<'a> {
+    pub(super) path: &'a Path,
+    pub(super) scene: Scene,
+    pub(super) build: BuildOptions,
+    /// One for each image.
+    pub(super) views: Vec<Viewpoint>,
+    digest: OnceLock<SceneDigest>,
+    /// The aggregate over the whole scene, for all views.
+    shared: OnceLock<Built>,
+}
+
+/// An aggregate and its statistics, which take a traversal to collect.
+pub(super) struct Built {
+    pub(super) aggregate: Aggregate,
+    pub(super) statistics: Statistics,
+}
+
+impl Built {
+    pub(super) fn new(aggregate: Aggregate, geometry: &Geometry) -> Built {
+        let statistics = aggregate.statistics(geometry);
+        Built {
+            aggregate,
+            statistics,
+        }
+    }
+}
+
+/// A camera and its film.
+pub(super) struct Viewpoint {
+    /// The name in the list of cameras, if there is one.
+    pub(super) name: Option<String>,
+    pub(super) camera: Camera,
+    pub(super) film: Film,
+}
+
+impl<'a> LoadedScene<'a> {
+    /// Reads the scene `path` and reports its oddities. Returns it with the milliseconds that
+    /// reading took, and in any case the files that were read.
+    pub(super) fn load(
+        path: &'a Path,
+        plan: &Plan,
+        bars: &ProgressBars,
+        reporter: &Reporter,
+    ) -> (Result<(LoadedScene<'a>, f64)>, InputFiles) {
+        let load = |progress: Progress<'_>| scene::load_listing_files(path, &plan.load, progress);
+        let ((scene, files), ms) = timed(|| bars.during(Phase::Loading, load));
+        (
+            scene.map(|scene| (LoadedScene::new(path, scene, plan, reporter), ms)),
+            files,
+        )
+    }
+
+    fn new(path: &'a Path, scene: Scene, plan: &Plan, reporter: &Reporter) -> LoadedScene<'a> {
+        report_scene(&scene, reporter);
+        let build = plan.build_options(&scene.accelerator, reporter);
+        let of_pose = |pose: &Pose| {
+            let (camera, film) = pose.place(&scene);
+            Viewpoint {
+                name: Some(pose.name().to_owned()),
+                camera,
+                film,
+            }
+        };
+        let views = match &plan.poses {
+            Some(poses) => poses.iter().map(of_pose).collect(),
+            None => vec![Viewpoint {
+                name: None,
+                camera: scene.camera.clone(),
+                film: scene.film.clone(),
+            }],
+        };
+        LoadedScene {
+            path,
+            scene,
+            build,
+            views,
+            digest: OnceLock::new(),
+            shared: OnceLock::new(),
+        }
+    }
+
+    /// The digest of the scene as `view` sees it.
+    pub(super) fn digest(&self, view: &Viewpoint) -> Digest {
+        let digest = self
+            .digest
+            .get_or_init(|| SceneDigest::of(&self.scene.geometry));
+        digest.seen_by(&view.camera)
+    }
+
+    /// The aggregate of all views, if it has been built.
+    pub(super) fn shared(&self) -> Option<&Built> {
+        self.shared.get()
+    }
+
+    /// Keeps an aggregate over the whole scene for all views.
+    pub(super) fn share(&self, built: Built) -> &Built {
+        self.shared.get_or_init(|| built)
+    }
+
+    /// The anchor of an aggregate for all views, where its boxes are the most precise.
+    pub(super) fn middle(&self) -> Point {
+        let middle = self.scene.geometry.extent().centre();
+        if middle.is_finite() {
+            middle
+        } else {
+            self.views[0].camera.anchor()
+        }
+    }
+}

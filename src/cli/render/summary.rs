@@ -1,0 +1,113 @@
+//! Messages about the aggregate and about a finished image.
+
+use super::record::Finished;
+use super::scene::Built;
+use crate::cli::terminal::reporter::Reporter;
+use crate::cli::terminal::scene_summary::StoredGeometry;
+use feimos::accel::{ExactFallbacks, Precision, SplitMethod};
+use feimos::scene::Scene;
+use feimos::shape::Geometry;
+
+/// Prints the size of a tree, and a note on primitives that no ray can hit.
+pub(super) fn report_tree(
+    built: &Built,
+    geometry: &Geometry,
+    method: SplitMethod,
+    reporter: &Reporter,
+) {
+    let Built {
+        aggregate,
+        statistics,
+    } = built;
+    reporter.detail(format_args!(
+        "built {} nodes by {method} over {} of {} primitives",
+        statistics.nodes,
+        aggregate.primitive_count(geometry),
+        geometry.primitive_count(),
+    ));
+    let dead = aggregate.never_hit();
+    if dead > 0 {
+        reporter.note(format_args!(
+            "{dead} of {} primitives can never be hit: no area, or not finite",
+            geometry.own_count()
+        ));
+    }
+}
+
+/// Prints one line on the image.
+pub(super) fn report_image(finished: &Finished, reporter: &Reporter) {
+    let hits = finished.rendering.traced.hits;
+    if hits == 0 {
+        reporter.note("no ray hits anything");
+    }
+    let window = &finished.rendering.image.data_window;
+    let (width, height) = (window.width(), window.height());
+    let legend = finished.legend.as_ref();
+    let legend = legend.map_or(String::new(), |legend| format!(", {legend}"));
+    let ms = &finished.ms;
+    reporter.result(format_args!(
+        "{}: {width} x {height} pixels, {hits} hit{legend} \
+         (load {:.0}, build {:.0}, trace {:.0}, write {:.0} ms)",
+        finished.destination, ms.load, ms.build, ms.trace, ms.write,
+    ));
+}
+
+/// Prints the lines of `--stats`.
+pub(super) fn report_statistics(scene: &Scene, finished: &Finished, reporter: &Reporter) {
+    let (tree, ms, geometry) = (&finished.statistics, &finished.ms, &scene.geometry);
+    let rays = finished.rendering.image.data_window.area() as f64;
+    let counts = finished.rendering.traced.counts.unwrap_or_default();
+    let (nodes, primitives) = (counts.nodes as f64 / rays, counts.primitives as f64 / rays);
+    let mrays_per_s = rays / ms.trace / 1e3;
+    let Finished {
+        method, precision, ..
+    } = finished;
+    let lines = [
+        (
+            "shapes",
+            format!(
+                "{} under {} transforms",
+                scene.shape_count, scene.transform_count
+            ),
+        ),
+        ("primitives", StoredGeometry::of(geometry).to_string()),
+        ("geometry", format!("{} bytes", geometry.bytes())),
+        ("precision", precision.to_string()),
+        (
+            "accelerator",
+            format!("{method}, built in {:.1} ms", ms.build),
+        ),
+        (
+            "nodes",
+            format!(
+                "{} ({} leaves), depth {}",
+                tree.nodes, tree.leaves, tree.depth
+            ),
+        ),
+        ("SAH cost", format!("{:.2}", tree.sah_cost)),
+        ("tree", format!("{} bytes", tree.bytes)),
+        (
+            "per ray",
+            format!("{nodes:.2} nodes, {primitives:.2} primitives tested"),
+        ),
+        (
+            "trace",
+            format!("{:.1} ms, {mrays_per_s:.2} million rays a second", ms.trace),
+        ),
+    ];
+    for (subject, text) in lines {
+        reporter.line(format_args!("{subject:12}{text}"));
+    }
+    if *precision == Precision::Exact {
+        let ExactFallbacks {
+            unsure_tests,
+            comparisons,
+            roundings,
+            rays,
+        } = finished.rendering.traced.fallbacks;
+        reporter.line(format_args!(
+            "integers    for {rays} rays: {unsure_tests} tests, {comparisons} comparisons, \
+             {roundings} roundings"
+        ));
+    }
+}

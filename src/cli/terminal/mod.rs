@@ -1,0 +1,8 @@
+//! What a command prints: results on standard output, messages and progress on standard error.
+
+pub(super) mod failures;
+pub(super) mod progress;
+pub(super) mod reporter;
+pub(super) mod scene_summary;
+pub(super) mod stdout;
+pub(super) mod words;

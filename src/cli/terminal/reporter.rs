@@ -1,0 +1,99 @@
+//! Messages on standard error: errors, warnings, notes and results.
+
+use crate::cli::options::messages::{MessageArgs, When};
+use anstream::{AutoStream, ColorChoice};
+use anstyle::{AnsiColor, Style};
+use feimos::error::Error;
+use feimos::scene::Warnings;
+use feimos::terminal_text;
+use std::fmt::Display;
+use std::io::{Stderr, Write, stderr};
+
+/// Prints messages, as many and as colourful as the user wants.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Reporter {
+    quiet: bool,
+    verbose: bool,
+    color: ColorChoice,
+}
+
+impl Reporter {
+    pub(crate) fn new(args: &MessageArgs) -> Reporter {
+        let color = match args.color {
+            When::Auto => ColorChoice::Auto,
+            When::Always => ColorChoice::Always,
+            When::Never => ColorChoice::Never,
+        };
+        Reporter {
+            quiet: args.quiet,
+            verbose: args.verbose,
+            color,
+        }
+    }
+
+    /// Prints errors only.
+    pub(crate) fn silent() -> Reporter {
+        Reporter {
+            quiet: true,
+            verbose: false,
+            color: ColorChoice::Never,
+        }
+    }
+
+    /// Prints an error, also if quiet.
+    pub(crate) fn error(&self, error: &Error) {
+        self.print("error", AnsiColor::Red, error);
+    }
+
+    /// Prints the warnings about a scene, one of each kind, unless quiet.
+    pub(crate) fn warnings(&self, warnings: &Warnings) {
+        if self.quiet {
+            return;
+        }
+        for warning in warnings.iter() {
+            let mut first = warning.first.clone();
+            if warning.count > 1 {
+                first = first.note(format!("the first of {}", warning.count));
+            }
+            self.print("warning", AnsiColor::Yellow, first);
+        }
+    }
+
+    /// Prints a note, unless quiet.
+    pub(crate) fn note(&self, message: impl Display) {
+        if !self.quiet {
+            self.print("note", AnsiColor::Cyan, message);
+        }
+    }
+
+    /// Prints a line if verbose.
+    pub(crate) fn detail(&self, message: impl Display) {
+        if self.verbose {
+            self.line(message);
+        }
+    }
+
+    /// Prints a line unless quiet.
+    pub(crate) fn result(&self, message: impl Display) {
+        if !self.quiet {
+            self.line(message);
+        }
+    }
+
+    /// Prints a line, also if quiet.
+    pub(crate) fn line(&self, message: impl Display) {
+        let message = terminal_text::lines(&message.to_string());
+        // If standard error is closed, nobody can be told.
+        let _ = writeln!(self.stream(), "{message}");
+    }
+
+    fn print(&self, label: &str, color: AnsiColor, message: impl Display) {
+        let style = Style::new().bold().fg_color(Some(color.into()));
+        let message = terminal_text::lines(&message.to_string());
+        let _ = writeln!(self.stream(), "{style}{label}{style:#}: {message}");
+    }
+
+    fn stream(&self) -> AutoStream<Stderr> {
+        AutoStream::new(stderr(), self.color)
+    }
+}

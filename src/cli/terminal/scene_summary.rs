@@ -1,0 +1,68 @@
+//! Messages about a loaded scene: warnings, skipped directives, and its content in one line.
+
+use super::reporter::Reporter;
+use super::words::counted;
+use feimos::scene::Scene;
+use feimos::shape::Geometry;
+use indicatif::HumanCount;
+use serde::Serialize;
+use std::fmt::{self, Display, Formatter};
+
+/// Prints warnings, a note on what was skipped, and if verbose the content.
+pub(crate) fn report_scene(scene: &Scene, reporter: &Reporter) {
+    reporter.warnings(&scene.warnings);
+    if let Some(summary) = scene.census.summary() {
+        reporter.note(summary);
+    }
+    let geometry = &scene.geometry;
+    reporter.detail(format_args!(
+        "loaded {} shapes: {}, {} transforms, {} bytes",
+        scene.shape_count,
+        StoredGeometry::of(geometry),
+        scene.transform_count,
+        geometry.bytes(),
+    ));
+}
+
+/// The stored primitives and the instances. Field names are JSON keys of `check`.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub(crate) struct StoredGeometry {
+    /// Those of an object count once, also below.
+    triangles: usize,
+    /// Quadrics: spheres, cylinders and disks.
+    spheres: usize,
+    objects: usize,
+    instances: usize,
+    /// Primitives, counted once in every instance.
+    primitives: u64,
+}
+
+impl StoredGeometry {
+    pub(crate) fn of(geometry: &Geometry) -> StoredGeometry {
+        StoredGeometry {
+            triangles: geometry.stored_triangles(),
+            spheres: geometry.stored_quadrics(),
+            objects: geometry.objects().len(),
+            instances: geometry.instances().len(),
+            primitives: geometry.primitive_count(),
+        }
+    }
+}
+
+impl Display for StoredGeometry {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.write_str(&counted(self.triangles as u64, "triangle"))?;
+        match self.spheres as u64 {
+            0 => {}
+            1 => f.write_str(", 1 sphere, cylinder or disk")?,
+            count => write!(f, ", {} spheres, cylinders and disks", HumanCount(count))?,
+        }
+        if self.instances == 0 {
+            return Ok(());
+        }
+        let instances = counted(self.instances as u64, "instance");
+        let objects = counted(self.objects as u64, "object");
+        let primitives = counted(self.primitives, "primitive");
+        write!(f, ", {instances} of {objects}: {primitives} in all")
+    }
+}

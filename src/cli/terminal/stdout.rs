@@ -1,0 +1,86 @@
+//! Standard output: writes results, and detects that the caller has closed it.
+
+use feimos::error::{Error, Result};
+use feimos::json;
+use serde::Serialize;
+use std::io::{self, Write};
+use std::path::Path;
+
+/// # Errors
+/// The caller has closed standard output, as `>&-` does: output would be lost.
+pub(crate) fn check() -> Result<()> {
+    if closed::was_closed() {
+        return Err(failed(closed::error()));
+    }
+    Ok(())
+}
+
+/// Like [`check`], if the command writes to standard output.
+pub(crate) fn check_if(is_used: bool) -> Result<()> {
+    if is_used { check() } else { Ok(()) }
+}
+
+/// Writes all of `bytes`, or reports why they could not be made.
+pub(crate) fn write_to_stdout(bytes: io::Result<Vec<u8>>) -> Result<()> {
+    let bytes = bytes.map_err(failed)?;
+    check()?;
+    let mut stdout = io::stdout().lock();
+    stdout
+        .write_all(&bytes)
+        .and_then(|()| stdout.flush())
+        .map_err(failed)
+}
+
+/// Writes `value` as one line of JSON.
+pub(crate) fn write_json_line(value: &impl Serialize) -> Result<()> {
+    write_to_stdout(Ok(json::line(value)))
+}
+
+/// The error of a failed write to standard output.
+pub(crate) fn failed(error: io::Error) -> Error {
+    Error::writing(Path::new("standard output"), &error)
+}
+
+/// Detects a closed standard output before Rust's runtime hides it.
+///
+/// Before `main`, Rust opens `/dev/null` in place of a closed descriptor, so that no file gets its
+/// number. Writing to it then succeeds, and a caller that redirects to `/dev/null` looks the same.
+/// A constructor runs earlier and sees the descriptor as the caller left it.
+#[cfg(unix)]
+mod closed {
+    use std::io;
+    use std::sync::atomic::{AtomicBool, Ordering};
+
+    static WAS_CLOSED: AtomicBool = AtomicBool::new(false);
+
+    pub(super) fn was_closed() -> bool {
+        WAS_CLOSED.load(Ordering::Relaxed)
+    }
+
+    pub(super) fn error() -> io::Error {
+        rustix::io::Errno::BADF.into()
+    }
+
+    ctor::declarative::ctor! {
+        /// Uses system calls only: `main` has not initialized the standard library yet.
+        #[ctor(unsafe)]
+        fn look() {
+            let flags = rustix::io::fcntl_getfd(rustix::stdio::stdout());
+            WAS_CLOSED.store(flags == Err(rustix::io::Errno::BADF), Ordering::Relaxed);
+        }
+    }
+}
+
+/// On other systems writing to a closed standard output fails.
+#[cfg(not(unix))]
+mod closed {
+    use std::io;
+
+    pub(super) fn was_closed() -> bool {
+        false
+    }
+
+    pub(super) fn error() -> io::Error {
+        io::ErrorKind::Unsupported.into()
+    }
+}

@@ -1,0 +1,18 @@
+//! Writes files that appear completely or not at all.
+//!
+//! The bytes go to a new file in the directory of the final name, which gets this name when it is
+//! complete. Readers see the old file or the new one, and an error leaves the old one untouched.
+
+mod check;
+mod permissions;
+mod target;
+#[cfg(test)]
+mod tests;
+mod unfinished;
+mod unnamed_file;
+mod write;
+
+pub use check::check;
+pub use target::{directory_of, target};
+pub use unfinished::{Overwrite, abandon};
+pub use write::{Out, sync_folder, write_file};
