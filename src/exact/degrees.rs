@@ -1,25 +1,26 @@
 //! Sine, cosine and tangent of angles in degrees, correctly rounded (rules R2 and R5).
 //!
-//! The platform's `sin` differs between systems, and degrees times pi/180 is rounded before it starts. Here the
-//! angle is reduced exactly as an integer over a power of two, the function is bracketed on integers, and the
-//! precision is doubled until both ends of the bracket round to the same `f64` (Ziv, "Fast evaluation of
-//! elementary mathematical functions with correctly rounded last bit", 1991). That ends: by Niven's theorem the
-//! only rational values at rational degrees are 0, 1/2 and 1 (0 and 1 for the tangent), which are taken out
-//! first, and an irrational value is no tie.
+//! The platform's `sin` differs between systems, and degrees times pi/180 is rounded before it
+//! starts. Here the angle is reduced exactly, as an integer over a power of two; the function is
+//! bracketed on integers; and the precision is doubled until both ends of the bracket round to the
+//! same `f64` (Ziv, "Fast evaluation of elementary mathematical functions with correctly rounded
+//! last bit", 1991). That ends: by Niven's theorem the only rational values at rational degrees are
+//! 0, 1/2 and 1 (0 and 1 for the tangent), which are treated first, and an irrational value is
+//! never a tie.
 
 use super::Dyadic;
 use super::powers::mantissa_and_exponent;
 use num_bigint::{BigInt, BigUint};
 use std::sync::LazyLock;
 
-/// The sine of `angle` degrees; NaN where it is not finite.
+/// The sine of `angle` degrees; NaN if that is not finite.
 pub fn sine(angle: f64) -> f64 {
     reduce(angle).map_or(f64::NAN, |turn| turn.sine())
 }
 
-/// The cosine of `angle` degrees; NaN where it is not finite.
+/// The cosine of `angle` degrees; NaN if that is not finite.
 pub fn cosine(angle: f64) -> f64 {
-    // cos x = sin(90 + x), added after the reduction, where it is exact.
+    // cos x = sin(90 + x), added after the reduction, where the sum is exact.
     reduce(angle).map_or(f64::NAN, |turn| turn.advanced_by_quarter().sine())
 }
 
@@ -58,12 +59,12 @@ struct Angle {
     scale: u64,
 }
 
-/// `angle` modulo 360, and modulo the sign: exactly.
+/// `angle` modulo 360, and its sign: exact.
 fn reduce(angle: f64) -> Option<Angle> {
     if !angle.is_finite() {
         return None;
     }
-    // The remainder of two f64 is exact, and of the sign of the angle.
+    // The remainder of two `f64` is exact, and has the sign of the angle.
     let remainder = angle % 360.0;
     let (mantissa, exponent) = mantissa_and_exponent(remainder);
     // Below 360 the exponent of the last bit is at most 9 - 53.
@@ -133,7 +134,8 @@ impl Angle {
         })
     }
 
-    /// An angle up to 90 as one up to 45, and whether it is the complement: sine and cosine then change places.
+    /// An angle up to 90 as one up to 45, and whether it is the complement: then sine and cosine
+    /// are exchanged.
     fn acute(self) -> (Angle, bool) {
         let complement = self.degrees(90) - &self.numerator;
         if complement < self.numerator {
@@ -149,7 +151,7 @@ impl Angle {
         }
     }
 
-    /// How many zero bits precede the first one of the angle behind the binary point.
+    /// The number of leading zero bits of the angle behind the binary point.
     fn leading_zeros(&self) -> u64 {
         self.scale.saturating_sub(self.numerator.bits())
     }
@@ -167,13 +169,14 @@ fn refine(angle: &Angle, bracket: impl Fn(u64) -> (f64, f64)) -> f64 {
     }
 }
 
-/// A number known to lie from `low` to `high`, in units of `2^-p`.
+/// The bounds `low` and `high` of a number, in units of `2^-p`.
 struct Bracket {
     low: BigInt,
     high: BigInt,
 }
 
-/// Sine and cosine of an angle up to 45 degrees in units of `2^-p`, by their Taylor series on integers.
+/// Sine and cosine of an angle up to 45 degrees in units of `2^-p`, by their Taylor series on
+/// integers.
 fn sine_and_cosine(angle: &Angle, p: u64) -> (Bracket, Bracket) {
     let radians = ((BigInt::from(angle.numerator.clone()) * pi(p)) / 180) >> angle.scale;
     let mut sums = [BigInt::ZERO, BigInt::ZERO];
@@ -189,9 +192,9 @@ fn sine_and_cosine(angle: &Angle, p: u64) -> (Bracket, Bracket) {
         count += 1;
         term = ((term * &radians) >> p) / count;
     }
-    // The angle in radians is off by less than 2 units (pi and one division, each cut off, times less than 1); a
-    // term by less than 3 more than the one before, shrunk by x/k < 1; what follows the last term is below one
-    // unit. So 4 units for every term are ample.
+    // The angle in radians is off by less than 2 units (pi and one division, each truncated, times
+    // less than 1). A term is off by less than 3 more than the one before, scaled by x/k < 1; the
+    // terms after the last one add up to less than a unit. So 4 units for every term are ample.
     let slack = BigInt::from(4 * (count + 2));
     let [cosine, sine] = sums.map(|sum| Bracket {
         low: &sum - &slack,
@@ -202,7 +205,7 @@ fn sine_and_cosine(angle: &Angle, p: u64) -> (Bracket, Bracket) {
 
 /// pi in units of `2^-p`, at most one unit too small or too large.
 fn pi(p: u64) -> BigInt {
-    // Scenes have rotations by the million, hardly one of which needs more bits.
+    // Scenes have millions of rotations, hardly any of which needs more bits.
     const KEPT: u64 = 256;
     static PI: LazyLock<BigInt> = LazyLock::new(|| machin(KEPT));
     if p <= KEPT {
@@ -212,7 +215,7 @@ fn pi(p: u64) -> BigInt {
     }
 }
 
-/// pi as [`pi`] tells it: 16 atan(1/5) - 4 atan(1/239).
+/// Computes pi: 16 atan(1/5) - 4 atan(1/239).
 fn machin(p: u64) -> BigInt {
     const GUARD: u64 = 32;
     let unit = BigInt::from(1) << (p + GUARD);
@@ -220,7 +223,7 @@ fn machin(p: u64) -> BigInt {
     pi >> GUARD
 }
 
-/// `atan(1/n)` in units of `1/unit`; off by less than a unit a term.
+/// `atan(1/n)` in units of `1/unit`; off by less than a unit per term.
 fn arctangent_of_inverse(n: u32, unit: &BigInt) -> BigInt {
     let mut power = unit / n;
     let mut sum = BigInt::ZERO;

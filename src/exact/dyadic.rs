@@ -1,4 +1,4 @@
-//! Numbers `m * 2^e`: every finite `f64` is one, and sums and products of them are exact.
+//! Exact numbers `m * 2^e`: every finite `f64` is one, and so are their sums and products.
 
 use super::integer::Integer;
 use super::powers::{mantissa_and_exponent, times_power_of_two};
@@ -40,7 +40,7 @@ impl Dyadic {
         self.sign() == Ordering::Equal
     }
 
-    /// The number without its sign.
+    /// The absolute value.
     pub fn abs(self) -> Dyadic {
         if self.sign() == Ordering::Less {
             -&self
@@ -49,7 +49,7 @@ impl Dyadic {
         }
     }
 
-    /// The number times itself.
+    /// The square.
     pub fn square(&self) -> Dyadic {
         self * self
     }
@@ -57,7 +57,7 @@ impl Dyadic {
     /// The `f64` nearest to `self / divisor`, ties to even; infinite beyond the range.
     ///
     /// # Panics
-    /// Where `divisor` is 0.
+    /// If `divisor` is 0.
     pub fn quotient_to_f64(&self, divisor: &Dyadic) -> f64 {
         let (numerator, denominator) = (self.mantissa.magnitude(), divisor.mantissa.magnitude());
         let magnitude = round_quotient(&numerator, &denominator, self.exponent - divisor.exponent);
@@ -70,10 +70,10 @@ impl Dyadic {
         self.quotient_to_f64(&Dyadic::new(BigInt::from(1), 0))
     }
 
-    /// Two numbers between which the square root lies, of about `bits` significant bits; equal where the root has no more.
+    /// Bounds of the square root with about `bits` significant bits; equal if the root has no more.
     ///
     /// # Panics
-    /// Where the number is negative.
+    /// If the number is negative.
     pub fn square_root(&self, bits: u64) -> [Dyadic; 2] {
         assert!(
             self.sign() != Ordering::Less,
@@ -82,7 +82,7 @@ impl Dyadic {
         let radicand = self.mantissa.magnitude();
         let mut shift = (2 * bits).saturating_sub(radicand.bits());
         if (self.exponent - shift as i64) % 2 != 0 {
-            // Only an even exponent has a half.
+            // Only an even exponent can be halved.
             shift += 1;
         }
         let scaled = radicand << shift;
@@ -93,7 +93,8 @@ impl Dyadic {
         [root, above].map(|root| Dyadic::new(root.into(), exponent))
     }
 
-    /// Applies `operation`, a sum or a difference, to both mantissas for the smaller of the two exponents.
+    /// Applies `operation`, a sum or a difference, to both mantissas for the smaller of the two
+    /// exponents.
     fn combine(&self, other: &Dyadic, operation: fn(&Integer, &Integer) -> Integer) -> Dyadic {
         // A zero has no exponent of its own.
         let exponent = match (self.is_zero(), other.is_zero()) {
@@ -113,7 +114,7 @@ impl Dyadic {
 
 impl From<f64> for Dyadic {
     /// # Panics
-    /// Where `value` is not finite.
+    /// If `value` is not finite.
     fn from(value: f64) -> Dyadic {
         assert!(
             value.is_finite(),
@@ -197,13 +198,13 @@ impl Mul for &Dyadic {
     }
 }
 
-/// `numerator / denominator * 2^exponent` rounded once to the nearest `f64`, ties to even.
+/// `numerator / denominator * 2^exponent`, rounded once to the nearest `f64`, ties to even.
 fn round_quotient(numerator: &BigUint, denominator: &BigUint, exponent: i64) -> f64 {
     if numerator.bits() == 0 {
         return 0.0;
     }
-    // The quotient gets at least 65 bits, or as many as lie above the last bit of a subnormal; one more bit
-    // behind them says whether anything was cut off, so that the rounding below is the only one.
+    // The quotient gets at least 65 bits, or as many as lie above the last bit of a subnormal; one
+    // more bit records whether anything was truncated, so that the rounding below is the only one.
     let shift = 66 + denominator.bits() as i64 - numerator.bits() as i64;
     let (n, d) = if shift >= 0 {
         (numerator << shift as u64, denominator.clone())
@@ -220,7 +221,7 @@ fn round_quotient(numerator: &BigUint, denominator: &BigUint, exponent: i64) -> 
 /// `significand * 2^exponent`, rounded once. The significand has more bits than an `f64`.
 fn scale_and_round(significand: u128, exponent: i64) -> f64 {
     let bits = i64::from(128 - significand.leading_zeros());
-    // The exponent of the last bit that the result can hold.
+    // The exponent of the last bit of the result.
     let last = (exponent + bits - 53).max(-1074);
     let cut = last - exponent;
     if cut > 127 {

@@ -3,7 +3,8 @@
 use super::{Bracket, Dyadic};
 use std::cmp::Ordering::{self, Equal, Greater, Less};
 
-/// The number `(rational + sign * sqrt(radicand)) / divisor`: where a ray meets a plane or a sphere.
+/// The number `(rational + sign * sqrt(radicand)) / divisor`: the `t` of a ray on a plane or a
+/// quadric.
 #[derive(Debug, Clone)]
 pub struct Root {
     rational: Dyadic,
@@ -19,7 +20,7 @@ impl Root {
     /// `numerator / denominator`.
     ///
     /// # Panics
-    /// Where `denominator` is 0.
+    /// If `denominator` is 0.
     pub fn ratio(numerator: Dyadic, denominator: Dyadic) -> Root {
         let (rational, divisor) = match denominator.sign() {
             Less => (-&numerator, -&denominator),
@@ -34,8 +35,8 @@ impl Root {
         }
     }
 
-    /// The roots of `a t^2 + 2 b t + c = 0`, the smaller one first; equal where they coincide, `None` where they are not
-    /// real. `a` is positive.
+    /// The roots of `a t^2 + 2 b t + c = 0` in order, perhaps equal; `None` if they are not real.
+    /// `a` is positive.
     pub fn of_quadratic(a: &Dyadic, b: &Dyadic, c: &Dyadic) -> Option<[Root; 2]> {
         debug_assert!(a.sign() == Greater);
         let radicand = &b.square() - &(a * c);
@@ -95,13 +96,14 @@ impl Root {
         )
     }
 
-    /// Where the number lies, as narrowly as an `f64` or two can tell; of a positive number, not below 0.
+    /// The bracket of the number, as narrow as an `f64` or two; not below 0 for a positive number.
     pub fn bracket(&self) -> Bracket {
         let mut bits = 128;
         loop {
             let (low, high) = self.numerator(bits);
-            // The two ends agree in 60 bits: their quotients differ by less than a rounding. Fewer would be as right, and leave
-            // more to be decided by integers. Of a square root that makes the number 0, the ends meet.
+            // The two ends agree in 60 bits: their quotients differ by less than a rounding. Fewer
+            // bits would also be correct, but leave more to integers. If a square root makes the
+            // number 0, the ends meet.
             let width = &(&high - &low) * &Dyadic::from((1u64 << 60) as f64);
             if width <= low.clone().abs() {
                 let [low, high] = [low, high].map(|end| end.quotient_to_f64(&self.divisor));
@@ -119,7 +121,7 @@ impl Root {
         }
     }
 
-    /// Two numbers between which `rational + sign * sqrt(radicand)` lies, the root taken to so many bits.
+    /// Bounds of `rational + sign * sqrt(radicand)`, the root taken to so many bits.
     fn numerator(&self, bits: u64) -> (Dyadic, Dyadic) {
         let [low, high] = match self.sign {
             Equal => return (self.rational.clone(), self.rational.clone()),
@@ -147,8 +149,8 @@ impl PartialOrd for Root {
 }
 
 impl Ord for Root {
-    /// The difference times both divisors is `x + s1 y sqrt(q1) - s2 z sqrt(q2)` with `y` and `z` positive. Where its
-    /// first two terms and the last pull in opposite directions, their squares decide.
+    /// The difference times both divisors is `x + s1 y sqrt(q1) - s2 z sqrt(q2)` with positive `y`
+    /// and `z`. If its first two terms and the last have opposite signs, their squares decide.
     fn cmp(&self, other: &Root) -> Ordering {
         let (y, z) = (&other.divisor, &self.divisor);
         let x = &(&self.rational * y) - &(&other.rational * z);
