@@ -73,14 +73,17 @@ fn character_length(text: &str) -> usize {
     }
 }
 
-/// Drops each item behind `#[cfg(test)]`.
+/// Drops each item behind `#[cfg(test)]` or `#[cfg(all(test, ...))]`.
 fn without_tests(code: &str) -> String {
-    const MARK: &str = "#[cfg(test)]";
     let mut kept = String::new();
     let mut rest = code;
-    while let Some(start) = rest.find(MARK) {
+    while let Some(start) = ["#[cfg(test)]", "#[cfg(all(test"]
+        .iter()
+        .filter_map(|mark| rest.find(mark))
+        .min()
+    {
         kept += &rest[..start];
-        let item = &rest[start + MARK.len()..];
+        let item = &rest[start..];
         let end = item.find([';', '{']).expect("an item has an end");
         rest = match item.as_bytes()[end] {
             b';' => &item[end + 1..],
