@@ -18,7 +18,7 @@ pub use hit::{HIT, MISS, hit};
 pub use id::id;
 pub use normal::normal;
 
-/// What a PNG shows.
+/// The content of a PNG.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum View {
     /// Depth from near to far, through a colour map.
