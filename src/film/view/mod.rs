@@ -19,7 +19,7 @@ pub use id::id;
 pub use normal::normal;
 pub use samples::NOTHING;
 
-/// What a PNG shows.
+/// The content of a PNG.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum View {
     /// Depth from near to far, through a colour map.
