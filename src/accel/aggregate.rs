@@ -120,7 +120,7 @@ impl Aggregate {
     /// instances.
     pub fn item_count(geometry: &Geometry) -> usize {
         let objects = geometry.objects().iter();
-        let in_objects: usize = objects.map(|object| object.geometry().own_count()).sum();
+        let in_objects: usize = objects.map(|object| object.own_count()).sum();
         geometry.own_count() + geometry.instances().len() + in_objects
     }
 

@@ -127,7 +127,7 @@ fn all(geometry: &Geometry) -> impl ParallelIterator<Item = (InstancedId, Primit
     let instances = (0..geometry.instances().len()).into_par_iter();
     let instanced = instances.flat_map_iter(|instance| {
         let mut pose = geometry.pose(instance);
-        let primitives = geometry.object_of(instance).geometry().primitives();
+        let primitives = geometry.object_of(instance).primitives();
         primitives.map(move |primitive| {
             (
                 InstancedId::in_instance(instance, primitive),

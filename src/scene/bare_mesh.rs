@@ -25,9 +25,9 @@ const FLAT: f64 = 0.01;
 /// How much farther away the eye stands than the ball around the mesh needs.
 const MARGIN: f64 = 1.02;
 
-/// The scene of one mesh, seen whole from +z with y up and x to the right: as its maker sees it, not
-/// mirrored by pbrt's left-handed camera. A mesh that is flat in x or y is seen from the side and
-/// above as well. `shape` is the type that a scene would give the mesh.
+/// The scene of one mesh, seen whole from +z with y up and x to the right: as its maker sees it,
+/// not mirrored by pbrt's left-handed camera. A mesh that is flat in x or y is seen from the side
+/// and above as well. `shape` is the type that a scene would give the mesh.
 pub(super) fn scene_of_mesh(
     path: &Path,
     shape: &str,

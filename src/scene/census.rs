@@ -136,7 +136,8 @@ impl Census {
             .filter(|(_, count)| *count > 0)
     }
 
-    /// Directives that were skipped because hits and depths do not depend on them, sorted by keyword.
+    /// Directives that were skipped because hits and depths do not depend on them, sorted by
+    /// keyword.
     pub fn skipped(&self) -> impl Iterator<Item = (&'static str, u64)> {
         KEYWORDS
             .into_iter()
@@ -247,7 +248,7 @@ mod tests {
     }
 
     #[test]
-    fn names_without_end_are_counted_together() {
+    fn further_names_are_counted_together() {
         let mut census = Census::default();
         (0..1000).for_each(|name| census.count_shape(&name.to_string(), Some(1)));
         assert_eq!(census.shapes().count(), MAX_NAMES + 1);

@@ -1,22 +1,22 @@
-//! What stands for a scene, and for a view of it.
+//! Digests of a scene: of its geometry, and of a view of it.
 
 use crate::camera::{Camera, Projection, ScreenWindow};
 use crate::digest::{Digest, Digester};
 use crate::shape::Geometry;
 
-/// A scene's geometry, taken in once for all of its views.
+/// The digest of a scene's geometry, shared by all views of it.
 pub struct SceneDigest(Digest);
 
 impl SceneDigest {
-    /// Of the geometry alone.
+    /// Computes the digest of the geometry alone.
     pub fn of(geometry: &Geometry) -> SceneDigest {
         let mut digester = Digester::default();
         geometry.digest(&mut digester);
         SceneDigest(digester.finish())
     }
 
-    /// Of everything in a scene that decides pixels as `camera` sees it: geometry, camera and film, but not which part of the film is
-    /// wanted. What does not show does not count: comments, materials, or how the same numbers are written.
+    /// The digest of everything that decides pixels as `camera` sees the scene: geometry, camera
+    /// and film, but not the crop. Comments, materials and the notation of numbers do not count.
     pub fn seen_by(&self, camera: &Camera) -> Digest {
         let Camera {
             world_from_camera,
@@ -73,7 +73,7 @@ Shape "trianglemesh" "point3 P" [-2 -1 0  2 -1 0.5  0 2 0] "integer indices" [0 
 "#;
 
     #[test]
-    fn whatever_shows_changes_it() {
+    fn changes_of_the_picture_change_it() {
         let changes = [
             ("-5  0 0 0", "-6  0 0 0"),
             ("fov\" 40", "fov\" 41"),
@@ -103,7 +103,7 @@ Shape "trianglemesh" "point3 P" [-2 -1 0  2 -1 0.5  0 2 0] "integer indices" [0 
     }
 
     #[test]
-    fn what_does_not_show_does_not_change_it() {
+    fn other_changes_do_not_change_it() {
         let changes = [
             (
                 "WorldBegin\n",

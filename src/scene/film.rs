@@ -6,23 +6,23 @@ use crate::error::{Diagnostic, Result};
 use crate::film::PixelBounds;
 use crate::terminal_text::is_command;
 
-/// Columns of a film that the scene gives no size.
+/// The default width of a film.
 const WIDTH: u32 = 1280;
-/// Rows likewise.
+/// The default height.
 const HEIGHT: u32 = 720;
 
-/// Which pixels there are and which are wanted.
+/// The pixels of the image, and those that the scene asks for.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Film {
     /// Width and height of the whole film in pixels.
     pub resolution: [u32; 2],
     /// The pixels that the scene asks for; the whole film without a crop.
     pub crop: PixelBounds,
-    /// Where the scene wants the picture.
+    /// The file name of the image.
     pub filename: Option<String>,
 }
 
-/// What the directive says, before the command line has its say on the resolution.
+/// The directive, before the command line may override its resolution.
 #[derive(Debug, Clone, Default)]
 pub(super) struct FilmParameters {
     x_resolution: Option<u32>,
@@ -51,7 +51,8 @@ impl FilmParameters {
         ];
         let pixel_bounds = pixel_bounds(parameters, size, warnings)?;
         if crop_window.is_some() && pixel_bounds.is_some() {
-            let message = "both `cropwindow` and `pixelbounds` are set: the crop window counts, as in pbrt-v4";
+            let message = "both `cropwindow` and `pixelbounds` are set: \
+                           the crop window counts, as in pbrt-v4";
             parameters.warn("pixelbounds", message, warnings);
         }
         let filename = parameters.string("filename")?.map(str::to_owned);
@@ -59,10 +60,7 @@ impl FilmParameters {
             .as_deref()
             .is_some_and(|name| name.chars().any(is_command))
         {
-            let error = parameters.error_at(
-                "filename",
-                "`filename` holds control characters, which no image is named by",
-            );
+            let error = parameters.error_at("filename", "`filename` contains control characters");
             return Err(error.note("expected the name of a file, such as \"image.exr\""));
         }
         Ok(FilmParameters {
@@ -74,10 +72,10 @@ impl FilmParameters {
         })
     }
 
-    /// The film, 1280 x 720 by default, with `resolution` in place of the scene's.
+    /// The film, 1280 x 720 by default. `resolution` overrides the scene's.
     ///
     /// # Errors
-    /// The crop, where it has no pixel.
+    /// A crop without pixels.
     pub(super) fn resolve(self, resolution: Option<[u32; 2]>) -> std::result::Result<Film, String> {
         let from_scene = [
             self.x_resolution.unwrap_or(WIDTH),
@@ -101,7 +99,7 @@ impl FilmParameters {
     }
 }
 
-/// The crop window in fractions of the film. What reaches out of it is cut off, as in pbrt.
+/// The crop window in fractions of the film, clamped to it as in pbrt.
 fn crop_window(parameters: &mut Parameters, warnings: &mut Warnings) -> Result<Option<[f64; 4]>> {
     let Some(window) = parameters.fixed_numbers::<4>("cropwindow", DeclaredType::FLOAT)? else {
         return Ok(None);
@@ -116,7 +114,7 @@ fn crop_window(parameters: &mut Parameters, warnings: &mut Warnings) -> Result<O
     let clamped = window.map(|fraction| fraction.clamp(0.0, 1.0));
     if clamped != window {
         let [x0, x1, y0, y1] = clamped;
-        let message = format!("`cropwindow` reaches out of the film: read as {x0} {x1} {y0} {y1}");
+        let message = format!("`cropwindow` reaches beyond the film: read as {x0} {x1} {y0} {y1}");
         let diagnostic = Diagnostic::new(message).at(parameters.place_of("cropwindow"));
         let note =
             "expected fractions of the film from 0 to 1: x0 x1 y0 y1; `pixelbounds` takes pixels";
@@ -125,7 +123,7 @@ fn crop_window(parameters: &mut Parameters, warnings: &mut Warnings) -> Result<O
     Ok(Some(clamped))
 }
 
-/// The pixels that the scene asks for, ends in order as in pbrt-v4. What reaches out of its film of `size` is cut off.
+/// The pixels that the scene asks for, ends in order as in pbrt-v4, clamped to its film of `size`.
 fn pixel_bounds(
     parameters: &mut Parameters,
     size: [u32; 2],
@@ -150,14 +148,14 @@ fn pixel_bounds(
         .any(|(bound, most)| !(0.0..=most).contains(&bound))
     {
         let message = format!(
-            "`pixelbounds` reaches out of the film of {width} x {height} pixels: cut off at its edges"
+            "`pixelbounds` reaches beyond the film of {width} x {height} pixels: cut off at its edges"
         );
         let diagnostic = Diagnostic::new(message).at(parameters.place_of("pixelbounds"));
         warnings.add("pixelbounds beyond the film", || {
             diagnostic.note("expected pixels of the film: x0 x1 y0 y1")
         });
     }
-    // Those before the first pixel become 0 by the conversion; those beyond the film are cut off by its size.
+    // The conversion clamps to 0; the size of the film clamps the rest.
     let [x0, x1, y0, y1] = bounds.map(|bound| bound as u32);
     Ok(Some(PixelBounds {
         x0: x0.min(x1),

@@ -1,29 +1,31 @@
-//! What somebody may have meant to type.
+//! Suggests the word that a misspelt one may stand for.
 
-/// A longer word is no misspelling of anything known, and comparing it would take long.
+/// Longer words get no suggestion: comparing them would take long.
 const LONGEST: usize = 40;
 
-/// The edits between a word and its suggestion at most.
+/// The most edits between a word and its suggestion.
 const EDITS: usize = 2;
 
-/// The word of `known` that `word` may be a misspelling of: the same but for case, or the one with the
-/// fewest edits, at most two and less than half of the word. The first of several that are equally close.
+/// The word of `known` that `word` may be a misspelling of: equal but for case, or with the fewest
+/// edits, which are at most two and less than half of the word. The first one if several are
+/// equally close.
 pub fn closest<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     if word.len() > LONGEST {
         return None;
     }
     let word = word.to_ascii_lowercase();
-    // Every byte that one is longer is an edit.
+    // Each byte of difference in length is an edit.
     let known = known.filter(|k| k.len() <= LONGEST && k.len().abs_diff(word.len()) <= EDITS);
     let scored = known.map(|k| (distance(&word, &k.to_ascii_lowercase()), k));
     let close = scored.filter(|(edits, k)| *edits <= EDITS && (*edits == 0 || 2 * edits < k.len()));
     close.min_by_key(|(edits, _)| *edits).map(|(_, k)| k)
 }
 
-/// Bytes to insert, delete, replace or swap with their neighbour that lead from `a` to `b` (optimal string alignment).
+/// The number of bytes to insert, delete, replace or swap with their neighbour to turn `a` into `b`
+/// (optimal string alignment).
 fn distance(a: &str, b: &str) -> usize {
     let (a, b) = (a.as_bytes(), b.as_bytes());
-    // Rows of the table for the prefixes of `a` that end two before, one before and at `i`.
+    // Rows of the table, for the prefixes of `a` that end at `i - 2`, `i - 1` and `i`.
     let mut earlier = vec![0; b.len() + 1];
     let mut previous: Vec<usize> = (0..=b.len()).collect();
     for i in 0..a.len() {
@@ -53,7 +55,7 @@ mod tests {
     }
 
     #[test]
-    fn suggests_what_is_close() {
+    fn suggests_close_words() {
         assert_eq!(suggestion("shape"), Some("Shape"));
         assert_eq!(suggestion("Shap"), Some("Shape"));
         assert_eq!(suggestion("raidus"), Some("radius"));
@@ -62,7 +64,7 @@ mod tests {
     }
 
     #[test]
-    fn suggests_nothing_far_fetched() {
+    fn suggests_only_close_words() {
         assert_eq!(suggestion("Q"), None);
         assert_eq!(suggestion(""), None);
         assert_eq!(suggestion("Sphere"), None);

@@ -1,24 +1,24 @@
-//! Warnings, once a kind.
+//! Collects warnings: the first of each kind, and how many there were.
 
 use crate::error::Diagnostic;
 use std::collections::HashMap;
 
-/// The first of its kind, and how many there were.
+/// All warnings of one kind.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Warning {
-    /// What is the same for all of them.
+    /// A text that all of them share.
     pub kind: String,
-    /// What and where the first one was.
+    /// The first one, with its place.
     pub first: Diagnostic,
-    /// How often.
+    /// How many there were.
     pub count: u64,
 }
 
-/// Kinds that are told apart; what comes after them is counted together. A file that is wrong in more ways than these
-/// is not what it should be, and finding the place of each would take the square of its size.
+/// The most kinds that are counted separately; further ones are counted together. A file with more
+/// kinds of errors is broken, and finding the place of each would take time quadratic in its size.
 const MAX_KINDS: usize = 200;
 
-/// All warnings of a scene in the order of their first places.
+/// All warnings of a scene, in the order of the first of each kind.
 #[derive(Debug, Default)]
 pub struct Warnings {
     list: Vec<Warning>,
@@ -26,7 +26,8 @@ pub struct Warnings {
 }
 
 impl Warnings {
-    /// Counts one warning of `kind`, which must not name a place; `first` is asked for only once a kind.
+    /// Adds a warning of `kind`, which must not contain a place. `first` is only called once per
+    /// kind.
     pub(super) fn add(&mut self, kind: impl Into<String>, first: impl FnOnce() -> Diagnostic) {
         let list = &mut self.list;
         let kind = kind.into();
@@ -54,17 +55,17 @@ impl Warnings {
         list[place].count += 1;
     }
 
-    /// Adds one warning that stands for itself: what it says is its kind.
+    /// Adds a warning that is a kind of its own.
     pub(super) fn add_single(&mut self, diagnostic: Diagnostic) {
         self.add(diagnostic.to_string(), || diagnostic);
     }
 
-    /// The warnings, a kind each.
+    /// The warnings, one kind at a time.
     pub fn iter(&self) -> impl Iterator<Item = &Warning> {
         self.list.iter()
     }
 
-    /// Whether all was well.
+    /// Whether there are no warnings.
     pub fn is_empty(&self) -> bool {
         self.list.is_empty()
     }
@@ -93,7 +94,7 @@ mod tests {
     }
 
     #[test]
-    fn kinds_without_end_are_counted_together() {
+    fn further_kinds_are_counted_together() {
         let mut warnings = Warnings::default();
         for kind in 0..1000 {
             warnings.add(kind.to_string(), || Diagnostic::new("odd"));

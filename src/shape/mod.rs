@@ -1,7 +1,7 @@
-//! The geometry of a scene: who is who, where in world space, and where a ray meets it.
+//! The geometry of a scene in world space, and the tests of rays against its primitives.
 //!
-//! There are three tests of each kind of primitive: `filter` in `f64`, which says when it does not know; `exact`, which
-//! always knows; and one in `f32`, which never says.
+//! Each kind of primitive has three tests: `filter`, in `f64`, which reports when it cannot decide;
+//! `exact`, which always decides; and `single`, in `f32`, which ignores rounding errors.
 
 mod coincidence;
 mod extent;
@@ -10,7 +10,6 @@ mod filter_result;
 mod geometry;
 mod instanced_id;
 mod numbers;
-mod object;
 mod primitive;
 mod primitive_id;
 mod quadric;
@@ -21,10 +20,9 @@ pub(crate) mod vector32;
 pub use coincidence::Coincidence;
 pub use filter_ray::FilterRay;
 pub use filter_result::FilterResult;
-pub use geometry::{CapacityError, CornerUv, Geometry, NonFiniteCounts};
+pub use geometry::{CapacityError, CornerUv, Geometry, Instance, NonFiniteCounts, Pose};
 pub use instanced_id::InstancedId;
 pub use numbers::Numbers;
-pub use object::{Instance, Object, Pose};
 pub use primitive::Primitive;
 pub use primitive_id::PrimitiveId;
 pub use quadric::{Cut, Disk, Form, Quadric, Sector};

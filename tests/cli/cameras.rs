@@ -87,7 +87,7 @@ fn matrices_of_computer_vision_are_cameras() {
     let folder = Folder::new().with("poses.json", pose.to_string());
     let run = folder
         .render("ball.pbrt --cameras poses.json -o cv.exr")
-        .failed(65, "no rotation and translation");
+        .failed(65, "`R` and `t` are not a rotation and a translation");
     assert!(
         run.stderr
             .contains("poses.json: camera 1 of the list, `cv`"),

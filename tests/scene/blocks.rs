@@ -109,7 +109,7 @@ fn the_blocks_of_an_object_may_cross_it() {
 }
 
 fn places_in_object(scene: &Scene) -> Vec<f64> {
-    let geometry = scene.geometry.objects()[0].geometry();
+    let geometry = &scene.geometry.objects()[0];
     (0..geometry.quadric_count())
         .map(|index| geometry.quadric(index).world_from_object.column(3)[0])
         .collect()
@@ -126,7 +126,7 @@ fn an_object_ends_where_the_next_begins_and_with_the_file() {
         .geometry
         .objects()
         .iter()
-        .map(|object| object.geometry().quadric_count());
+        .map(|object| object.quadric_count());
     assert_eq!(
         (counts.collect::<Vec<_>>(), scene.geometry.quadric_count()),
         (vec![1, 2, 1], 0)

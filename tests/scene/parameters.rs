@@ -319,7 +319,7 @@ fn crops_are_clamped_put_in_order_and_chosen_as_in_pbrt() {
         let (_, said) = window(numbers);
         assert_eq!(
             said,
-            format!("`cropwindow` reaches out of the film: read as {expected}")
+            format!("`cropwindow` reaches beyond the film: read as {expected}")
         );
     }
     assert_eq!(window("2 0.5 0 1").0, [20, 40, 0, 20]);
@@ -327,7 +327,7 @@ fn crops_are_clamped_put_in_order_and_chosen_as_in_pbrt() {
     let (pixels, said) = bounds("-7 50 -1 10");
     assert_eq!(pixels, [0, 40, 0, 10]);
     assert!(
-        said.starts_with("`pixelbounds` reaches out of the film of 40 x 20 pixels"),
+        said.starts_with("`pixelbounds` reaches beyond the film of 40 x 20 pixels"),
         "{said}"
     );
     let (pixels, said) =

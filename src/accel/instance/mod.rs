@@ -30,12 +30,7 @@ pub(super) struct Outlines(Vec<Outline>);
 
 impl Outlines {
     pub(super) fn of(geometry: &Geometry) -> Outlines {
-        let objects = geometry.objects().iter();
-        Outlines(
-            objects
-                .map(|object| Outline::of(object.geometry()))
-                .collect(),
-        )
+        Outlines(geometry.objects().iter().map(Outline::of).collect())
     }
 
     fn placement(&self, geometry: &Geometry, instance: usize) -> Placement {
@@ -114,9 +109,9 @@ impl InstanceTrees {
             .zip(is_visible)
             .map(|((object, outline), is_visible)| {
                 if !is_visible {
-                    progress.advance(object.geometry().own_count());
+                    progress.advance(object.own_count());
                 }
-                is_visible.then(|| ObjectTree::build(object.geometry(), outline, options, progress))
+                is_visible.then(|| ObjectTree::build(object, outline, options, progress))
             });
         let objects = objects.collect();
         InstanceTrees {

@@ -41,7 +41,7 @@ impl Aggregate {
         }
         let is_missing = |instance: usize| {
             let mut pose = geometry.pose(instance);
-            let primitives = geometry.object_of(instance).geometry().primitives();
+            let primitives = geometry.object_of(instance).primitives();
             let listed = tree.order.contains(&(instance as u32));
             let tree = listed.then(|| &self.instances.object(geometry, instance).tree.order);
             primitives

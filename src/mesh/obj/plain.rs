@@ -1,96 +1,78 @@
-//! The part of an OBJ file that makes its mesh, in the plain form that `tobj` reads faithfully.
+//! Rewrites an OBJ file, line by line, in the form that `tobj` reads faithfully.
 //!
-//! Handed over are the statements `v` with 3 numbers, or 4 where the last one is a weight, and `f` with the positions of
-//! its corners, a line each in ASCII. All else would only add ways to fail or to go astray: `tobj` 4.0 takes `l` with three
-//! corners for a triangle, refuses `usemtl` without a name, one number after `vt`, comments after a statement and bytes
-//! that are not UTF-8, wants a colour for every vertex or for none, and copies vertices for each group.
+//! Only vertices, faces and, on demand, texture coordinates are handed over, in ASCII. Everything
+//! else adds ways to fail: `tobj` 4.0 takes `l` with three corners for a triangle, refuses `usemtl`
+//! without a name, one number after `vt`, comments after a statement and bytes that are not UTF-8,
+//! expects colours for all vertices or none, and copies vertices for each group.
 
 use std::io::{self, BufRead, Read};
+use std::ops::Range;
 use std::path::Path;
 
-use super::statements::{Statement, Statements};
+use super::lexer::{Statement, Statements};
 use crate::decimal;
 use crate::error::Diagnostic;
 use crate::mesh::tally::Tally;
 
-/// Statements that OBJ knows and that do not shape the mesh read here.
-pub(super) const IGNORED: [&str; 34] = [
-    "vt",
-    "vn",
-    "vp",
-    "p",
-    "l",
-    "o",
-    "g",
-    "s",
-    "mg",
-    "usemtl",
-    "mtllib",
-    "usemap",
-    "maplib",
-    "bevel",
-    "c_interp",
-    "d_interp",
-    "lod",
-    "shadow_obj",
-    "trace_obj",
-    "cstype",
-    "deg",
-    "bmat",
-    "step",
-    "curv",
-    "curv2",
-    "parm",
-    "trim",
-    "hole",
-    "scrv",
-    "sp",
-    "end",
-    "con",
-    "ctech",
-    "stech",
-];
+/// Statements of OBJ that do not shape the mesh.
+pub(super) const IGNORED: &str = "vt vn vp p l o g s mg usemtl mtllib usemap maplib bevel c_interp \
+    d_interp lod shadow_obj trace_obj cstype deg bmat step curv curv2 parm trim hole scrv sp end con \
+    ctech stech";
 
-/// Statements that make free-form surfaces, those of the format's first version among them.
-const SURFACES: [&str; 5] = ["surf", "bsp", "bzp", "cdp", "res"];
-/// Statements that would bring in what another file or program says.
-const CALLS: [&str; 2] = ["call", "csh"];
+/// Statements that make free-form surfaces, in any version of the format.
+const SURFACES: &str = "surf bsp bzp cdp res";
 
-fn is_one_of(keyword: &[u8], statements: &[&str]) -> bool {
-    statements.iter().any(|known| known.as_bytes() == keyword)
+/// Statements that run another file or program.
+const CALLS: &str = "call csh";
+
+pub(super) fn is_one_of(keyword: &[u8], statements: &str) -> bool {
+    statements
+        .split(' ')
+        .any(|known| known.as_bytes() == keyword)
 }
 
-/// A reader of the plain form, made line by line.
+/// Reads the plain form of a text.
 pub(super) struct Plain<'a> {
     text: &'a [u8],
     statements: Statements<'a>,
+    /// The lines that are ready, of which the first `taken` bytes have been read.
     lines: Vec<u8>,
     taken: usize,
+    with_uv: bool,
     /// Vertices so far.
     pub(super) vertices: u64,
-    /// Faces of fewer than three corners.
+    /// Texture coordinates so far.
+    textures: i64,
+    /// Whether any corner has texture coordinates.
+    pub(super) has_uv: bool,
+    bare: Tally,
     small: Tally,
-    /// Statements that OBJ does not know.
     unknown: Tally,
-    /// Free-form surfaces.
     surfaces: Tally,
-    /// Statements of [`CALLS`].
     calls: Tally,
 }
 
 impl<'a> Plain<'a> {
-    /// Bytes that are made at a time.
-    const CHUNK: usize = 1 << 16;
-
-    pub(super) fn new(text: &'a [u8]) -> Plain<'a> {
-        let [small, unknown, surfaces, calls] = Default::default();
-        let (statements, lines) = (Statements::new(text), Vec::new());
+    /// With texture coordinates if `with_uv`. A first one, (0, 0), is for corners that have none.
+    pub(super) fn new(text: &'a [u8], with_uv: bool) -> Plain<'a> {
+        let [bare, small, unknown, surfaces, calls] = Default::default();
+        let lines = if with_uv {
+            b"vt 0 0\n".to_vec()
+        } else {
+            Vec::new()
+        };
+        let (taken, vertices, textures, has_uv) = (0, 0, 0, false);
+        let statements = Statements::new(text);
         Plain {
             text,
             statements,
             lines,
-            taken: 0,
-            vertices: 0,
+            taken,
+            with_uv,
+            vertices,
+            textures,
+            has_uv,
+            bare,
             small,
             unknown,
             surfaces,
@@ -98,33 +80,28 @@ impl<'a> Plain<'a> {
         }
     }
 
-    /// What was left out of the mesh.
+    /// Warnings about everything that was left out.
     pub(super) fn warnings(self, path: &Path) -> Vec<Diagnostic> {
-        let told = |tally: Tally, noun, note: Option<&str>| {
-            let warning = tally.in_text(path, self.text, noun)?;
-            Some(note.into_iter().fold(warning, Diagnostic::note))
-        };
-        let finer =
-            "free-form surfaces are not supported: turn them into polygons where the file was made";
+        let in_text = |tally: Tally, noun| tally.in_text(path, self.text, noun);
+        let bare = "corner without texture coordinates among others that have some";
+        let surfaces = in_text(self.surfaces, "surface in free form, left out");
+        let calls = in_text(self.calls, "statement `call` or `csh`, not executed");
+        let finer = "free-form surfaces are not supported: \
+                     turn them into polygons where the file was made";
         let inline = "what it would bring in is missing: put it into this file";
         let warnings = [
-            told(self.small, "face of fewer than 3 corners, left out", None),
-            told(
-                self.unknown,
-                "statement that OBJ does not know, left out",
-                None,
-            ),
-            told(self.surfaces, "surface in free form, left out", Some(finer)),
-            told(
-                self.calls,
-                "statement `call` or `csh`, not executed",
-                Some(inline),
-            ),
+            in_text(self.small, "face of fewer than 3 corners, left out"),
+            in_text(self.unknown, "statement that OBJ does not know, left out"),
+            surfaces.map(|warning| warning.note(finer)),
+            calls.map(|warning| warning.note(inline)),
+            in_text(self.bare, bare)
+                .filter(|_| self.has_uv)
+                .map(|warning| warning.note("u and v are 0 there")),
         ];
         warnings.into_iter().flatten().collect()
     }
 
-    /// Adds the plain form of `statement` to the lines.
+    /// Appends the plain form of `statement`.
     fn push(&mut self, statement: &Statement) {
         let text = self.text;
         let mut words = statement.words();
@@ -133,60 +110,97 @@ impl<'a> Plain<'a> {
             b"v" => {
                 self.vertices += 1;
                 let numbers = if words.clone().count() == 4 { 4 } else { 3 };
-                self.push_line(b'v', words.take(numbers).map(|word| number(&text[word])));
+                let numbers = words.take(numbers).map(|word| number(&text[word]));
+                self.push_line(b"v", numbers);
+            }
+            b"vt" if self.with_uv => {
+                self.textures += 1;
+                let first = words.next().map_or(&b"?"[..], |word| number(&text[word]));
+                let second = words.next().map_or(&b"0"[..], |word| number(&text[word]));
+                self.push_line(b"vt", [first, second].into_iter());
             }
             b"f" if words.clone().count() < 3 => self.small.add(statement.span.clone()),
-            b"f" => self.push_line(
-                b'f',
-                words.map(|word| {
-                    if is_corner(&text[word.clone()]) {
-                        position(&text[word])
-                    } else {
-                        b"?"
-                    }
-                }),
-            ),
-            other if is_one_of(other, &IGNORED) => {}
-            other if is_one_of(other, &SURFACES) => self.surfaces.add(keyword),
-            other if is_one_of(other, &CALLS) => self.calls.add(keyword),
+            b"f" => {
+                self.lines.push(b'f');
+                words.for_each(|word| self.push_corner(word));
+                self.lines.push(b'\n');
+            }
+            other if is_one_of(other, IGNORED) => {}
+            other if is_one_of(other, SURFACES) => self.surfaces.add(keyword),
+            other if is_one_of(other, CALLS) => self.calls.add(keyword),
             _ => self.unknown.add(keyword),
         }
     }
 
-    fn push_line(&mut self, keyword: u8, words: impl Iterator<Item = &'a [u8]>) {
-        self.lines.push(keyword);
-        for word in words {
-            self.lines.push(b' ');
-            // What is no character is wrong in any case, and may be a blank to others; so may nothing, before the slash of `/2`.
-            self.lines.extend(
-                word.iter()
-                    .map(|byte| if byte.is_ascii_graphic() { *byte } else { b'?' }),
-            );
-            self.lines.extend(word.is_empty().then_some(b'?'));
-        }
+    fn push_line(&mut self, keyword: &[u8], words: impl Iterator<Item = &'a [u8]>) {
+        self.lines.extend_from_slice(keyword);
+        words.for_each(|word| self.push_word(word));
         self.lines.push(b'\n');
+    }
+
+    /// Appends a word without bytes that `tobj` may take for blanks, and not an empty one.
+    fn push_word(&mut self, word: &[u8]) {
+        let graphic = |byte: &u8| if byte.is_ascii_graphic() { *byte } else { b'?' };
+        self.lines.push(b' ');
+        self.lines.extend(
+            word.iter()
+                .map(graphic)
+                .chain(word.is_empty().then_some(b'?')),
+        );
+    }
+
+    fn push_corner(&mut self, span: Range<usize>) {
+        let word = &self.text[span.clone()];
+        if !is_corner(word) {
+            return self.push_word(b"?");
+        }
+        self.push_word(index(word, 0));
+        if !self.with_uv {
+            return;
+        }
+        // Coordinates count from 2: the first ones are not in the file.
+        let texture = index(word, 1);
+        if texture.is_empty() {
+            self.bare.add(span);
+            return self.lines.extend_from_slice(b"/1");
+        }
+        self.has_uv = true;
+        let number = match parse_index(texture) {
+            Some(index) if index > 0 => index.checked_add(1),
+            Some(index) if index < 0 => Some(self.textures + 2 + index).filter(|n| *n > 1),
+            _ => None,
+        };
+        let number = number.map_or("?".to_owned(), |number| number.to_string());
+        self.lines.push(b'/');
+        self.lines.extend_from_slice(number.as_bytes());
     }
 }
 
-/// The first of the indices of a corner, `position/texture/normal`; the others are not looked at.
-pub(super) fn position(corner: &[u8]) -> &[u8] {
-    corner.split(|byte| *byte == b'/').next().unwrap_or(corner)
+/// Index `number` of a corner, `position/texture/normal`; empty if it is missing.
+pub(super) fn index(corner: &[u8], number: usize) -> &[u8] {
+    corner
+        .split(|byte| *byte == b'/')
+        .nth(number)
+        .unwrap_or_default()
 }
 
-/// Whether a corner has the form `position/texture/normal`, as far as the last two go: integers. Either may be missing, and so may the
-/// slashes before what is missing; some exporters write both slashes even so, as in `1//`.
+pub(super) fn parse_index(digits: &[u8]) -> Option<i64> {
+    std::str::from_utf8(digits).ok()?.parse().ok()
+}
+
+/// Whether texture and normal of a corner, `position/texture/normal`, are integers. Either may be
+/// missing, with or without the slashes before it: some exporters write `1//`.
 pub(super) fn is_corner(corner: &[u8]) -> bool {
     let is_integer = |index: &[u8]| {
         let digits = index.strip_prefix(b"-").unwrap_or(index);
         !digits.is_empty() && digits.iter().all(u8::is_ascii_digit)
     };
+    let is_optional = |index: &[u8]| index.is_empty() || is_integer(index);
     let mut others = corner.split(|byte| *byte == b'/').skip(1);
     match (others.next(), others.next(), others.next()) {
         (None, ..) => true,
         (Some(texture), None, _) => is_integer(texture),
-        (Some(texture), Some(normal), None) => [texture, normal]
-            .iter()
-            .all(|index| index.is_empty() || is_integer(index)),
+        (Some(texture), Some(normal), None) => is_optional(texture) && is_optional(normal),
         _ => false,
     }
 }
@@ -214,10 +228,11 @@ impl Read for Plain<'_> {
 
 impl BufRead for Plain<'_> {
     fn fill_buf(&mut self) -> io::Result<&[u8]> {
+        const CHUNK: usize = 1 << 16;
         if self.taken == self.lines.len() {
             self.lines.clear();
             self.taken = 0;
-            while self.lines.len() < Self::CHUNK
+            while self.lines.len() < CHUNK
                 && let Some(statement) = self.statements.next()
             {
                 self.push(&statement);

@@ -1,21 +1,22 @@
-//! The reader of simple files against `tobj`.
+//! The fast reader against the general one.
 
 use std::path::Path;
 
 use proptest::prelude::*;
 use proptest::sample::Index;
 
-use super::simple::read_in_blocks;
-use super::{parse, parse_odd};
+use super::parallel::read_in_blocks;
+use super::{parse, reader};
 use crate::input::Budget;
 use crate::mesh::Loaded;
 use crate::mesh::tests::told;
 
-/// Reads `text` in blocks of several sizes; whatever is read must be what `tobj` says. Whether it is simple.
+/// Checks that the fast reader, in blocks of several sizes, agrees with the general one. Returns
+/// whether `text` is in the usual form.
 fn check(text: &[u8]) -> bool {
     let path = Path::new("a.obj");
     let budget = || Budget::of_bytes(text.len());
-    let expected = told(&parse_odd(path, text, &budget()));
+    let expected = told(&reader::read(path, text, false, &budget()));
     let mut times_read = 0;
     for block in [1, 9, 50, 1 << 20] {
         if let Some(mesh) = read_in_blocks(text, block, &budget()) {
@@ -29,10 +30,10 @@ fn check(text: &[u8]) -> bool {
     }
     assert!(
         times_read == 0 || times_read == 4,
-        "the size of blocks has no influence"
+        "the result depends on the size of blocks"
     );
     if !text.is_empty() && crate::mesh::signature::describe(text).is_none() {
-        assert_eq!(told(&parse(path, text, &budget())), expected);
+        assert_eq!(told(&parse(path, text, false, &budget())), expected);
     }
     times_read > 0
 }
@@ -40,7 +41,7 @@ fn check(text: &[u8]) -> bool {
 const VERTICES: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0.5 .2 1e-1\nv 0 1 0\n";
 
 #[test]
-fn simple_files_are_read() {
+fn files_in_the_usual_form_are_read() {
     for rest in [
         "f 3 2 1\nf 1 3 4 5\nf 1 2 3",
         "# a\ng b c\nusemtl d\n\n  f 1/1 2/2/2 3//-3  \r\nvt x\nf\t1\n"
@@ -56,7 +57,7 @@ fn simple_files_are_read() {
 }
 
 #[test]
-fn odd_files_are_left_alone() {
+fn other_files_are_left_to_the_general_reader() {
     let odd = [
         "",
         "f 1 2\n",
@@ -106,12 +107,12 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(1000))]
 
     #[test]
-    fn simple_files_are_read_as_by_tobj(lines in proptest::collection::vec(line(), 1..12)) {
+    fn both_readers_agree(lines in proptest::collection::vec(line(), 1..12)) {
         check((VERTICES.repeat(2) + &lines.concat()).as_bytes());
     }
 
     #[test]
-    fn damaged_files_are_read_as_by_tobj(
+    fn both_readers_agree_on_damaged_files(
         lines in proptest::collection::vec(line(), 1..9),
         changes in proptest::collection::vec((any::<Index>(), any::<u8>()), 0..3),
         word in "(|-?[0-9]{1,20}|\n|\r|e|nan| |#|\\\\|/)",

@@ -1,4 +1,4 @@
-//! Values as text, between blanks and ends of line.
+//! Reads values of a text file, separated by blanks and ends of line.
 
 use std::ops::Range;
 use std::path::Path;
@@ -9,7 +9,7 @@ use crate::decimal;
 use crate::error::{Diagnostic, SourceLocation};
 use crate::mesh::tally::Tally;
 
-/// The text from some place on.
+/// The values from some byte on.
 #[derive(Clone)]
 pub(super) struct Ascii<'a> {
     path: &'a Path,
@@ -77,7 +77,7 @@ impl Values for Ascii<'_> {
         (self.text.len() - self.at) as u64
     }
 
-    /// A digit for each, and a blank between them.
+    /// A digit each, and blanks between them.
     #[inline]
     fn least_bytes(run: Run) -> u64 {
         run.values.saturating_mul(2).saturating_sub(1)
@@ -104,7 +104,7 @@ impl Values for Ascii<'_> {
         self.at + blanks..self.text.len()
     }
 
-    /// A header that lists one property too many or too few is often noticed only here.
+    /// Often only this reveals a header with one property too many or too few.
     fn is_inside_line(&self) -> bool {
         let rest = &self.text[self.at..];
         rest.iter()
@@ -113,7 +113,7 @@ impl Values for Ascii<'_> {
     }
 }
 
-/// A whole number; one beyond `i64` is none that a mesh can mean.
+/// An integer of up to 18 digits; a mesh cannot mean a larger one.
 #[inline]
 pub(super) fn parse_integer(token: &[u8]) -> Option<i64> {
     let (is_negative, digits) = match token {

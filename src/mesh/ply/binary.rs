@@ -1,23 +1,20 @@
-//! Values as bytes, one right after the other.
+//! Reads values of a binary file.
 
 use std::marker::PhantomData;
 use std::ops::Range;
 use std::path::Path;
 
 use super::header::Scalar;
-use super::step::Layout;
 use super::values::{Fault, Run, Values, whole};
 use crate::error::{Diagnostic, SourceLocation};
-use crate::geometry::Point;
-use crate::mesh::faces::Faces;
 use crate::mesh::tally::Tally;
 
-/// The order of the bytes of a number.
+/// The order of bytes in a number.
 pub(super) trait ByteOrder: Clone {
     /// Whether the most significant byte comes first.
     const IS_BIG: bool;
 
-    /// The bytes of a number, the least significant one first.
+    /// Puts the least significant byte first.
     #[inline]
     fn ordered<const N: usize>(mut bytes: [u8; N]) -> [u8; N] {
         if Self::IS_BIG {
@@ -27,11 +24,11 @@ pub(super) trait ByteOrder: Clone {
     }
 }
 
-/// The least significant byte first.
+/// The least significant byte comes first.
 #[derive(Clone)]
 pub(super) struct LittleEndian;
 
-/// The most significant byte first.
+/// The most significant byte comes first.
 #[derive(Clone)]
 pub(super) struct BigEndian;
 
@@ -43,7 +40,7 @@ impl ByteOrder for BigEndian {
     const IS_BIG: bool = true;
 }
 
-/// The bytes from some place on.
+/// The values from some byte on.
 #[derive(Clone)]
 pub(super) struct Binary<'a, Order> {
     path: &'a Path,
@@ -65,55 +62,13 @@ impl<'a, Order: ByteOrder> Binary<'a, Order> {
         }
     }
 
-    /// The bytes of the next value, the least significant one first.
+    /// The bytes of the next value, least significant first.
     #[inline]
     fn take<const N: usize>(&mut self) -> Result<[u8; N], Fault> {
         self.last = self.at;
         let bytes = self.bytes[self.at..].first_chunk().ok_or(Fault::End)?;
         self.at += N;
         Ok(Order::ordered(*bytes))
-    }
-
-    /// The corners in a list, if they are three and all of them below `limit`.
-    #[inline]
-    fn triangle(list: &[u8], limit: u32) -> Option<[u32; 3]> {
-        let [3, a0, a1, a2, a3, b0, b1, b2, b3, c0, c1, c2, c3] =
-            *list.first_chunk::<TRIANGLE>()?
-        else {
-            return None;
-        };
-        let corners = [[a0, a1, a2, a3], [b0, b1, b2, b3], [c0, c1, c2, c3]]
-            .map(Order::ordered)
-            .map(u32::from_le_bytes);
-        corners
-            .iter()
-            .all(|corner| *corner < limit)
-            .then_some(corners)
-    }
-
-    /// The points at `offsets` in records of `stride` bytes; the loop has no decisions left.
-    fn gather<const N: usize>(
-        records: &[u8],
-        stride: usize,
-        offsets: [usize; 3],
-        real: impl Fn([u8; N]) -> f64,
-    ) -> Option<Vec<Point>> {
-        let value = |record: &[u8], offset: usize| {
-            let bytes = record.get(offset..offset + N)?.try_into().ok()?;
-            Some(real(Order::ordered(bytes)))
-        };
-        let point = |record: &[u8]| {
-            Some(Point::new(
-                value(record, offsets[0])?,
-                value(record, offsets[1])?,
-                value(record, offsets[2])?,
-            ))
-        };
-        let mut points = Vec::with_capacity(records.len() / stride);
-        for record in records.chunks_exact(stride) {
-            points.push(point(record)?);
-        }
-        Some(points)
     }
 }
 
@@ -195,56 +150,4 @@ impl<Order: ByteOrder> Values for Binary<'_, Order> {
     fn is_inside_line(&self) -> bool {
         false
     }
-
-    fn points(
-        &mut self,
-        count: u64,
-        stride: usize,
-        offsets: [usize; 3],
-        kind: Scalar,
-    ) -> Option<Vec<Point>> {
-        let size = usize::try_from(count).ok()?.checked_mul(stride)?;
-        let records = self.bytes[self.at..].get(..size)?;
-        let points = match kind {
-            Scalar::F32 => Self::gather(records, stride, offsets, |bytes| {
-                f64::from(f32::from_le_bytes(bytes))
-            }),
-            Scalar::F64 => Self::gather(records, stride, offsets, f64::from_le_bytes),
-            _ => None,
-        }?;
-        self.at += size;
-        Some(points)
-    }
-
-    fn triangles(&mut self, count: u64, layout: &Layout, faces: &mut Faces) -> u64 {
-        let Layout {
-            lead,
-            count: Scalar::U8 | Scalar::I8,
-            item: Scalar::I32 | Scalar::U32,
-            trail,
-        } = *layout
-        else {
-            return 0;
-        };
-        let lead = lead.bytes as usize;
-        let stride = lead + TRIANGLE + trail.bytes as usize;
-        // As an unsigned number, a negative index is too large for this as well.
-        let limit = faces.vertex_count().min(1 << 31) as u32;
-        let mut read = 0;
-        for record in self.bytes[self.at..]
-            .chunks_exact(stride)
-            .take(count as usize)
-        {
-            let Some(corners) = Self::triangle(&record[lead..], limit) else {
-                break;
-            };
-            faces.push_triangle(corners);
-            read += 1;
-        }
-        self.at += read * stride;
-        read as u64
-    }
 }
-
-/// Bytes of a list of three corners.
-const TRIANGLE: usize = 1 + 3 * 4;

@@ -1,12 +1,9 @@
-//! What the encodings of PLY have in common: numbers in a row.
+//! Reading numbers in a row: the interface of both encodings.
 
 use std::ops::Range;
 
 use super::header::Scalar;
-use super::step::Layout;
 use crate::error::{Diagnostic, SourceLocation};
-use crate::geometry::Point;
-use crate::mesh::faces::Faces;
 use crate::mesh::tally::Tally;
 
 /// Why a value could not be read.
@@ -15,16 +12,16 @@ pub(super) enum Fault {
     End,
     NotANumber,
     NotAnInteger,
-    /// A number of a floating-point type that is no index.
+    /// A number of a floating-point type that is not an index.
     NotAnIndex(f64),
     NegativeLength,
     ListTooLong,
 }
 
-/// The whole number `value`, which a file holds as one of a floating-point type.
+/// The integer `value`, which the file stores in a floating-point type.
 #[inline]
 pub(super) fn whole(value: f64) -> Result<i64, Fault> {
-    /// Below it every `f64` without a fraction is an `i64`; NaN is not below it.
+    /// Every `f64` below it without a fraction is an `i64`; NaN is not below it.
     const LIMIT: f64 = 9_223_372_036_854_775_808.0;
     if value.abs() < LIMIT && value.fract() == 0.0 {
         Ok(value as i64)
@@ -33,7 +30,7 @@ pub(super) fn whole(value: f64) -> Result<i64, Fault> {
     }
 }
 
-/// Values in a row: how many, and the bytes that they take in a binary file.
+/// A number of values, and their size in a binary file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct Run {
     pub(super) values: u64,
@@ -66,7 +63,7 @@ impl Run {
     }
 }
 
-/// The values of a file in their order; a clone goes on from the same place.
+/// The values of a file in their order. A clone continues from the same place.
 pub(super) trait Values: Clone {
     /// The next value, as a coordinate.
     fn real(&mut self, kind: Scalar) -> Result<f64, Fault>;
@@ -74,19 +71,19 @@ pub(super) trait Values: Clone {
     /// The next value, as a length or an index.
     fn integer(&mut self, kind: Scalar) -> Result<i64, Fault>;
 
-    /// Leaves values out.
+    /// Skips values.
     fn skip(&mut self, run: Run) -> Result<(), Fault>;
 
-    /// Bytes that have not been read.
+    /// The number of bytes that have not been read.
     fn bytes_left(&self) -> u64;
 
-    /// The bytes that values take at the end of a file, at least.
+    /// The fewest bytes that values take at the end of a file.
     fn least_bytes(run: Run) -> u64;
 
     /// The bytes of the value that was read last.
     fn last(&self) -> Range<usize>;
 
-    /// The bytes that have not been read, without what may be padding.
+    /// The bytes that have not been read, except padding.
     fn rest(&self) -> Range<usize>;
 
     /// Whether more values follow on the line of the last one.
@@ -95,24 +92,6 @@ pub(super) trait Values: Clone {
     /// The place of the bytes `span`.
     fn location(&self, span: Range<usize>) -> SourceLocation;
 
-    /// The warning of a tally over this file.
+    /// The warning about a tally of this file.
     fn warning(&self, tally: Tally, noun: &str) -> Option<Diagnostic>;
-
-    /// Reads `count` points at `offsets` in records of `stride` bytes; `None`, and nothing read, where that
-    /// is no faster than value by value.
-    fn points(
-        &mut self,
-        _count: u64,
-        _stride: usize,
-        _offsets: [usize; 3],
-        _kind: Scalar,
-    ) -> Option<Vec<Point>> {
-        None
-    }
-
-    /// Reads up to `count` faces as long as they are good triangles; how many they were. None, where that is no
-    /// faster than value by value.
-    fn triangles(&mut self, _count: u64, _layout: &Layout, _faces: &mut Faces) -> u64 {
-        0
-    }
 }

@@ -7,7 +7,7 @@ use crate::scene::parameters::{DeclaredType, Parameters};
 use crate::scene::spelling;
 use crate::scene::warnings::Warnings;
 
-/// What the directive says, before the film is known.
+/// The directive, before the film is known.
 #[derive(Debug, Clone)]
 pub(in crate::scene) struct CameraParameters {
     world_from_camera: Matrix,
@@ -17,7 +17,7 @@ pub(in crate::scene) struct CameraParameters {
 }
 
 impl CameraParameters {
-    /// pbrt's camera where a scene has none: 90 degrees, at the origin, along +z.
+    /// pbrt's default camera: 90 degrees, at the origin, along +z.
     pub(in crate::scene) fn default_camera() -> CameraParameters {
         CameraParameters {
             world_from_camera: Matrix::IDENTITY,
@@ -27,7 +27,8 @@ impl CameraParameters {
         }
     }
 
-    /// `current` is the transform at the directive: camera space from world space (rule R5).
+    /// Reads the directive. `current` is the current transform: camera space from world space (rule
+    /// R5).
     pub(in crate::scene) fn read(
         parameters: &mut Parameters,
         current: &Transform,
@@ -57,7 +58,7 @@ impl CameraParameters {
                 );
             }
         };
-        let frame_aspect_ratio = parameters.positive_number("frameaspectratio")?;
+        let frame_aspect_ratio = frame_aspect_ratio(parameters)?;
         let screen_window = screen_window(parameters, warnings)?;
         if parameters
             .number("lensradius")?
@@ -78,7 +79,7 @@ impl CameraParameters {
         })
     }
 
-    /// The camera for a film of `resolution`.
+    /// The camera with a film of `resolution`.
     pub(in crate::scene) fn resolve(self, resolution: [u32; 2]) -> Camera {
         let aspect = self
             .frame_aspect_ratio
@@ -94,19 +95,20 @@ impl CameraParameters {
     }
 }
 
-/// Which camera comes closest to one that is not supported.
+/// Names the supported camera that is closest to `name`.
 fn closest_camera(name: &str) -> &'static str {
     match name {
         "environment" | "spherical" => {
-            "the closest are several perspective cameras that look around, each less than 180 degrees wide (--cameras)"
+            "the closest are several perspective cameras that look around, \
+             each less than 180 degrees wide (--cameras)"
         }
         "realistic" => "the closest is a perspective camera with the field of view of the lens",
         _ => "the closest is a perspective camera",
     }
 }
 
-/// Four finite numbers. A window that is turned round mirrors the picture; one without extent repeats a line of it, which
-/// is worth a warning.
+/// The screen window, four finite numbers. A reversed window mirrors the picture. A window without
+/// extent repeats a row or column: that is a warning.
 fn screen_window(
     parameters: &mut Parameters,
     warnings: &mut Warnings,
@@ -128,7 +130,8 @@ fn screen_window(
     Ok(Some(ScreenWindow { x0, x1, y0, y1 }))
 }
 
-/// In degrees; pbrt's `halffov` counts twice, and wins where it is above 0.
+/// The field of view in degrees. pbrt's `halffov` is half of it, and overrides `fov` if it is above
+/// 0.
 fn field_of_view(parameters: &mut Parameters) -> Result<f64> {
     let fov = parameters.number("fov")?;
     let half = parameters.number("halffov")?.filter(|half| *half > 0.0);
@@ -142,4 +145,14 @@ fn field_of_view(parameters: &mut Parameters) -> Result<f64> {
     }
     let error = parameters.error_at(name, format!("a field of view of {fov} degrees"));
     Err(error.note("expected more than 0 and less than 180 degrees"))
+}
+
+fn frame_aspect_ratio(parameters: &mut Parameters) -> Result<Option<f64>> {
+    match parameters.number("frameaspectratio")? {
+        Some(ratio) if !(ratio > 0.0 && ratio.is_finite()) => {
+            let message = format!("`frameaspectratio` is {ratio}, expected a number above 0");
+            Err(parameters.error_at("frameaspectratio", message))
+        }
+        ratio => Ok(ratio),
+    }
 }

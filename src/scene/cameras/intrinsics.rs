@@ -1,8 +1,8 @@
 //! Cameras of computer vision: `K`, `R` and `t`.
 //!
-//! A point X of the world is at x = R X + t in the camera's space, x to the right, y downwards, z forwards, and is seen at K x: at column
-//! fx x/z + cx and row fy y/z + cy, where whole numbers are the centres of pixels (Hartley and Zisserman, Multiple View
-//! Geometry, 6.1; OpenCV's conventions).
+//! A point X of the world is at x = R X + t in camera space, with x to the right, y down and z
+//! forwards. It is seen at K x: at column fx x/z + cx and row fy y/z + cy, where integers are the
+//! centres of pixels (Hartley and Zisserman, Multiple View Geometry, 6.1; OpenCV's conventions).
 
 use crate::camera::{Camera, Projection, ScreenWindow};
 use crate::film::PixelBounds;
@@ -12,12 +12,12 @@ use crate::scene::Film;
 /// What was found, and what was expected.
 pub(super) type Refusal = (String, String);
 
-/// A pinhole without skew, in pixels.
+/// A pinhole camera without skew; lengths in pixels.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Intrinsics {
     focal_length: [f64; 2],
     principal_point: [f64; 2],
-    /// Width and height of the image that it is about.
+    /// Width and height of the images that were calibrated.
     resolution: [u32; 2],
 }
 
@@ -37,7 +37,7 @@ impl Intrinsics {
             let expected =
                 "[[fx, 0, cx], [0, fy, cy], [0, 0, 1]] with fx and fy above 0, in pixels";
             return Err((
-                "a matrix `K` that is none of a pinhole".to_owned(),
+                "a matrix `K` that is not that of a pinhole camera".to_owned(),
                 expected.to_owned(),
             ));
         }
@@ -63,7 +63,7 @@ impl Intrinsics {
         })
     }
 
-    /// The film of the image: all of it, unless it is as large as the scene's.
+    /// The film of the image; with the scene's crop if it has the resolution of the scene.
     pub(super) fn film(&self, of_scene: &Film) -> Film {
         let resolution = self.resolution;
         if resolution == of_scene.resolution {
@@ -76,7 +76,7 @@ impl Intrinsics {
         }
     }
 
-    /// The camera whose pixels look where those of `K` do.
+    /// The camera whose pixels look in the directions of those of `K`.
     pub(super) fn camera(&self, world_from_camera: Matrix) -> Camera {
         let resolution = self.resolution;
         let ([fx, fy], [cx, cy]) = (self.focal_length, self.principal_point);
@@ -99,10 +99,10 @@ impl Intrinsics {
     }
 }
 
-/// How far R may be from a rotation: datasets write a few digits.
+/// How far R may deviate from a rotation: datasets write few digits.
 const TOLERANCE: f64 = 1e-3;
 
-/// The camera space of scenes, y upwards, from the world.
+/// Camera space with y up, as in scenes, from world space.
 pub(super) fn camera_from_world(r: &[[f64; 3]; 3], t: &[f64; 3]) -> Result<Transform, Refusal> {
     let rows = r.map(Vector::from);
     let is_off = |i: usize, j: usize| {
@@ -113,9 +113,10 @@ pub(super) fn camera_from_world(r: &[[f64; 3]; 3], t: &[f64; 3]) -> Result<Trans
     let is_rotation =
         !(0..3).any(|i| (0..3).any(|j| is_off(i, j))) && rows[0].cross(rows[1]).dot(rows[2]) > 0.0;
     if !is_rotation || !t.iter().all(|x| x.is_finite()) {
-        let expected = "`R` to turn the world to the camera (rows of length 1, at right angles, determinant 1) and `t` to be finite";
+        let expected = "`R` to turn the world to the camera \
+                        (rows of length 1, at right angles, determinant 1) and `t` to be finite";
         return Err((
-            "no rotation and translation".to_owned(),
+            "`R` and `t` are not a rotation and a translation".to_owned(),
             expected.to_owned(),
         ));
     }

@@ -1,6 +1,6 @@
-//! Cameras that a file lists, to see one scene from many places.
+//! Lists of cameras in JSON files, to see one scene from many places.
 //!
-//! JSON, a list of objects. Each says where its camera stands, as pbrt does or as computer vision does:
+//! The file is a list of objects. Each places its camera as pbrt or as computer vision does:
 //!
 //! ```json
 //! [
@@ -11,8 +11,8 @@
 //! ]
 //! ```
 //!
-//! `lookat` and `transform` are the numbers of the directives `LookAt` and `Transform` that would stand before a `Camera`. The film
-//! and the lens are then those of the scene, but for `fov`.
+//! `lookat` and `transform` are the numbers of the directives `LookAt` and `Transform` before a
+//! `Camera`. Film and lens are then the scene's; `fov` overrides its field of view.
 
 use super::intrinsics::{self, Intrinsics, Refusal};
 use super::json;
@@ -27,10 +27,10 @@ use serde::Deserialize;
 use std::collections::HashSet;
 use std::path::Path;
 
-/// Cameras of a file at most.
+/// The most cameras in a file.
 const MAX_POSES: usize = 1_000_000;
 
-/// Bytes of a name at most: it becomes part of a file name.
+/// The longest name in bytes: it becomes part of a file name.
 const MAX_NAME: usize = 100;
 
 /// One camera of the list.
@@ -41,16 +41,16 @@ pub struct Pose {
     lens: Lens,
 }
 
-/// What the camera's film shows.
+/// Where the film and the field of view come from.
 #[derive(Debug, Clone, PartialEq)]
 enum Lens {
-    /// As the scene says, but for a field of view in degrees.
+    /// The scene's; `fov`, in degrees, overrides its field of view.
     OfScene { fov: Option<f64> },
-    /// Of a camera that was calibrated.
+    /// A calibrated camera's.
     Calibrated(Intrinsics),
 }
 
-/// One of the list as it stands in the file.
+/// One camera as it stands in the file.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Entry {
@@ -66,18 +66,19 @@ struct Entry {
     resolution: Option<[u32; 2]>,
 }
 
-/// Reads the list in the file `path`.
+/// Reads the list of cameras in the file `path`.
 ///
 /// # Errors
-/// A file that cannot be read, is not such a list, or has a camera that sees nothing or has another one's name.
+/// A file that cannot be read or is not such a list, a camera that sees nothing, or a name that
+/// occurs twice.
 pub fn read_poses(path: &Path) -> Result<Vec<Pose>> {
     parse_poses(path, &input::read(path)?)
 }
 
-/// The list in `bytes`, the content of the file `path`.
+/// Reads the list of cameras in `bytes`, the content of the file `path`.
 ///
 /// # Errors
-/// As [`read_poses`].
+/// See [`read_poses`].
 pub fn parse_poses(path: &Path, bytes: &[u8]) -> Result<Vec<Pose>> {
     let entries: Vec<Entry> = json::list(path, bytes)?;
     let refuse = |found: String| {
@@ -111,7 +112,7 @@ fn check_name(name: &str) -> std::result::Result<(), Refusal> {
     let is_bad = |c: char| is_command(c) || "/\\:*?\"<>|{}".contains(c);
     if name.is_empty() || name.len() > MAX_NAME || name.starts_with('.') || name.chars().any(is_bad)
     {
-        let expected = format!("a part of a file name, of {MAX_NAME} bytes at most");
+        let expected = format!("a part of a file name, of at most {MAX_NAME} bytes");
         return Err((
             "the name cannot be part of a file name".to_owned(),
             expected,
@@ -128,7 +129,8 @@ impl Entry {
             (Some(numbers), None, None, None, None) => (look_at(&numbers)?, self.lens_of_scene()?),
             (None, Some(numbers), None, None, None) => {
                 let transform = Transform::from_column_major(&numbers);
-                let expected = "16 numbers as `Transform` takes them, of which the 4th, 8th and 12th are 0 and the last is not";
+                let expected = "16 numbers as `Transform` takes them: \
+                                the 4th, 8th and 12th are 0, the last is not";
                 (
                     transform.ok_or_else(|| refusal("a transform that is not affine", expected))?,
                     self.lens_of_scene()?,
@@ -189,20 +191,26 @@ fn look_at(numbers: &[f64; 9]) -> std::result::Result<Transform, Refusal> {
         Point::new(lx, ly, lz),
         Vector::new(ux, uy, uz),
     );
-    // As a directive would have it, to the sign of zeros: it is multiplied to the transform that stands there.
-    transform.map(|transform| Transform::IDENTITY.times(&transform)).ok_or_else(|| {
-        let expected = "an eye, another point to look at, and a direction upwards that is not along the view";
-        ("a `lookat` without a direction".to_owned(), expected.to_owned())
-    })
+    // The directive is multiplied to the identity, too: this decides the signs of zeros.
+    transform
+        .map(|transform| Transform::IDENTITY.times(&transform))
+        .ok_or_else(|| {
+            let expected = "an eye, another point to look at, \
+                        and a direction upwards that is not along the view";
+            (
+                "a `lookat` without a direction".to_owned(),
+                expected.to_owned(),
+            )
+        })
 }
 
 impl Pose {
-    /// What it is called; unique in the list, and fit for a part of a file name.
+    /// The name of the camera: unique in the list, and valid in a file name.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// The camera at this place, and its film, in `scene`.
+    /// The camera and its film in `scene`.
     pub fn place(&self, scene: &Scene) -> (Camera, Film) {
         let world_from_camera: Matrix = self.camera_from_world.inverse;
         match &self.lens {
@@ -224,7 +232,7 @@ impl Pose {
         }
     }
 
-    /// Whether it says itself how many pixels there are.
+    /// Whether the camera has a resolution of its own.
     pub fn has_resolution(&self) -> bool {
         matches!(self.lens, Lens::Calibrated(_))
     }

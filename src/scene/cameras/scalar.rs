@@ -1,9 +1,10 @@
-//! A number of a column vector.
+//! Reads a number that may be in a list of its own.
 
 use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Visitor};
 use std::fmt::{self, Formatter};
 
-/// A number, or a list of one, as NumPy writes the rows of a column: OpenCV's `solvePnP` gives t so.
+/// A number, or a list of one number: NumPy writes the rows of a column vector so, and OpenCV's
+/// `solvePnP` returns t as one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Scalar(pub(super) f64);
 

@@ -206,11 +206,11 @@ fn what_is_wrong_with_a_list_is_told_with_its_place() {
         ),
         (
             format!(r#"[{{"K": [[0,0,0],[0,1,0],[0,0,1]], "R": {eye}, "t": [0,0,0]}}]"#),
-            "none of a pinhole",
+            "not that of a pinhole camera",
         ),
         (
             format!(r#"[{{"K": {eye}, "R": [[1,0,0],[0,1,0],[0,0,-1]], "t": [0,0,0]}}]"#),
-            "no rotation and translation",
+            "`R` and `t` are not a rotation and a translation",
         ),
         (
             format!(r#"[{{"K": {eye}, "R": {eye}, "t": [0,0,0]}}]"#),

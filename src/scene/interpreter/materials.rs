@@ -41,8 +41,8 @@ impl Kind {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Material {
     Known(Kind),
-    /// Named and not made yet: pbrt-v4 looks up named materials at the end of the file. In v3 a name
-    /// that is never made changes nothing.
+    /// Named and not made yet: pbrt-v4 looks up named materials at the end of the file. In v3 a
+    /// name that is never made changes nothing.
     NotMade {
         name: Name,
         before: Kind,

@@ -172,17 +172,6 @@ impl<'a> Parameters<'a> {
         }
     }
 
-    /// One finite number above 0.
-    pub(super) fn positive_number(&mut self, name: &'static str) -> Result<Option<f64>> {
-        match self.number(name)? {
-            Some(number) if !(number > 0.0 && number.is_finite()) => {
-                let message = format!("`{name}` is {number}, expected a number above 0");
-                Err(self.error_at(name, message))
-            }
-            number => Ok(number),
-        }
-    }
-
     /// One integer from `least` to `most`.
     pub(super) fn integer(
         &mut self,

@@ -2,8 +2,9 @@
 //!
 //! The grammar uses nom over bytes, because a file need not be UTF-8. A parser of the grammar
 //! returns the rest of the text, whose length tells where it begins. Nothing is kept of a directive
-//! once it is handed out, so a file larger than memory never becomes a tree. The interpreter decides
-//! what directives mean, which types and parameters exist and how many numbers make a point.
+//! once it is handed out, so a file larger than memory never becomes a tree. The interpreter
+//! decides what directives mean, which types and parameters exist and how many numbers make a
+//! point.
 
 mod diagnostics;
 mod directive;

@@ -33,7 +33,8 @@ pub(super) fn vertices_of(parameters: &mut Parameters, mesh: &str) -> ShapeResul
 }
 
 /// The faces of `indices`, N vertices each; `None` without the parameter. Errors say that they
-/// `expected` numbers like `three a triangle`. Excess numbers are dropped with a warning, as in pbrt.
+/// `expected` numbers like `three a triangle`. Excess numbers are dropped with a warning, as in
+/// pbrt.
 pub(super) fn faces_of<const N: usize>(
     parameters: &mut Parameters,
     vertex_count: usize,
@@ -109,8 +110,8 @@ pub(super) fn uv_of(
     Ok(None)
 }
 
-/// Whether `index` is an integer below `vertex_count` that fits 32 bits: only then does a conversion
-/// there and back change nothing.
+/// Whether `index` is an integer below `vertex_count` that fits 32 bits: only then does a
+/// conversion there and back change nothing.
 fn is_index(index: f64, vertex_count: usize) -> bool {
     let whole = index as u32;
     f64::from(whole) == index && (whole as usize) < vertex_count

@@ -14,7 +14,8 @@ pub(in crate::scene) struct TransformCache {
 impl TransformCache {
     /// The number of `matrix` in `geometry`, which stores it if it is new.
     pub(super) fn intern(&mut self, matrix: &Matrix, geometry: &mut Geometry) -> u32 {
-        // Most neighbouring shapes share their transform. A NaN never equals itself: it is looked up.
+        // Most neighbouring shapes share their transform. A NaN never equals itself: it is looked
+        // up.
         if let Some((last, number)) = &self.last
             && last == matrix
             && last.bits() == matrix.bits()

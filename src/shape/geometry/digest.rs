@@ -1,11 +1,12 @@
-//! What stands for the geometry of a scene.
+//! The digest of the geometry.
 
-use super::{FirstNumber, Geometry};
+use super::Geometry;
+use super::runs::FirstNumber;
 use crate::digest::Digester;
 use crate::shape::{Cut, Disk, Form, Sector};
 
 impl Geometry {
-    /// Takes in everything that a picture of the geometry depends on.
+    /// Adds everything that pictures of the geometry depend on.
     pub fn digest(&self, digester: &mut Digester) {
         digester.list(&self.vertices, |vertex| vertex.to_array().map(f64::to_bits));
         digester.list(&self.triangles, |[a, b, c]| {
@@ -22,10 +23,10 @@ impl Geometry {
                 transform,
             ]
         });
-        digester.list(&self.quadrics, |sphere| {
+        digester.list(&self.quadrics, |quadric| {
             [
-                sphere.radius.to_bits(),
-                u64::from(sphere.transform) << 32 | u64::from(sphere.shape),
+                quadric.radius.to_bits(),
+                u64::from(quadric.transform) << 32 | u64::from(quadric.shape),
             ]
         });
         digester.list(&self.quadric_runs, |run| {
@@ -41,7 +42,7 @@ impl Geometry {
         digester.word(self.objects.len() as u64);
         self.objects
             .iter()
-            .for_each(|object| object.geometry().digest(digester));
+            .for_each(|object| object.digest(digester));
         digester.list(&self.instances, |instance| {
             let mut words = [instance.object.into(); 14];
             words[1] = instance.first_number;
@@ -55,7 +56,7 @@ fn words_of(number: FirstNumber) -> [u64; 2] {
     [number.alone.into(), number.instanced]
 }
 
-/// The place and the kind, and the numbers that make the form.
+/// The index and kind of a form, and its numbers.
 fn words_of_form(place: u32, form: &Form) -> [u64; 4] {
     let words = |kind: u64, a: f64, b: f64, sector: Option<Sector>| {
         let degrees = sector.map_or(360.0, |sector| sector.degrees);

@@ -1,11 +1,12 @@
-//! Shapes that turn out to be no surface after they have been stored.
+//! Hides shapes after they have been stored.
 
 use super::Geometry;
 use crate::geometry::Point;
 use std::collections::HashSet;
 
 impl Geometry {
-    /// Sees to it that no ray meets what is stored for the `Shape` statements `hidden`, in objects too; its numbers stay.
+    /// Makes the primitives of the `Shape` statements `hidden` impossible to hit, in objects, too.
+    /// Numbers stay.
     pub fn hide(&mut self, hidden: &HashSet<u32>) {
         let ends = self
             .meshes
@@ -21,7 +22,8 @@ impl Geometry {
         let triangles: Vec<_> = runs
             .map(|(run, end)| run.first_triangle as usize..end)
             .collect();
-        // A triangle without a finite vertex is never hit (rule E1), nor is a quadric without a radius (E2).
+        // A triangle without a finite vertex is never hit (rule E1), nor is a quadric without a
+        // radius (E2).
         if !triangles.is_empty() {
             let nowhere = self.vertices.len() as u32;
             self.vertices.push(Point::new(f64::NAN, f64::NAN, f64::NAN));
@@ -31,10 +33,10 @@ impl Geometry {
         }
         self.quadrics
             .iter_mut()
-            .filter(|sphere| hidden.contains(&sphere.shape))
-            .for_each(|s| s.radius = f64::NAN);
+            .filter(|quadric| hidden.contains(&quadric.shape))
+            .for_each(|quadric| quadric.radius = f64::NAN);
         self.objects
             .iter_mut()
-            .for_each(|object| object.shapes_mut().hide(hidden));
+            .for_each(|object| object.hide(hidden));
     }
 }

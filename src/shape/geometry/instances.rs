@@ -1,33 +1,35 @@
-//! Objects and their instances among the geometry of a scene.
+//! Objects and their instances.
 
-use super::{CapacityError, FirstNumber, Geometry};
+use super::Geometry;
+use super::instance::Instance;
+use super::pose::Pose;
+use super::runs::{CapacityError, FirstNumber};
 use crate::geometry::Matrix;
-use crate::shape::object::{Instance, Object, Pose};
 use crate::shape::{InstancedId, Primitive, Triangle};
 
-/// In place of an object's number, where the object is still to come.
+/// Stands for the number of an object that is not defined yet.
 const UNDEFINED: u32 = u32::MAX;
 
 impl Geometry {
-    /// Adds an object, of which there is no instance yet; returns its number. Its geometry has no instances itself.
+    /// Adds an object, and returns its number. Its geometry has no instances.
     pub fn add_object(&mut self, geometry: Geometry) -> usize {
-        self.objects.push(Object::new(geometry));
+        self.objects.push(geometry);
         self.objects.len() - 1
     }
 
-    /// Adds an instance of an object that was added; its primitives are numbered next.
+    /// Adds an instance of an object. Its primitives get the next numbers.
     pub fn add_instance(
         &mut self,
         object: usize,
         world_from_instance: Matrix,
     ) -> Result<(), CapacityError> {
         self.push_instance(object as u32, world_from_instance)?;
-        self.instanced += self.objects[object].geometry().number_count();
+        self.instanced += self.objects[object].number_count();
         Ok(())
     }
 
-    /// Adds an instance of an object that is still to come; returns its number for [`Geometry::define_instances`],
-    /// which has to follow.
+    /// Adds an instance of an object that is not defined yet, and returns its number for
+    /// [`Geometry::define_instances`], which must follow.
     pub fn add_undefined_instance(
         &mut self,
         world_from_instance: Matrix,
@@ -57,10 +59,10 @@ impl Geometry {
         Ok(())
     }
 
-    /// Says of which objects the undefined instances are, as pairs of an instance and an object, and numbers all
-    /// primitives anew: those of an instance where it stands.
+    /// Defines the objects of undefined instances, as pairs of an instance and an object, and
+    /// renumbers all primitives in the order of the file.
     pub fn define_instances(&mut self, objects: &[(usize, usize)]) {
-        // The primitives in no instance that come before each instance, which do not change.
+        // The number of primitives in no instance before each instance, which does not change.
         let mut instanced = 0;
         let alone: Vec<u64> = (0..self.instances.len())
             .map(|instance| {
@@ -72,7 +74,7 @@ impl Geometry {
         for (instance, object) in objects {
             self.instances[*instance].object = *object as u32;
         }
-        // Numbers of instances before the first instance, the second, and so on; last all of them.
+        // The number of instanced primitives before each instance; the last entry counts all.
         let mut before = vec![0; self.instances.len() + 1];
         for instance in 0..self.instances.len() {
             self.instances[instance].first_number = alone[instance] + before[instance];
@@ -91,14 +93,14 @@ impl Geometry {
         self.instanced = before[self.instances.len()];
     }
 
-    /// Primitive numbers of an instance; none while its object is undefined.
+    /// The number of primitives of an instance; 0 while its object is undefined.
     fn numbers_in(&self, instance: usize) -> u64 {
         let object = self.objects.get(self.instances[instance].object());
-        object.map_or(0, |object| object.geometry().number_count())
+        object.map_or(0, Geometry::number_count)
     }
 
-    /// The objects that instances are of.
-    pub fn objects(&self) -> &[Object] {
+    /// The objects.
+    pub fn objects(&self) -> &[Geometry] {
         &self.objects
     }
 
@@ -109,26 +111,27 @@ impl Geometry {
 
     /// The object of an instance.
     #[inline]
-    pub fn object_of(&self, instance: usize) -> &Object {
+    pub fn object_of(&self, instance: usize) -> &Geometry {
         &self.objects[self.instances[instance].object()]
     }
 
-    /// The object of an instance where the instance places it.
+    /// The object of an instance, at the place of the instance.
     #[inline]
     pub fn pose(&self, instance: usize) -> Pose<'_> {
         Pose::new(
-            self.object_of(instance).geometry(),
+            self.object_of(instance),
             self.instances[instance].world_from_instance,
         )
     }
 
-    /// Primitive numbers in use, each primitive as often as there are instances of it: triangles and quadrics, and
-    /// those of surfaces that are left out.
+    /// The number of primitives, each as often as it is instanced, including those of surfaces that
+    /// are left out.
     pub fn primitive_count(&self) -> u64 {
         self.number_count() + self.instanced
     }
 
-    /// Whether there are too many primitives for `prim` channels to count them all: then they count within the instance.
+    /// Whether there are too many primitives for `prim` channels to count all of them: then they
+    /// count within the instance.
     pub fn counts_within_instances(&self) -> bool {
         self.primitive_count() > u64::from(u32::MAX)
     }
@@ -142,8 +145,8 @@ impl Geometry {
         }
     }
 
-    /// A primitive of a tree, in world space, if any ray can hit it: trees of objects hold what can be hit in some instance, not
-    /// in each.
+    /// A primitive of a tree, in world space, if any ray can hit it: trees of objects contain
+    /// primitives that can be hit in some instance, but perhaps not in this one.
     #[inline]
     pub(crate) fn surface_in_tree(&self, placed: InstancedId) -> Option<Primitive> {
         let surface = self.surface(placed);
@@ -160,11 +163,11 @@ impl Geometry {
         }
     }
 
-    /// All primitives, those of instances as often as there are instances.
+    /// All primitives, each as often as it is instanced.
     pub fn all(&self) -> impl Iterator<Item = InstancedId> {
         let instances = 0..self.instances.len();
         let instanced = instances.flat_map(|instance| {
-            let primitives = self.object_of(instance).geometry().primitives();
+            let primitives = self.object_of(instance).primitives();
             primitives.map(move |primitive| InstancedId::in_instance(instance, primitive))
         });
         self.primitives().map(InstancedId::alone).chain(instanced)

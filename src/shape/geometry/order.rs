@@ -1,12 +1,13 @@
-//! Numbers of primitives and shapes, which follow the file.
+//! The numbers of primitives and shapes, in the order of the file.
 
-use super::{FirstNumber, Geometry};
+use super::Geometry;
+use super::runs::FirstNumber;
 use crate::geometry::Matrix;
 use crate::shape::{InstancedId, PrimitiveId};
 use std::ops::Range;
 
 impl Geometry {
-    /// The primitive number, from 0 in the order of the file (rule E3).
+    /// The primitive number, counted from 0 in the order of the file (rule E3).
     #[inline]
     pub fn number(&self, placed: InstancedId) -> u64 {
         match placed.instance() {
@@ -14,7 +15,6 @@ impl Geometry {
             Some(instance) => {
                 let within = self
                     .object_of(instance)
-                    .geometry()
                     .own_number(placed.primitive())
                     .alone;
                 self.instances[instance].first_number() + u64::from(within)
@@ -22,20 +22,18 @@ impl Geometry {
         }
     }
 
-    /// What `prim` channels call a primitive: its number plus 1, counted within the instance, or among the primitives that are in
-    /// none, if there are [too many](Geometry::counts_within_instances).
+    /// The number of a primitive in `prim` channels, counted from 1: in the whole scene or, if
+    /// there are [too many](Geometry::counts_within_instances), within the instance or among the
+    /// primitives in none.
     #[inline]
     pub fn image_number(&self, placed: InstancedId) -> u32 {
         if !self.counts_within_instances() {
             return self.number(placed) as u32 + 1;
         }
-        let geometry = placed
-            .instance()
-            .map_or(self, |instance| self.object_of(instance).geometry());
-        geometry.own_number(placed.primitive()).alone + 1
+        self.owner_of(placed).own_number(placed.primitive()).alone + 1
     }
 
-    /// The number of a primitive that is in no instance.
+    /// The number of a primitive in no instance.
     #[inline]
     fn own_number(&self, primitive: PrimitiveId) -> FirstNumber {
         let index = primitive.index() as u32;
@@ -55,7 +53,16 @@ impl Geometry {
         }
     }
 
-    /// The triangles of the mesh that a triangle belongs to.
+    /// The geometry that stores a primitive: the scene, or an object.
+    #[inline]
+    pub(in crate::shape) fn owner_of(&self, placed: InstancedId) -> &Geometry {
+        match placed.instance() {
+            None => self,
+            Some(instance) => self.object_of(instance),
+        }
+    }
+
+    /// The triangles of the mesh of a triangle.
     pub(in crate::shape) fn mesh_around(&self, triangle: u32) -> Range<u32> {
         let mesh = self
             .meshes
@@ -68,7 +75,7 @@ impl Geometry {
         self.meshes[mesh].first_triangle..end
     }
 
-    /// The transform of the mesh of an object that a triangle belongs to.
+    /// The transform of the mesh of a triangle in an object.
     #[inline]
     pub(crate) fn transform_of_mesh(&self, triangle: u32) -> &Matrix {
         let number = self
@@ -78,12 +85,10 @@ impl Geometry {
         &self.transforms[number as usize]
     }
 
-    /// The number of the `Shape` statement, from 1.
+    /// The number of the `Shape` statement, counted from 1.
     #[inline]
     pub fn shape_number(&self, placed: InstancedId) -> u32 {
-        let geometry = placed
-            .instance()
-            .map_or(self, |instance| self.object_of(instance).geometry());
+        let geometry = self.owner_of(placed);
         let primitive = placed.primitive();
         if primitive.is_quadric() {
             geometry.quadrics[primitive.index()].shape
@@ -92,7 +97,7 @@ impl Geometry {
         }
     }
 
-    /// Whether `a` comes before `b` in the file: it wins a tie (rule E3).
+    /// Whether `a` comes before `b` in the file, and so wins a tie (rule E3).
     pub fn precedes(&self, a: InstancedId, b: InstancedId) -> bool {
         let (p, q) = (a.primitive(), b.primitive());
         if a.instance() == b.instance() && p.is_quadric() == q.is_quadric() {

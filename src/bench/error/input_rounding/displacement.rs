@@ -19,7 +19,7 @@ pub(super) fn of_primitive(geometry: &Geometry, roundings: &Roundings, placed: I
         Some(instance) => roundings.instance(instance).times(shape),
         None => *shape,
     };
-    let store = instance.map_or(geometry, |instance| geometry.object_of(instance).geometry());
+    let store = instance.map_or(geometry, |instance| geometry.object_of(instance));
     if primitive.is_quadric() {
         // Its matrix has errors, but none of its points has been rounded.
         let extent = store.quadric(primitive.index()).extent();

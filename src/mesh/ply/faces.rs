@@ -1,0 +1,73 @@
+//! Reads the element `face`.
+
+use super::element_reader::ElementReader;
+use super::header::{Element, Scalar};
+use super::plan::{Step, least_run};
+use super::values::{Run, Values};
+use crate::error::Result;
+use crate::memory;
+use crate::mesh::faces::Faces;
+
+/// Adds the triangles of all faces of `element` to `faces`.
+pub(super) fn read<V: Values>(
+    reader: &mut ElementReader<V>,
+    element: &Element,
+    faces: &mut Faces,
+) -> Result<()> {
+    let plan = reader.corner_plan(element)?;
+    let triangles = likely_triangles(reader, element);
+    let too_large = || {
+        format!(
+            "{} faces are too many for this machine's memory",
+            element.count
+        )
+    };
+    memory::check((triangles * size_of::<[u32; 3]>()) as u64, too_large)
+        .map_err(|error| error.or_at(|| reader.in_header(element.span.clone())))?;
+    faces.reserve(triangles);
+    let mut corners = Vec::new();
+    for number in 0..element.count {
+        face(reader, element, number, &plan, &mut corners, faces)?;
+    }
+    Ok(())
+}
+
+/// The number of faces, but no more triangles than the rest of the file can hold.
+fn likely_triangles<V: Values>(reader: &ElementReader<V>, element: &Element) -> usize {
+    let bytes_each = V::least_bytes(least_run(element).plus(Run::of(Scalar::U8, 3)));
+    element
+        .count
+        .min(reader.values.bytes_left() / bytes_each + 1) as usize
+}
+
+/// Reads one face.
+#[inline]
+fn face<V: Values>(
+    reader: &mut ElementReader<V>,
+    element: &Element,
+    number: u64,
+    plan: &[Step],
+    corners: &mut Vec<u32>,
+    faces: &mut Faces,
+) -> Result<()> {
+    for step in plan {
+        let Step::Corners { count, item } = *step else {
+            reader
+                .leave_out(*step)
+                .map_err(|fault| reader.error(fault, element, number))?;
+            continue;
+        };
+        let length = reader.length(count, item);
+        let length = length.map_err(|fault| reader.error(fault, element, number))?;
+        let start = reader.values.last();
+        corners.clear();
+        for _ in 0..length {
+            let index = reader.values.integer(item);
+            let index = index.map_err(|fault| reader.error(fault, element, number))?;
+            corners.push(reader.existing(index, element, number, faces)?);
+        }
+        let pushed = faces.push(corners, || start.clone());
+        pushed.map_err(|error| error.or_at(|| reader.values.location(start)))?;
+    }
+    Ok(())
+}

@@ -1,0 +1,200 @@
+//! Reads binary files: records of vertices, then records of faces with three corners each, or four.
+
+use rayon::prelude::*;
+
+use super::blocks::{HEAD, defaults};
+use super::form::Form;
+use crate::geometry::Point;
+use crate::input::Storage;
+use crate::mesh::TriangleMesh;
+use crate::mesh::ply::binary::ByteOrder;
+use crate::mesh::ply::header::Scalar;
+
+/// The mesh whose first vertex is at the byte `start` of `storage`.
+pub(super) fn read<Order: ByteOrder>(
+    storage: &Storage,
+    start: u64,
+    form: &Form,
+    block: u64,
+) -> Option<TriangleMesh> {
+    let records = Records {
+        storage,
+        start,
+        stride: vertex_stride(form),
+        count: form.vertices,
+        block,
+    };
+    let faces_start = records.end()?;
+    let corners = [4, 3].into_iter().find(|corners| {
+        let end =
+            faces(storage, faces_start, form, *corners, block).and_then(|records| records.end());
+        end.is_some_and(|end| is_padding(storage, end))
+    })?;
+    let vertices = vertices::<Order>(&records, form)?;
+    let records = faces(storage, faces_start, form, corners, block)?;
+    let limit = vertices.len();
+    let triangles = match (corners, form.layout.item) {
+        (3, Scalar::I32) => triangles::<Order, 3, 1>(&records, form, limit.min(1 << 31)),
+        (3, Scalar::U32) => triangles::<Order, 3, 1>(&records, form, limit),
+        (4, Scalar::I32) => triangles::<Order, 4, 2>(&records, form, limit.min(1 << 31)),
+        (4, Scalar::U32) => triangles::<Order, 4, 2>(&records, form, limit),
+        _ => None,
+    }?;
+    Some(TriangleMesh {
+        vertices,
+        triangles,
+        uv: None,
+    })
+}
+
+/// Records of one size.
+struct Records<'a> {
+    storage: &'a Storage<'a>,
+    /// The first byte of the first record.
+    start: u64,
+    /// The bytes of a record.
+    stride: usize,
+    count: usize,
+    /// Bytes that a task reads.
+    block: u64,
+}
+
+impl Records<'_> {
+    /// The byte after the last record; `None` beyond the end of the file.
+    fn end(&self) -> Option<u64> {
+        let size = (self.stride as u64).checked_mul(self.count as u64)?;
+        self.start
+            .checked_add(size)
+            .filter(|end| *end <= self.storage.size())
+    }
+
+    /// Reads `N` values from each record; all records must be within the file.
+    fn read<T, const N: usize>(
+        &self,
+        read: impl Fn(&[u8]) -> Option<[T; N]> + Sync,
+    ) -> Option<Vec<T>>
+    where
+        T: Copy + Default + Send + Sync,
+    {
+        let mut values = defaults(self.count.checked_mul(N)?)?;
+        let at_once = (self.block as usize / self.stride).max(1);
+        let blocks = values.par_chunks_mut(at_once * N).enumerate();
+        blocks.try_for_each_init(Vec::new, |buffer, (number, places)| {
+            let start = self.start + (number * at_once) as u64 * self.stride as u64;
+            let size = places.len() / N * self.stride;
+            let bytes = self
+                .storage
+                .piece(start..start + size as u64, buffer)
+                .ok()?;
+            for (record, places) in bytes
+                .chunks_exact(self.stride)
+                .zip(places.chunks_exact_mut(N))
+            {
+                places.copy_from_slice(&read(record)?);
+            }
+            Some(())
+        })?;
+        Some(values)
+    }
+}
+
+fn vertex_stride(form: &Form) -> usize {
+    form.properties
+        .iter()
+        .map(|property| property.kind.size())
+        .sum()
+}
+
+fn vertices<Order: ByteOrder>(records: &Records, form: &Form) -> Option<Vec<Point>> {
+    let mut places = [(0, Scalar::F32); 3];
+    let mut offset = 0;
+    for property in &form.properties {
+        if let Some(axis) = property.axis {
+            places[axis] = (offset, property.kind);
+        }
+        offset += property.kind.size();
+    }
+    let [(x, kind), (y, _), (z, _)] = places;
+    let single = |record: &[u8], at| {
+        Some(f64::from(f32::from_le_bytes(value::<Order, 4>(
+            record, at,
+        )?)))
+    };
+    let double = |record: &[u8], at| Some(f64::from_le_bytes(value::<Order, 8>(record, at)?));
+    match kind {
+        _ if places.iter().any(|(_, other)| *other != kind) => None,
+        Scalar::F32 => {
+            records.read(|r| Some([Point::new(single(r, x)?, single(r, y)?, single(r, z)?)]))
+        }
+        Scalar::F64 => {
+            records.read(|r| Some([Point::new(double(r, x)?, double(r, y)?, double(r, z)?)]))
+        }
+        _ => None,
+    }
+}
+
+/// The records of faces that have `corners` corners each.
+fn faces<'a>(
+    storage: &'a Storage,
+    start: u64,
+    form: &Form,
+    corners: usize,
+    block: u64,
+) -> Option<Records<'a>> {
+    let others = usize::try_from(
+        form.layout
+            .lead
+            .bytes
+            .checked_add(form.layout.trail.bytes)?,
+    )
+    .ok()?;
+    let list = form.layout.count.size() + corners * form.layout.item.size();
+    Some(Records {
+        storage,
+        start,
+        stride: others.checked_add(list)?,
+        count: form.faces,
+        block,
+    })
+}
+
+/// The triangles of faces with `CORNERS` corners of 32 bits, all below `limit`.
+fn triangles<Order: ByteOrder, const CORNERS: usize, const TRIANGLES: usize>(
+    records: &Records,
+    form: &Form,
+    limit: usize,
+) -> Option<Vec<[u32; 3]>> {
+    u32::try_from(form.faces.checked_mul(TRIANGLES)?).ok()?;
+    let count_at = usize::try_from(form.layout.lead.bytes).ok()?;
+    let count_size = form.layout.count.size();
+    let first = count_at + count_size;
+    records.read::<_, TRIANGLES>(|record| {
+        let count = match count_size {
+            1 => usize::from(*record.get(count_at)?),
+            2 => usize::from(u16::from_le_bytes(value::<Order, 2>(record, count_at)?)),
+            _ => u32::from_le_bytes(value::<Order, 4>(record, count_at)?) as usize,
+        };
+        let mut corners = [0; CORNERS];
+        for (number, corner) in corners.iter_mut().enumerate() {
+            *corner = u32::from_le_bytes(value::<Order, 4>(record, first + 4 * number)?);
+        }
+        let is_good = count == CORNERS && corners.iter().all(|corner| (*corner as usize) < limit);
+        is_good.then(|| std::array::from_fn(|k| [corners[0], corners[k + 1], corners[k + 2]]))
+    })
+}
+
+#[inline]
+fn value<Order: ByteOrder, const N: usize>(record: &[u8], at: usize) -> Option<[u8; N]> {
+    record.get(at..at + N)?.try_into().ok().map(Order::ordered)
+}
+
+/// Whether only padding follows the byte `end`.
+fn is_padding(storage: &Storage, end: u64) -> bool {
+    let mut buffer = Vec::new();
+    let rest = if storage.size() - end <= HEAD {
+        storage.piece(end..storage.size(), &mut buffer).ok()
+    } else {
+        None
+    };
+    rest.is_some_and(|rest| rest.iter().all(|byte| matches!(byte, b'\n' | b'\r' | 0)))
+}

@@ -1,0 +1,330 @@
+//! The fast readers against the general one.
+
+use std::path::Path;
+
+use proptest::prelude::*;
+use proptest::sample::Index;
+
+use super::read_in_blocks;
+use crate::input::Budget;
+use crate::input::Storage;
+use crate::input::gzip::{self, Stream};
+use crate::mesh::tests::told;
+use crate::mesh::{Loaded, ply};
+
+const PATH: &str = "a.ply";
+
+/// What the reader of everything makes of `bytes`; NaN and negative zero made to differ from other
+/// numbers, and NaN from none.
+fn slowly(bytes: &[u8]) -> String {
+    told(&ply::parse(Path::new(PATH), bytes, &Budget::default()))
+}
+
+/// Reads `bytes` in blocks of every kind of size; whatever is read must be what the reader of
+/// everything says. Whether they were read.
+fn check(bytes: &[u8]) -> bool {
+    let expected = slowly(bytes);
+    let path = Path::new(PATH);
+    let mut times_read = 0;
+    for block in [1, 2, 7, 20, 64, 1 << 18] {
+        let loaded = read_in_blocks(path, &Storage::Memory(bytes), block);
+        times_read += usize::from(loaded.is_some());
+        if let Some(loaded) = loaded {
+            assert_eq!(told(&Ok(loaded)), expected, "in blocks of {block} bytes");
+        }
+    }
+    assert!(
+        times_read == 0 || times_read == 6,
+        "the size of blocks has no influence"
+    );
+    for block in [1, 30, 1 << 14] {
+        if let Some(loaded) = read_as_stream(bytes, block) {
+            assert_eq!(told(&Ok(loaded)), expected, "as a stream of {block} bytes");
+        }
+    }
+    assert_eq!(told(&crate::mesh::parse_ply(path, bytes)), expected);
+    times_read > 0
+}
+
+/// Reads `bytes` in blocks that begin to be small right after the header.
+fn read_as_stream(bytes: &[u8], block: usize) -> Option<Loaded> {
+    let end = b"end_header";
+    let end = bytes
+        .windows(end.len())
+        .position(|window| window == end)
+        .map_or(0, |at| at + end.len());
+    let line_end = bytes[end..]
+        .iter()
+        .position(|byte| *byte == b'\n')
+        .map_or(0, |at| at + 1);
+    let first = end + line_end + block;
+    let mut stream = Stream {
+        content: Box::new(bytes),
+        trusted_size: bytes.len(),
+    };
+    super::compressed::read_in_blocks(Path::new(PATH), &mut stream, first, block)
+}
+
+/// Whether `text` is plain, and read as a stream as well as in blocks.
+fn is_plain(text: &str) -> bool {
+    let in_stream = read_as_stream(text.as_bytes(), 9).is_some();
+    assert_eq!(check(text.as_bytes()), in_stream);
+    in_stream
+}
+
+fn header(encoding: &str, vertices: usize, faces: usize, kind: &str) -> String {
+    format!(
+        "ply\nformat {encoding} 1.0\ncomment a\nelement vertex {vertices}\nproperty {kind} x\nproperty {kind} y\n\
+         property uchar red\nproperty {kind} z\nelement face {faces}\nproperty list uchar int vertex_indices\nend_header\n"
+    )
+}
+
+fn two_lines(vertices: &str, faces: &str) -> String {
+    header(
+        "ascii",
+        vertices.lines().count(),
+        faces.lines().count(),
+        "float",
+    ) + vertices
+        + faces
+}
+
+const VERTICES: &str = "0 0 9 0\n1 0 9 0\n1 1 9 0\n.5 .2 9 0\n0 1 9 0\n";
+
+#[test]
+fn plain_text_is_read() {
+    assert!(is_plain(&two_lines(
+        VERTICES,
+        "3 0 1 2\n4 0 1 2 3\n3 0 2 4\n"
+    )));
+    assert!(
+        is_plain(&two_lines(VERTICES, "5 0 1 2 3 4\n3 0 1 2")),
+        "a polygon, and no end of the last line"
+    );
+    assert!(is_plain(
+        &two_lines(VERTICES, "3 0 1 2 \n3\t0  1 2\n").replace('\n', "\r\n")
+    ));
+    assert!(is_plain(&two_lines(
+        "+1 -0 x 1e-3\n  nan\tinf 1 -1e999\n0.1234567890123456789 12345678.5 0 16777217\n",
+        "3 0 +1 002\n"
+    )));
+    assert!(is_plain(
+        &(two_lines(VERTICES, "3 0 1 2\n") + "\n \t\n\n  ")
+    ));
+    assert!(is_plain(
+        &two_lines(VERTICES, "3 0 1 2\n")
+            .replace("float", "double")
+            .replace("0 0 9", "0.1 3 9")
+    ));
+    let more = two_lines(VERTICES, "3 0 1 2 7 x\n3 0 1 3 8 y\n");
+    assert!(is_plain(&more.replace(
+        "end_header",
+        "property uchar red\nproperty uchar green\nend_header"
+    )));
+}
+
+#[test]
+fn odd_text_is_left_alone() {
+    let plain = two_lines(VERTICES, "3 0 1 2\n3 0 1 4\n");
+    assert!(is_plain(&plain));
+    let last = "3 0 1 4\n";
+    let odd = [
+        plain.replace(last, "2 0 1\n"),
+        plain.replace(last, "3 0 1 5\n"),
+        plain.replace(last, "3 0 1 -1\n"),
+        plain.replace(last, "3 0 1 1.5\n"),
+        plain.replace(last, "3 0 1\n"),
+        plain.replace(last, "3 0 1 2 3\n"),
+        plain.replace(last, "3 0 1 4\n3 0 1 2\n"),
+        plain.replace(last, "3 0 1 4\n\0\x0b\nx"),
+        plain.replace(last, "10 0 1 2 3 4 0 1 2 3 4\n"),
+        plain
+            .replace(last, "03 0 1 4\n")
+            .replace("3 0 1 2\n", "03 0 1 2\n"),
+        plain
+            .replace(last, " 3 0 1 4\n")
+            .replace("1 1 9", "1 1 1 9"),
+        plain.replace(last, ""),
+        plain.replace("1 1 9 0\n", "1 1 9 0\n\n"),
+        plain.replace("1 1 9 0\n", "1 1 9 0 5\n"),
+        plain.replace("1 1 9 0\n", "1 1 9 0 1 1 9 0\n"),
+        plain.replace("1 1 9 0\n", "1 1\n9 0\n"),
+        plain.replace("1 1 9 0\n", "1 1 9 \x0b0\n"),
+        plain.replace("1 1 9 0\n", "1 1 9 zero\n"),
+        plain.replace("1 1 9 0\n", "comment here\n1 1 9 0\n"),
+        plain.replace("vertex 5", "vertex 4"),
+        plain.replace("vertex 5", "vertex 18446744073709551615"),
+        plain.replace("face 2", "face 3"),
+        plain.replace("face 2", "face 1"),
+        plain.replace("face 2", "face 0"),
+        plain.replace("face 2", "face 4294967295"),
+        plain.replace("end_header", "property list uchar int other\nend_header"),
+        plain.replace("end_header", "element edge 0\nproperty int a\nend_header"),
+        plain.replace("property float x", "property int x"),
+    ];
+    for text in odd {
+        assert!(!is_plain(&text), "{text}");
+    }
+}
+
+fn number() -> impl Strategy<Value = String> {
+    prop_oneof![
+        8 => "-?[0-9]{1,3}[.][0-9]{1,7}",
+        2 => "[+-]?[0-9]{0,9}[.]?[0-9]{0,18}(e[+-]?[0-9]{1,3})?",
+        1 => "(nan|inf|-inf|0|-0|x)",
+    ]
+}
+
+fn blank() -> impl Strategy<Value = &'static str> {
+    prop_oneof![20 => Just(" "), 1 => Just("  "), 1 => Just("\t"), 1 => Just(" \r")]
+}
+
+fn line_end() -> impl Strategy<Value = &'static str> {
+    prop_oneof![30 => Just("\n"), 10 => Just(" \n"), 2 => Just("\r\n"), 1 => Just("\n\n"), 1 => Just("\r")]
+}
+
+/// Text that is plain most of the time.
+fn any_text() -> impl Strategy<Value = String> {
+    let vertex = (number(), blank(), number(), blank(), number(), line_end());
+    let vertex = vertex.prop_map(|(x, a, y, b, z, end)| format!("{x}{a}{y}{b}255 {z}{end}"));
+    let corners = prop_oneof![12 => proptest::collection::vec(0..12_u32, 3..5), 1 => proptest::collection::vec(0..30_u32, 0..12)];
+    let face = (corners, blank(), line_end()).prop_map(|(corners, blank, end)| {
+        let corners: String = corners
+            .iter()
+            .map(|corner| format!("{blank}{corner}"))
+            .collect();
+        format!("{}{corners}{end}", corners.split_whitespace().count())
+    });
+    let kind = prop_oneof![Just("float"), Just("double")];
+    let bodies = (
+        proptest::collection::vec(vertex, 12..30),
+        proptest::collection::vec(face, 1..20),
+    );
+    (bodies, kind).prop_map(|((vertices, faces), kind)| {
+        header("ascii", vertices.len(), faces.len(), kind) + &vertices.concat() + &faces.concat()
+    })
+}
+
+/// Records of faces that have three corners most of the time.
+fn any_bytes() -> impl Strategy<Value = Vec<u8>> {
+    let corners = (3..5_usize).prop_flat_map(|most| {
+        let odd = proptest::collection::vec(-1..12_i32, 0..7);
+        let face = prop_oneof![60 => proptest::collection::vec(0..9_i32, most), 1 => odd];
+        proptest::collection::vec(face, 1..12)
+    });
+    let vertices = proptest::collection::vec(any::<[f32; 3]>(), 9..12);
+    (vertices, corners, any::<[bool; 2]>(), 0..4_usize).prop_map(
+        |(vertices, faces, [is_big, is_double], padding)| {
+            let encoding = if is_big {
+                "binary_big_endian"
+            } else {
+                "binary_little_endian"
+            };
+            let kind = if is_double { "double" } else { "float" };
+            let mut bytes = header(encoding, vertices.len(), faces.len(), kind).into_bytes();
+            let mut push = |mut value: Vec<u8>| {
+                if is_big {
+                    value.reverse();
+                }
+                bytes.extend(value);
+            };
+            for [x, y, z] in vertices {
+                let mut real = |value: f32| match is_double {
+                    true => push(f64::from(value).to_le_bytes().to_vec()),
+                    false => push(value.to_le_bytes().to_vec()),
+                };
+                real(x);
+                real(y);
+                push(vec![7]);
+                let mut real = |value: f32| match is_double {
+                    true => push(f64::from(value).to_le_bytes().to_vec()),
+                    false => push(value.to_le_bytes().to_vec()),
+                };
+                real(z);
+            }
+            for face in faces {
+                push(vec![face.len() as u8]);
+                face.iter()
+                    .for_each(|corner| push(corner.to_le_bytes().to_vec()));
+            }
+            bytes.extend([b"\n\r\0", &b"\0"[..], b"", b"x"][padding]);
+            bytes
+        },
+    )
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1000))]
+
+    #[test]
+    fn text_is_read_as_by_the_reader_of_everything(text in any_text()) {
+        check(text.as_bytes());
+    }
+
+    #[test]
+    fn bytes_are_read_as_by_the_reader_of_everything(bytes in any_bytes()) {
+        check(&bytes);
+    }
+
+    #[test]
+    fn damaged_files_are_read_as_by_the_reader_of_everything(
+        mesh in prop_oneof![any_text().prop_map(String::into_bytes), any_bytes()],
+        changes in proptest::collection::vec((any::<Index>(), any::<u8>()), 0..3),
+        word in "(|-?[0-9]{1,20}|\n|\r|e|nan| )",
+        place in any::<Index>(),
+        end in any::<Index>(),
+        is_cut in any::<bool>(),
+    ) {
+        let mut mesh = mesh;
+        for (at, byte) in changes {
+            let at = at.index(mesh.len());
+            mesh[at] = byte;
+        }
+        let at = place.index(mesh.len());
+        mesh.splice(at..at, word.bytes());
+        mesh.truncate(if is_cut { end.index(mesh.len()) } else { mesh.len() });
+        check(&mesh);
+    }
+}
+
+#[test]
+fn bytes_that_are_plain_are_read() {
+    for encoding in ["binary_little_endian", "binary_big_endian"] {
+        for corners in [3_u8, 4] {
+            let mut bytes = header(encoding, 4, 2, "float").into_bytes();
+            bytes.extend([0; 4 * 13]);
+            for _ in 0..2 {
+                bytes.push(corners);
+                bytes.extend(vec![0; 4 * usize::from(corners)]);
+            }
+            assert!(check(&bytes), "{encoding}, {corners} corners");
+            bytes.extend(b"\n");
+            assert!(check(&bytes), "padding");
+            bytes.extend(b"x");
+            assert!(!check(&bytes), "more than padding");
+        }
+    }
+}
+
+#[test]
+fn compressed_files_are_read_as_a_stream() {
+    let text = two_lines(VERTICES, "3 0 1 2\n4 0 1 2 3\n");
+    let compressed = crate::mesh::tests::gzipped(text.as_bytes());
+    let path = Path::new(PATH);
+    let storage = Storage::Memory(&compressed);
+    let loaded = gzip::stream(&storage, &Budget::default(), |stream| {
+        super::read_compressed(path, stream)
+    })
+    .expect("it is plain");
+    assert_eq!(told(&Ok(loaded)), slowly(text.as_bytes()));
+    for length in 0..compressed.len() {
+        let cut = Storage::Memory(&compressed[..length]);
+        assert!(
+            gzip::stream(&cut, &Budget::default(), |stream| super::read_compressed(
+                path, stream
+            ))
+            .is_none(),
+            "cut off at {length}"
+        );
+    }
+}

@@ -1,0 +1,82 @@
+//! A triangle mesh, and the result of reading one.
+
+use std::path::Path;
+
+use rayon::prelude::*;
+
+use super::tally;
+use crate::error::{Diagnostic, SourceLocation};
+use crate::geometry::Point;
+use crate::shape::CornerUv;
+
+/// The geometry of one file, in object space.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct TriangleMesh {
+    /// The corners. Triangles with a corner that is not finite are never hit.
+    pub vertices: Vec<Point>,
+    /// Three indices of `vertices` each, in the order of the file.
+    pub triangles: Vec<[u32; 3]>,
+    /// u and v at the corners of each, if they are wanted and the file has them.
+    pub uv: Option<Vec<CornerUv>>,
+}
+
+impl TriangleMesh {
+    /// The memory that it takes, in bytes.
+    pub(crate) fn bytes(&self) -> u64 {
+        let uv = self.uv.as_deref().map_or(0, size_of_val);
+        (size_of_val(&self.vertices[..]) + size_of_val(&self.triangles[..]) + uv) as u64
+    }
+}
+
+/// A mesh, and warnings about its file.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Loaded {
+    /// The geometry.
+    pub mesh: TriangleMesh,
+    /// Warnings for the user. A repeated one is counted and names the first place.
+    pub warnings: Vec<Diagnostic>,
+}
+
+impl Loaded {
+    /// Adds the warnings that all formats have in common.
+    pub(super) fn new(path: &Path, mesh: TriangleMesh, mut warnings: Vec<Diagnostic>) -> Loaded {
+        let broken = mesh
+            .vertices
+            .par_iter()
+            .filter(|vertex| !vertex.is_finite())
+            .count();
+        if broken > 0 && !mesh.triangles.is_empty() {
+            let message = format!(
+                "{} with an infinite or NaN coordinate",
+                tally::counted(broken as u64, "vertex")
+            );
+            let warning = Diagnostic::new(message).at(SourceLocation::file(path));
+            warnings.push(warning.note("triangles that use such a vertex are never hit"));
+        }
+        if mesh.triangles.is_empty() {
+            warnings.push(empty(path, mesh.vertices.len()));
+        }
+        Loaded { mesh, warnings }
+    }
+}
+
+/// The coordinates at the corners of `triangles` whose vertices have the coordinates `uv`.
+pub fn uv_of_corners(triangles: &[[u32; 3]], uv: &[[f32; 2]]) -> Vec<CornerUv> {
+    triangles
+        .par_iter()
+        .map(|corners| corners.map(|corner| uv[corner as usize]))
+        .collect()
+}
+
+fn empty(path: &Path, vertices: usize) -> Diagnostic {
+    let message = match vertices {
+        0 => "the mesh is empty: it has no faces".to_string(),
+        _ => format!(
+            "the mesh has no faces, only {}",
+            tally::counted(vertices as u64, "vertex")
+        ),
+    };
+    Diagnostic::new(message)
+        .at(SourceLocation::file(path))
+        .note("rays cannot hit it")
+}

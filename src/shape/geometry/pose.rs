@@ -1,0 +1,62 @@
+//! An object at the place of one of its instances.
+
+use super::Geometry;
+use crate::geometry::Matrix;
+use crate::shape::{Primitive, PrimitiveId, Quadric, Triangle};
+use std::ops::Range;
+
+/// An object under the transform of an instance. Remembers the product with the transform of the
+/// last mesh.
+#[derive(Debug, Clone)]
+pub struct Pose<'a> {
+    object: &'a Geometry,
+    world_from_instance: Matrix,
+    /// The triangles of the last mesh.
+    mesh: Range<u32>,
+    world_from_mesh: Matrix,
+}
+
+impl<'a> Pose<'a> {
+    #[inline]
+    pub(crate) fn new(object: &'a Geometry, world_from_instance: Matrix) -> Pose<'a> {
+        Pose {
+            object,
+            world_from_instance,
+            mesh: 0..0,
+            world_from_mesh: world_from_instance,
+        }
+    }
+
+    /// A primitive of the object, under the product of the transforms of instance and shape.
+    #[inline]
+    pub fn surface(&mut self, primitive: PrimitiveId) -> Primitive {
+        let index = primitive.index();
+        if primitive.is_quadric() {
+            let quadric = self.object.quadric(index);
+            let world_from_object = self.world_from_instance.times(&quadric.world_from_object);
+            return Primitive::Quadric(Quadric {
+                world_from_object,
+                ..quadric
+            });
+        }
+        Primitive::Triangle(self.triangle(index))
+    }
+
+    /// Triangle `index` of the object.
+    #[inline]
+    pub(super) fn triangle(&mut self, index: usize) -> Triangle {
+        let triangle = index as u32;
+        if !self.mesh.contains(&triangle) {
+            self.mesh = self.object.mesh_around(triangle);
+            self.world_from_mesh = self
+                .world_from_instance
+                .times(self.object.transform_of_mesh(triangle));
+        }
+        Triangle(
+            self.object
+                .triangle(index)
+                .0
+                .map(|vertex| self.world_from_mesh.apply(vertex)),
+        )
+    }
+}

@@ -1,0 +1,58 @@
+//! The number of primitives, and their memory.
+
+use super::Geometry;
+
+impl Geometry {
+    /// The number of primitives in no instance, including those left out.
+    pub(super) fn number_count(&self) -> u64 {
+        self.own_count() as u64 + u64::from(self.left_out)
+    }
+
+    /// The number of triangles and quadrics in no instance.
+    pub fn own_count(&self) -> usize {
+        self.triangles.len() + self.quadrics.len()
+    }
+
+    /// The number of triangles in no instance, including those that can never be hit.
+    pub fn triangle_count(&self) -> usize {
+        self.triangles.len()
+    }
+
+    /// The number of quadrics in no instance, including those that can never be hit.
+    pub fn quadric_count(&self) -> usize {
+        self.quadrics.len()
+    }
+
+    /// The number of triangles; those of an object count once.
+    pub fn stored_triangles(&self) -> usize {
+        let of_objects = self.objects.iter().map(Geometry::stored_triangles);
+        self.triangles.len() + of_objects.sum::<usize>()
+    }
+
+    /// The number of quadrics; those of an object count once.
+    pub fn stored_quadrics(&self) -> usize {
+        let of_objects = self.objects.iter().map(Geometry::stored_quadrics);
+        self.quadrics.len() + of_objects.sum::<usize>()
+    }
+
+    /// The memory that the geometry takes, in bytes.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&self.vertices[..])
+            + size_of_val(&self.triangles[..])
+            + size_of_val(&self.meshes[..])
+            + size_of_val(&self.quadrics[..])
+            + size_of_val(&self.quadric_runs[..])
+            + size_of_val(&self.forms[..])
+            + size_of_val(&self.transforms[..])
+            + size_of_val(&self.instances[..])
+            + self
+                .attributes
+                .as_ref()
+                .map_or(0, |attributes| attributes.bytes())
+            + self
+                .objects
+                .iter()
+                .map(|object| size_of::<Geometry>() + object.bytes())
+                .sum::<usize>()
+    }
+}

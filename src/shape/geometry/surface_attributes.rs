@@ -1,0 +1,113 @@
+//! Which side the normals of shapes are on, and the coordinates of their surfaces.
+
+use super::Geometry;
+use super::attributes::CornerUv;
+use crate::shape::InstancedId;
+
+impl Geometry {
+    /// Puts the normals of the last shape, of this number, on the other side: for pbrt's
+    /// `ReverseOrientation`, or if its transform swaps handedness, but not for both.
+    pub fn turn_normals(&mut self, shape: u32) {
+        self.attributes.get_or_insert_default().turn(shape);
+    }
+
+    /// Gives coordinates to the triangles of the last mesh, one for each.
+    pub fn add_uv(&mut self, uv: Vec<CornerUv>) {
+        let first_triangle = self.triangles.len().checked_sub(uv.len());
+        if let Some(first_triangle) = first_triangle.filter(|_| !uv.is_empty()) {
+            self.attributes
+                .get_or_insert_default()
+                .add_uv(first_triangle as u32, uv);
+        }
+    }
+
+    /// Whether the normals of a primitive are on the other side.
+    pub(in crate::shape) fn turns_normal_of(&self, placed: InstancedId) -> bool {
+        let attributes = self.owner_of(placed).attributes.as_ref();
+        attributes.is_some_and(|attributes| {
+            attributes.has_turned() && attributes.is_turned(self.shape_number(placed))
+        })
+    }
+
+    /// The coordinates at the corners of a triangle, if its mesh has any.
+    pub(in crate::shape) fn uv_of(&self, placed: InstancedId) -> Option<&CornerUv> {
+        let attributes = self.owner_of(placed).attributes.as_ref()?;
+        attributes.uv_of(placed.primitive().index() as u32)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Matrix, Point};
+    use crate::shape::PrimitiveId;
+    use crate::shape::geometry::attributes::Attributes;
+
+    fn add_triangles(geometry: &mut Geometry, count: usize, shape: u32) {
+        geometry
+            .add_mesh(
+                vec![Point::default(); 3],
+                vec![[0, 1, 2]; count],
+                &Matrix::IDENTITY,
+                shape,
+            )
+            .unwrap();
+    }
+
+    #[test]
+    fn triangles_have_the_coordinates_of_their_mesh() {
+        let (mut geometry, plain) = (Geometry::default(), size_of::<Attributes>());
+        let uv = |first: u8, count: u8| {
+            (first..first + count)
+                .map(|k| [[k.into(); 2]; 3])
+                .collect::<Vec<CornerUv>>()
+        };
+        add_triangles(&mut geometry, 2, 1);
+        let bytes = geometry.bytes();
+        assert!(
+            geometry
+                .uv_of(InstancedId::alone(PrimitiveId::triangle(0)))
+                .is_none()
+                && geometry.attributes.is_none()
+        );
+        for (count, shape, coordinates) in [
+            (2, 2, uv(1, 2)),
+            (1, 3, Vec::new()),
+            (0, 4, Vec::new()),
+            (1, 5, uv(3, 1)),
+        ] {
+            add_triangles(&mut geometry, count, shape);
+            geometry.add_uv(coordinates);
+        }
+        let found: Vec<Option<f32>> = (0..6)
+            .map(|k| {
+                geometry
+                    .uv_of(InstancedId::alone(PrimitiveId::triangle(k)))
+                    .map(|uv| uv[0][0])
+            })
+            .collect();
+        assert_eq!(found, [None, None, Some(1.0), Some(2.0), None, Some(3.0)]);
+        assert!(geometry.bytes() >= bytes + plain + 3 * size_of::<CornerUv>());
+    }
+
+    #[test]
+    fn normals_are_turned_by_shape() {
+        let mut object = Geometry::default();
+        for shape in 1..4 {
+            object
+                .add_object_mesh(vec![Point::default(); 3], vec![[0, 1, 2]], 0, shape)
+                .unwrap();
+        }
+        object.turn_normals(2);
+        let mut geometry = Geometry::default();
+        let number = geometry.add_object(object);
+        geometry.add_instance(number, Matrix::IDENTITY).unwrap();
+        add_triangles(&mut geometry, 1, 7);
+        geometry.turn_normals(7);
+        let turned: Vec<bool> = geometry
+            .all()
+            .map(|placed| geometry.turns_normal_of(placed))
+            .collect();
+        assert_eq!(turned, [true, false, true, false]);
+    }
+}
