@@ -139,7 +139,7 @@ fn a_film_may_not_give_its_image_such_a_name() {
         );
         for arguments in ["a.pbrt", "a.pbrt -o a.exr", "a.pbrt ball.pbrt"] {
             let run = is_plain(folder.render(arguments)).failed(65, "a.pbrt:4:");
-            run.said("`filename` holds control characters");
+            run.said("`filename` contains control characters");
         }
         assert!(!folder.path("a.exr").exists());
     }
