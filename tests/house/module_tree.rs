@@ -49,7 +49,8 @@ impl ModuleTree {
         let steps = steps.checked_sub(1)?;
         let (first, mut rest) = path.split_first()?;
         let mut module = match first.as_str() {
-            "crate" | "feimos" => Vec::new(),
+            "crate" => Vec::new(),
+            "feimos" if !rest.is_empty() => Vec::new(),
             "self" => at.to_vec(),
             "super" => at[..at.len().checked_sub(1)?].to_vec(),
             name => return self.resolve_name(at, name, rest, steps),

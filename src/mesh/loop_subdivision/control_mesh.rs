@@ -1,7 +1,7 @@
 //! The control mesh: the given faces, connected by their edges.
 
 use super::refine::{Edge, Face, Surface};
-use super::{Place, Refusal};
+use super::refusal::{Place, Refusal};
 use crate::geometry::Point;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;

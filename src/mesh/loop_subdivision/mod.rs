@@ -7,9 +7,12 @@
 
 mod control_mesh;
 mod refine;
+mod refusal;
 
 use super::TriangleMesh;
 use crate::geometry::Point;
+
+pub use refusal::{Place, Refusal};
 
 /// The most levels: one more would turn even a single face into too many.
 pub const MOST_LEVELS: u32 = 30;
@@ -20,26 +23,6 @@ const MOST_FACES: u64 = 1 << 30;
 
 /// The most vertices before the first level.
 const MOST_VERTICES: u64 = 3 << 24;
-
-/// Why a surface cannot be subdivided.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Refusal {
-    /// The part that is wrong.
-    pub place: Place,
-    /// What was found.
-    pub message: String,
-    /// What to do about it.
-    pub advice: String,
-}
-
-/// The part of a surface that a [`Refusal`] is about.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Place {
-    /// A corner, counted from 0 through all faces.
-    Index(usize),
-    /// The number of levels.
-    Levels,
-}
 
 /// The triangles of the surface after `levels` levels, whose control mesh consists of `faces` over
 /// existing `vertices`. The triangles of a face are consecutive, in the order of the faces.
