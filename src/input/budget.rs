@@ -203,7 +203,10 @@ impl Budget {
         );
         let read = account.distinct;
         self.check(account.stored, limit, |limit| {
-            format!("the scene's meshes take more than {limit} bytes of memory, though its files have only {read}")
+            format!(
+                "the scene's meshes take more than {limit} bytes of memory, \
+                 though its files have only {read}"
+            )
         })
     }
 

@@ -126,7 +126,8 @@ fn damaged(path: &Path, error: &std::io::Error) -> Error {
 
 fn bomb(path: &Path, size: usize, limit: u64) -> Error {
     let message = format!(
-        "{size} bytes of gzip data decompress to more than {limit} bytes, which the compressed files of a scene have left"
+        "{size} bytes of gzip data decompress to more than {limit} bytes, \
+         which the compressed files of a scene have left"
     );
     Error::bad_input(Diagnostic::new(message).at(SourceLocation::file(path)))
 }

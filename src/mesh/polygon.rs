@@ -3,29 +3,29 @@
 //! A face with corners 0 to n-1 has n-2 triangles, whatever its shape, in this order:
 //!
 //! 1. **Three or four corners**: (0, 1, 2), then (0, 2, 3). A concave quadrilateral is no
-//! exception. 2. **Flattening.** With q the corners minus corner 0, the Newell normal is the sum
-//! over the edges from a to b,
-//!    from the edge 0-1 on, of `((a.y-b.y)*(a.z+b.z), (a.z-b.z)*(a.x+b.x), (a.x-b.x)*(a.y+b.y))`. The axis of its
-//!    largest absolute component, the first of x, y, z if equal, is dropped. u and v are the two axes that follow
-//!    it in the cycle x, y, z, exchanged where that component is negative, so that the polygon turns
-//!    left. From here on only u and v of the original corners count. A face with a corner or a normal that is
-//!    not finite gives its fan, as in step 4.
+//!    exception.
+//! 2. **Flattening.** With q the corners minus corner 0, the Newell normal is the sum over the
+//!    edges from a to b, from the edge 0-1 on, of `((a.y-b.y)*(a.z+b.z), (a.z-b.z)*(a.x+b.x),
+//!    (a.x-b.x)*(a.y+b.y))`. The axis of its largest absolute component, the first of x, y, z if
+//!    equal, is dropped. u and v are the two axes that follow it in the cycle x, y, z, exchanged if
+//!    that component is negative, so that the polygon turns left. From here on only u and v of the
+//!    original corners count. A face with a corner or a normal that is not finite becomes its fan,
+//!    as in step 4.
 //! 3. **Turns.** The turn from a over b to c is `(b.u-a.u)*(c.v-a.v) - (b.v-a.v)*(c.u-a.u)`,
-//! rounded to `f64` after
-//!    each operation; its sign decides, and a NaN is neither positive nor negative nor zero.
-//! 4. **Convex**: every turn at a corner is at least 0, and the edges go around once: those that
-//! are not of zero
-//!    length change exactly twice between *upwards* (dv > 0, or dv = 0 and du > 0) and *downwards*. Then the fan:
-//!    (0, k, k+1) for k from 1 to n-2.
+//!    rounded to `f64` after each operation. Its sign decides; NaN is neither positive nor negative
+//!    nor zero.
+//! 4. **Convex**: every turn at a corner is at least 0, and the edges go around once: those not of
+//!    zero length change exactly twice between *upwards* (dv > 0, or dv = 0 and du > 0) and
+//!    *downwards*. Then the face becomes its fan: (0, k, k+1) for k from 1 to n-2.
 //! 5. **Ears.** Otherwise corners are cut off until three are left. Each has a previous and a next
-//! corner p and n
-//!    among those left. A corner c is an *ear* if the turn p, c, n is positive and no other corner left
-//!    blocks it: one whose own turn is not positive, that is not at the position (u, v) of p, c or n, and none of
-//!    whose turns p-c, c-n, n-p to it is negative. The search starts at corner 0 and goes to the next corner until it finds an
-//!    ear. That is cut: the triangle (p, c, n) comes out, and the search goes on at n.
-//! 6. **No ear** among all the corners left (the outline crosses or touches itself): the first
-//! corner
-//!    from where this search began whose turn is 0 is cut instead, and if there is none, the one where it began.
+//!    corner p and n among those left. A corner c is an *ear* if the turn p, c, n is positive and
+//!    no other corner left blocks it: one whose own turn is not positive, that is not at the
+//!    position (u, v) of p, c or n, and none of whose turns p-c, c-n, n-p to it is negative. The
+//!    search starts at corner 0 and goes to the next corner until it finds an ear. The ear is cut:
+//!    the triangle (p, c, n) comes out, and the search continues at n.
+//! 6. **No ear** among all the corners left (the outline crosses or touches itself): then the first
+//!    corner whose turn is 0, from the start of this search on, is cut instead; if there is none,
+//!    the corner at the start.
 //! 7. **The last three** come out from the lowest number on, in order.
 //!
 //! A face that is not convex is refused if it has more than 10,000 corners, or if steps 5 and 6

@@ -1,12 +1,12 @@
 //! Types, counts and names of parameters.
 
-use crate::{complaint, error, scene, warnings};
+use crate::{diagnostic, error, scene, warnings};
 use feimos::film::PixelBounds;
 use feimos::shape::{InstancedId, PrimitiveId};
 
 /// What is said of a shape with `parameters`.
 fn error_of(parameters: &str) -> String {
-    complaint(&format!("WorldBegin\nShape {parameters}"))
+    diagnostic(&format!("WorldBegin\nShape {parameters}"))
 }
 
 #[test]

@@ -173,7 +173,8 @@ impl<'a> Reader<'a> {
             .find(|line| !is_comment(line))
             .unwrap_or(content.len()..content.len());
         let words = Words::new(content, line);
-        let known = "expected `format`, one of ascii, binary_little_endian and binary_big_endian, and the version 1.0";
+        let known = "expected `format`, one of ascii, binary_little_endian and \
+                     binary_big_endian, and the version 1.0";
         if words.get(0) != b"format" {
             return Err(self.wrong(&words, 0, "the encoding is missing", known));
         }
@@ -266,9 +267,14 @@ impl<'a> Reader<'a> {
 
     fn scalar(&self, words: &Words, at: usize) -> Result<Scalar> {
         Scalar::parse(words.get(at)).ok_or_else(|| {
-            let known = "expected one of char, uchar, short, ushort, int, uint, float, double, int8, uint8, int16, \
-                         uint16, int32, uint32, float32 and float64";
-            self.wrong(words, at, format!("unknown type {}", words.quoted(at)), known)
+            let known = "expected one of char, uchar, short, ushort, int, uint, float, double, \
+                         int8, uint8, int16, uint16, int32, uint32, float32 and float64";
+            self.wrong(
+                words,
+                at,
+                format!("unknown type {}", words.quoted(at)),
+                known,
+            )
         })
     }
 

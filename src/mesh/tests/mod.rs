@@ -1,8 +1,9 @@
-//! Whole files to meshes, and what is said about the broken ones.
+//! Whole mesh files, and the messages about broken ones.
 
 mod damage;
 mod obj;
 mod ply;
+mod ply_messages;
 mod polygon;
 mod uv;
 

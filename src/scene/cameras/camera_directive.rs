@@ -9,7 +9,7 @@ use crate::scene::warnings::Warnings;
 
 /// The directive, before the film is known.
 #[derive(Debug, Clone)]
-pub(in crate::scene) struct CameraParameters {
+pub(crate) struct CameraParameters {
     world_from_camera: Matrix,
     projection: Projection,
     frame_aspect_ratio: Option<f64>,
@@ -18,7 +18,7 @@ pub(in crate::scene) struct CameraParameters {
 
 impl CameraParameters {
     /// pbrt's default camera: 90 degrees, at the origin, along +z.
-    pub(in crate::scene) fn default_camera() -> CameraParameters {
+    pub(crate) fn default_camera() -> CameraParameters {
         CameraParameters {
             world_from_camera: Matrix::IDENTITY,
             projection: Projection::Perspective { tangent: 1.0 },
@@ -29,7 +29,7 @@ impl CameraParameters {
 
     /// Reads the directive. `current` is the current transform: camera space from world space (rule
     /// R5).
-    pub(in crate::scene) fn read(
+    pub(crate) fn read(
         parameters: &mut Parameters,
         current: &Transform,
         warnings: &mut Warnings,
@@ -80,7 +80,7 @@ impl CameraParameters {
     }
 
     /// The camera with a film of `resolution`.
-    pub(in crate::scene) fn resolve(self, resolution: [u32; 2]) -> Camera {
+    pub(crate) fn resolve(self, resolution: [u32; 2]) -> Camera {
         let aspect = self
             .frame_aspect_ratio
             .unwrap_or(f64::from(resolution[0]) / f64::from(resolution[1]));

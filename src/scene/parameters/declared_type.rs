@@ -6,14 +6,14 @@ use crate::scene::spelling;
 
 /// The type that a parameter must be declared with, in any of its spellings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::scene) struct DeclaredType(&'static [&'static str]);
+pub(crate) struct DeclaredType(&'static [&'static str]);
 
 impl DeclaredType {
-    pub(in crate::scene) const FLOAT: DeclaredType = DeclaredType(&["float"]);
-    pub(in crate::scene) const INTEGER: DeclaredType = DeclaredType(&["integer"]);
-    pub(in crate::scene) const POINT2: DeclaredType = DeclaredType(&["point2", "float"]);
-    pub(in crate::scene) const POINT: DeclaredType = DeclaredType(&["point3", "point"]);
-    pub(in crate::scene) const STRING: DeclaredType = DeclaredType(&["string"]);
+    pub(crate) const FLOAT: DeclaredType = DeclaredType(&["float"]);
+    pub(crate) const INTEGER: DeclaredType = DeclaredType(&["integer"]);
+    pub(crate) const POINT2: DeclaredType = DeclaredType(&["point2", "float"]);
+    pub(crate) const POINT: DeclaredType = DeclaredType(&["point3", "point"]);
+    pub(crate) const STRING: DeclaredType = DeclaredType(&["string"]);
 
     /// Why `parameter` is not declared with this type; `None` if it is.
     pub(super) fn refusal(self, parameter: &Parameter) -> Option<Diagnostic> {

@@ -40,9 +40,8 @@ impl<'a> Parameters<'a> {
     ) -> Result<Parameters<'a>> {
         for parameter in &entity.parameters {
             if let Some(refusal) = declared_type::refusal_of_values(parameter) {
-                return Err(Error::bad_input(
-                    refusal.at(file.at(&parameter.values_span)),
-                ));
+                let at = file.at(&parameter.values_span);
+                return Err(Error::bad_input(refusal.at(at)));
             }
         }
         let known = KnownNames::default();
@@ -61,11 +60,9 @@ impl<'a> Parameters<'a> {
         file: &'a SourceFile,
         defaults: &'a ShapeDefaults,
     ) -> Result<Parameters<'a>> {
-        let parameters = Parameters::new("Shape", entity, file)?;
-        Ok(Parameters {
-            defaults: defaults.as_slice(),
-            ..parameters
-        })
+        let mut parameters = Parameters::new("Shape", entity, file)?;
+        parameters.defaults = defaults.as_slice();
+        Ok(parameters)
     }
 
     /// The name after the keyword: `sphere`, `perspective`.
@@ -294,14 +291,9 @@ impl<'a> Parameters<'a> {
     }
 
     fn warn_of_names(self, misspelt: bool, warnings: &mut Warnings) {
-        let Parameters {
-            known,
-            keyword,
-            entity,
-            file,
-            ..
-        } = self;
-        known.warn_of_repeated(keyword, entity, file, warnings);
-        known.warn_of_unknown(misspelt, keyword, entity, file, warnings);
+        let (keyword, entity, file) = (self.keyword, self.entity, self.file);
+        self.known.warn_of_repeated(keyword, entity, file, warnings);
+        self.known
+            .warn_of_unknown(misspelt, keyword, entity, file, warnings);
     }
 }

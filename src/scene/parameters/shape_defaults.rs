@@ -5,25 +5,21 @@ use crate::scene::source_file::SourceFile;
 use std::sync::Arc;
 
 /// A parameter, and the file that it stands in.
-pub(in crate::scene) struct ShapeDefault {
+pub(crate) struct ShapeDefault {
     pub(super) parameter: Parameter<'static>,
     pub(super) file: Arc<SourceFile>,
 }
 
 /// The defaults in force, in their order: the last one of a name counts. Blocks only ever append.
 #[derive(Default)]
-pub(in crate::scene) struct ShapeDefaults(Vec<ShapeDefault>);
+pub(crate) struct ShapeDefaults(Vec<ShapeDefault>);
 
 /// The most defaults in force at a time: every shape searches them.
-pub(in crate::scene) const MAX_DEFAULTS: usize = 1000;
+pub(crate) const MAX_DEFAULTS: usize = 1000;
 
 impl ShapeDefaults {
     /// Adds copies of `parameters`, which stand in `file`; returns whether there was room.
-    pub(in crate::scene) fn add(
-        &mut self,
-        parameters: &[Parameter],
-        file: &Arc<SourceFile>,
-    ) -> bool {
+    pub(crate) fn add(&mut self, parameters: &[Parameter], file: &Arc<SourceFile>) -> bool {
         if parameters.len() > MAX_DEFAULTS - self.0.len() {
             return false;
         }
@@ -35,12 +31,12 @@ impl ShapeDefaults {
         true
     }
 
-    pub(in crate::scene) fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.0.len()
     }
 
     /// Drops all but the first `count`.
-    pub(in crate::scene) fn truncate(&mut self, count: usize) {
+    pub(crate) fn truncate(&mut self, count: usize) {
         self.0.truncate(count);
     }
 

@@ -107,7 +107,7 @@ pub struct Text<'a> {
 
 impl<'a> Text<'a> {
     /// The string that stands at `span` and means `bytes`.
-    pub(in crate::scene) fn new(bytes: Cow<'a, [u8]>, span: Span) -> Text<'a> {
+    pub(crate) fn new(bytes: Cow<'a, [u8]>, span: Span) -> Text<'a> {
         let (text, raw) = match bytes {
             Cow::Borrowed(bytes) => match std::str::from_utf8(bytes) {
                 Ok(text) => (Cow::Borrowed(text), None),

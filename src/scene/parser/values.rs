@@ -215,7 +215,7 @@ fn is_end_of_directive(input: &[u8]) -> bool {
 
 /// The span of number `index`, counted from 0, of the numbers at `array`; all of `array` if there
 /// are fewer.
-pub(in crate::scene) fn number_in(source: &[u8], array: &Span, index: usize) -> Span {
+pub(crate) fn number_in(source: &[u8], array: &Span, index: usize) -> Span {
     let text = &source[array.clone()];
     let mut rest = text.strip_prefix(b"[").unwrap_or(text);
     for left in (0..=index).rev() {

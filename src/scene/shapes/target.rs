@@ -11,22 +11,22 @@ use crate::scene::warnings::Warnings;
 use crate::shape::{CapacityError, Form, Geometry, NonFiniteCounts};
 
 /// Where one shape goes.
-pub(in crate::scene) struct ShapeTarget<'a> {
-    pub(in crate::scene) geometry: &'a mut Geometry,
-    pub(in crate::scene) transforms: &'a mut TransformCache,
-    pub(in crate::scene) warnings: &'a mut Warnings,
-    pub(in crate::scene) inputs: &'a mut Inputs,
-    pub(in crate::scene) options: &'a LoadOptions,
+pub(crate) struct ShapeTarget<'a> {
+    pub(crate) geometry: &'a mut Geometry,
+    pub(crate) transforms: &'a mut TransformCache,
+    pub(crate) warnings: &'a mut Warnings,
+    pub(crate) inputs: &'a mut Inputs,
+    pub(crate) options: &'a LoadOptions,
     /// The number of the `Shape` statement, counted from 1.
-    pub(in crate::scene) number: u32,
+    pub(crate) number: u32,
     /// In an object definition, the world is the space of the object, and meshes stay in their own
     /// space.
-    pub(in crate::scene) world_from_object: Matrix,
-    pub(in crate::scene) is_in_object: bool,
+    pub(crate) world_from_object: Matrix,
+    pub(crate) is_in_object: bool,
     /// Whether the normals are on the other side than the shape alone would have them.
-    pub(in crate::scene) is_turned: bool,
+    pub(crate) is_turned: bool,
     /// Whether the shape only bounds a medium: then its primitives only have numbers.
-    pub(in crate::scene) bounds_medium: bool,
+    pub(crate) bounds_medium: bool,
 }
 
 /// The result of adding a shape.

@@ -6,7 +6,7 @@ use std::collections::HashMap;
 
 /// Finds matrices by their bits.
 #[derive(Debug, Default)]
-pub(in crate::scene) struct TransformCache {
+pub(crate) struct TransformCache {
     number_of: HashMap<[u64; 12], u32>,
     last: Option<(Matrix, u32)>,
 }
@@ -31,7 +31,7 @@ impl TransformCache {
     }
 
     /// The number of transforms.
-    pub(in crate::scene) fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.number_of.len()
     }
 }

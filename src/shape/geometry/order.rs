@@ -55,7 +55,7 @@ impl Geometry {
 
     /// The geometry that stores a primitive: the scene, or an object.
     #[inline]
-    pub(in crate::shape) fn owner_of(&self, placed: InstancedId) -> &Geometry {
+    pub(crate) fn owner_of(&self, placed: InstancedId) -> &Geometry {
         match placed.instance() {
             None => self,
             Some(instance) => self.object_of(instance),
@@ -63,7 +63,7 @@ impl Geometry {
     }
 
     /// The triangles of the mesh of a triangle.
-    pub(in crate::shape) fn mesh_around(&self, triangle: u32) -> Range<u32> {
+    pub(crate) fn mesh_around(&self, triangle: u32) -> Range<u32> {
         let mesh = self
             .meshes
             .partition_point(|run| run.first_triangle <= triangle)

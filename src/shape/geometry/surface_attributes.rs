@@ -22,7 +22,7 @@ impl Geometry {
     }
 
     /// Whether the normals of a primitive are on the other side.
-    pub(in crate::shape) fn turns_normal_of(&self, placed: InstancedId) -> bool {
+    pub(crate) fn turns_normal_of(&self, placed: InstancedId) -> bool {
         let attributes = self.owner_of(placed).attributes.as_ref();
         attributes.is_some_and(|attributes| {
             attributes.has_turned() && attributes.is_turned(self.shape_number(placed))
@@ -30,7 +30,7 @@ impl Geometry {
     }
 
     /// The coordinates at the corners of a triangle, if its mesh has any.
-    pub(in crate::shape) fn uv_of(&self, placed: InstancedId) -> Option<&CornerUv> {
+    pub(crate) fn uv_of(&self, placed: InstancedId) -> Option<&CornerUv> {
         let attributes = self.owner_of(placed).attributes.as_ref()?;
         attributes.uv_of(placed.primitive().index() as u32)
     }

@@ -16,7 +16,7 @@ pub use cut::Cut;
 pub use disk::Disk;
 pub use sector::Sector;
 pub(crate) use single::SingleQuadric;
-pub(in crate::shape) use unit_space::UnitSpace;
+pub(crate) use unit_space::UnitSpace;
 
 use crate::exact::{exponent_of, power_of_two};
 use crate::geometry::Matrix;
@@ -74,7 +74,7 @@ impl Quadric {
     }
 
     /// The same without what cuts it: a disk without its rims.
-    pub(in crate::shape) fn uncut(&self) -> Quadric {
+    pub(crate) fn uncut(&self) -> Quadric {
         let form = match &self.form {
             Form::Sphere(_) => Form::Sphere(None),
             Form::Cylinder(_) => Form::Cylinder(Cut::of_cylinder(f64::MIN, f64::MAX, 360.0)),

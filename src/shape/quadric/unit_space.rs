@@ -8,7 +8,7 @@ use crate::geometry::{Matrix, Point, Ray, Vector};
 /// World space is divided by a power of two, so that neither the matrix nor its inverse overflows
 /// or underflows just because a scene is large or small. Each entry of the inverse is rounded once.
 #[derive(Debug, Clone)]
-pub(in crate::shape) struct UnitSpace {
+pub(crate) struct UnitSpace {
     quadric: Quadric,
     centre: Point,
     scale: f64,
@@ -18,7 +18,7 @@ pub(in crate::shape) struct UnitSpace {
 
 impl UnitSpace {
     /// The space of a quadric that [can be hit](Quadric::can_be_hit).
-    pub(in crate::shape) fn new(quadric: &Quadric) -> UnitSpace {
+    pub(crate) fn new(quadric: &Quadric) -> UnitSpace {
         let (m, scale) = (&quadric.world_from_object, quadric.scale());
         let scaled = Matrix {
             rows: m
@@ -35,7 +35,7 @@ impl UnitSpace {
     }
 
     /// The point of `ray` at `t`.
-    pub(in crate::shape) fn point(&self, ray: &Ray, t: f64) -> Vector {
+    pub(crate) fn point(&self, ray: &Ray, t: f64) -> Vector {
         let from_centre = ray.origin - self.centre;
         let direction = ray.direction * t;
         self.vector(Vector::from(
@@ -52,7 +52,7 @@ impl UnitSpace {
 
     /// The `t` at which `ray`, which misses, comes nearest to the axis of a cylinder, or to the
     /// centre of a sphere or disk.
-    pub(in crate::shape) fn nearest(&self, ray: &Ray) -> f64 {
+    pub(crate) fn nearest(&self, ray: &Ray) -> f64 {
         let weigh = |v: Vector| match self.quadric.form {
             Form::Cylinder(_) => Vector::new(v.x, v.y, 0.0),
             Form::Sphere(_) | Form::Disk(_) => v,
@@ -67,7 +67,7 @@ impl UnitSpace {
     /// The unit normal in the world at a point of the surface: away from the centre or axis of a
     /// sphere or cylinder, along the z axis of a disk. It is pbrt-v3's dp/du x dp/dv, mapped to the
     /// world by the transposed inverse.
-    pub(in crate::shape) fn normal(&self, point: Vector) -> Vector {
+    pub(crate) fn normal(&self, point: Vector) -> Vector {
         let gradient = match self.quadric.form {
             Form::Sphere(_) => point,
             Form::Cylinder(_) => Vector::new(point.x, point.y, 0.0),
@@ -88,7 +88,7 @@ impl UnitSpace {
     /// u is the angle about the z axis over `phimax`. v is a fraction: for a sphere, of the way
     /// from the angle of `zmin` to that of `zmax`; for a cylinder, from `zmin` to `zmax`; for a
     /// disk, from the rim to the hole or the centre. It is 0 if the way has no length.
-    pub(in crate::shape) fn uv(&self, point: Vector) -> [f64; 2] {
+    pub(crate) fn uv(&self, point: Vector) -> [f64; 2] {
         let from_axis = (point.x * point.x + point.y * point.y).sqrt();
         let radius = self.quadric.radius;
         let (sector, v) = match &self.quadric.form {

@@ -15,7 +15,7 @@ use crate::mesh::{Loaded, TriangleMesh};
 const BLOCK: usize = 1 << 19;
 
 /// The mesh in `stream`, if it is text in the usual form.
-pub(in crate::mesh::ply) fn read(path: &Path, stream: &mut Stream) -> Option<Loaded> {
+pub(crate) fn read(path: &Path, stream: &mut Stream) -> Option<Loaded> {
     read_in_blocks(path, stream, BLOCK, BLOCK)
 }
 
