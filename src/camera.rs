@@ -1,4 +1,4 @@
-//! Pixel to ray (rule R5): perspective and orthographic cameras.
+//! Cameras, perspective and orthographic: from pixel to ray (rule R5).
 
 use crate::exact::degrees;
 use crate::geometry::{Matrix, Point, Ray, Vector};
@@ -6,12 +6,12 @@ use crate::geometry::{Matrix, Point, Ray, Vector};
 /// How rays leave the camera.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Projection {
-    /// All from the eye.
+    /// All rays start at the eye.
     Perspective {
         /// The tangent of half the field of view across the shorter side of the film.
         tangent: f64,
     },
-    /// All in the direction of the view.
+    /// All rays have the direction of the view.
     Orthographic,
 }
 
@@ -23,7 +23,7 @@ impl Projection {
         }
     }
 
-    /// What scene files call it.
+    /// Its name in scene files.
     pub fn name(&self) -> &'static str {
         match self {
             Projection::Perspective { .. } => "perspective",
@@ -31,7 +31,8 @@ impl Projection {
         }
     }
 
-    /// The field of view in degrees, for people: it has been rounded twice. None where rays are parallel.
+    /// The field of view in degrees, for display: it has been rounded twice. `None` for parallel
+    /// rays.
     pub fn field_of_view(&self) -> Option<f64> {
         match self {
             Projection::Perspective { tangent } => Some(2.0 * tangent.atan().to_degrees()),
@@ -40,8 +41,8 @@ impl Projection {
     }
 }
 
-/// What the film shows of the plane at distance 1, in units of the camera's space (of the tangent, for a
-/// perspective one).
+/// The part of the plane at distance 1 that the film shows, in units of camera space (tangents, for
+/// a perspective camera).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ScreenWindow {
     /// The left edge.
@@ -78,28 +79,28 @@ impl ScreenWindow {
 /// A camera with its film: everything that decides the ray of a pixel.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Camera {
-    /// Places the camera, and scales its directions.
+    /// The position and orientation of the camera, and the scale of its directions.
     pub world_from_camera: Matrix,
     /// How rays leave.
     pub projection: Projection,
-    /// What the film shows.
+    /// The part of the plane at distance 1 that the film shows.
     pub screen_window: ScreenWindow,
-    /// Pixels of the whole film, whatever the crop: width and height.
+    /// Width and height of the whole film in pixels, without the crop.
     pub resolution: [u32; 2],
 }
 
 impl Camera {
-    /// The point that boxes are stored relative to: the eye, or the origin of camera space.
+    /// The point that boxes are relative to: the eye, or the origin of camera space.
     pub fn anchor(&self) -> Point {
         self.world_from_camera.column(3).into()
     }
 
-    /// Where the camera looks in the world, about: a vector of length 1.
+    /// The approximate direction of the view in the world, of length 1.
     pub fn view_direction(&self) -> Vector {
         Vector::from(self.world_from_camera.column(2)).normalized()
     }
 
-    /// Where the ray of pixel `x`, `y` passes the plane at distance 1: X and Y in camera space.
+    /// Where the ray of pixel `x`, `y` crosses the plane at distance 1: X and Y in camera space.
     pub fn plane_coordinates(&self, x: u32, y: u32) -> [f64; 2] {
         let [width, height] = self.resolution;
         let screen = &self.screen_window;
@@ -116,7 +117,7 @@ impl Camera {
         self.ray_through(self.plane_coordinates(x, y))
     }
 
-    /// The ray that passes the plane at distance 1 at X and Y in camera space.
+    /// The ray that crosses the plane at distance 1 at X and Y in camera space.
     pub fn ray_through(&self, [x, y]: [f64; 2]) -> Ray {
         let c = &self.world_from_camera.rows;
         let component =
@@ -141,7 +142,7 @@ impl Camera {
     }
 }
 
-/// Where the centre of pixel `i` of `count` lies between `first` and `last`.
+/// The position of the centre of pixel `i` of `count` between `first` and `last`.
 fn pixel_centre(first: f64, last: f64, i: u32, count: u32) -> f64 {
     let (i, count) = (f64::from(i), f64::from(count));
     (first * (2.0 * (count - i) - 1.0) + last * (2.0 * i + 1.0)) / (2.0 * count)

@@ -1,17 +1,18 @@
-//! Numbers that stand for contents: equal for equal ones, and for no others that anybody will meet.
+//! Digests: equal for equal contents, and different for others that occur in practice.
 //!
-//! XXH3 in 128 bits (Collet, <https://xxhash.com>). It keeps chance away, not malice: whoever wants two scenes of one digest can make them.
+//! XXH3 in 128 bits (Collet, <https://xxhash.com>). It protects against chance, not malice: two
+//! scenes with the same digest can be constructed.
 
 use rayon::prelude::*;
 use std::fmt;
 use twox_hash::XxHash3_128;
 
-/// 128 bits that stand for a content.
+/// A digest of 128 bits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Digest(u128);
 
 impl Digest {
-    /// All there is to it.
+    /// Its two words.
     pub fn words(self) -> [u64; 2] {
         [(self.0 >> 64) as u64, self.0 as u64]
     }
@@ -23,27 +24,27 @@ impl fmt::Display for Digest {
     }
 }
 
-/// Takes a content in, piece by piece.
+/// Computes a digest piece by piece.
 #[derive(Default)]
 pub struct Digester(XxHash3_128);
 
-/// Items of a list that a thread takes at a time. The digest depends on it.
+/// The items of a list that a thread takes at a time. The digest depends on it.
 const PART: usize = 1 << 14;
 
 impl Digester {
-    /// Takes one number in.
+    /// Adds a number.
     pub fn word(&mut self, word: u64) {
         self.0.write(&word.to_le_bytes());
     }
 
-    /// Takes numbers in by their bits: the two zeros are different.
+    /// Adds numbers by their bits: the two zeros differ.
     pub fn measures(&mut self, measures: &[f64]) {
         measures
             .iter()
             .for_each(|measure| self.word(measure.to_bits()));
     }
 
-    /// Takes a list in, on all threads: how long it is, and each item as the words that `words` makes of it.
+    /// Adds a list, with all threads: its length, and the `words` of each item.
     pub fn list<T: Sync, const N: usize>(
         &mut self,
         items: &[T],
@@ -52,7 +53,7 @@ impl Digester {
         self.word(items.len() as u64);
         let of_part = |bytes: &mut Vec<[[u8; 8]; N]>, part: &[T]| {
             bytes.clear();
-            // One item as one value: compilers make wide moves of it.
+            // An item as one value compiles to wide moves.
             bytes.extend(part.iter().map(|item| words(item).map(u64::to_le_bytes)));
             XxHash3_128::oneshot(bytes.as_flattened().as_flattened())
         };
@@ -62,7 +63,7 @@ impl Digester {
             .for_each(|part| self.0.write(&part.to_le_bytes()));
     }
 
-    /// What stands for all that was taken in.
+    /// The digest of everything added.
     pub fn finish(&self) -> Digest {
         Digest(self.0.finish_128())
     }

@@ -1,11 +1,11 @@
-//! Identity of files: device and inode, whatever the path.
+//! The identity of files: device and inode, whatever the path.
 
 use std::collections::HashMap;
 use std::fs::{self, Metadata};
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// A regular file. Links, `..` and other spellings of its path make no difference.
+/// A regular file, whatever links, `..` and other spellings its path has.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct FileId(Inner);
 
@@ -16,7 +16,7 @@ type Inner = [u64; 2];
 type Inner = PathBuf;
 
 impl FileId {
-    /// The file at the end of `path`; `None` where there is no regular file.
+    /// The file at `path`; `None` if it is not a regular file.
     pub fn of(path: &Path) -> Option<FileId> {
         FileId::with_size(path).map(|(id, _)| id)
     }
@@ -27,13 +27,13 @@ impl FileId {
         Some((FileId::of_any(path, &metadata)?, metadata.len()))
     }
 
-    /// The directory `path`; `None` where there is none.
+    /// The directory `path`; `None` if it is not one.
     pub fn of_directory(path: &Path) -> Option<FileId> {
         let metadata = fs::metadata(path).ok().filter(Metadata::is_dir)?;
         FileId::of_any(path, &metadata)
     }
 
-    /// The file that standard input is read from; `None` where it is a pipe or a terminal.
+    /// The file behind standard input; `None` for a pipe or a terminal.
     pub fn of_stdin() -> Option<FileId> {
         stdin()
             .ok()
@@ -64,12 +64,12 @@ fn stdin() -> io::Result<Metadata> {
     Err(io::ErrorKind::Unsupported.into())
 }
 
-/// The files that were read for something, each with the path that led to it.
+/// The files that were read for some purpose, each with the path that led to it.
 #[derive(Debug, Clone, Default)]
 pub struct InputFiles(HashMap<FileId, PathBuf>);
 
 impl InputFiles {
-    /// Adds the scene `path`, where it is a regular file; `-` is standard input.
+    /// Adds the scene `path` if it is a regular file; `-` is standard input.
     pub fn add_named(&mut self, path: &Path) {
         let id = if path == Path::new("-") {
             FileId::of_stdin()
@@ -79,7 +79,7 @@ impl InputFiles {
         self.note(id, path);
     }
 
-    /// Adds the file `path`, where it is a regular one.
+    /// Adds the file `path` if it is a regular file.
     pub fn add(&mut self, path: &Path) {
         self.note(FileId::of(path), path);
     }
@@ -89,7 +89,7 @@ impl InputFiles {
             .for_each(|id| _ = self.0.entry(id).or_insert_with(|| path.to_path_buf()));
     }
 
-    /// The path by which the file `id` was read.
+    /// The path that led to the file `id`.
     pub fn path_of(&self, id: &FileId) -> Option<&Path> {
         self.0.get(id).map(PathBuf::as_path)
     }

@@ -1,12 +1,12 @@
-//! Hit and depth images of PBRT scenes: exact about geometry, and about nothing else.
+//! Hit and depth images of PBRT scenes, exact in geometry and free of shading.
 //!
 //! ```text
 //! scene.pbrt -> directives -> Scene -> Aggregate -> tiles -> Image -> out.{exr,png,npy,pfm}
 //!               scene::parser scene    accel        render   film
 //! ```
 //!
-//! Each arrow is one module that knows its input and its output and nothing further on. `docs/design.md` tells why
-//! it is built this way, `docs/accuracy.md` which numbers are rounded on the way.
+//! Each arrow is a module that knows its input and its output, but nothing further on.
+//! `docs/design.md` explains the design, `docs/accuracy.md` lists the numbers that are rounded.
 //!
 //! ```
 //! use feimos::accel::{Aggregate, BuildOptions, Precision, SplitMethod};
@@ -20,7 +20,8 @@
 //! let options = LoadOptions { resolution: Some([40, 40]), ..LoadOptions::default() };
 //! let scene = load(Path::new("scenes/sphere.pbrt"), &options, Progress::SILENT)?;
 //! let anchor = scene.camera.anchor();
-//! let aggregate = Aggregate::build(&scene.geometry, anchor, BuildOptions::new(SplitMethod::Sah), Progress::SILENT);
+//! let build = BuildOptions::new(SplitMethod::Sah);
+//! let aggregate = Aggregate::build(&scene.geometry, anchor, build, Progress::SILENT);
 //! let options = RenderOptions {
 //!     data_window: scene.film.crop,
 //!     channels: vec![ChannelName::Z],
@@ -30,7 +31,7 @@
 //!     precision: Precision::Exact,
 //! };
 //! let rendering = render(&scene.camera, &scene.geometry, &aggregate, &options, Progress::SILENT)?;
-//! let depths = rendering.image.measures(ChannelName::Z).expect("the channel asked for");
+//! let depths = rendering.image.measures(ChannelName::Z).expect("a requested channel");
 //! assert_eq!(depths[0], f32::INFINITY);
 //! let nearest = depths.iter().copied().fold(f32::INFINITY, f32::min);
 //! assert!((nearest - 3.0).abs() < 1e-3, "the sphere's near side is 3 units away");

@@ -1,24 +1,25 @@
-//! Memory that the process may still take, as far as the system tells.
+//! The memory that the process may still take, as far as the system says.
 //!
-//! Linux promises more memory than there is, and ends the process that takes it. So large sizes are compared with what is left before
-//! they are asked for: with free memory, and with the limits of the control groups and of the process.
+//! Linux promises more memory than it has, and ends the process that uses it. So large sizes are
+//! first compared with what is left: free memory, and the limits of control groups and of the
+//! process.
 
 use crate::error::{Diagnostic, Error, ErrorKind, Result};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Bytes that the process may still take; `None` where the system does not tell.
+/// The bytes that the process may still take; `None` if the system does not say.
 pub(crate) fn available() -> Option<u64> {
     let limits = [free(), left_of_groups(), left_of_address_space()];
     limits.into_iter().flatten().min()
 }
 
-/// Refuses what takes `bytes` where there are fewer; `message` says what it is.
+/// Refuses `bytes` of memory if less is left; `message` describes the data.
 ///
 /// # Errors
-/// One that may pass: other programs may end, and limits be raised.
+/// A temporary error: other programs may end, and limits may be raised.
 pub(crate) fn check(bytes: u64, message: impl FnOnce() -> String) -> Result<()> {
-    // What is small is not worth the time to look.
+    // Small sizes are not worth the check.
     const SMALL: u64 = 32 << 20;
     match available() {
         _ if bytes < SMALL => Ok(()),
@@ -41,14 +42,14 @@ fn words(bytes: u64) -> String {
     format!("{} MB", bytes.div_ceil(1 << 20))
 }
 
-/// Free memory of the machine, and what can be swapped out.
+/// Free memory and swap space of the machine.
 fn free() -> Option<u64> {
     let text = fs::read_to_string("/proc/meminfo").ok()?;
     let memory = kilobytes(&text, "MemAvailable:")?;
     Some(memory.saturating_add(kilobytes(&text, "SwapFree:").unwrap_or(0)))
 }
 
-/// The bytes in a line of `text` that begins with `name`.
+/// The size, in bytes, in the line of `text` that begins with `name`.
 fn kilobytes(text: &str, name: &str) -> Option<u64> {
     let number = text.lines().find_map(|line| line.strip_prefix(name))?;
     number
@@ -60,7 +61,7 @@ fn kilobytes(text: &str, name: &str) -> Option<u64> {
         .checked_mul(1024)
 }
 
-/// What the control groups that the process is in leave of their limits.
+/// What the process's control groups leave of their limits.
 fn left_of_groups() -> Option<u64> {
     let groups = fs::read_to_string("/proc/self/cgroup").ok()?;
     let left = groups.lines().filter_map(|line| {
@@ -82,10 +83,10 @@ fn left_of_groups() -> Option<u64> {
     left.min()
 }
 
-/// The least that the group `path` below `root`, or one of the groups around it, leaves.
+/// The least that the group `path` below `root`, or one of its parents, leaves.
 fn left_in(root: &str, path: &str, names: [&str; 2]) -> Option<u64> {
     let root = Path::new(root);
-    // Within a container the path may be that of the machine: then only the root is there.
+    // In a container the path may be the host's: then only the root exists.
     let mut group: PathBuf = root.join(path.trim_start_matches('/'));
     let mut least = left_of_group(&group, names);
     while group != root && group.pop() {
@@ -102,9 +103,9 @@ fn left_of_group(group: &Path, [limit, usage]: [&str; 2]) -> Option<u64> {
             .parse::<u64>()
             .ok()
     };
-    // No limit is the word `max`, or a number close to 2^63.
+    // Without a limit the file says `max`, or a number close to 2^63.
     let limit = number(limit).filter(|limit| *limit < 1 << 60)?;
-    // Copies of files are dropped where there is need.
+    // Cached files are dropped on demand.
     let cached = fs::read_to_string(group.join("memory.stat")).map_or(0, |statistics| {
         let bytes = |name: &str| {
             statistics

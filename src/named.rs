@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-/// Implements `ALL`, `name`, `Display` and `FromStr` for an enum: `named!(Level: Portable => "portable")`.
+/// Implements `ALL`, `name`, `Display` and `FromStr` for an enum, such as
+/// `named!(Side: Left => "left", Right => "right")`.
 macro_rules! named {
     ($type:ident: $($(#[$cfg:meta])* $variant:ident $(($inner:path))? => $name:literal),+ $(,)?) => {
         impl $type {

@@ -1,6 +1,7 @@
 //! The page of `bench --report` as a browser shows it.
 //!
-//! `FEIMOS_BROWSER=chromium cargo test --test report -- --ignored`; the screenshot stays in the folder for build results.
+//! `FEIMOS_BROWSER=chromium cargo test --test report -- --ignored`; the screenshot stays in the
+//! folder for build results.
 
 use feimos::film::view::MISS_IN_DEPTH;
 use image::RgbImage;

@@ -1,7 +1,6 @@
 //! The methods of building a tree.
 
-use std::fmt;
-use std::str::FromStr;
+use crate::named::named;
 
 /// How an aggregate is built (PBR book, 3rd edition, section 4.3).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -19,54 +18,10 @@ pub enum SplitMethod {
     Hlbvh,
 }
 
-impl SplitMethod {
-    /// All of them, simplest first.
-    pub const ALL: [SplitMethod; 5] = [
-        SplitMethod::None,
-        SplitMethod::Middle,
-        SplitMethod::Equal,
-        SplitMethod::Sah,
-        SplitMethod::Hlbvh,
-    ];
-
-    /// The name on the command line and in scene files.
-    pub fn name(self) -> &'static str {
-        match self {
-            SplitMethod::None => "none",
-            SplitMethod::Middle => "middle",
-            SplitMethod::Equal => "equal",
-            SplitMethod::Sah => "sah",
-            SplitMethod::Hlbvh => "hlbvh",
-        }
-    }
-}
-
-impl fmt::Display for SplitMethod {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
-    }
-}
-
-/// The name is none of the known ones.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct UnknownSplitMethod;
-
-impl fmt::Display for UnknownSplitMethod {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let names = SplitMethod::ALL.map(SplitMethod::name);
-        write!(f, "expected one of {}", names.join(", "))
-    }
-}
-
-impl std::error::Error for UnknownSplitMethod {}
-
-impl FromStr for SplitMethod {
-    type Err = UnknownSplitMethod;
-
-    fn from_str(name: &str) -> Result<SplitMethod, UnknownSplitMethod> {
-        SplitMethod::ALL
-            .into_iter()
-            .find(|method| method.name() == name)
-            .ok_or(UnknownSplitMethod)
-    }
-}
+named!(SplitMethod:
+    None => "none",
+    Middle => "middle",
+    Equal => "equal",
+    Sah => "sah",
+    Hlbvh => "hlbvh",
+);

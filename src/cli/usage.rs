@@ -87,7 +87,7 @@ fn report_mistake<Cli: FromArgMatches>(mistake: &clap::Error, command: Command) 
     }
     let printable = args_os().map(|argument| terminal_text::line(&argument.to_string_lossy()));
     let parse = |matches| Cli::from_arg_matches(&matches);
-    // If standard error is closed, nobody can be told.
+    // If standard error is closed, the message is lost.
     let _ = match command.try_get_matches_from(printable).and_then(parse) {
         Err(mistake) if mistake.use_stderr() => mistake.print(),
         _ => io::stderr().write_all(terminal_text::lines(&mistake.render().to_string()).as_bytes()),

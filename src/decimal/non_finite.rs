@@ -1,8 +1,8 @@
-//! Infinities and NaNs as C libraries print them.
+//! Parses infinities and NaNs as C libraries print them.
 
-/// The number that `token` is, where it is one that is not finite in a spelling of C's `printf`: `nan(ind)`, as
-/// `strtod` takes it, and `1.#INF`, `1.#IND`, `1.#QNAN`, `1.#SNAN`, as Microsoft's library printed it before 2015,
-/// with the zeros of a precision, or rounded to a letter (`1.#J`, `1.#R`).
+/// The value of `token` if it is a spelling of infinity or NaN by C's `printf`: `nan(ind)`, which
+/// `strtod` accepts, and `1.#INF`, `1.#IND`, `1.#QNAN`, `1.#SNAN`, which Microsoft's library
+/// printed before 2015, with the zeros of a precision, or rounded to a letter (`1.#J`, `1.#R`).
 pub(super) fn parse(token: &[u8]) -> Option<f64> {
     let (sign, unsigned) = match token {
         [b'-', rest @ ..] => (-1.0, rest),
@@ -58,7 +58,8 @@ fn of_windows(unsigned: &[u8]) -> Option<f64> {
     }
 }
 
-/// The bytes of a number such as `1.#INF` that `text` begins with, where it is one; it ends with `is_word`.
+/// The length of a number such as `1.#INF` at the start of `text`, if there is one; it ends with
+/// `is_word`.
 pub(crate) fn leading(text: &[u8], is_word: impl Fn(u8) -> bool) -> Option<usize> {
     let hash = text.iter().position(|byte| !is_word(*byte))?;
     if text[hash] != b'#' || !text[..hash].ends_with(b".") {

@@ -1,37 +1,37 @@
-//! Numbers in `f64` that carry a bound on their error.
+//! `f64` numbers with a bound on their error.
 
 use super::{Bracket, UNIT_ROUNDOFF as U};
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// A value in `f64` that differs from the number meant by `error` at most; an `error` that is infinite or NaN says
-/// nothing.
+/// A value that differs from the exact number by at most `error`; nothing is known if that is
+/// infinite or NaN.
 ///
-/// Every operation adds its own rounding to what its operands bring along (Higham, "Accuracy and Stability of
-/// Numerical Algorithms", section 3.3, running error analysis). The bounds are themselves computed in `f64`, so each
-/// ends in a factor that makes up for the roundings on the way to it: no test can tell, since that is a matter of 2^-53 of a
-/// bound that is hardly ever met.
+/// Every operation adds its own rounding to the errors of its operands (Higham, "Accuracy and
+/// Stability of Numerical Algorithms", section 3.3, running error analysis). The bounds are
+/// computed in `f64`, too, so each ends in a factor that covers the roundings on the way to it. No
+/// test can show that, since it matters only for 2^-53 of a bound that is hardly ever reached.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Approximation {
     value: f64,
     error: f64,
 }
 
-/// More than the underflow of a product, at most 2^-1075, and of the four products in its bound.
+/// A bound on the underflow of a product, at most 2^-1075, and of the four products in its bound.
 const TINY: f64 = f64::from_bits(1 << 4);
 
 impl Approximation {
-    /// A number that is `value`.
+    /// The exact number `value`.
     pub fn exactly(value: f64) -> Approximation {
         Approximation { value, error: 0.0 }
     }
 
-    /// A number that differs from `value` by `error` at most.
+    /// A number that differs from `value` by at most `error`.
     pub fn within(value: f64, error: f64) -> Approximation {
         Approximation { value, error }
     }
 
-    /// How the number compares with 0, where that is sure.
+    /// How the number compares with 0, if that is certain.
     pub fn sign(&self) -> Option<Ordering> {
         if self.value > self.error {
             Some(Ordering::Greater)
@@ -42,17 +42,17 @@ impl Approximation {
         }
     }
 
-    /// Where the number lies.
+    /// The bracket of the number.
     pub fn bracket(&self) -> Bracket {
         Bracket::around(self.value, self.error)
     }
 
-    /// The number times itself.
+    /// The square.
     pub fn square(self) -> Approximation {
         self * self
     }
 
-    /// The number without its sign.
+    /// The absolute value.
     pub fn abs(self) -> Approximation {
         Approximation {
             value: self.value.abs(),
@@ -60,7 +60,7 @@ impl Approximation {
         }
     }
 
-    /// The square root of a number that is known not to be negative, whatever its approximation is.
+    /// The square root of a number that is known not to be negative, even if its approximation is.
     pub fn square_root(self) -> Approximation {
         if self.value > self.error {
             // |sqrt x - sqrt y| = |x - y| / (sqrt x + sqrt y)
@@ -70,7 +70,7 @@ impl Approximation {
                 error: (self.error / root + U * root) * (1.0 + 8.0 * U),
             }
         } else {
-            // Both roots lie between 0 and this; the factor makes up for the roundings.
+            // Both roots lie between 0 and this; the factor covers the roundings.
             let most = (self.value.abs() + self.error).sqrt() * (1.0 + 8.0 * U);
             Approximation {
                 value: 0.0,
@@ -90,7 +90,7 @@ impl Approximation {
                 error: f64::INFINITY,
             };
         }
-        // What underflows in the product grows in the division.
+        // The division magnifies the underflow of the product.
         let carried = (self.error + value.abs() * divisor.error + TINY) / least_divisor;
         Approximation {
             value,
@@ -103,7 +103,7 @@ impl Add for Approximation {
     type Output = Approximation;
 
     fn add(self, other: Approximation) -> Approximation {
-        // A sum is not rounded by underflow. Three roundings of the bound: (1 - U)^3 (1 + 4 U) > 1.
+        // Underflow does not round a sum. Three roundings of the bound: (1 - U)^3 (1 + 4 U) > 1.
         let value = self.value + other.value;
         Approximation {
             value,

@@ -1,11 +1,11 @@
-//! Where a real number is known to lie.
+//! Brackets: bounds of a real number.
 
-/// Two `f64` between which a real number lies, both ends included.
+/// Two `f64` that enclose a real number, or equal it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bracket {
-    /// The number is not less.
+    /// The lower bound.
     pub low: f64,
-    /// The number is not greater.
+    /// The upper bound.
     pub high: f64,
 }
 
@@ -16,7 +16,7 @@ impl Bracket {
         high: f64::INFINITY,
     };
 
-    /// A number known to be `value`.
+    /// The bracket of the exact number `value`.
     pub fn exactly(value: f64) -> Bracket {
         Bracket {
             low: value,
@@ -24,9 +24,9 @@ impl Bracket {
         }
     }
 
-    /// A number that differs from `value` by `error` at most; of a NaN, any number.
+    /// The bracket of a number that differs from `value` by at most `error`; of NaN, everything.
     pub fn around(value: f64, error: f64) -> Bracket {
-        // The sum and the difference are off by half a unit of the last place at most.
+        // The sum and the difference are off by at most half a unit in the last place.
         let (low, high) = ((value - error).next_down(), (value + error).next_up());
         if low <= high {
             Bracket { low, high }
@@ -38,14 +38,14 @@ impl Bracket {
         }
     }
 
-    /// Whether this number is surely less than the other. That brackets which only touch do not count makes no difference
-    /// where they were widened, as all are whose ends are not themselves the number.
+    /// Whether this number is certainly less than the other. Brackets that only touch do not count:
+    /// that makes no difference, since all whose ends are not the number itself are widened.
     pub fn is_below(&self, other: &Bracket) -> bool {
         self.high < other.low
     }
 
-    /// The nearest `f32` to the number, ties to even, if it is the same wherever the number lies: rounding is
-    /// monotone, so the ends tell.
+    /// The nearest `f32` to the number, ties to even, if it is certain: rounding is monotone, so
+    /// the ends decide.
     pub fn nearest_f32(&self) -> Option<f32> {
         let (low, high) = (self.low as f32, self.high as f32);
         (low == high).then_some(low)

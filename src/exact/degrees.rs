@@ -1,25 +1,26 @@
 //! Sine, cosine and tangent of angles in degrees, correctly rounded (rules R2 and R5).
 //!
-//! The platform's `sin` differs between systems, and degrees times pi/180 is rounded before it starts. Here the
-//! angle is reduced exactly as an integer over a power of two, the function is bracketed on integers, and the
-//! precision is doubled until both ends of the bracket round to the same `f64` (Ziv, "Fast evaluation of
-//! elementary mathematical functions with correctly rounded last bit", 1991). That ends: by Niven's theorem the
-//! only rational values at rational degrees are 0, 1/2 and 1 (0 and 1 for the tangent), which are taken out
-//! first, and an irrational value is no tie.
+//! The platform's `sin` differs between systems, and degrees times pi/180 is rounded before it
+//! starts. Here the angle is reduced exactly, as an integer over a power of two; the function is
+//! bracketed on integers; and the precision is doubled until both ends of the bracket round to the
+//! same `f64` (Ziv, "Fast evaluation of elementary mathematical functions with correctly rounded
+//! last bit", 1991). That ends: by Niven's theorem the only rational values at rational degrees are
+//! 0, 1/2 and 1 (0 and 1 for the tangent), which are treated first, and an irrational value is
+//! never a tie.
 
 use super::Dyadic;
 use super::powers::mantissa_and_exponent;
 use num_bigint::{BigInt, BigUint};
 use std::sync::LazyLock;
 
-/// The sine of `angle` degrees; NaN where it is not finite.
+/// The sine of `angle` degrees; NaN if that is not finite.
 pub fn sine(angle: f64) -> f64 {
     reduce(angle).map_or(f64::NAN, |turn| turn.sine())
 }
 
-/// The cosine of `angle` degrees; NaN where it is not finite.
+/// The cosine of `angle` degrees; NaN if that is not finite.
 pub fn cosine(angle: f64) -> f64 {
-    // cos x = sin(90 + x), added after the reduction, where it is exact.
+    // cos x = sin(90 + x), added after the reduction, where the sum is exact.
     reduce(angle).map_or(f64::NAN, |turn| turn.advanced_by_quarter().sine())
 }
 
@@ -58,12 +59,12 @@ struct Angle {
     scale: u64,
 }
 
-/// `angle` modulo 360, and modulo the sign: exactly.
+/// `angle` modulo 360, and its sign: exact.
 fn reduce(angle: f64) -> Option<Angle> {
     if !angle.is_finite() {
         return None;
     }
-    // The remainder of two f64 is exact, and of the sign of the angle.
+    // The remainder of two `f64` is exact, and has the sign of the angle.
     let remainder = angle % 360.0;
     let (mantissa, exponent) = mantissa_and_exponent(remainder);
     // Below 360 the exponent of the last bit is at most 9 - 53.
@@ -133,7 +134,8 @@ impl Angle {
         })
     }
 
-    /// An angle up to 90 as one up to 45, and whether it is the complement: sine and cosine then change places.
+    /// An angle up to 90 as one up to 45, and whether it is the complement: then sine and cosine
+    /// are exchanged.
     fn acute(self) -> (Angle, bool) {
         let complement = self.degrees(90) - &self.numerator;
         if complement < self.numerator {
@@ -149,7 +151,7 @@ impl Angle {
         }
     }
 
-    /// How many zero bits precede the first one of the angle behind the binary point.
+    /// The number of leading zero bits of the angle behind the binary point.
     fn leading_zeros(&self) -> u64 {
         self.scale.saturating_sub(self.numerator.bits())
     }
@@ -167,13 +169,14 @@ fn refine(angle: &Angle, bracket: impl Fn(u64) -> (f64, f64)) -> f64 {
     }
 }
 
-/// A number known to lie from `low` to `high`, in units of `2^-p`.
+/// The bounds `low` and `high` of a number, in units of `2^-p`.
 struct Bracket {
     low: BigInt,
     high: BigInt,
 }
 
-/// Sine and cosine of an angle up to 45 degrees in units of `2^-p`, by their Taylor series on integers.
+/// Sine and cosine of an angle up to 45 degrees in units of `2^-p`, by their Taylor series on
+/// integers.
 fn sine_and_cosine(angle: &Angle, p: u64) -> (Bracket, Bracket) {
     let radians = ((BigInt::from(angle.numerator.clone()) * pi(p)) / 180) >> angle.scale;
     let mut sums = [BigInt::ZERO, BigInt::ZERO];
@@ -189,9 +192,9 @@ fn sine_and_cosine(angle: &Angle, p: u64) -> (Bracket, Bracket) {
         count += 1;
         term = ((term * &radians) >> p) / count;
     }
-    // The angle in radians is off by less than 2 units (pi and one division, each cut off, times less than 1); a
-    // term by less than 3 more than the one before, shrunk by x/k < 1; what follows the last term is below one
-    // unit. So 4 units for every term are ample.
+    // The angle in radians is off by less than 2 units (pi and one division, each truncated, times
+    // less than 1). A term is off by less than 3 more than the one before, scaled by x/k < 1; the
+    // terms after the last one add up to less than a unit. So 4 units for every term are ample.
     let slack = BigInt::from(4 * (count + 2));
     let [cosine, sine] = sums.map(|sum| Bracket {
         low: &sum - &slack,
@@ -202,7 +205,7 @@ fn sine_and_cosine(angle: &Angle, p: u64) -> (Bracket, Bracket) {
 
 /// pi in units of `2^-p`, at most one unit too small or too large.
 fn pi(p: u64) -> BigInt {
-    // Scenes have rotations by the million, hardly one of which needs more bits.
+    // Scenes have millions of rotations, hardly any of which needs more bits.
     const KEPT: u64 = 256;
     static PI: LazyLock<BigInt> = LazyLock::new(|| machin(KEPT));
     if p <= KEPT {
@@ -212,7 +215,7 @@ fn pi(p: u64) -> BigInt {
     }
 }
 
-/// pi as [`pi`] tells it: 16 atan(1/5) - 4 atan(1/239).
+/// Computes pi: 16 atan(1/5) - 4 atan(1/239).
 fn machin(p: u64) -> BigInt {
     const GUARD: u64 = 32;
     let unit = BigInt::from(1) << (p + GUARD);
@@ -220,7 +223,7 @@ fn machin(p: u64) -> BigInt {
     pi >> GUARD
 }
 
-/// `atan(1/n)` in units of `1/unit`; off by less than a unit a term.
+/// `atan(1/n)` in units of `1/unit`; off by less than a unit per term.
 fn arctangent_of_inverse(n: u32, unit: &BigInt) -> BigInt {
     let mut power = unit / n;
     let mut sum = BigInt::ZERO;
@@ -239,68 +242,4 @@ fn arctangent_of_inverse(n: u32, unit: &BigInt) -> BigInt {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use proptest::prelude::*;
-
-    #[test]
-    fn rational_values_are_exact() {
-        let cases = [
-            (0.0, 0.0),
-            (30.0, 0.5),
-            (90.0, 1.0),
-            (150.0, 0.5),
-            (180.0, 0.0),
-            (210.0, -0.5),
-            (270.0, -1.0),
-        ];
-        for (angle, value) in cases {
-            for turns in [0.0, 360.0, 720.0, -360.0] {
-                assert_eq!(sine(angle + turns), value, "sin {}", angle + turns);
-                assert_eq!(
-                    cosine(angle + turns - 90.0),
-                    value,
-                    "cos {}",
-                    angle + turns - 90.0
-                );
-                assert_eq!(sine(-(angle + turns)), -value, "sin -{}", angle + turns);
-            }
-        }
-        assert_eq!(tangent_of_half(90.0), 1.0);
-    }
-
-    /// Values computed with 100 digits by an independent program.
-    #[test]
-    fn irrational_values_are_correctly_rounded() {
-        assert_eq!(sine(45.0), std::f64::consts::FRAC_1_SQRT_2);
-        assert_eq!(cosine(30.0), 0.866_025_403_784_438_6);
-        assert_eq!(sine(37.0), 0.601_815_023_152_048_3);
-        assert_eq!(sine(1e-300), 1.745_329_251_994_329_6e-302);
-        assert_eq!(sine(1_234_567.891), 0.789_180_566_792_292_3);
-        assert_eq!(cosine(89.999_999_99), 1.745_328_156_272_497_9e-10);
-        assert_eq!(tangent_of_half(60.0), 0.577_350_269_189_625_7);
-        assert_eq!(tangent_of_half(179.9), 1_145.915_299_373_488);
-    }
-
-    proptest! {
-        #[test]
-        fn stays_within_an_ulp_of_the_platform(angle in -1e4f64..1e4) {
-            let platform = angle.to_radians().sin();
-            prop_assert!((sine(angle) - platform).abs() <= 1e-12, "{} {}", sine(angle), platform);
-            prop_assert!((cosine(angle) - angle.to_radians().cos()).abs() <= 1e-12);
-        }
-
-        #[test]
-        fn squares_add_up_to_one(angle: f64) {
-            prop_assume!(angle.is_finite());
-            let (s, c) = (sine(angle), cosine(angle));
-            prop_assert!((s * s + c * c - 1.0).abs() <= 4.0 * f64::EPSILON);
-        }
-
-        #[test]
-        fn tangents_follow_the_platform(angle in 1e-3f64..179.9) {
-            let platform = (angle / 2.0).to_radians().tan();
-            prop_assert!((tangent_of_half(angle) / platform - 1.0).abs() <= 1e-12);
-        }
-    }
-}
+mod tests;

@@ -1,4 +1,4 @@
-//! Numbers `m * 2^e`: every finite `f64` is one, and sums and products of them are exact.
+//! Exact numbers `m * 2^e`: every finite `f64` is one, and so are their sums and products.
 
 use super::integer::Integer;
 use super::powers::{mantissa_and_exponent, times_power_of_two};
@@ -40,7 +40,7 @@ impl Dyadic {
         self.sign() == Ordering::Equal
     }
 
-    /// The number without its sign.
+    /// The absolute value.
     pub fn abs(self) -> Dyadic {
         if self.sign() == Ordering::Less {
             -&self
@@ -49,7 +49,7 @@ impl Dyadic {
         }
     }
 
-    /// The number times itself.
+    /// The square.
     pub fn square(&self) -> Dyadic {
         self * self
     }
@@ -57,7 +57,7 @@ impl Dyadic {
     /// The `f64` nearest to `self / divisor`, ties to even; infinite beyond the range.
     ///
     /// # Panics
-    /// Where `divisor` is 0.
+    /// If `divisor` is 0.
     pub fn quotient_to_f64(&self, divisor: &Dyadic) -> f64 {
         let (numerator, denominator) = (self.mantissa.magnitude(), divisor.mantissa.magnitude());
         let magnitude = round_quotient(&numerator, &denominator, self.exponent - divisor.exponent);
@@ -70,10 +70,10 @@ impl Dyadic {
         self.quotient_to_f64(&Dyadic::new(BigInt::from(1), 0))
     }
 
-    /// Two numbers between which the square root lies, of about `bits` significant bits; equal where the root has no more.
+    /// Bounds of the square root with about `bits` significant bits; equal if the root has no more.
     ///
     /// # Panics
-    /// Where the number is negative.
+    /// If the number is negative.
     pub fn square_root(&self, bits: u64) -> [Dyadic; 2] {
         assert!(
             self.sign() != Ordering::Less,
@@ -82,7 +82,7 @@ impl Dyadic {
         let radicand = self.mantissa.magnitude();
         let mut shift = (2 * bits).saturating_sub(radicand.bits());
         if (self.exponent - shift as i64) % 2 != 0 {
-            // Only an even exponent has a half.
+            // Only an even exponent can be halved.
             shift += 1;
         }
         let scaled = radicand << shift;
@@ -93,7 +93,8 @@ impl Dyadic {
         [root, above].map(|root| Dyadic::new(root.into(), exponent))
     }
 
-    /// Applies `operation`, a sum or a difference, to both mantissas for the smaller of the two exponents.
+    /// Applies `operation`, a sum or a difference, to both mantissas for the smaller of the two
+    /// exponents.
     fn combine(&self, other: &Dyadic, operation: fn(&Integer, &Integer) -> Integer) -> Dyadic {
         // A zero has no exponent of its own.
         let exponent = match (self.is_zero(), other.is_zero()) {
@@ -113,7 +114,7 @@ impl Dyadic {
 
 impl From<f64> for Dyadic {
     /// # Panics
-    /// Where `value` is not finite.
+    /// If `value` is not finite.
     fn from(value: f64) -> Dyadic {
         assert!(
             value.is_finite(),
@@ -197,13 +198,13 @@ impl Mul for &Dyadic {
     }
 }
 
-/// `numerator / denominator * 2^exponent` rounded once to the nearest `f64`, ties to even.
+/// `numerator / denominator * 2^exponent`, rounded once to the nearest `f64`, ties to even.
 fn round_quotient(numerator: &BigUint, denominator: &BigUint, exponent: i64) -> f64 {
     if numerator.bits() == 0 {
         return 0.0;
     }
-    // The quotient gets at least 65 bits, or as many as lie above the last bit of a subnormal; one more bit
-    // behind them says whether anything was cut off, so that the rounding below is the only one.
+    // The quotient gets at least 65 bits, or as many as lie above the last bit of a subnormal; one
+    // more bit records whether anything was truncated, so that the rounding below is the only one.
     let shift = 66 + denominator.bits() as i64 - numerator.bits() as i64;
     let (n, d) = if shift >= 0 {
         (numerator << shift as u64, denominator.clone())
@@ -220,7 +221,7 @@ fn round_quotient(numerator: &BigUint, denominator: &BigUint, exponent: i64) -> 
 /// `significand * 2^exponent`, rounded once. The significand has more bits than an `f64`.
 fn scale_and_round(significand: u128, exponent: i64) -> f64 {
     let bits = i64::from(128 - significand.leading_zeros());
-    // The exponent of the last bit that the result can hold.
+    // The exponent of the last bit of the result.
     let last = (exponent + bits - 53).max(-1074);
     let cut = last - exponent;
     if cut > 127 {
@@ -237,76 +238,4 @@ fn scale_and_round(significand: u128, exponent: i64) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use proptest::prelude::*;
-
-    proptest! {
-        #[test]
-        fn every_finite_number_comes_back(bits: u64) {
-            let value = f64::from_bits(bits);
-            prop_assume!(value.is_finite());
-            prop_assert_eq!(Dyadic::from(value).to_f64(), value);
-        }
-
-        #[test]
-        fn one_operation_rounds_as_the_processor_does(a: f64, b: f64) {
-            prop_assume!(a.is_finite() && b.is_finite());
-            let (x, y) = (Dyadic::from(a), Dyadic::from(b));
-            prop_assert_eq!((&x * &y).to_f64(), a * b);
-            prop_assert_eq!((&x + &y).to_f64(), a + b);
-            prop_assert_eq!((&x - &y).to_f64(), a - b);
-            if b != 0.0 {
-                prop_assert_eq!(x.quotient_to_f64(&y), a / b);
-            }
-        }
-
-        #[test]
-        fn subnormal_quotients_round_once(a in 1u64..1 << 53, b in 1u64..1 << 53, e in 40i32..110) {
-            let (a, b) = (a as f64, b as f64 * 2f64.powi(e));
-            let small = a * 2f64.powi(-1000);
-            prop_assert_eq!(Dyadic::from(small).quotient_to_f64(&Dyadic::from(b)), small / b);
-        }
-    }
-
-    proptest! {
-        #[test]
-        fn square_roots_are_bracketed(bits: u64, precision in 1u64..200) {
-            let value = f64::from_bits(bits).abs();
-            prop_assume!(value.is_finite());
-            let value = Dyadic::from(value);
-            let [low, high] = value.square_root(precision);
-            prop_assert!(low.square() <= value && value <= high.square());
-            let width = &(&high - &low) * &Dyadic::new(BigInt::from(1) << (precision - 1), 0);
-            prop_assert!(width <= high);
-            prop_assert!(low.square() == value || low < high);
-        }
-    }
-
-    #[test]
-    fn numbers_compare_by_value() {
-        assert_eq!(
-            Dyadic::new(BigInt::from(4), 0),
-            Dyadic::new(BigInt::from(1), 2)
-        );
-        assert_eq!(Dyadic::zero(), Dyadic::from(-0.0));
-        assert!(Dyadic::from(f64::from_bits(1)) < Dyadic::from(f64::MAX));
-        assert_eq!(Dyadic::from(-3.0).abs(), Dyadic::from(3.0));
-        let four = Dyadic::from(4.0).square_root(100);
-        assert_eq!(four, [Dyadic::from(2.0), Dyadic::from(2.0)]);
-    }
-
-    #[test]
-    fn ends_of_the_range() {
-        let huge = Dyadic::from(f64::MAX);
-        assert_eq!((&huge * &Dyadic::from(2.0)).to_f64(), f64::INFINITY);
-        let least = Dyadic::from(f64::from_bits(1));
-        assert_eq!(
-            (&least * &Dyadic::from(0.5)).to_f64(),
-            0.0,
-            "a tie goes to even"
-        );
-        assert_eq!((&least * &Dyadic::from(0.75)).to_f64(), f64::from_bits(1));
-        assert_eq!((&least * &least).to_f64(), 0.0);
-    }
-}
+mod tests;

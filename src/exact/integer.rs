@@ -5,12 +5,12 @@ use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// An integer of any size. Those of up to 127 bits, which are most, take no memory of their own.
+/// An integer of any size. Up to 127 bits, as most have, it allocates no memory.
 #[derive(Debug, Clone)]
 pub(super) enum Integer {
-    /// Whatever fits may be here.
+    /// A small value.
     Small(i128),
-    /// Whatever fits may be here too.
+    /// Any other value, or a small one.
     Large(BigInt),
 }
 
@@ -53,7 +53,7 @@ impl Integer {
     }
 }
 
-/// By how many bits a number can be shifted and stay in range, the sign's taken off.
+/// The number of bits by which a number can be shifted without overflow.
 fn spare_bits(value: i128) -> u32 {
     value.unsigned_abs().leading_zeros()
 }

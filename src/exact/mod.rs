@@ -1,4 +1,5 @@
-//! Exact arithmetic: integers times powers of two, roots compared by signs, and functions rounded once.
+//! Exact arithmetic: integers times powers of two, roots compared by signs, and functions rounded
+//! once.
 
 mod approximation;
 mod bracket;

@@ -3,13 +3,13 @@
 use super::{Bracket, Dyadic};
 use std::cmp::Ordering;
 
-/// The nearest `f32` to a positive number within `bracket`, ties to even; infinite from half a unit above the largest
-/// `f32` on.
+/// The nearest `f32` to a positive number within `bracket`, ties to even; infinite from half a unit
+/// above the largest `f32` on.
 ///
-/// `compare` tells how the number compares with a given one. Bisection asks it about points halfway between
-/// neighbouring `f32`: once, where the bracket is narrow, 31 times at most.
+/// `compare` compares the number with a given one. Bisection calls it with points halfway between
+/// neighbouring `f32`: once for a narrow bracket, at most 31 times.
 pub fn nearest_f32(bracket: &Bracket, compare: impl Fn(&Dyadic) -> Ordering) -> f32 {
-    // Positive f32 are ordered as their bits are, up to infinity.
+    // Positive `f32` are ordered like their bits, up to infinity.
     let mut low = (bracket.low.max(0.0) as f32).to_bits();
     let mut high = (bracket.high as f32).to_bits();
     while low < high {
@@ -31,7 +31,7 @@ pub fn nearest_f32(bracket: &Bracket, compare: impl Fn(&Dyadic) -> Ordering) -> 
 /// Halfway between the finite `f32` of these bits and the next one: exact in `f64`.
 fn halfway_above(bits: u32) -> f64 {
     let next = f32::from_bits(bits + 1);
-    // Where the next one would be, if exponents went on.
+    // The next one, if exponents continued.
     let next = if next.is_finite() {
         f64::from(next)
     } else {

@@ -1,28 +1,28 @@
-//! Numbers in `f64` that know whether they were rounded.
+//! `f64` numbers that track whether they were rounded.
 
 use super::UNIT_ROUNDOFF as U;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// A value in `f64`, rounded as the picture's are, that differs from the number meant by `error` at most; infinite where nothing
-/// is known, and never NaN.
+/// A value, rounded like those behind an image, that differs from the exact number by at most
+/// `error`, which is infinite if nothing is known, and never NaN.
 ///
-/// This is the running error analysis of [`Approximation`](super::Approximation), but slow and sharp: an operation without a
-/// remainder adds nothing. So what is exact keeps an error of 0.
+/// This is the running error analysis of [`Approximation`](super::Approximation), but slow and
+/// sharp: an operation without a remainder adds nothing, so exact numbers keep an error of 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rounded {
-    /// As arithmetic gives it.
+    /// The rounded value.
     pub value: f64,
-    /// How far the number meant is from it, at most.
+    /// The largest distance from the exact number.
     pub error: f64,
 }
 
-/// More than the underflow of an operation and of the products in its bound, 2^-1075 each.
+/// A bound on the underflow of an operation and of the products in its bound, 2^-1075 each.
 const TINY: f64 = f64::from_bits(1 << 4);
 
-/// What is not smaller has a remainder that is an `f64`: a product of 106 bits ends above 2^-1040.
+/// The remainder of a larger product is an `f64`: a product of 106 bits ends above 2^-1040.
 const HAS_REMAINDER: f64 = 1e-280;
 
-/// `bound`, made up for fewer than 8 roundings on the way to it. A NaN is a bound of which nothing is known.
+/// `bound`, enlarged for fewer than 8 roundings on the way to it. NaN becomes infinity.
 fn made_up(bound: f64) -> f64 {
     if bound.is_nan() {
         f64::INFINITY
@@ -32,12 +32,12 @@ fn made_up(bound: f64) -> f64 {
 }
 
 impl Rounded {
-    /// A number that is `value`; of one that is infinite or NaN nothing is known.
+    /// The exact number `value`; nothing is known of one that is infinite or NaN.
     pub fn exactly(value: f64) -> Rounded {
         Rounded::within(value, 0.0)
     }
 
-    /// A number that differs from `value` by `error` at most.
+    /// A number that differs from `value` by at most `error`.
     pub fn within(value: f64, error: f64) -> Rounded {
         let is_known = value.is_finite() && !error.is_nan();
         Rounded {
@@ -51,12 +51,12 @@ impl Rounded {
         Rounded::within(value, made_up(U * value.abs()))
     }
 
-    /// What the number's absolute value is at most.
+    /// The largest possible absolute value.
     pub fn most(self) -> f64 {
         made_up(self.value.abs() + self.error)
     }
 
-    /// What the number's absolute value is at least.
+    /// The smallest possible absolute value.
     pub fn least(self) -> f64 {
         (self.value.abs() - made_up(self.error))
             .next_down()
@@ -148,7 +148,8 @@ mod tests {
     use crate::exact::Dyadic;
     use proptest::prelude::*;
 
-    /// A number of few or many bits, of usual size or near the ends of the range, and what was meant.
+    /// A number of few or many bits, of usual size or near the ends of the range, and what was
+    /// meant.
     fn number() -> impl Strategy<Value = (Rounded, Dyadic)> {
         let value = prop_oneof![
             (-9i32..9).prop_map(f64::from),

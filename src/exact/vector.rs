@@ -48,7 +48,7 @@ impl ExactVector {
 
 impl From<[f64; 3]> for ExactVector {
     /// # Panics
-    /// Where a component is not finite.
+    /// If a component is not finite.
     fn from(components: [f64; 3]) -> ExactVector {
         ExactVector(components.map(Dyadic::from))
     }

@@ -1,4 +1,4 @@
-//! AOVs (arbitrary output variables): names that the user asks for, each for one or several channels.
+//! AOVs (arbitrary output variables): names for one or several channels.
 
 use super::ChannelName;
 use crate::named::named;

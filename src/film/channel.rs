@@ -2,7 +2,7 @@
 
 use crate::named::named;
 
-/// What a channel holds for each pixel.
+/// The kind of a channel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum ChannelName {
     /// Depth along the view axis, `f32`.
@@ -121,7 +121,7 @@ impl Samples {
 /// One channel of an image.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Channel {
-    /// What the samples are.
+    /// The kind of the channel.
     pub name: ChannelName,
     /// One sample a pixel of the data window.
     pub samples: Samples,

@@ -44,7 +44,7 @@ impl Format {
         extension.as_deref().and_then(known).ok_or_else(|| {
             let found = match extension {
                 Some(extension) => format!("unknown image format `.{extension}`"),
-                None => "no extension that tells the image format".to_string(),
+                None => "no extension that selects the image format".to_string(),
             };
             let known = Format::ALL
                 .map(|format| format!(".{}", format.extension()))

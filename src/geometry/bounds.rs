@@ -2,7 +2,7 @@
 
 use super::Point;
 
-/// A closed box; empty where a lower bound is above its upper one.
+/// A closed box; empty if a lower bound is above its upper one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
     /// The lowest coordinates.
@@ -12,7 +12,7 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// The box of no point.
+    /// The empty box.
     pub const EMPTY: Bounds = Bounds {
         low: Point::new(f64::INFINITY, f64::INFINITY, f64::INFINITY),
         high: Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY),

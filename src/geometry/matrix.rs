@@ -1,4 +1,4 @@
-//! Affine matrices, with every rounding where rules R2 to R4 put it.
+//! Affine matrices, rounded as rules R2 to R4 say.
 
 use super::{Point, Vector};
 use crate::exact::{Dyadic, ExactVector, UNIT_ROUNDOFF, may_underflow_below};
@@ -12,7 +12,7 @@ pub struct Matrix {
 }
 
 impl Matrix {
-    /// Leaves everything where it is.
+    /// The identity.
     pub const IDENTITY: Matrix = Matrix {
         rows: [
             [1.0, 0.0, 0.0, 0.0],
@@ -21,7 +21,7 @@ impl Matrix {
         ],
     };
 
-    /// What stands for the inverse of a singular matrix (rule R2).
+    /// All NaN: the inverse of a singular matrix (rule R2).
     pub(super) const NOT_A_MATRIX: Matrix = Matrix {
         rows: [[f64::NAN; 4]; 3],
     };
@@ -43,7 +43,7 @@ impl Matrix {
         scale
     }
 
-    /// A matrix that moves by `offset`.
+    /// A translation by `offset`.
     pub fn translate(offset: [f64; 3]) -> Matrix {
         let mut translate = Matrix::IDENTITY;
         for axis in 0..3 {
@@ -79,7 +79,7 @@ impl Matrix {
         self.rows.map(|row| row[j])
     }
 
-    /// The 3x3 part with rows and columns exchanged, no translation.
+    /// The transposed 3x3 part, without translation.
     pub fn transposed(&self) -> Matrix {
         let row = |i: usize| [self.rows[0][i], self.rows[1][i], self.rows[2][i], 0.0];
         Matrix {
@@ -92,18 +92,18 @@ impl Matrix {
         self.rows.iter().flatten().all(|entry| entry.is_finite())
     }
 
-    /// The bits of all entries: equal only for matrices that act alike in every rounding.
+    /// The bits of all entries: equal only for matrices that round alike.
     pub fn bits(&self) -> [u64; 12] {
         std::array::from_fn(|k| self.rows[k / 4][k % 4].to_bits())
     }
 
-    /// The exact inverse, each entry correctly rounded; all NaN where there is none (rule R2).
+    /// The exact inverse, each entry correctly rounded; all NaN if there is none (rule R2).
     pub fn inverse(&self) -> Matrix {
         self.inverse_of_quotient(1.0)
     }
 
-    /// The exact inverse of this matrix with every entry divided by `w`, each entry correctly rounded; all NaN
-    /// where there is none (rule R2). `w` is finite and not 0.
+    /// The exact inverse of this matrix with every entry divided by `w`, each entry correctly
+    /// rounded; all NaN if there is none (rule R2). `w` is finite and not 0.
     pub fn inverse_of_quotient(&self, w: f64) -> Matrix {
         if !self.is_finite() {
             return Matrix::NOT_A_MATRIX;
@@ -114,7 +114,7 @@ impl Matrix {
         }
         let offset = ExactVector::from(self.column(3));
         let w = Dyadic::from(w);
-        // The offset is divided by w, too: in the last column it cancels.
+        // The offset is divided by w, too: w cancels in the last column.
         let row = |i: usize| {
             let moved = -&adjugate[i].dot(&offset);
             let entry = |j: usize| {
@@ -136,7 +136,8 @@ impl Matrix {
         self.sign_of_determinant() == Ordering::Equal
     }
 
-    /// Whether it mirrors: whether the determinant of the 3x3 part is below 0, exactly. A matrix that is not finite does not.
+    /// Whether it mirrors, that is, the determinant of the 3x3 part is negative; decided exactly. A
+    /// matrix that is not finite does not.
     pub fn swaps_handedness(&self) -> bool {
         self.is_finite() && self.sign_of_determinant() == Ordering::Less
     }
@@ -146,7 +147,8 @@ impl Matrix {
         let (x, y, z) = (column(0), column(1), column(2));
         let magnitude = x.absolute().dot(y.absolute_cross(z));
         let determinant = x.dot(y.cross(z));
-        // Two roundings of products, one of a difference, two of sums: less than the 8 units of 2^-53.
+        // Two roundings of products, one of a difference, two of sums: less than the 8 units of
+        // 2^-53.
         let sure = magnitude > may_underflow_below(x.largest())
             && determinant.abs() > 8.0 * UNIT_ROUNDOFF * magnitude;
         if sure {
@@ -156,7 +158,7 @@ impl Matrix {
         }
     }
 
-    /// The rows of the adjugate of the 3x3 part, which must be finite, and its determinant: exactly.
+    /// The exact rows of the adjugate of the 3x3 part, which must be finite, and its determinant.
     pub fn exact_adjugate(&self) -> ([ExactVector; 3], Dyadic) {
         let [x, y, z] = [0, 1, 2].map(|j| ExactVector::from(self.column(j)));
         let rows = [y.cross(&z), z.cross(&x), x.cross(&y)];
@@ -202,7 +204,8 @@ mod tests {
     fn singular_matrices_have_no_inverse() {
         let flat = Matrix::scale([1.0, 0.0, 1.0]);
         assert!(flat.is_singular() && flat.inverse().rows[0][0].is_nan());
-        // Rows 3 and 9 times the same vector of thirds: singular only in exact arithmetic on the stored numbers.
+        // Rows 3 and 9 times the same vector of thirds: singular only in exact arithmetic on the
+        // stored numbers.
         let v = [0.1, 0.2, 0.3];
         let dependent = Matrix {
             rows: [

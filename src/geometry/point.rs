@@ -3,7 +3,7 @@
 use crate::exact::ExactVector;
 use std::ops::{Add, Index, Mul, Neg, Sub};
 
-/// A position in the space that its name tells.
+/// A position, in the space that the variable's name says.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Point {
     /// First coordinate.
@@ -14,7 +14,8 @@ pub struct Point {
     pub z: f64,
 }
 
-/// A displacement or direction in the space that its name tells; not normalised unless said so.
+/// A displacement or direction, in the space that the variable's name says; not normalized unless
+/// stated.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Vector {
     /// First component.
@@ -46,7 +47,7 @@ macro_rules! three_components {
 
         impl From<$name> for ExactVector {
             /// # Panics
-            /// Where a component is not finite.
+            /// If a component is not finite.
             fn from(v: $name) -> ExactVector {
                 v.to_array().into()
             }
@@ -82,7 +83,8 @@ impl Vector {
         self.x * other.x + self.y * other.y + self.z * other.z
     }
 
-    /// The cross product; exactly antisymmetric, because both products of a component are rounded alike.
+    /// The cross product; exactly antisymmetric, because both products of a component are rounded
+    /// alike.
     pub fn cross(self, other: Vector) -> Vector {
         Vector {
             x: self.y * other.z - self.z * other.y,
@@ -91,7 +93,7 @@ impl Vector {
         }
     }
 
-    /// Every component without its sign.
+    /// The absolute value of every component.
     pub fn absolute(self) -> Vector {
         Vector {
             x: self.x.abs(),
@@ -100,7 +102,7 @@ impl Vector {
         }
     }
 
-    /// The cross product with every product taken positive and added: what its terms can add up to at most.
+    /// The cross product with absolute values of all products, added: a bound on its terms.
     pub fn absolute_cross(self, other: Vector) -> Vector {
         let (a, b) = (self.absolute(), other.absolute());
         Vector {
@@ -116,7 +118,8 @@ impl Vector {
         x.max(y).max(z)
     }
 
-    /// Divided by its length `sqrt((x*x+y*y)+z*z)`, component by component (rule R2); NaN for the zero vector.
+    /// The vector divided by its length `sqrt((x*x+y*y)+z*z)`, component by component (rule R2);
+    /// NaN for the zero vector.
     pub fn normalized(self) -> Vector {
         let length = self.dot(self).sqrt();
         Vector {

@@ -3,10 +3,10 @@
 use super::{Matrix, Point, Vector};
 use crate::exact::degrees;
 
-/// A matrix and its inverse, each built up on its own from the leaves, as pbrt does.
+/// A matrix and its inverse, each built on its own from the leaves, as in pbrt.
 ///
-/// The inverse is not computed from the matrix, but followed along with it; so a camera placed by a `LookAt`
-/// sees exactly the eye point that the file names.
+/// The inverse is not computed from the matrix, but tracked along with it. So a camera placed by a
+/// `LookAt` is exactly at the eye point in the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Transform {
     /// The current transformation matrix.
@@ -16,19 +16,19 @@ pub struct Transform {
 }
 
 impl Transform {
-    /// Leaves everything where it is.
+    /// The identity.
     pub const IDENTITY: Transform = Transform {
         matrix: Matrix::IDENTITY,
         inverse: Matrix::IDENTITY,
     };
 
-    /// Takes every point nowhere: all entries are NaN.
+    /// All entries are NaN.
     pub const NOT_A_TRANSFORM: Transform = Transform {
         matrix: Matrix::NOT_A_MATRIX,
         inverse: Matrix::NOT_A_MATRIX,
     };
 
-    /// Moves by `offset`.
+    /// A translation by `offset`.
     pub fn translate(offset: [f64; 3]) -> Transform {
         Transform {
             matrix: Matrix::translate(offset),
@@ -36,7 +36,7 @@ impl Transform {
         }
     }
 
-    /// Scales each axis; a factor of 0 makes the inverse infinite.
+    /// A scale of each axis; a factor of 0 makes the inverse infinite.
     pub fn scale(factors: [f64; 3]) -> Transform {
         Transform {
             matrix: Matrix::scale(factors),
@@ -44,7 +44,7 @@ impl Transform {
         }
     }
 
-    /// Turns by `angle` degrees about `axis`, with the sine and the cosine correctly rounded.
+    /// A rotation by `angle` degrees about `axis`, with correctly rounded sine and cosine.
     pub fn rotate(angle: f64, axis: Vector) -> Transform {
         let a = axis.normalized();
         let (s, c) = (degrees::sine(angle), degrees::cosine(angle));
@@ -78,7 +78,8 @@ impl Transform {
 
     /// Camera space from world space: the eye at the origin, `look` on +z, `up` towards +y.
     ///
-    /// `None` where `up` is parallel to the view, or where eye and look coincide; pbrt then uses the identity.
+    /// `None` if `up` is parallel to the view, or eye and look coincide; pbrt then uses the
+    /// identity.
     pub fn look_at(eye: Point, look: Point, up: Vector) -> Option<Transform> {
         let forward = (look - eye).normalized();
         let right = up.normalized().cross(forward);
@@ -97,9 +98,9 @@ impl Transform {
         })
     }
 
-    /// From the 16 numbers of a `Transform` directive, column by column. The last row has to be `0 0 0 w` with a
-    /// finite w other than 0: all entries are divided by it, as pbrt divides points (rule R2). `None` for the
-    /// other matrices, which are projective or take points nowhere.
+    /// The 16 numbers of a `Transform` directive, column by column. The last row must be `0 0 0 w`
+    /// with a finite w other than 0: all entries are divided by it, as pbrt divides points (rule
+    /// R2). `None` for other matrices, which are projective or singular.
     pub fn from_column_major(m: &[f64; 16]) -> Option<Transform> {
         let ([a, b, c], w) = ([m[3], m[7], m[11]], m[15]);
         if [a, b, c] != [0.0; 3] || w == 0.0 || !w.is_finite() {
@@ -117,7 +118,7 @@ impl Transform {
         })
     }
 
-    /// `self * right`: what the current transform becomes when `right` is met in a scene file (rule R3).
+    /// `self * right`: the current transform after the directive `right` (rule R3).
     pub fn times(&self, right: &Transform) -> Transform {
         Transform {
             matrix: self.matrix.times(&right.matrix),
@@ -125,7 +126,7 @@ impl Transform {
         }
     }
 
-    /// The matrix and its inverse exchanged.
+    /// The inverse transform.
     pub fn inverted(&self) -> Transform {
         Transform {
             matrix: self.inverse,

@@ -1,4 +1,4 @@
-//! Compressed files, told by their content and not by their name.
+//! Decompresses gzip files, which are recognized by their content.
 
 use std::borrow::Cow;
 use std::io::Read;
@@ -10,15 +10,15 @@ use super::gzip_members::{MAGIC, Members};
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::memory;
 
-/// The memory that is taken on trust in the size that the file claims to have.
+/// The most memory that is reserved because the file claims that size.
 const TRUSTED_TIMES: usize = 16;
 
-/// Whether `bytes` are compressed.
+/// Whether `bytes` are gzip data.
 fn recognises(bytes: &[u8]) -> bool {
     bytes.starts_with(MAGIC)
 }
 
-/// Whether the content of `storage` is compressed.
+/// Whether `storage` contains gzip data.
 pub(crate) fn is_in(storage: &Storage) -> bool {
     let mut buffer = Vec::new();
     storage
@@ -26,15 +26,15 @@ pub(crate) fn is_in(storage: &Storage) -> bool {
         .is_ok_and(recognises)
 }
 
-/// Compressed content, decompressed as it is read.
+/// A stream of decompressed content.
 pub(crate) struct Stream<'a> {
-    /// The content, which ends at the limit of what is believed.
+    /// The content, which ends at the limit that the budget allows.
     pub(crate) content: Box<dyn Read + Send + 'a>,
-    /// The bytes that it may be trusted to have, as far as memory is concerned.
+    /// The size that may be reserved in memory for it.
     pub(crate) trusted_size: usize,
 }
 
-/// What `read` makes of the content of the compressed `storage`: nothing where there is more of it than `budget` allows.
+/// Decompresses `storage` for `read`. `None` if the content is larger than `budget` allows.
 pub(crate) fn stream<T>(
     storage: &Storage,
     budget: &Budget,
@@ -53,12 +53,12 @@ pub(crate) fn stream<T>(
         trusted_size,
     })?;
     let length = limit.saturating_add(1) - content.limit();
-    // What gives nothing is read again in another way, and charged then.
+    // Without a result the file is read again in another way, and charged then.
     (length <= limit).then(|| budget.charge_decompressed(length))?;
     Some(made)
 }
 
-/// What `parse` makes of the content of the file `path`, whose bytes are `bytes`.
+/// Parses the content of the file `path`, whose `bytes` may be compressed.
 pub(crate) fn parsed<T>(
     path: &Path,
     bytes: &[u8],
@@ -71,10 +71,10 @@ pub(crate) fn parsed<T>(
     })
 }
 
-/// The content of the file `path`, whose bytes are `bytes`, where they are compressed; else the bytes.
+/// The content of the file `path`, whose `bytes` may be compressed.
 ///
 /// # Errors
-/// Damaged data, and those that are more than `budget` allows.
+/// Damaged data, and more data than `budget` allows.
 pub(crate) fn content(path: &Path, bytes: Vec<u8>, budget: &Budget) -> Result<Vec<u8>> {
     if recognises(&bytes) {
         decompressed(path, &bytes, budget).map(Cow::into_owned)
@@ -105,7 +105,8 @@ fn decompressed<'a>(path: &Path, bytes: &'a [u8], budget: &Budget) -> Result<Cow
     Ok(Cow::Owned(content))
 }
 
-/// What is believed of the last four bytes, the size of the content modulo 2^32, at the `end` of `size` bytes.
+/// The size that may be reserved, from the last four bytes, which are the size of the content
+/// modulo 2^32, at the `end` of `size` bytes.
 fn trusted_size(end: &[u8], size: usize) -> usize {
     let claimed = end
         .last_chunk()

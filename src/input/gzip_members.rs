@@ -1,4 +1,4 @@
-//! The members of a gzip file, one after the other, and the zeros that may pad it.
+//! Reads the members of a gzip file, and the zeros that may pad it.
 
 use std::io::{self, BufRead, Read};
 
@@ -7,23 +7,23 @@ use flate2::bufread::GzDecoder;
 /// The first bytes of each member.
 pub(super) const MAGIC: &[u8] = b"\x1f\x8b";
 
-/// The content of all members in a row.
+/// The content of all members, one after the other.
 ///
-/// Tapes and some copying programs pad a file with zeros to the size of their blocks: gzip skips them without a word, and so does
-/// this reader, also between members. Anything else after a member is an error.
+/// Tapes and some copying programs pad a file with zeros to the size of their blocks. Like gzip,
+/// this reader skips them silently, also between members. Anything else after a member is an error.
 pub(super) struct Members<R> {
     state: State<R>,
 }
 
 enum State<R> {
-    /// Within a member.
+    /// Inside a member.
     Member(Box<GzDecoder<R>>),
-    /// After the last one, or after an error.
+    /// After the last member, or after an error.
     Done,
 }
 
 impl<R: BufRead> Members<R> {
-    /// The members that `file` begins with.
+    /// The members at the start of `file`.
     pub(super) fn new(file: R) -> Members<R> {
         Members {
             state: State::Member(Box::new(GzDecoder::new(file))),
@@ -38,7 +38,7 @@ impl<R: BufRead> Members<R> {
         let mut file = member.into_inner();
         match skip_zeros(&mut file)? {
             None => Ok(()),
-            // Only the first byte is sure to be in the buffer; the decoder looks at the others.
+            // Only the first byte is certainly in the buffer; the decoder checks the others.
             Some(first) if first == MAGIC[0] => {
                 self.state = State::Member(Box::new(GzDecoder::new(file)));
                 Ok(())
@@ -51,7 +51,7 @@ impl<R: BufRead> Members<R> {
     }
 }
 
-/// Skips zeros, and tells the byte that follows them.
+/// Skips zeros, and returns the byte after them.
 fn skip_zeros(file: &mut impl BufRead) -> io::Result<Option<u8>> {
     loop {
         let buffer = file.fill_buf()?;

@@ -1,4 +1,4 @@
-//! What may have been meant by the name of a file that is not there.
+//! Suggests the file that a misspelt name may mean.
 
 use crate::error::{Error, ErrorKind};
 use std::ffi::OsStr;
@@ -6,10 +6,10 @@ use std::fs;
 use std::path::{Component, Path, PathBuf};
 use unicode_normalization::UnicodeNormalization;
 
-/// Entries of a folder that are looked at: advice is not worth more.
+/// The most entries of a folder that are searched for advice.
 const MOST_ENTRIES: usize = 10_000;
 
-/// `error`, which reading the file `path` gave, with what is there under nearly that name.
+/// Adds to the `error` of reading the file `path` the name of a similar file.
 pub(super) fn advise(path: &Path, error: Error) -> Error {
     let text = path.to_string_lossy();
     let (error, path) = match cfg!(not(windows)) && text.contains('\\') {
@@ -31,7 +31,8 @@ pub(super) fn advise(path: &Path, error: Error) -> Error {
     }
 }
 
-/// `error`, which reading the file `looked_for` gave, with what is there beside the file `naming` that calls it `name`.
+/// Adds to the `error` of reading the file `looked_for` the name of a similar file beside the file
+/// `naming`, which calls it `name`.
 pub(crate) fn advise_beside(naming: &Path, name: &Path, looked_for: &Path, error: Error) -> Error {
     let is_about_it = error
         .diagnostic()
@@ -51,7 +52,8 @@ pub(crate) fn advise_beside(naming: &Path, name: &Path, looked_for: &Path, error
     ))
 }
 
-/// The file whose path differs from `path` by upper and lower case, or by how letters are composed, if there is one.
+/// The file whose path differs from `path` only by upper and lower case, or by how letters are
+/// composed.
 fn in_other_letters(path: &Path) -> Option<PathBuf> {
     let mut found = PathBuf::new();
     for component in path.components() {

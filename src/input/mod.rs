@@ -1,4 +1,4 @@
-//! Reading input files: whole, or in pieces.
+//! Reads input files, whole or in pieces.
 
 mod budget;
 pub(crate) mod gzip;
@@ -19,18 +19,18 @@ use std::path::Path;
 
 use rayon::prelude::*;
 
-/// Bytes that a thread reads at a time: files of no more are read by one.
+/// The bytes that a thread reads at a time; smaller files are read by one thread.
 const PIECE: usize = 1 << 20;
 
-/// The bytes of standard input.
+/// Reads standard input.
 ///
 /// # Errors
-/// Where reading fails, or the input does not end within a part of the memory that there is.
+/// A read error, or input that does not end within a part of the available memory.
 pub(crate) fn read_stdin() -> Result<Vec<u8>> {
     read_stream(Path::new("-"), &mut io::stdin().lock())
 }
 
-/// The bytes of an input without a size, which may never end.
+/// Reads an input of unknown size, which may never end.
 fn read_stream(path: &Path, stream: &mut impl Read) -> Result<Vec<u8>> {
     let limit = memory::available().map_or(u64::MAX - 1, |available| available / PART_OF_MEMORY);
     let mut bytes = Vec::new();
@@ -49,10 +49,10 @@ fn read_stream(path: &Path, stream: &mut impl Read) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// The part of the memory that there is that an input without a size may take.
+/// The part of the available memory that an input of unknown size may take.
 const PART_OF_MEMORY: u64 = 4;
 
-/// The bytes of a file that the command line names, which may be a pipe.
+/// Reads a file that the command line names, which may be a pipe.
 ///
 /// # Errors
 /// A file that is missing, unreadable, or a device, some of which never end.
@@ -73,10 +73,11 @@ pub(crate) fn read(path: &Path) -> Result<Vec<u8>> {
     read_stream(path, &mut pipe)
 }
 
-/// Refuses a file that an input names and that is none: opening a pipe may wait for ever, and a device may never end.
+/// Refuses anything but a regular file: opening a pipe may wait forever, and a device may never
+/// end.
 ///
 /// # Errors
-/// What is there and is no regular file with a size. What is not there is its reader's to tell.
+/// A file that exists and is not regular. Its reader reports a missing one.
 pub(crate) fn refuse_special(path: &Path) -> Result<()> {
     let Ok(metadata) = fs::metadata(path) else {
         return Ok(());
@@ -88,7 +89,7 @@ pub(crate) fn refuse_special(path: &Path) -> Result<()> {
     if !file_type.is_file() && !file_type.is_dir() {
         return Err(no_file(path, "a pipe or a socket"));
     }
-    // Files of the kernel claim to be regular and empty.
+    // The kernel's files claim to be regular and empty.
     let is_of_kernel = || {
         fs::canonicalize(path)
             .is_ok_and(|path| path.starts_with("/proc") || path.starts_with("/sys"))
@@ -114,10 +115,11 @@ fn read_whole(path: &Path) -> io::Result<Vec<u8>> {
     }
 }
 
-/// Reads the first `size` bytes: copies and page faults are shared by the threads.
+/// Reads the first `size` bytes. The threads share copies and page faults.
 fn read_pieces(file: &File, size: u64) -> io::Result<Vec<u8>> {
     let size = usize::try_from(size).map_err(|_| io::ErrorKind::OutOfMemory)?;
-    // Zeroed memory costs nothing before it is used, but is refused by ending the program: so ask politely first.
+    // Zeroed memory costs nothing before it is used, but running out of it ends the program: so try
+    // to reserve it first.
     Vec::<u8>::new().try_reserve_exact(size)?;
     let mut bytes = vec![0; size];
     let pieces = bytes.par_chunks_mut(PIECE).enumerate();

@@ -1,25 +1,25 @@
-//! Input that is read in pieces, in any order and by several threads at once.
+//! Input that several threads read in pieces, in any order.
 
 use std::fs::File;
 use std::io::{self, BufRead, BufReader};
 use std::ops::Range;
 use std::path::Path;
 
-/// Bytes that a reader in order takes from a file at a time.
+/// The bytes that a sequential reader takes from a file at a time.
 const READ_AT_ONCE: usize = 1 << 16;
 
-/// Bytes of a known number.
+/// An input of known size.
 #[derive(Debug)]
 pub(crate) enum Storage<'a> {
-    /// In memory already.
+    /// In memory.
     Memory(&'a [u8]),
     /// A regular file, and its size when it was opened.
     File(File, u64),
 }
 
 impl Storage<'_> {
-    /// The file `path`; `None` where it is not a regular file or positioned reads are not to be had, and where it cannot be
-    /// opened, so that whoever reads it in another way says why.
+    /// Opens the file `path`. `None` if it is not a regular file, cannot be opened, or does not
+    /// support positioned reads: then another reader reports why.
     pub(crate) fn open(path: &Path) -> Option<Storage<'static>> {
         let is_file = std::fs::metadata(path).is_ok_and(|metadata| metadata.is_file());
         if !cfg!(unix) || !is_file {
@@ -38,7 +38,7 @@ impl Storage<'_> {
         }
     }
 
-    /// The bytes from the first to the last one.
+    /// All bytes in order.
     pub(crate) fn reader(&self) -> Box<dyn BufRead + Send + '_> {
         match self {
             Storage::Memory(bytes) => Box::new(*bytes),
@@ -46,10 +46,11 @@ impl Storage<'_> {
         }
     }
 
-    /// The bytes `span`, which may be put into `buffer`: one that is used again stays in the cache and takes no fresh memory.
+    /// The bytes `span`, which may be put into `buffer`: a reused one stays in the cache and needs
+    /// no new memory.
     ///
     /// # Errors
-    /// Where reading fails or the bytes end earlier.
+    /// A read error, or bytes that end earlier.
     pub(crate) fn piece<'b>(
         &'b self,
         span: Range<u64>,
@@ -76,7 +77,7 @@ impl Storage<'_> {
     }
 }
 
-/// Fills `buffer` from the byte `offset` of `file` on.
+/// Fills `buffer` from byte `offset` of `file` on.
 #[cfg(unix)]
 pub(super) fn read_at(file: &File, buffer: &mut [u8], offset: u64) -> io::Result<()> {
     std::os::unix::fs::FileExt::read_exact_at(file, buffer, offset)

@@ -1,8 +1,9 @@
-//! Bilinear patches as triangles.
+//! Approximates bilinear patches by triangles.
 //!
-//! A patch is the surface `(1-u)(1-v) p00 + u(1-v) p10 + (1-u)v p01 + uv p11`, u and v from 0 to 1 ("Physically Based
-//! Rendering", 4th edition, section 6.6). Where its corners are those of a flat convex quadrilateral, two triangles are the
-//! same set of points; elsewhere it is curved or folded, and they are an approximation that shares its corners and edges.
+//! A patch is the surface `(1-u)(1-v) p00 + u(1-v) p10 + (1-u)v p01 + uv p11`, with u and v from 0
+//! to 1 ("Physically Based Rendering", 4th edition, section 6.6). If its corners form a flat convex
+//! quadrilateral, two triangles are the same set of points. Otherwise it is curved or folded, and
+//! they are an approximation that shares its corners and edges.
 
 use crate::exact::{ExactVector, UNIT_ROUNDOFF};
 use crate::geometry::Point;
@@ -14,14 +15,15 @@ pub fn triangles([p00, p10, p01, p11]: [u32; 4]) -> [[u32; 3]; 2] {
     [[p00, p10, p11], [p00, p11, p01]]
 }
 
-/// u and v at the corners of these triangles.
+/// u and v at the corners of the triangles.
 pub const UV: [CornerUv; 2] = [
     [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]],
     [[0.0, 0.0], [1.0, 1.0], [0.0, 1.0]],
 ];
 
-/// Whether the patch with the corners p00, p10, p01 and p11 is flat and convex, exactly: whether its two triangles are the same
-/// set of points. One with a corner that is not finite counts as flat, since it is never hit.
+/// Whether the patch with the corners p00, p10, p01 and p11 is flat and convex, so that its two
+/// triangles are the same set of points; decided exactly. A patch with a corner that is not finite
+/// counts as flat, since it is never hit.
 pub fn is_flat_and_convex([p00, p10, p01, p11]: [Point; 4]) -> bool {
     let around = [p00, p10, p11, p01];
     if !around.iter().all(|corner| corner.is_finite()) {
@@ -33,18 +35,18 @@ pub fn is_flat_and_convex([p00, p10, p01, p11]: [Point; 4]) -> bool {
     let around = around.map(ExactVector::from);
     let corner = |k: usize| &around[k % 4];
     let sides: [ExactVector; 4] = std::array::from_fn(|k| corner(k + 1).minus(corner(k)));
-    // Where the corners turn all the same way, seen from anywhere, no normal is opposite to another.
+    // If all corners turn the same way, seen from anywhere, no normal is opposite to another.
     let normals: [ExactVector; 4] = std::array::from_fn(|k| sides[(k + 3) % 4].cross(&sides[k]));
     let is_flat = normals[0].dot(&sides[1]).is_zero();
     is_flat && (0..4).all(|i| (0..i).all(|j| normals[i].dot(&normals[j]).sign() != Ordering::Less))
 }
 
-/// Whether the volume between the corners is not 0, where `f64` can tell: a term of it passes three differences, two products,
-/// and three roundings of differences and sums.
+/// Whether the volume between the corners is certainly not 0. A term of it takes three differences,
+/// two products, and three roundings of differences and sums.
 fn is_surely_curved(around: &[Point; 4]) -> bool {
     let [a, b, c] = [1, 2, 3].map(|k| around[k] - around[0]);
     let terms = a.absolute().dot(b.absolute_cross(c));
-    // What overflows is not sure, nor is what is so small that underflow might matter.
+    // Overflow is uncertain, and so is a value so small that underflow might matter.
     terms > 1e-280
         && terms < f64::INFINITY
         && a.dot(b.cross(c)).abs() > 16.0 * UNIT_ROUNDOFF * terms

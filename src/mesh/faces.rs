@@ -1,4 +1,4 @@
-//! Faces of any number of corners, collected as triangles.
+//! Collects faces of any number of corners as triangles.
 
 use std::ops::Range;
 
@@ -13,14 +13,15 @@ pub(super) struct Faces<'a> {
     vertices: &'a [Point],
     triangles: Vec<[u32; 3]>,
     clipper: Clipper<'a>,
-    /// Which corners of their faces the corners of the triangles are, if somebody wants to know.
+    /// For each corner of the triangles its number within its face, if that is wanted.
     places: Option<Vec<[u32; 3]>>,
-    /// Faces of fewer than three corners, which give no triangle.
+    /// Faces of fewer than three corners, which have no triangle.
     small: Tally,
 }
 
 impl<'a> Faces<'a> {
-    /// No faces yet, over `vertices`, and memory for `triangles`. To cut polygons is charged to `budget`.
+    /// No faces yet, over `vertices`, with memory for `triangles`. Cutting polygons is charged to
+    /// `budget`.
     pub(super) fn new(vertices: &'a [Point], triangles: usize, budget: &'a Budget) -> Faces<'a> {
         let triangles = Vec::with_capacity(triangles);
         Faces {
@@ -32,7 +33,8 @@ impl<'a> Faces<'a> {
         }
     }
 
-    /// The same, to [tell](Faces::take_places) which corner of a face is which corner of a triangle.
+    /// Like [`Faces::new`], but also [keeps](Faces::take_places) the place of each corner in its
+    /// face.
     pub(super) fn with_places(
         vertices: &'a [Point],
         triangles: usize,
@@ -44,29 +46,29 @@ impl<'a> Faces<'a> {
         }
     }
 
-    /// Of the triangles of all faces that were [added](Faces::push), which corners of their faces their corners are, from 0.
+    /// The corners of all triangles, each by its number within its face, counted from 0.
     pub(super) fn take_places(&mut self) -> Vec<[u32; 3]> {
         self.places.take().unwrap_or_default()
     }
 
-    /// Takes memory for `triangles` more.
+    /// Reserves memory for `triangles` more.
     pub(super) fn reserve(&mut self, triangles: usize) {
         self.triangles.reserve(triangles);
     }
 
-    /// The number of vertices that corners can name.
+    /// The number of vertices that corners can refer to.
     #[inline]
     pub(super) fn vertex_count(&self) -> usize {
         self.vertices.len()
     }
 
-    /// Adds a triangle; its corners are places in the vertices.
+    /// Adds a triangle; its corners are indices of vertices.
     #[inline]
     pub(super) fn push_triangle(&mut self, corners: [u32; 3]) {
         self.triangles.push(corners);
     }
 
-    /// Adds the face found at `span`; its corners are places in the vertices.
+    /// Adds the face found at `span`; its corners are indices of vertices.
     #[inline]
     pub(super) fn push(
         &mut self,
@@ -74,7 +76,7 @@ impl<'a> Faces<'a> {
         span: impl FnOnce() -> Range<usize>,
     ) -> Result<()> {
         if let Some(places) = &mut self.places {
-            // A face may name a vertex twice: its triangles are those of its corners, each by itself.
+            // A face may use a vertex twice: so its corners are triangulated, not its vertices.
             let points: Vec<Point> = corners
                 .iter()
                 .map(|corner| self.vertices[*corner as usize])
@@ -105,7 +107,7 @@ impl<'a> Faces<'a> {
         Ok(())
     }
 
-    /// The triangles, in no more memory than they need, and what is to be told about the faces.
+    /// The triangles, without spare memory, and the faces that have none.
     pub(super) fn finish(mut self) -> Result<(Vec<[u32; 3]>, Tally)> {
         check_count(self.triangles.len() as u64, "triangles")?;
         self.triangles.shrink_to_fit();
@@ -113,7 +115,7 @@ impl<'a> Faces<'a> {
     }
 }
 
-/// Whether `count` things can be numbered with 32 bits.
+/// Checks that 32 bits can number `count` things.
 pub(super) fn check_count(count: u64, things: &str) -> Result<()> {
     if count <= u64::from(u32::MAX) {
         return Ok(());

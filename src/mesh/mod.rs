@@ -1,7 +1,8 @@
-//! Triangle meshes: PLY and OBJ files, compressed or not; subdivision surfaces and bilinear patches.
+//! Triangle meshes: PLY and OBJ files, compressed or not; subdivision surfaces and bilinear
+//! patches.
 //!
-//! A mesh keeps the order of its file: faces in file order, and the triangles of a face in the order
-//! that [`polygon`] fixes. The index of a triangle is the primitive id that images store.
+//! A mesh keeps the order of its file: faces in file order, and the triangles of a face in the
+//! order that [`polygon`] fixes. The index of a triangle is the primitive id that images store.
 //!
 //! Numbers follow rule R1 of `docs/accuracy.md`.
 

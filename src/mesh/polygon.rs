@@ -1,31 +1,37 @@
-//! Polygons to triangles, by a procedure that will not change: the primitive ids of pictures depend on it.
+//! Cuts polygons into triangles, by a procedure that never changes: primitive ids depend on it.
 //!
-//! A face of corners 0 to n-1 gives n-2 triangles, whatever its shape, in this order:
+//! A face with corners 0 to n-1 has n-2 triangles, whatever its shape, in this order:
 //!
-//! 1. **Three or four corners**: (0, 1, 2), then (0, 2, 3). A concave quadrilateral is no exception.
-//! 2. **Flattening.** With q the corners minus corner 0, the Newell normal is the sum over the edges from a to b,
+//! 1. **Three or four corners**: (0, 1, 2), then (0, 2, 3). A concave quadrilateral is no
+//! exception. 2. **Flattening.** With q the corners minus corner 0, the Newell normal is the sum
+//! over the edges from a to b,
 //!    from the edge 0-1 on, of `((a.y-b.y)*(a.z+b.z), (a.z-b.z)*(a.x+b.x), (a.x-b.x)*(a.y+b.y))`. The axis of its
 //!    largest absolute component, the first of x, y, z if equal, is dropped. u and v are the two axes that follow
 //!    it in the cycle x, y, z, exchanged where that component is negative, so that the polygon turns
 //!    left. From here on only u and v of the original corners count. A face with a corner or a normal that is
 //!    not finite gives its fan, as in step 4.
-//! 3. **Turns.** The turn from a over b to c is `(b.u-a.u)*(c.v-a.v) - (b.v-a.v)*(c.u-a.u)`, rounded to `f64` after
+//! 3. **Turns.** The turn from a over b to c is `(b.u-a.u)*(c.v-a.v) - (b.v-a.v)*(c.u-a.u)`,
+//! rounded to `f64` after
 //!    each operation; its sign decides, and a NaN is neither positive nor negative nor zero.
-//! 4. **Convex**: every turn at a corner is at least 0, and the edges go around once: those that are not of zero
+//! 4. **Convex**: every turn at a corner is at least 0, and the edges go around once: those that
+//! are not of zero
 //!    length change exactly twice between *upwards* (dv > 0, or dv = 0 and du > 0) and *downwards*. Then the fan:
 //!    (0, k, k+1) for k from 1 to n-2.
-//! 5. **Ears.** Otherwise corners are cut off until three are left. Each has a previous and a next corner p and n
+//! 5. **Ears.** Otherwise corners are cut off until three are left. Each has a previous and a next
+//! corner p and n
 //!    among those left. A corner c is an *ear* if the turn p, c, n is positive and no other corner left
 //!    blocks it: one whose own turn is not positive, that is not at the position (u, v) of p, c or n, and none of
 //!    whose turns p-c, c-n, n-p to it is negative. The search starts at corner 0 and goes to the next corner until it finds an
 //!    ear. That is cut: the triangle (p, c, n) comes out, and the search goes on at n.
-//! 6. **No ear** among all the corners left (the outline crosses or touches itself): the first corner
+//! 6. **No ear** among all the corners left (the outline crosses or touches itself): the first
+//! corner
 //!    from where this search began whose turn is 0 is cut instead, and if there is none, the one where it began.
 //! 7. **The last three** come out from the lowest number on, in order.
 //!
-//! A face that is not convex is refused where it has more than 10,000 corners, or where steps 5 and 6 look at more
-//! than 8 n^2 pairs of corners, which only outlines do that cross themselves everywhere; and where the faces before it in a scene's
-//! files have looked at more than 2 n^2 pairs, of the largest, and 1,000 for each byte of the files: so no file takes forever.
+//! A face that is not convex is refused if it has more than 10,000 corners, or if steps 5 and 6
+//! look at more than 8 n^2 pairs of corners, as only outlines do that cross themselves everywhere.
+//! It is also refused if the faces before it in the files of a scene have looked at more than 2 n^2
+//! pairs, for the largest of them, and 1,000 for each byte of the files. So no file takes forever.
 
 use crate::error::{Diagnostic, Error, Result};
 use crate::geometry::{Point, Vector};
@@ -33,7 +39,7 @@ use crate::input::{Budget, pairs_of};
 
 const MOST_CORNERS: usize = 10_000;
 
-/// Appends the triangles of the face with these `corners`, which are places in `vertices`.
+/// Appends the triangles of the face with these `corners`, which are indices of `vertices`.
 pub fn triangulate(
     corners: &[u32],
     vertices: &[Point],
@@ -84,7 +90,7 @@ struct Flat {
     v: f64,
 }
 
-/// Step 2: fills `flat`; `false` where the face is not finite.
+/// Step 2: fills `flat`; `false` if the face is not finite.
 fn flatten(corners: &[u32], vertices: &[Point], flat: &mut Vec<Flat>) -> bool {
     let corner = |at: usize| vertices[corners[at % corners.len()] as usize];
     let normal = newell(corners.len(), |at| corner(at) - corner(0));
@@ -115,7 +121,7 @@ fn newell(count: usize, corner: impl Fn(usize) -> Vector) -> Vector {
     Vector::new(x, y, z)
 }
 
-/// Step 3: positive where the way from `a` over `b` to `c` bends to the left.
+/// Step 3: positive if the way from `a` over `b` to `c` bends to the left.
 fn turn(a: Flat, b: Flat, c: Flat) -> f64 {
     (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u)
 }
@@ -143,25 +149,25 @@ fn goes_around_once(flat: &[Flat]) -> bool {
     changes + usize::from(first != last) == 2
 }
 
-/// Working memory of steps 2 to 7, kept from face to face.
+/// The working memory of steps 2 to 7, reused for each face.
 #[derive(Debug, Default)]
 pub struct Clipper<'a> {
     flat: Vec<Flat>,
     previous: Vec<usize>,
     next: Vec<usize>,
-    /// Corners that are left and whose turn is not positive, in their order.
+    /// The remaining corners whose turn is not positive, sorted.
     blockers: Vec<usize>,
-    /// The corner that blocked a corner when it was last looked at: likely to do so still.
+    /// The corner that last blocked each corner: it probably still does.
     blocked_by: Vec<Option<u32>>,
     is_cut: Vec<bool>,
-    /// Pairs of corners that may still be looked at.
+    /// The number of pairs of corners that may still be looked at.
     pairs: u64,
-    /// What they are charged to.
+    /// The budget of the pairs.
     budget: Option<&'a Budget>,
 }
 
 impl<'a> Clipper<'a> {
-    /// A clipper of polygons that belong to a scene.
+    /// A clipper for the polygons of a scene.
     pub(crate) fn within(budget: &'a Budget) -> Clipper<'a> {
         Clipper {
             budget: Some(budget),
@@ -169,7 +175,7 @@ impl<'a> Clipper<'a> {
         }
     }
 
-    /// Steps 5 to 7; `None` when no more pairs may be looked at.
+    /// Steps 5 to 7; `None` if they would look at too many pairs.
     fn clip(&mut self, corners: &[u32], triangles: &mut Vec<[u32; 3]>) -> Option<()> {
         self.begin();
         let before = self.pairs;
@@ -231,7 +237,7 @@ impl<'a> Clipper<'a> {
         self.turn_at(corner) > 0.0
     }
 
-    /// The corner to cut among the `left` ones, by a search from `start`.
+    /// The corner to cut among the remaining ones, searched for from `start`.
     fn choose(&mut self, start: usize, left: usize) -> Option<usize> {
         let mut flat_corner = None;
         let mut corner = start;
@@ -265,7 +271,7 @@ impl<'a> Clipper<'a> {
         Some(found.is_none())
     }
 
-    /// Whether `blocker` keeps `corner` from being an ear.
+    /// Whether `blocker` prevents `corner` from being an ear.
     fn blocks(&self, blocker: usize, corner: usize) -> bool {
         let point = self.flat[blocker];
         let triangle = [self.previous[corner], corner, self.next[corner]].map(|at| self.flat[at]);
@@ -283,12 +289,12 @@ impl<'a> Clipper<'a> {
         self.previous[next] = previous;
         self.is_cut[corner] = true;
         self.set_blocking(corner, false);
-        // No other corner turns otherwise than before.
+        // The turns of all other corners are unchanged.
         self.set_blocking(previous, !self.is_left_turn(previous));
         self.set_blocking(next, !self.is_left_turn(next));
     }
 
-    /// Adds `corner` to the blockers, which are in order, or removes it.
+    /// Adds `corner` to the sorted blockers, or removes it.
     fn set_blocking(&mut self, corner: usize, is_blocker: bool) {
         match (self.blockers.binary_search(&corner), is_blocker) {
             (Ok(place), false) => _ = self.blockers.remove(place),

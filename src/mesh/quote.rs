@@ -1,6 +1,6 @@
-//! Words of broken files in messages.
+//! Quotes words of files in messages.
 
-/// `word` between backquotes, cut to what fits a line: a broken file may be one long word.
+/// `word` between backquotes, shortened to fit a line: a broken file may be one long word.
 pub(super) fn quote(word: &[u8]) -> String {
     const MOST: usize = 40;
     let text = String::from_utf8_lossy(&word[..word.len().min(MOST)]);

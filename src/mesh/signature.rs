@@ -1,6 +1,6 @@
-//! What a file is that is not the mesh it is called: told by its first bytes.
+//! Recognizes by its first bytes what a file is instead of a mesh.
 
-/// First bytes, and what they are the mark of.
+/// First bytes, and the kind of file that they mark.
 const SIGNATURES: [(&[u8], &str); 17] = [
     (
         b"version https://git-lfs.github.com/spec",
@@ -26,12 +26,12 @@ const SIGNATURES: [(&[u8], &str); 17] = [
 
 const UTF8_MARK: &[u8] = b"\xef\xbb\xbf";
 
-/// What `bytes` look like, in words that continue "this is".
+/// The kind of file that `bytes` look like, in words that continue "this is".
 pub(super) fn describe(bytes: &[u8]) -> Option<&'static str> {
     if bytes.is_empty() {
         return Some("an empty file");
     }
-    // Text in ASCII characters of two bytes each, without the mark that tells their order.
+    // ASCII text in UTF-16, without a byte order mark.
     if matches!(
         bytes,
         [0, 1..=127, 0, 1..=127, ..] | [1..=127, 0, 1..=127, 0, ..]
@@ -42,7 +42,7 @@ pub(super) fn describe(bytes: &[u8]) -> Option<&'static str> {
     known.map(|(_, name)| *name)
 }
 
-/// `bytes` without the mark that some editors put before UTF-8 text.
+/// `bytes` without a UTF-8 byte order mark.
 pub(super) fn without_utf8_mark(bytes: &[u8]) -> &[u8] {
     bytes.strip_prefix(UTF8_MARK).unwrap_or(bytes)
 }

@@ -1,18 +1,18 @@
-//! Surfaces that rays meet at the same `t`, whichever ray it is: what decides a tie once, not for
-//! every ray.
+//! Recognizes surfaces that every ray meets at the same `t`: this decides a tie once, not for each
+//! ray.
 
 use super::{Disk, Form, Primitive, Quadric};
 use crate::exact::{Approximation, Dyadic, ExactVector};
 use std::array::from_fn;
 
-/// What two surfaces have in common.
+/// What two surfaces are known to have in common.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Coincidence {
-    /// Nothing that is known of.
+    /// Nothing known.
     None,
     /// A plane, or all points: every ray that hits both hits them at the same `t`.
     SameHit,
-    /// A sphere or a cylinder that each is a part of: a ray hits them at roots of the same
+    /// A sphere or a cylinder that both are parts of: a ray meets them at roots of the same
     /// equation.
     SameRoots,
 }
@@ -29,7 +29,7 @@ impl Primitive {
         }
     }
 
-    /// Whether both lie in one plane, as far as a glance can tell. Both are flat, and [can be
+    /// Whether both may lie in one plane, by a quick test. Both are flat, and [can be
     /// hit](Primitive::can_be_hit).
     pub fn may_be_coplanar_with(&self, other: &Primitive) -> Option<bool> {
         match (self, other) {
@@ -112,8 +112,8 @@ impl Primitive {
 }
 
 impl Quadric {
-    /// What it has in common with another one. Both [can be hit](Quadric::can_be_hit). Only equal
-    /// transforms are recognised.
+    /// What it has in common with another quadric. Both [can be hit](Quadric::can_be_hit). Only
+    /// equal transforms are recognized.
     pub fn coincidence(&self, other: &Quadric) -> Coincidence {
         if self.world_from_object != other.world_from_object {
             return Coincidence::None;

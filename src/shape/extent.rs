@@ -5,8 +5,8 @@ use crate::geometry::{Bounds, Matrix};
 use rayon::prelude::*;
 
 impl Geometry {
-    /// The box in the world around all primitives that can be hit; empty where there are none. Of an instance it is the box
-    /// around the box of its object, which may be larger than need be.
+    /// The box in the world around all primitives that can be hit; empty if there are none. An
+    /// instance counts with the box around its object's box, which may be too large.
     pub fn extent(&self) -> Bounds {
         let objects: Vec<Bounds> = self
             .objects()

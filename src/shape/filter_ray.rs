@@ -1,16 +1,16 @@
-//! A ray with what the filters need of it.
+//! A ray with the sizes that the filters need.
 
 use crate::exact::may_underflow_below;
 use crate::geometry::{Ray, Vector};
 
-/// A ray, and the sizes of its direction that bounds on errors are made of.
+/// A ray, and the sizes of its direction, from which the filters bound errors.
 #[derive(Debug, Clone, Copy)]
 pub struct FilterRay {
-    /// As the camera made it.
+    /// The ray of the camera.
     pub ray: Ray,
     /// The sum of the absolute components of the direction.
     pub(super) direction_sum: f64,
-    /// What [`may_underflow_below`] says of the direction.
+    /// [`may_underflow_below`] of the direction.
     pub(super) least: f64,
 }
 

@@ -1,14 +1,14 @@
-//! What floating point can tell of a primitive and a ray.
+//! The result of a filter.
 
 use crate::exact::Bracket;
 
-/// The answer of a filter: right where it is given.
+/// What floating point decides about a ray and a primitive.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum FilterResult {
-    /// Surely no hit.
+    /// Certainly no hit.
     Miss,
-    /// Surely a hit, at a `t` within the bracket.
+    /// Certainly a hit, at a `t` within the bracket.
     Hit(Bracket),
-    /// Too close to call: only exact arithmetic can tell.
+    /// Undecided: only exact arithmetic can decide.
     Unsure,
 }

@@ -1,19 +1,19 @@
-//! References to primitives of the whole scene, those of instances among them.
+//! References to primitives of the whole scene, including those in instances.
 
 use super::PrimitiveId;
 
-/// A primitive where it stands in the world: by itself, or in an instance of the object that it belongs to.
+/// A primitive in the world: by itself, or in an instance of its object.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct InstancedId {
     instance: u32,
     primitive: PrimitiveId,
 }
 
-/// In place of an instance's number.
+/// Stands for no instance.
 const NO_INSTANCE: u32 = u32::MAX;
 
 impl InstancedId {
-    /// Instances at most.
+    /// The most instances.
     pub const MAX_INSTANCES: usize = NO_INSTANCE as usize;
 
     /// A primitive that belongs to no object.
@@ -25,7 +25,7 @@ impl InstancedId {
         }
     }
 
-    /// A primitive of the object that instance number `instance`, from 0, places.
+    /// A primitive of the object of instance `instance`, counted from 0.
     #[inline(always)]
     pub fn in_instance(instance: usize, primitive: PrimitiveId) -> InstancedId {
         debug_assert!(instance < InstancedId::MAX_INSTANCES);
@@ -35,24 +35,24 @@ impl InstancedId {
         }
     }
 
-    /// The number of the instance, from 0, if it is in one.
+    /// The number of the instance, counted from 0; `None` for a primitive by itself.
     #[inline(always)]
     pub fn instance(self) -> Option<usize> {
         (self.instance != NO_INSTANCE).then_some(self.instance as usize)
     }
 
-    /// Its place in the store: the object's, if it is in an instance.
+    /// The primitive in its store: that of the object, if it is in an instance.
     #[inline(always)]
     pub fn primitive(self) -> PrimitiveId {
         self.primitive
     }
 
-    /// All that there is to it, for hashing.
+    /// All its bits, for hashing.
     pub(crate) fn to_bits(self) -> u64 {
         u64::from(self.instance) << 32 | u64::from(self.primitive.to_bits())
     }
 
-    /// Another primitive of the same instance, or one by itself too.
+    /// Another primitive of the same instance, or also by itself.
     #[inline(always)]
     pub(crate) fn sibling(self, primitive: PrimitiveId) -> InstancedId {
         InstancedId { primitive, ..self }

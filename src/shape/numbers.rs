@@ -1,9 +1,9 @@
-//! Numbers of many primitives in an image, one after the other.
+//! The numbers of many primitives in an image, one after the other.
 
 use super::{Geometry, InstancedId};
 use std::ops::Range;
 
-/// Tells the numbers of primitives, quickly where the next is of the same mesh as the last.
+/// Looks up image numbers; faster for consecutive primitives of one mesh.
 pub struct Numbers<'a> {
     geometry: &'a Geometry,
     /// The triangles of the last mesh, and the number of the first.
@@ -12,7 +12,7 @@ pub struct Numbers<'a> {
 }
 
 impl<'a> Numbers<'a> {
-    /// Those of `geometry`.
+    /// The numbers of `geometry`.
     pub fn new(geometry: &'a Geometry) -> Numbers<'a> {
         Numbers {
             geometry,
@@ -21,10 +21,11 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    /// As [`Geometry::image_number`].
+    /// Like [`Geometry::image_number`].
     #[inline]
     pub fn of(&mut self, placed: InstancedId) -> u32 {
-        // No index of a triangle is as large as the bits of a sphere, but for the end of the last mesh.
+        // The index of a triangle is always below the bits of a quadric, except at the end of the
+        // last mesh.
         let primitive = placed.primitive();
         let index = primitive.to_bits();
         if !self.mesh.contains(&index) || primitive.is_quadric() || placed.instance().is_some() {

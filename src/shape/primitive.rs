@@ -1,10 +1,10 @@
-//! A primitive by itself, in world space.
+//! A primitive with its geometry in the world.
 
 use super::{FilterRay, FilterResult, Form, Quadric, Triangle};
 use crate::exact::{Bracket, Root};
 use crate::geometry::{Bounds, Ray};
 
-/// What a ray can hit.
+/// The geometry of a primitive, in world space.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Primitive {
     /// A triangle.
@@ -14,7 +14,7 @@ pub enum Primitive {
 }
 
 impl Primitive {
-    /// Whether and where `ray` meets it first, as far as floating point can tell.
+    /// Whether and where `ray` hits it first, as far as `f64` can decide.
     #[inline]
     pub fn filter(&self, ray: &FilterRay) -> FilterResult {
         match self {
@@ -23,8 +23,8 @@ impl Primitive {
         }
     }
 
-    /// The `t` at which `ray` meets it first, if it does. It [can be hit](Primitive::can_be_hit), and so [can the ray
-    /// hit](Ray::can_hit).
+    /// The `t` at which `ray` hits it first, if it does. The primitive [can be
+    /// hit](Primitive::can_be_hit), and the [ray can hit](Ray::can_hit).
     pub fn exact(&self, ray: &Ray) -> Option<Root> {
         match self {
             Primitive::Triangle(triangle) => triangle.exact(ray),
@@ -32,7 +32,7 @@ impl Primitive {
         }
     }
 
-    /// Where the `t` lies at which `ray` meets it first, which it is known to do, as far as floating point can tell.
+    /// A bracket of the `t` at which `ray`, which is known to hit it, does so first.
     pub fn t_of_hit(&self, ray: &FilterRay) -> Option<Bracket> {
         match self {
             Primitive::Triangle(triangle) => triangle.t_of_hit(ray),
@@ -43,7 +43,7 @@ impl Primitive {
         }
     }
 
-    /// The `t` at which `ray` meets it first, which it is known to do.
+    /// The `t` at which `ray`, which is known to hit it, does so first.
     pub fn exact_t(&self, ray: &Ray) -> Root {
         match self {
             Primitive::Triangle(triangle) => triangle.exact_t(ray),
@@ -59,7 +59,7 @@ impl Primitive {
         }
     }
 
-    /// Whether both are surely one and the same set of points.
+    /// Whether both are certainly the same set of points.
     pub fn coincides_with(&self, other: &Primitive) -> bool {
         match (self, other) {
             (Primitive::Quadric(a), Primitive::Quadric(b)) => a == b,
@@ -68,7 +68,7 @@ impl Primitive {
         }
     }
 
-    /// What it is called.
+    /// Its name in messages.
     pub fn name(&self) -> &'static str {
         match self {
             Primitive::Triangle(_) => "triangle",

@@ -2,8 +2,8 @@
 
 /// One triangle or quadric of [`super::Geometry`], by its index in the list of its kind.
 ///
-/// Packed into 32 bits: the top bit marks a quadric, the lower 31 are the index. Among primitives of one kind the
-/// order of the indices is the order of the primitive numbers.
+/// Packed into 32 bits: the top bit marks a quadric, the lower 31 are the index. Among primitives
+/// of one kind the order of the indices is the order of the primitive numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct PrimitiveId(u32);
 
@@ -13,27 +13,27 @@ impl PrimitiveId {
     /// The number of triangles, and of quadrics, that a scene may have.
     pub const MAX_COUNT: usize = QUADRIC as usize;
 
-    /// The first triangle of the store, for places that have to hold something.
+    /// The first triangle, as a placeholder.
     pub(crate) const FIRST: PrimitiveId = PrimitiveId(0);
 
-    /// Triangle `index` of the store.
+    /// Triangle `index`.
     pub fn triangle(index: usize) -> PrimitiveId {
         debug_assert!(index < Self::MAX_COUNT);
         PrimitiveId(index as u32)
     }
 
-    /// Quadric `index` of the store.
+    /// Quadric `index`.
     pub fn quadric(index: usize) -> PrimitiveId {
         debug_assert!(index < Self::MAX_COUNT);
         PrimitiveId(index as u32 | QUADRIC)
     }
 
-    /// What [`PrimitiveId::to_bits`] gave.
+    /// The id with these [bits](PrimitiveId::to_bits).
     pub(crate) fn from_bits(bits: u32) -> PrimitiveId {
         PrimitiveId(bits)
     }
 
-    /// All that there is to it, for places that hold numbers.
+    /// The 32 bits of the id.
     pub(crate) fn to_bits(self) -> u32 {
         self.0
     }
@@ -43,7 +43,7 @@ impl PrimitiveId {
         self.0 & QUADRIC != 0
     }
 
-    /// The place in the store of its kind.
+    /// The index among its kind.
     pub fn index(self) -> usize {
         (self.0 & !QUADRIC) as usize
     }

@@ -1,4 +1,4 @@
-//! What a surface is like where a ray meets it.
+//! The surface at the point where a ray meets it.
 
 use super::quadric::UnitSpace;
 use super::{FilterRay, Geometry, InstancedId, Primitive, Quadric, Triangle};
@@ -7,47 +7,50 @@ use crate::geometry::{Point, Ray, Vector};
 
 /// What a surface is like where a ray meets it, in world space.
 ///
-/// All of it is made in `f64` from the primitive and the ray, and from nothing else, so that it depends on no accelerator.
+/// All of it is made in `f64` from the primitive and the ray, and from nothing else, so that it
+/// depends on no accelerator.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SurfacePoint {
     /// The geometric normal, a unit vector, as pbrt orients it.
     ///
-    /// Of a triangle it is (b - a) x (c - a), of the corners in the order of the file and in world space; of a sphere, a cylinder
-    /// or a disk it is dp/du x dp/dv in object space, taken to the world by the transposed inverse: away from the middle or the
-    /// axis, of a disk along its z axis. It is turned round where either `ReverseOrientation` holds or the current transform swaps
-    /// handedness, but not where both do. So a mesh that is mirrored shows the same side as before, and a sphere that is mirrored
-    /// the other one, as in pbrt-v3. In an instance the normal is that of the object, as it was defined, taken to the world by the
-    /// transposed inverse of the instance's transform: there both show the same side as before.
+    /// For a triangle it is (b - a) x (c - a), with the corners in the order of the file and in
+    /// world space. For a quadric it is dp/du x dp/dv in object space, mapped to the world by the
+    /// transposed inverse: away from the centre or the axis, or, for a disk, along its z axis. It
+    /// is turned round if either `ReverseOrientation` holds or the current transform swaps
+    /// handedness, but not if both do. So a mirrored mesh shows the same side as before, and a
+    /// mirrored sphere the other one, as in pbrt-v3. In an instance it is the normal of the object
+    /// as defined, mapped to the world by the transposed inverse of the instance's transform: there
+    /// both show the same side as before.
     ///
     /// Triangles of `loopsubdiv` are turned round once more, to the side of the vertex normals that
     /// pbrt gives them, and so is what is not a sphere where the radius is below 0 (rule E7).
     ///
-    /// Vertex normals (`N`) are not looked at, though pbrt turns the normals of triangles to their side.
+    /// Vertex normals (`N`) are ignored, though pbrt turns the normals of triangles to their side.
     pub normal: Vector,
-    /// Where the ray meets the surface.
+    /// The point where the ray meets the surface.
     pub point: Point,
-    /// u and v, as in pbrt-v3: of a triangle the mean of those at the corners, which are (0, 0),
-    /// (1, 0) and (1, 1) where its mesh has none; of a sphere, a cylinder or a disk from 0 to 1,
-    /// but for v of a disk where one of its radii is below 0.
+    /// u and v, as in pbrt-v3. For a triangle, the mean of those at the corners, which are (0, 0),
+    /// (1, 0) and (1, 1) if its mesh has none; for a quadric from 0 to 1, except v of a disk with a
+    /// negative radius.
     pub uv: [f64; 2],
 }
 
-/// What of a [`SurfacePoint`] is wanted; the rest is 0.
+/// The parts of a [`SurfacePoint`] that are computed; the others are 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SurfaceWants {
-    /// [`SurfacePoint::normal`]; on the right side where the shapes know which are turned.
+    /// [`SurfacePoint::normal`]; on the right side if the geometry knows which normals are turned.
     pub normal: bool,
     /// [`SurfacePoint::point`].
     pub point: bool,
-    /// [`SurfacePoint::uv`]; as the file has it, where the shapes have kept it.
+    /// [`SurfacePoint::uv`]; those of the file if the geometry has kept them.
     pub uv: bool,
 }
 
-/// Tells of points of many surfaces, more quickly where the next is of the same one as the last.
+/// Computes points of many surfaces; faster for consecutive points of one surface.
 pub struct SurfacePoints<'a> {
     geometry: &'a Geometry,
     wants: SurfaceWants,
-    /// Of the last quadric.
+    /// The space of the last quadric.
     space: Option<(InstancedId, UnitSpace)>,
 }
 
@@ -55,7 +58,7 @@ pub struct SurfacePoints<'a> {
 const DEFAULT_UV: [[f32; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]];
 
 impl<'a> SurfacePoints<'a> {
-    /// Those of `geometry`.
+    /// The points of `geometry`.
     pub fn new(geometry: &'a Geometry, wants: SurfaceWants) -> SurfacePoints<'a> {
         SurfacePoints {
             geometry,
@@ -64,8 +67,9 @@ impl<'a> SurfacePoints<'a> {
         }
     }
 
-    /// What `placed` is like where `ray` meets it first. Where it does not quite, as `f32` may have it, that is the point where the
-    /// ray meets the whole of a surface that is cut off, or the plane of a triangle, or else where it comes nearest.
+    /// The point where `ray` first meets `placed`. If it just misses, which `f32` may take for a
+    /// hit, the point where it meets the whole of a cut surface or the plane of a triangle, or else
+    /// where it comes nearest.
     pub fn of(&mut self, placed: InstancedId, ray: &Ray) -> SurfacePoint {
         let surface = self.geometry.surface(placed);
         if !ray.can_hit() || !surface.can_be_hit() {
@@ -80,7 +84,7 @@ impl<'a> SurfacePoints<'a> {
     fn of_triangle(&self, placed: InstancedId, triangle: &Triangle, ray: &Ray) -> SurfacePoint {
         let mut found = SurfacePoint::default();
         if self.wants.normal {
-            // What an instance mirrors has mirrored corners, but not a mirrored normal.
+            // A mirroring instance mirrors the corners, but not the normal.
             let is_mirrored = placed.instance().is_some_and(|number| {
                 self.geometry.instances()[number]
                     .world_from_instance()
@@ -139,7 +143,8 @@ impl<'a> SurfacePoints<'a> {
 }
 
 impl Quadric {
-    /// The unit normal at `t` on `ray`, where it meets the surface: as [`SurfacePoint::normal`], never turned round.
+    /// The unit normal where `ray` meets the surface at `t`: [`SurfacePoint::normal`], never turned
+    /// round.
     pub fn normal_at(&self, ray: &Ray, t: f64) -> Vector {
         let space = UnitSpace::new(self);
         space.normal(space.point(ray, t))
@@ -170,7 +175,8 @@ fn t_on_quadric(quadric: &Quadric, ray: &Ray) -> Option<f64> {
     narrow.or_else(exact).map(middle)
 }
 
-/// Whether the middle is off by 2^-45 of the number at most: below that the ray itself, rounded as it is, says no more.
+/// Whether the middle of the bracket is off by at most 2^-45 of the number: the ray itself is
+/// rounded more coarsely.
 fn is_narrow(t: &Bracket) -> bool {
     t.low > 0.0 && t.high - t.low <= t.low / (1u64 << 44) as f64
 }

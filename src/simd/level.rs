@@ -2,8 +2,7 @@
 
 use super::lanes::SimdKernel;
 use super::portable::Portable;
-use std::fmt;
-use std::str::FromStr;
+use crate::named::named;
 
 /// An instruction set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -21,25 +20,25 @@ pub enum Level {
     Avx512,
 }
 
+named!(Level:
+    Portable => "portable",
+    #[cfg(target_arch = "x86_64")]
+    Sse => "sse4.1",
+    #[cfg(target_arch = "x86_64")]
+    Avx2 => "avx2",
+    #[cfg(target_arch = "x86_64")]
+    Avx512 => "avx512",
+);
+
 impl Level {
-    /// All levels of this architecture, the simplest first.
-    pub const ALL: &[Level] = &[
-        Level::Portable,
-        #[cfg(target_arch = "x86_64")]
-        Level::Sse,
-        #[cfg(target_arch = "x86_64")]
-        Level::Avx2,
-        #[cfg(target_arch = "x86_64")]
-        Level::Avx512,
-    ];
+    /// The levels that this machine has, the simplest first.
+    pub fn available() -> impl Iterator<Item = Level> {
+        Level::ALL.into_iter().filter(|level| level.is_available())
+    }
 
     /// The best level that this machine has.
     pub fn detect() -> Level {
-        Level::ALL
-            .iter()
-            .copied()
-            .rfind(|level| level.is_available())
-            .unwrap_or(Level::Portable)
+        Level::available().last().unwrap_or(Level::Portable)
     }
 
     /// Tests whether this machine has the instruction set.
@@ -52,19 +51,6 @@ impl Level {
             Level::Avx2 => super::x86::Avx2::detect().is_some(),
             #[cfg(target_arch = "x86_64")]
             Level::Avx512 => super::x86::Avx512::detect().is_some(),
-        }
-    }
-
-    /// The name in reports and on the command line.
-    pub fn as_str(self) -> &'static str {
-        match self {
-            Level::Portable => "portable",
-            #[cfg(target_arch = "x86_64")]
-            Level::Sse => "sse4.1",
-            #[cfg(target_arch = "x86_64")]
-            Level::Avx2 => "avx2",
-            #[cfg(target_arch = "x86_64")]
-            Level::Avx512 => "avx512",
         }
     }
 
@@ -93,42 +79,5 @@ impl Level {
             }
         }
         kernel.run(Portable)
-    }
-}
-
-impl FromStr for Level {
-    type Err = UnavailableLevel;
-
-    fn from_str(name: &str) -> Result<Level, UnavailableLevel> {
-        let mut available = Level::ALL
-            .iter()
-            .copied()
-            .filter(|level| level.is_available());
-        available
-            .find(|level| level.as_str() == name)
-            .ok_or(UnavailableLevel)
-    }
-}
-
-/// The error for a name that is no instruction set of this machine.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct UnavailableLevel;
-
-impl fmt::Display for UnavailableLevel {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let available = Level::ALL
-            .iter()
-            .copied()
-            .filter(|level| level.is_available());
-        let names: Vec<_> = available.map(Level::as_str).collect();
-        write!(f, "this machine has {}", names.join(", "))
-    }
-}
-
-impl std::error::Error for UnavailableLevel {}
-
-impl fmt::Display for Level {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.as_str())
     }
 }

@@ -15,7 +15,7 @@ mod unrolled;
 mod x86;
 
 pub(crate) use lanes::{F32s, F64s, LANES, Lanes, Mask, SimdKernel};
-pub use level::{Level, UnavailableLevel};
+pub use level::Level;
 
 #[cfg(test)]
 mod tests;

@@ -77,7 +77,8 @@ fn a_hundred_cameras_share_one_load_and_one_tree() {
 
 #[test]
 fn matrices_of_computer_vision_are_cameras() {
-    // At (0, 0, -5), turned by nothing but the y axis, which goes down there: the scene's own camera, of 13 by 7 pixels.
+    // At (0, 0, -5), turned by nothing but the y axis, which goes down there: the scene's own
+    // camera, of 13 by 7 pixels.
     let focal_length = 3.5 / 20f64.to_radians().tan();
     let pose = serde_json::json!([{
         "name": "cv", "K": [[focal_length, 0, 6], [0, focal_length, 3], [0, 0, 1]],

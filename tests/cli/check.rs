@@ -65,7 +65,7 @@ fn skipped_and_unsupported_parts_are_listed() {
     lines
         .iter()
         .for_each(|line| assert!(found.contains(line), "no `{line}` in:\n{found}"));
-    run.said("warning: a.pbrt:2:40: `RenderPass` is no directive")
+    run.said("warning: a.pbrt:2:40: `RenderPass` is not a directive")
         .said("the shape `nurbs` is not supported");
 }
 

@@ -221,7 +221,8 @@ fn partial_spheres_are_cut_as_in_pbrt() {
     };
     let whole = ids("");
     assert_eq!(whole[4], 1, "the middle of the near sphere");
-    // The view is along z: zmax 0 leaves the near half, zmin 0 the far one, through whose hole the far half is seen.
+    // The view is along z: zmax 0 leaves the near half, zmin 0 the far one, through whose hole the
+    // far half is seen.
     assert_eq!(ids("\"float zmax\" 0"), whole);
     assert_eq!(ids("\"float zmin\" 0"), whole);
     // A hole around the near pole and the far one: the middle ray passes.

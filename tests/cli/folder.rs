@@ -106,7 +106,8 @@ impl Folder {
         self.render_input(arguments, "")
     }
 
-    /// Runs [`Folder::command`] with `input` on its standard input. Standard output carries results only.
+    /// Runs [`Folder::command`] with `input` on its standard input. Standard output carries results
+    /// only.
     pub(crate) fn render_input(&self, arguments: &str, input: &str) -> Run {
         let mut command = assert_cmd::Command::from_std(self.command(arguments));
         command.write_stdin(input);

@@ -191,7 +191,7 @@ mod rights {
         };
         run.failed(
             73,
-            "all/a.exr: cannot create: the file belongs to another user",
+            "all/a.exr: cannot create: the file and its folder belong to another user",
         )
         .did_not_say("loaded ");
         assert_eq!(folder.text("all/a.exr"), "old");

@@ -158,11 +158,7 @@ pub(crate) fn agreed_picture(
     precision: Precision,
 ) -> Rendering {
     let window = whole(camera);
-    let levels: Vec<Level> = Level::ALL
-        .iter()
-        .copied()
-        .filter(|level| level.is_available())
-        .collect();
+    let levels: Vec<Level> = Level::available().collect();
     let way = Way {
         build: BuildOptions::new(SplitMethod::None),
         threads: 1,

@@ -73,14 +73,17 @@ fn character_length(text: &str) -> usize {
     }
 }
 
-/// Drops each item behind `#[cfg(test)]`.
+/// Drops each item behind `#[cfg(test)]` or `#[cfg(all(test, ...))]`.
 fn without_tests(code: &str) -> String {
-    const MARK: &str = "#[cfg(test)]";
     let mut kept = String::new();
     let mut rest = code;
-    while let Some(start) = rest.find(MARK) {
+    while let Some(start) = ["#[cfg(test)]", "#[cfg(all(test"]
+        .iter()
+        .filter_map(|mark| rest.find(mark))
+        .min()
+    {
         kept += &rest[..start];
-        let item = &rest[start + MARK.len()..];
+        let item = &rest[start..];
         let end = item.find([';', '{']).expect("an item has an end");
         rest = match item.as_bytes()[end] {
             b';' => &item[end + 1..],
@@ -198,8 +201,11 @@ fn paths_in(code: &str, imports: &mut Vec<Import>) {
         .split(|c| !is_part(c))
         .filter(|word| !word.is_empty())
         .collect();
-    // A declaration `mod name;` needs nothing of the module.
-    let is_declared = |at: usize| at > 0 && words[at - 1] == "mod";
+    // A declaration `mod name;` and a visibility `pub(in path)` need nothing of the module.
+    let is_declared = |at: usize| match words[..at] {
+        [.., "mod"] | [.., "pub", "in"] => true,
+        _ => false,
+    };
     for (_, word) in words.iter().enumerate().filter(|(at, _)| !is_declared(*at)) {
         let path: Vec<String> = word
             .split("::")

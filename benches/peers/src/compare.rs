@@ -47,7 +47,7 @@ fn heading(view: &View, threads: usize, device: &Device, options: &CompareOption
         None if device.has_16_lanes() => "avx512",
         None => "what there is",
     };
-    let (runs, simd) = (options.runs, level(options).as_str());
+    let (runs, simd) = (options.runs, level(options).name());
     format!(
         "{threads}: {width} x {height} pixels, {primitives} {kind}, {runs} rounds, feimos with {simd}, Embree with {embree}"
     )

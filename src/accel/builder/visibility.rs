@@ -5,7 +5,7 @@
 //! are.
 
 use crate::accel::space::AnchorSpace;
-use crate::accel::view::{MAX_PIXEL_ERROR, OnFilm, View};
+use crate::accel::view::{CameraView, MAX_PIXEL_ERROR, OnFilm};
 use crate::camera::Camera;
 use crate::film::PixelBounds;
 use crate::geometry::Bounds;
@@ -14,7 +14,7 @@ use rayon::prelude::*;
 
 /// The vertices of a scene on the film, and the part of the film that is rendered.
 pub(crate) struct Visibility {
-    view: View,
+    view: CameraView,
     /// First and last column, first and last row.
     window: [[f32; 2]; 2],
     vertices: Vec<OnFilm>,
@@ -33,7 +33,7 @@ impl Visibility {
         geometry: &Geometry,
         space: &AnchorSpace,
     ) -> Option<Visibility> {
-        let view = View::new(camera, space)?;
+        let view = CameraView::new(camera, space)?;
         let vertices = geometry.vertices().par_iter().with_min_len(1 << 12);
         let vertices = vertices.map(|vertex| view.on_film(*vertex)).collect();
         let window = [[window.x0, window.x1 - 1], [window.y0, window.y1 - 1]]

@@ -17,7 +17,7 @@
 //! absolute terms of n times e, 6 e_x e_y e_z.
 
 use super::setup::{TrianglesF64, cross, dot, row_times};
-use crate::accel::view::{TileFrame, View};
+use crate::accel::view::{CameraView, TileFrame};
 use crate::shape::{InstancedId, PrimitiveId, Triangle};
 use crate::simd::{F32s, F64s, LANES, Lanes};
 
@@ -194,7 +194,7 @@ impl PlaneGroup {
 #[inline(always)]
 fn depth_error<S: Lanes>(
     simd: S,
-    view: &View,
+    view: &CameraView,
     per_height: &[S::D; 3],
     from_eye: &[S::D; 3],
     edges: &[[S::D; 3]; 2],

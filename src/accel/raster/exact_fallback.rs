@@ -3,7 +3,7 @@
 use super::depth_buffer::{DepthBuffer, PixelHit, TilePixel};
 use super::fronts::Fronts;
 use crate::accel::ray::{FastSearch, Nearest, Search, Ties};
-use crate::accel::view::View;
+use crate::accel::view::CameraView;
 use crate::accel::{Aggregate, Depth, ExactFallbacks, Hit, Precision};
 use crate::camera::Camera;
 use crate::geometry::Ray;
@@ -21,7 +21,7 @@ pub(super) struct Fallback<'a> {
     pub(super) camera: &'a Camera,
     pub(super) geometry: &'a Geometry,
     pub(super) aggregate: &'a Aggregate,
-    pub(super) view: &'a View,
+    pub(super) view: &'a CameraView,
     pub(super) precision: Precision,
     pub(super) hits_only: bool,
 }

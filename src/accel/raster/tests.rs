@@ -4,7 +4,7 @@ use super::depth_planes::DepthPlanes;
 use super::setup::EdgePlanes;
 use crate::accel::space::AnchorSpace;
 use crate::accel::tree::{Run, primitive_blocks};
-use crate::accel::view::{TileFrame, View};
+use crate::accel::view::{CameraView, TileFrame};
 use crate::camera::{Camera, Projection, ScreenWindow};
 use crate::geometry::{Matrix, Point, Transform, Vector};
 use crate::shape::{Geometry, InstancedId, PrimitiveId, Triangle};
@@ -117,7 +117,7 @@ impl SimdKernel for Check<'_> {
             &order,
             &geometry,
         )[0];
-        let view = View::new(camera, &AnchorSpace::new(camera.anchor(), 256.0)).unwrap();
+        let view = CameraView::new(camera, &AnchorSpace::new(camera.anchor(), 256.0)).unwrap();
         let frame = TileFrame::new(&view, *first);
         let mut planes = EdgePlanes::new();
         let usable = planes
@@ -250,7 +250,7 @@ proptest! {
 
     #[test]
     fn computed_numbers_stay_within_their_bounds(scene in scene()) {
-        for level in Level::ALL.iter().filter(|level| level.is_available()) {
+        for level in Level::available() {
             level.run(Check(&scene));
         }
     }

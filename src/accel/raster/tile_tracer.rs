@@ -7,7 +7,7 @@ use super::tile_kernel::{ExactTile, FastTile};
 use super::traced_tile::TracedTile;
 use super::traversal::{FilmFromTree, ProjectNodes, ProjectedNode, ViewTree};
 use crate::accel::tree::WideNode;
-use crate::accel::view::{TILE, TileFrame, View};
+use crate::accel::view::{CameraView, TILE, TileFrame};
 use crate::accel::{Aggregate, ExactFallbacks, Precision, Tracer};
 use crate::camera::Camera;
 use crate::film::PixelBounds;
@@ -42,7 +42,7 @@ pub struct Tiles<'a> {
     view: Option<ProjectedView>,
 }
 
-fn project_all(nodes: &[WideNode], view: &View, level: Level) -> Vec<ProjectedNode> {
+fn project_all(nodes: &[WideNode], view: &CameraView, level: Level) -> Vec<ProjectedNode> {
     let film = FilmFromTree::of_world(view);
     let project = |nodes| level.run(ProjectNodes { film, nodes });
     nodes.par_chunks(256).flat_map_iter(project).collect()
@@ -50,7 +50,7 @@ fn project_all(nodes: &[WideNode], view: &View, level: Level) -> Vec<ProjectedNo
 
 /// A view and the world's trees projected onto its film.
 struct ProjectedView {
-    view: View,
+    view: CameraView,
     nodes: Vec<ProjectedNode>,
     /// The nodes of the tree over the instances.
     instances: Vec<ProjectedNode>,
@@ -67,9 +67,9 @@ impl<'a> Tiles<'a> {
         // The results of f32 depend on where boxes are most precise. If that is not the eye, they
         // are defined as those of single rays.
         let is_for_view = aggregate.space.anchor() == camera.anchor();
-        let view = View::new(camera, &aggregate.space)
+        let view = CameraView::new(camera, &aggregate.space)
             .filter(|_| is_for_view || options.precision == Precision::Exact);
-        let project = |view: &View, nodes| project_all(nodes, view, options.level);
+        let project = |view: &CameraView, nodes| project_all(nodes, view, options.level);
         let view = view.map(|view| ProjectedView {
             nodes: project(&view, &aggregate.wide.nodes),
             instances: project(&view, &aggregate.instances.wide.nodes),

@@ -1,10 +1,12 @@
 //! The camera as the builder and the rasterizer see it: a matrix to the film, with error bounds.
 
 mod camera_view;
+mod magnitudes;
 mod on_film;
+mod pixel_grid;
 mod tile_frame;
 
-pub(super) use self::camera_view::{ROUNDING, UNDERFLOW, View};
+pub(super) use self::camera_view::{CameraView, ROUNDING, UNDERFLOW};
 pub(super) use self::on_film::{MAX_PIXEL_ERROR, OnFilm};
 pub(crate) use self::tile_frame::TILE;
 pub(super) use self::tile_frame::TileFrame;

@@ -1,6 +1,6 @@
 //! Projects points onto the film.
 
-use super::camera_view::{ROUNDING, UNDERFLOW, View};
+use super::camera_view::{CameraView, ROUNDING, UNDERFLOW};
 use crate::geometry::Point;
 
 /// Bounds the error of a projected point, in pixels.
@@ -17,7 +17,7 @@ pub(crate) enum OnFilm {
     Anywhere,
 }
 
-impl View {
+impl CameraView {
     /// Projects a point in world space.
     pub(crate) fn on_film(&self, point: Point) -> OnFilm {
         let from_eye = point - self.eye;

@@ -1,6 +1,6 @@
 //! The coordinate frame of one tile: a view with the origin at the tile's first pixel.
 
-use super::camera_view::{ROUNDING, UNDERFLOW, View};
+use super::camera_view::{CameraView, ROUNDING, UNDERFLOW};
 use crate::geometry::Point;
 
 /// Pixels along a side of a tile. Tiles cover the film from its first pixel on, whatever part of it
@@ -10,14 +10,14 @@ pub(crate) const TILE: u32 = 16;
 /// A view with the origin moved to the first pixel of a tile: pixel coordinates are 0 to 15.
 #[derive(Debug, Clone)]
 pub(crate) struct TileFrame<'a> {
-    pub(crate) view: &'a View,
+    pub(crate) view: &'a CameraView,
     /// The first pixel of the tile on the film.
     pub(crate) first: [u32; 2],
-    /// [`View::film_from_world`], from the tile's first pixel.
+    /// [`CameraView::film_from_world`], from the tile's first pixel.
     pub(crate) tile_from_world: [[f64; 3]; 3],
-    /// [`View::world_from_film`], from the tile's first pixel.
+    /// [`CameraView::world_from_film`], from the tile's first pixel.
     pub(crate) world_from_tile: [[f64; 3]; 3],
-    /// [`View::offset`], from the tile's first pixel.
+    /// [`CameraView::offset`], from the tile's first pixel.
     pub(crate) offset: [f64; 2],
     /// The matrix in `f32`.
     pub(crate) tile_from_world_f32: [[f32; 3]; 3],
@@ -28,7 +28,7 @@ pub(crate) struct TileFrame<'a> {
 }
 
 impl<'a> TileFrame<'a> {
-    pub(crate) fn new(view: &'a View, first: [u32; 2]) -> TileFrame<'a> {
+    pub(crate) fn new(view: &'a CameraView, first: [u32; 2]) -> TileFrame<'a> {
         let mut tile_from_world = view.film_from_world;
         let mut offset = view.offset;
         for k in 0..2 {

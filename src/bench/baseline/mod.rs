@@ -150,7 +150,8 @@ mod tests {
             eye in prop::array::uniform3(-1.0f64..1.0),
         ) {
             let sum: f64 = weights.iter().sum();
-            prop_assume!(sum.abs() > 0.1 && weights.iter().all(|weight| (weight / sum).abs() > 1e-3));
+            let is_inside = |weight: &f64| (weight / sum).abs() > 1e-3;
+            prop_assume!(sum.abs() > 0.1 && weights.iter().all(is_inside));
             let target = |k: usize| (0..3).map(|i| weights[i] / sum * corners[i][k]).sum::<f64>();
             let (origin, target) = (Point::from(eye), Point::new(target(0), target(1), target(2)));
             let ray = Ray { origin, direction: target - origin };
@@ -161,7 +162,8 @@ mod tests {
             let mut geometry = Geometry::default();
             geometry.add_mesh(vec![a, b, c], vec![[0, 1, 2]], &Matrix::IDENTITY, 1).unwrap();
             let (exact, baseline) = answers(&geometry, &ray);
-            prop_assert!(baseline.iter().all(|baseline| agree(exact, *baseline, 1e-3)), "{exact:?} {baseline:?}");
+            let all_agree = baseline.iter().all(|baseline| agree(exact, *baseline, 1e-3));
+            prop_assert!(all_agree, "{exact:?} {baseline:?}");
         }
 
         /// Surfaces of size 1 seen from nearby, without grazing rays.
@@ -182,16 +184,19 @@ mod tests {
             let ray = |nudge: f64| {
                 let origin = Point::from(eye);
                 let direction = Point::from(target) - origin;
-                Ray { origin, direction: Vector::new(direction.x + nudge, direction.y - nudge, direction.z + nudge) }
+                let [x, y, z] = direction.to_array();
+                Ray { origin, direction: Vector::new(x + nudge, y - nudge, z + nudge) }
             };
             let mut geometry = Geometry::default();
             let transform = geometry.add_transform(Matrix::translate([offset, 0.0, -offset]));
             geometry.add_quadric(1.0, form, transform, 1).unwrap();
             // If rays beside this one differ much from it, it is close to a rim.
-            let beside = [-1e-2, 0.0, 1e-2].map(|nudge| reference::closest_hit(&geometry, &ray(nudge)).map(|hit| hit.z));
+            let z = |nudge| reference::closest_hit(&geometry, &ray(nudge)).map(|hit| hit.z);
+            let beside = [-1e-2, 0.0, 1e-2].map(z);
             prop_assume!(beside.iter().all(|z| agree(*z, beside[1], 0.1)));
             let (exact, baseline) = answers(&geometry, &ray(0.0));
-            prop_assert!(baseline.iter().all(|baseline| agree(exact, *baseline, 1e-2)), "{exact:?} {baseline:?}");
+            let all_agree = baseline.iter().all(|baseline| agree(exact, *baseline, 1e-2));
+            prop_assert!(all_agree, "{exact:?} {baseline:?}");
         }
     }
 

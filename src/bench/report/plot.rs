@@ -125,21 +125,8 @@ fn draw_panel(area: &Area, quantity: &Quantity, points: &[Point]) -> Result {
         .light_line_style(WHITE)
         .bold_line_style(RGBColor(222, 222, 222))
         .draw()?;
-    let gray = RGBColor(120, 120, 120);
-    chart.draw_series([PathElement::new(
-        vec![(x.range.start, zero), (x.range.end, zero)],
-        gray.stroke_width(1),
-    )])?;
-    let label = FONT
-        .into_text_style(area)
-        .pos(Pos::new(HPos::Right, VPos::Center));
-    let beside = chart.backend_coord(&(x.range.start, zero));
+    draw_zero(area, &mut chart, &x, zero)?;
     let origin = area.get_base_pixel();
-    area.draw_text(
-        "none",
-        &label,
-        (beside.0 - origin.0 - 8, beside.1 - origin.1),
-    )?;
     draw_front(&mut chart, points, &x, &y)?;
     for point in points {
         let at = (x.place(point.speed), y.place(point.error));
@@ -162,6 +149,26 @@ fn draw_panel(area: &Area, quantity: &Quantity, points: &[Point]) -> Result {
 }
 
 type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
+
+/// Draws the line of no error and its label.
+fn draw_zero(area: &Area, chart: &mut Chart, x: &Scale, zero: f64) -> Result {
+    let gray = RGBColor(120, 120, 120);
+    chart.draw_series([PathElement::new(
+        vec![(x.range.start, zero), (x.range.end, zero)],
+        gray.stroke_width(1),
+    )])?;
+    let label = FONT
+        .into_text_style(area)
+        .pos(Pos::new(HPos::Right, VPos::Center));
+    let beside = chart.backend_coord(&(x.range.start, zero));
+    let origin = area.get_base_pixel();
+    area.draw_text(
+        "none",
+        &label,
+        (beside.0 - origin.0 - 8, beside.1 - origin.1),
+    )?;
+    Ok(())
+}
 
 /// Draws the Pareto front as steps: to be more accurate than one point of it, a kernel must be as
 /// slow as the next.

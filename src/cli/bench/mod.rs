@@ -40,7 +40,7 @@ fn measure_all(
     mut outputs: Outputs,
     reporter: &Reporter,
 ) -> Result<u8> {
-    let machine = Machine::detect(Level::detect().as_str());
+    let machine = Machine::detect(Level::detect().name());
     let (mut rows, mut sections) = (Vec::new(), Vec::new());
     let (mut failures, mut code) = (Failures::default(), 0);
     let mut printed = Ok(());

@@ -9,7 +9,7 @@ const C_RUNTIME: &str = if cfg!(target_feature = "crt-static") {
     "dynamic"
 };
 
-/// The commit that the program was built from, if the build was told.
+/// The commit that the program was built from, if the build knew it.
 const COMMIT: Option<&str> = option_env!("FEIMOS_COMMIT");
 
 /// The version, the build, and the widest instruction set of this machine.

@@ -4,7 +4,7 @@ use super::values::{integer, named};
 use clap::Args;
 use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::scene::{AcceleratorParameters, spelling};
-use feimos::simd::{Level, UnavailableLevel};
+use feimos::simd::Level;
 
 #[derive(Debug, Args)]
 pub(crate) struct EngineArgs {
@@ -39,8 +39,12 @@ fn simd(name: &str) -> Result<Level, String> {
     if name == "auto" {
         return Ok(Level::detect());
     }
-    let unavailable = |error: UnavailableLevel| format!("{error}; auto takes the widest");
-    name.parse().map_err(unavailable)
+    let level = Level::available().find(|level| level.name() == name);
+    level.ok_or_else(|| {
+        let available: Vec<&str> = Level::available().map(Level::name).collect();
+        let available = available.join(", ");
+        format!("this machine has {available}; auto takes the widest")
+    })
 }
 
 /// Build options for `method`, with the leaf size that the scene asks for.

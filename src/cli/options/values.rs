@@ -8,12 +8,12 @@ use std::ops::RangeInclusive;
 use std::str::FromStr;
 
 /// Parses one of `values` by its name, and lists the names in help, completions and errors.
-pub(crate) fn named<T: FromStr, const N: usize>(
+pub(crate) fn named<T, const N: usize>(
     values: [T; N],
     name: fn(T) -> &'static str,
 ) -> impl TypedValueParser<Value = T>
 where
-    T: Clone + Send + Sync + 'static,
+    T: FromStr + Clone + Send + Sync + 'static,
     T::Err: std::error::Error + Send + Sync + 'static,
 {
     PossibleValuesParser::new(values.map(name)).try_map(|name| name.parse())

@@ -57,7 +57,7 @@ impl OutputName {
         self.template.is_some()
     }
 
-    /// What names the images, for messages.
+    /// The source of image names, for messages.
     pub(crate) fn cause(&self) -> &'static str {
         if self.is_given() {
             "-o"

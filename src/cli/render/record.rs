@@ -103,7 +103,7 @@ impl Record {
             accel: finished.method.name(),
             precision: finished.precision.name(),
             threads: rayon::current_num_threads(),
-            simd: finished.simd.as_str(),
+            simd: finished.simd.name(),
             width: window.width(),
             height: window.height(),
             rays: window.area(),

@@ -81,7 +81,7 @@ impl<'a> Targets<'a> {
                 (Some(provenance), Some(header)) => {
                     Existing::find(path, &content, header, provenance)?
                 }
-                // Without a header nobody knows who wrote the file.
+                // Without a header the writer of the file is unknown.
                 _ => Existing::Foreign,
             };
             if self.is_skipped(path, existing)? {

@@ -1,4 +1,4 @@
-//! What a command prints: results on standard output, messages and progress on standard error.
+//! The output of commands: results on standard output, messages and progress on standard error.
 
 pub(super) mod failures;
 pub(super) mod progress;

@@ -83,7 +83,7 @@ impl Reporter {
     /// Prints a line, also if quiet.
     pub(crate) fn line(&self, message: impl Display) {
         let message = terminal_text::lines(&message.to_string());
-        // If standard error is closed, nobody can be told.
+        // If standard error is closed, the message is lost.
         let _ = writeln!(self.stream(), "{message}");
     }
 

@@ -27,7 +27,7 @@ pub(crate) fn report_scene(scene: &Scene, reporter: &Reporter) {
 /// The stored primitives and the instances. Field names are JSON keys of `check`.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub(crate) struct StoredGeometry {
-    /// Those of an object count once, also below.
+    /// Primitives of an object count once, also below.
     triangles: usize,
     /// Quadrics: spheres, cylinders and disks.
     spheres: usize,

@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 /// A limit on links followed one after another, the same as in Linux.
 const MAX_LINKS: usize = 40;
 
-/// The path that [`super::write_file`] writes to: the end of the symbolic links of `path`, which need
-/// not exist.
+/// The path that [`super::write_file`] writes to: the end of the symbolic links of `path`, which
+/// need not exist.
 ///
 /// # Errors
 /// The system refuses a link: Linux refuses those of other users in folders such as `/tmp`

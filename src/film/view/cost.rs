@@ -1,6 +1,6 @@
 //! The cost view: what each ray costs, through a colour map.
 
-use super::numbers;
+use super::samples::numbers;
 use crate::film::color_map::Rgb;
 use crate::film::{ChannelName, ColorMap, ColorRange, Image};
 use rayon::prelude::*;

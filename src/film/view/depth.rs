@@ -1,6 +1,6 @@
 //! The depth view: depth from near to far, through a colour map.
 
-use super::measures;
+use super::samples::measures;
 use crate::film::color_map::Rgb;
 use crate::film::{ChannelName, ColorMap, ColorRange, Image};
 use rayon::prelude::*;

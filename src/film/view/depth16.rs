@@ -1,6 +1,6 @@
 //! The depth16 view: depth as 16-bit integers, for programs.
 
-use super::measures;
+use super::samples::measures;
 use crate::film::{ChannelName, Image};
 use std::fmt;
 use std::io;

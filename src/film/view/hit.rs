@@ -1,6 +1,6 @@
 //! The hit view: hits red, misses yellow.
 
-use super::measures;
+use super::samples::measures;
 use crate::film::color_map::Rgb;
 use crate::film::{ChannelName, Image};
 use rayon::prelude::*;

@@ -1,6 +1,6 @@
 //! The id view: a colour for each shape.
 
-use super::{NOTHING, numbers};
+use super::samples::{NOTHING, numbers};
 use crate::film::color_map::Rgb;
 use crate::film::{ChannelName, Image};
 use rayon::prelude::*;

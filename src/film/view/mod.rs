@@ -6,10 +6,10 @@ mod depth16;
 mod hit;
 mod id;
 mod normal;
+mod samples;
 
-use super::{ChannelName, Image};
+use super::ChannelName;
 use crate::named::named;
-use std::io;
 
 pub use cost::cost;
 pub use depth::{MISS_IN_DEPTH, depth};
@@ -17,8 +17,9 @@ pub use depth16::{Depth16, Unfit};
 pub use hit::{HIT, MISS, hit};
 pub use id::id;
 pub use normal::normal;
+pub use samples::NOTHING;
 
-/// What a PNG shows.
+/// The content of a PNG.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum View {
     /// Depth from near to far, through a colour map.
@@ -41,9 +42,6 @@ named!(View:
     Depth16 => "depth16",
 );
 
-/// Black: the colour of misses in views whose colours are data.
-pub const NOTHING: [u8; 3] = [0; 3];
-
 impl View {
     /// The channels that the view reads.
     pub fn channels(self) -> &'static [ChannelName] {
@@ -58,31 +56,10 @@ impl View {
     }
 }
 
-/// The samples of the `f32` channel of that name.
-fn measures(image: &Image, name: ChannelName) -> io::Result<&[f32]> {
-    available(image, name, Image::measures)
-}
-
-/// The samples of the `u32` channel of that name.
-fn numbers(image: &Image, name: ChannelName) -> io::Result<&[u32]> {
-    available(image, name, Image::numbers)
-}
-
-/// Checks the image and takes the samples of a channel with `samples`.
-fn available<T>(
-    image: &Image,
-    name: ChannelName,
-    samples: impl FnOnce(&Image, ChannelName) -> Option<&[T]>,
-) -> io::Result<&[T]> {
-    let invalid = |problem: String| io::Error::new(io::ErrorKind::InvalidInput, problem);
-    image.validate().map_err(invalid)?;
-    samples(image, name).ok_or_else(|| invalid(format!("no channel {name}")))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::film::{Channel, PixelBounds, Samples};
+    use crate::film::{Channel, Image, PixelBounds, Samples};
 
     #[test]
     fn a_missing_channel_is_an_error() {

@@ -1,6 +1,6 @@
 //! The normal view: the orientation of surfaces.
 
-use super::{NOTHING, measures};
+use super::samples::{NOTHING, measures};
 use crate::film::color_map::Rgb;
 use crate::film::{ChannelName, Image};
 use rayon::prelude::*;

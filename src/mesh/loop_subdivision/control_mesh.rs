@@ -1,16 +1,17 @@
-//! Faces as given, connected by their edges.
+//! The control mesh: the given faces, connected by their edges.
 
 use super::refine::{Edge, Face, Surface};
-use super::{Place, Refusal};
+use super::refusal::{Place, Refusal};
 use crate::geometry::Point;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
-/// The surface of `faces`, which name `vertices` that exist. Edges are numbered as they are first met: those from corner 0 to 1,
-/// from 1 to 2 and from 2 to 0 of the first face, then those of the next.
+/// The surface of `faces`, which refer to existing `vertices`. Edges are numbered in the order of
+/// first use: from corner 0 to 1, from 1 to 2 and from 2 to 0 of the first face, then those of the
+/// next.
 pub(super) fn connect(vertices: Vec<Point>, faces: &[[u32; 3]]) -> Result<Surface, Refusal> {
     let mut edges: Vec<Edge> = Vec::new();
-    // The corner opposite to each edge in the first of its faces.
+    // The corner opposite to each edge in its first face.
     let mut opposite: Vec<u32> = Vec::new();
     let mut number_of = HashMap::new();
     let mut connected = Vec::with_capacity(faces.len());
@@ -73,7 +74,7 @@ pub(super) fn connect(vertices: Vec<Point>, faces: &[[u32; 3]]) -> Result<Surfac
     Ok(surface)
 }
 
-/// Around each vertex, the faces must follow each other from edge to edge.
+/// Checks that the faces around each vertex follow each other from edge to edge.
 fn check_vertices(surface: &Surface) -> Result<(), Refusal> {
     let mut ends = JoinedEnds::of(surface);
     for face in &surface.faces {
@@ -104,11 +105,11 @@ fn check_vertices(surface: &Surface) -> Result<(), Refusal> {
     }
 }
 
-/// The ends of edges, joined where a face lies between them: a forest, whose roots are their own parents (Tarjan, "Efficiency of a
-/// Good But Not Linear Set Union Algorithm", 1975).
+/// The ends of edges, joined if a face lies between them: a forest whose roots are their own
+/// parents (Tarjan, "Efficiency of a Good But Not Linear Set Union Algorithm", 1975).
 struct JoinedEnds {
     parents: Vec<u32>,
-    /// How many ends at each vertex are still apart.
+    /// The number of separate sets of ends at each vertex.
     parts: Vec<u32>,
 }
 

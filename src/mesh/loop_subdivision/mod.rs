@@ -1,51 +1,35 @@
-//! Loop's subdivision surfaces as triangles.
+//! Refines Loop subdivision surfaces into triangles.
 //!
-//! C. Loop, "Smooth Subdivision Surfaces Based on Triangles", 1987, as in "Physically Based Rendering", 3rd edition, section 3.8:
-//! every level splits each face into four, and in the end vertices move to where levels without end would take them. The
-//! order of all operations is rule R6 of `docs/accuracy.md`. Which way round faces are does not matter.
+//! C. Loop, "Smooth Subdivision Surfaces Based on Triangles", 1987, as in "Physically Based
+//! Rendering", 3rd edition, section 3.8: each level splits each face into four; in the end vertices
+//! move to their positions in the limit of infinitely many levels. Rule R6 of `docs/accuracy.md`
+//! gives the order of all operations. The orientation of faces does not matter.
 
 mod control_mesh;
 mod refine;
+mod refusal;
 
 use super::TriangleMesh;
 use crate::geometry::Point;
 
-/// No more levels are taken: even a single face would give too many.
+pub use refusal::{Place, Refusal};
+
+/// The most levels: one more would turn even a single face into too many.
 pub const MOST_LEVELS: u32 = 30;
 
-/// Faces at most after all levels: with three edges each, their vertices can still be numbered. They take about 80 bytes each
-/// while the last level is made, so that scenes have a budget for them that is far smaller.
+/// The most faces after all levels: with three edges each, their vertices can still be numbered. A
+/// face takes about 80 bytes while the last level is made, so the budget of a scene is far smaller.
 const MOST_FACES: u64 = 1 << 30;
 
-/// Vertices at most before the first level.
+/// The most vertices before the first level.
 const MOST_VERTICES: u64 = 3 << 24;
 
-/// Why a surface cannot be subdivided.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Refusal {
-    /// What it is about.
-    pub place: Place,
-    /// What was found.
-    pub message: String,
-    /// What to do about it.
-    pub advice: String,
-}
-
-/// What a [`Refusal`] is about.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Place {
-    /// A corner of a face, counted through all faces from 0.
-    Index(usize),
-    /// The number of levels.
-    Levels,
-}
-
-/// The triangles of the surface with the control mesh of `faces`, which name `vertices` that exist, after `levels` levels. The
-/// triangles of a face follow each other in the order of the faces.
+/// The triangles of the surface after `levels` levels, whose control mesh consists of `faces` over
+/// existing `vertices`. The triangles of a face are consecutive, in the order of the faces.
 ///
 /// # Errors
-/// Where faces do not make a surface: more than two at an edge, parts that only share a vertex, a face that names a vertex twice,
-/// two of the same vertices; and where there would be more than 2^30 faces.
+/// Faces that are not a surface: more than two at an edge, parts that only share a vertex, a face
+/// that uses a vertex twice, two faces with the same vertices. Also more than 2^30 triangles.
 pub fn subdivide(
     vertices: Vec<Point>,
     faces: &[[u32; 3]],
@@ -65,7 +49,8 @@ pub fn subdivide(
     })
 }
 
-/// Each level gives a vertex for each edge, of which faces have three at most: so all vertices are numbered with 32 bits.
+/// Each level adds a vertex per edge, and a face has at most three edges: 32 bits can number all
+/// vertices.
 fn check_size(vertices: usize, faces: usize, levels: u32) -> Result<(), Refusal> {
     let refuse = |message, advice: &str| {
         Err(Refusal {

@@ -1,8 +1,8 @@
-//! One level after the other.
+//! Refines a mesh, level by level.
 
 use crate::geometry::Point;
 
-/// A mesh of triangles that knows its edges. Around each vertex, its faces follow each other from edge to edge.
+/// A triangle mesh with edges. The faces around each vertex follow each other from edge to edge.
 #[derive(Debug)]
 pub(super) struct Surface {
     pub(super) vertices: Vec<Point>,
@@ -12,21 +12,22 @@ pub(super) struct Surface {
 
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Face {
-    /// Places among the vertices.
+    /// Indices of vertices.
     pub(super) corners: [u32; 3],
-    /// Places among the edges: edge k joins corner k and the next one.
+    /// Indices of edges: edge k joins corner k and the next one.
     pub(super) edges: [u32; 3],
 }
 
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Edge {
-    /// Places among the vertices.
+    /// Indices of vertices.
     pub(super) ends: [u32; 2],
-    /// Whether only one face is there.
+    /// Whether only one face has this edge.
     pub(super) is_boundary: bool,
 }
 
-/// The vertices that share an edge with one; where that is on the boundary, only those along the boundary.
+/// The neighbours of a vertex; those of a boundary vertex are only its neighbours along the
+/// boundary.
 #[derive(Debug, Clone, Copy, Default)]
 struct Ring {
     sum: [f64; 3],
@@ -35,8 +36,8 @@ struct Ring {
 }
 
 impl Surface {
-    /// After one level. Vertices keep their numbers, and the middle of edge k is the k-th after them. Of the edges the halves come first,
-    /// then the three within each face.
+    /// The mesh after one level. Vertices keep their numbers, followed by the middle of each edge.
+    /// Edges are the halves of the old ones, followed by the three inside each face.
     pub(super) fn refined(&self) -> Surface {
         let mut vertices = self.moved(even_weight, 1.0 / 8.0);
         vertices.extend(self.middles());
@@ -69,7 +70,8 @@ impl Surface {
                 let is_second = self.edges[face.edges[k] as usize].ends[1] == face.corners[corner];
                 2 * face.edges[k] + u32::from(is_second)
             };
-            // At corner k lie edge k and the one before; between them the edge within that joins their middles.
+            // Edge k and the one before meet at corner k; the inner edge between them joins their
+            // middles.
             faces.extend([0, 1, 2].map(|k| {
                 let before = (k + 2) % 3;
                 let mut child = Face {
@@ -96,16 +98,17 @@ impl Surface {
         }
     }
 
-    /// Where the vertices are after levels without end.
+    /// The positions of the vertices in the limit of infinitely many levels.
     pub(super) fn limit(&self) -> Vec<Point> {
-        // Not the 1/6 that the boundary's own curve would have, but pbrt's weight.
+        // pbrt's weight, not the 1/6 of the boundary's own curve.
         self.moved(
             |count| 1.0 / (count + 3.0 / (8.0 * even_weight(count))),
             1.0 / 5.0,
         )
     }
 
-    /// Every vertex moved towards those around it: each of n has the weight `interior(n)`, or `boundary` on the boundary.
+    /// Moves every vertex towards its n neighbours, each of weight `interior(n)`, or `boundary` on
+    /// the boundary.
     fn moved(&self, interior: impl Fn(f64) -> f64, boundary: f64) -> Vec<Point> {
         let rings = self.rings();
         let move_one = |(vertex, ring): (&Point, &Ring)| {
@@ -124,7 +127,7 @@ impl Surface {
         self.vertices.iter().zip(&rings).map(move_one).collect()
     }
 
-    /// The sums are in the order of the edges.
+    /// Adds up in the order of the edges.
     fn rings(&self) -> Vec<Ring> {
         let mut rings = vec![Ring::default(); self.vertices.len()];
         for Edge {

@@ -113,7 +113,8 @@ fn a_flat_grid_stays_where_it_is() {
     assert!(is_near(&mesh.vertices[12], &vertices[12], 1e-15));
 }
 
-/// Every level moves the vertices of the octahedron where its symmetries want them, to the last bit.
+/// Every level moves the vertices of the octahedron where its symmetries want them, to the last
+/// bit.
 #[test]
 fn symmetries_stay() {
     let (vertices, faces) = octahedron();

@@ -1,4 +1,4 @@
-//! The header of a PLY file: what follows, in which order and in which form.
+//! Parses the header of a PLY file: the elements that follow, their properties and their encoding.
 
 use std::ops::Range;
 use std::path::Path;
@@ -8,7 +8,7 @@ use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::mesh::signature;
 use crate::mesh::tally::Tally;
 
-/// How the values are written.
+/// The encoding of the values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Encoding {
     Ascii,
@@ -44,7 +44,7 @@ impl Scalar {
         })
     }
 
-    /// Bytes of a binary value.
+    /// The size of a binary value in bytes.
     pub(super) fn size(self) -> usize {
         match self {
             Scalar::I8 | Scalar::U8 => 1,
@@ -59,7 +59,7 @@ impl Scalar {
     }
 }
 
-/// What a property holds.
+/// One value, or a list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Shape {
     One(Scalar),
@@ -72,7 +72,7 @@ pub(super) struct Property {
     pub(super) shape: Shape,
 }
 
-/// A kind of record and how many of them follow.
+/// A kind of record, and how many of them follow.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Element {
     pub(super) name: String,
@@ -82,14 +82,14 @@ pub(super) struct Element {
     pub(super) span: Range<usize>,
 }
 
-/// What the header says.
+/// A parsed header.
 #[derive(Debug)]
 pub(super) struct Header {
     pub(super) encoding: Encoding,
     pub(super) elements: Vec<Element>,
     /// Its last line.
     pub(super) end: Range<usize>,
-    /// Bytes up to the first value.
+    /// The number of bytes before the first value.
     pub(super) size: usize,
     pub(super) warnings: Vec<Diagnostic>,
 }

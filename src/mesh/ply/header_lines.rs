@@ -1,10 +1,10 @@
-//! Lines of a PLY header, and their words.
+//! Splits a PLY header into lines and words.
 
 use std::ops::Range;
 
 use crate::mesh::quote::quote;
 
-/// The lines of the header as spans, all ended in the manner of the first one.
+/// The lines of the header as spans. The end of the first line decides how all of them end.
 pub(super) struct Lines<'a> {
     content: &'a [u8],
     at: usize,
@@ -26,7 +26,7 @@ impl Lines<'_> {
         }
     }
 
-    /// Where the next line begins.
+    /// The start of the next line.
     pub(super) fn position(&self) -> usize {
         self.at
     }
@@ -35,7 +35,8 @@ impl Lines<'_> {
 impl Iterator for Lines<'_> {
     type Item = Range<usize>;
 
-    /// The next complete line: the values begin after exactly one end of line, whatever byte follows.
+    /// The next complete line. The values begin after exactly one end of line, whatever byte
+    /// follows.
     fn next(&mut self) -> Option<Range<usize>> {
         let length = self.content[self.at..]
             .iter()
@@ -46,7 +47,7 @@ impl Iterator for Lines<'_> {
     }
 }
 
-/// The words of a line, where they are and what they are.
+/// The words of a line and their spans.
 pub(super) struct Words<'a> {
     content: &'a [u8],
     line: Range<usize>,
@@ -54,7 +55,7 @@ pub(super) struct Words<'a> {
 }
 
 impl<'a> Words<'a> {
-    /// More words than any line of a header has; comments may go on and on.
+    /// No line of a header needs more words; comments may be longer.
     const MOST: usize = 6;
 
     /// The words of `line`.
@@ -89,25 +90,25 @@ impl<'a> Words<'a> {
         self.line.clone()
     }
 
-    /// The word `at`, empty beyond the last one.
+    /// Word `at`; empty beyond the last one.
     pub(super) fn get(&self, at: usize) -> &'a [u8] {
         self.spans
             .get(at)
             .map_or(b"", |span| &self.content[span.clone()])
     }
 
-    /// Where the word `at` is, or should be.
+    /// The span of word `at`, or where it should be.
     pub(super) fn span(&self, at: usize) -> Range<usize> {
         let line_end = self.spans.last().map_or(self.line.end, |span| span.end);
         self.spans.get(at).cloned().unwrap_or(line_end..line_end)
     }
 
-    /// The word `at`, for a message.
+    /// Word `at`, for a message.
     pub(super) fn quoted(&self, at: usize) -> String {
         quote(self.get(at))
     }
 
-    /// The word `at` as text.
+    /// Word `at` as text.
     pub(super) fn text(&self, at: usize) -> String {
         String::from_utf8_lossy(self.get(at)).into_owned()
     }

@@ -15,7 +15,8 @@ fn points(property: &str, values: &str) -> String {
     format!("ply\nformat ascii 1.0\nelement vertex {count}\n{properties}end_header\n{values}")
 }
 
-/// A quad with types and an order of bytes, properties in a strange order and elements that are to be skipped.
+/// A quad with types and an order of bytes, properties in a strange order and elements that are to
+/// be skipped.
 fn binary(is_big: bool, coordinate: &str, index: &str) -> Vec<u8> {
     let endian = if is_big { "big" } else { "little" };
     let mut bytes = format!(

@@ -44,7 +44,8 @@ fn outline_area(vertices: &[Point]) -> f64 {
         .sum()
 }
 
-/// No triangle lies outside of the outline: then the areas without their signs would add up to more.
+/// No triangle lies outside of the outline: then the areas without their signs would add up to
+/// more.
 fn assert_covers(triangles: &[[u32; 3]], vertices: &[Point]) {
     let sum: f64 = triangles
         .iter()
@@ -97,7 +98,8 @@ fn never_looks_at_triangles_and_quads() {
 /// A square with a dent at corner 3.
 const DENTED: [[f64; 2]; 5] = [[0., 0.], [2., 0.], [2., 2.], [1., 0.5], [0., 2.]];
 
-/// The documented order, by hand: 3 blocks 0 and 1, so that 2 is the first ear; then 3 bends to the right, and 4 is one.
+/// The documented order, by hand: 3 blocks 0 and 1, so that 2 is the first ear; then 3 bends to the
+/// right, and 4 is one.
 const DENTED_CUT: [[u32; 3]; 3] = [[1, 2, 3], [3, 4, 0], [0, 1, 3]];
 
 #[test]

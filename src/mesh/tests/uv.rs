@@ -11,7 +11,8 @@ pub(super) fn with_uv(bytes: &[u8], format: MeshFormat) -> Result<Loaded> {
     parse(Path::new("a.mesh"), bytes, format, true)
 }
 
-/// The coordinates of a file without anything odd, which has the same triangles where nobody wants them.
+/// The coordinates of a file without anything odd, which has the same triangles where nobody wants
+/// them.
 fn uv(bytes: impl AsRef<[u8]>, format: MeshFormat) -> Option<Vec<[[f32; 2]; 3]>> {
     let bytes = bytes.as_ref();
     let mut loaded = with_uv(bytes, format).unwrap_or_else(|error| panic!("{error}"));

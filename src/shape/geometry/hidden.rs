@@ -5,8 +5,8 @@ use crate::geometry::Point;
 use std::collections::HashSet;
 
 impl Geometry {
-    /// Makes the primitives of the `Shape` statements `hidden` impossible to hit, in objects, too. Numbers
-    /// stay.
+    /// Makes the primitives of the `Shape` statements `hidden` impossible to hit, in objects, too.
+    /// Numbers stay.
     pub fn hide(&mut self, hidden: &HashSet<u32>) {
         let ends = self
             .meshes
@@ -22,7 +22,8 @@ impl Geometry {
         let triangles: Vec<_> = runs
             .map(|(run, end)| run.first_triangle as usize..end)
             .collect();
-        // A triangle without a finite vertex is never hit (rule E1), nor is a quadric without a radius (E2).
+        // A triangle without a finite vertex is never hit (rule E1), nor is a quadric without a
+        // radius (E2).
         if !triangles.is_empty() {
             let nowhere = self.vertices.len() as u32;
             self.vertices.push(Point::new(f64::NAN, f64::NAN, f64::NAN));

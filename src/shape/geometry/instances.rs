@@ -59,8 +59,8 @@ impl Geometry {
         Ok(())
     }
 
-    /// Defines the objects of undefined instances, as pairs of an instance and an object, and renumbers
-    /// all primitives in the order of the file.
+    /// Defines the objects of undefined instances, as pairs of an instance and an object, and
+    /// renumbers all primitives in the order of the file.
     pub fn define_instances(&mut self, objects: &[(usize, usize)]) {
         // The number of primitives in no instance before each instance, which does not change.
         let mut instanced = 0;
@@ -124,14 +124,14 @@ impl Geometry {
         )
     }
 
-    /// The number of primitives, each as often as it is instanced, including those of surfaces that are
-    /// left out.
+    /// The number of primitives, each as often as it is instanced, including those of surfaces that
+    /// are left out.
     pub fn primitive_count(&self) -> u64 {
         self.number_count() + self.instanced
     }
 
-    /// Whether there are too many primitives for `prim` channels to count all of them: then they count
-    /// within the instance.
+    /// Whether there are too many primitives for `prim` channels to count all of them: then they
+    /// count within the instance.
     pub fn counts_within_instances(&self) -> bool {
         self.primitive_count() > u64::from(u32::MAX)
     }
@@ -145,8 +145,8 @@ impl Geometry {
         }
     }
 
-    /// A primitive of a tree, in world space, if any ray can hit it: trees of objects contain primitives
-    /// that can be hit in some instance, but perhaps not in this one.
+    /// A primitive of a tree, in world space, if any ray can hit it: trees of objects contain
+    /// primitives that can be hit in some instance, but perhaps not in this one.
     #[inline]
     pub(crate) fn surface_in_tree(&self, placed: InstancedId) -> Option<Primitive> {
         let surface = self.surface(placed);

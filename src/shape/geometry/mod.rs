@@ -60,8 +60,8 @@ pub struct Geometry {
 }
 
 impl Geometry {
-    /// Appends a mesh, and moves its object-space `vertices` to world space (rule R4). Indices must be
-    /// in range. Returns how many vertices are not finite before and after the move.
+    /// Appends a mesh, and moves its object-space `vertices` to world space (rule R4). Indices must
+    /// be in range. Returns how many vertices are not finite before and after the move.
     pub fn add_mesh(
         &mut self,
         mut vertices: Vec<Point>,
@@ -75,8 +75,8 @@ impl Geometry {
         Ok(broken)
     }
 
-    /// Appends a mesh of an object, whose vertices stay in object space. `transform` is a number from
-    /// [`Geometry::add_transform`]. Indices must be in range.
+    /// Appends a mesh of an object, whose vertices stay in object space. `transform` is a number
+    /// from [`Geometry::add_transform`]. Indices must be in range.
     pub fn add_object_mesh(
         &mut self,
         vertices: Vec<Point>,
@@ -210,8 +210,8 @@ impl Geometry {
         })
     }
 
-    /// Skips the numbers of `count` primitives of a surface that rays do not meet. Numbers follow the
-    /// file, whatever is left out (rule E3).
+    /// Skips the numbers of `count` primitives of a surface that rays do not meet. Numbers follow
+    /// the file, whatever is left out (rule E3).
     pub fn leave_out(&mut self, count: usize) -> Result<(), CapacityError> {
         self.next_number(count)?;
         self.left_out += count as u32;

@@ -22,9 +22,9 @@ impl Geometry {
         }
     }
 
-    /// The number of a primitive in `prim` channels, counted from 1: in the whole scene or, if there are
-    /// [too many](Geometry::counts_within_instances), within the instance or among the primitives in
-    /// none.
+    /// The number of a primitive in `prim` channels, counted from 1: in the whole scene or, if
+    /// there are [too many](Geometry::counts_within_instances), within the instance or among the
+    /// primitives in none.
     #[inline]
     pub fn image_number(&self, placed: InstancedId) -> u32 {
         if !self.counts_within_instances() {

@@ -5,8 +5,8 @@ use crate::geometry::Matrix;
 use crate::shape::{Primitive, PrimitiveId, Quadric, Triangle};
 use std::ops::Range;
 
-/// An object under the transform of an instance. Remembers the product with the transform of the last
-/// mesh.
+/// An object under the transform of an instance. Remembers the product with the transform of the
+/// last mesh.
 #[derive(Debug, Clone)]
 pub struct Pose<'a> {
     object: &'a Geometry,

@@ -1,25 +1,26 @@
-//! What is around a surface.
+//! Boxes and ellipsoids around quadrics.
 
 use super::{Form, Quadric, power_of_two_near_largest};
 use crate::geometry::{Bounds, Point, Vector};
 use std::f64::consts::SQRT_2;
 
-/// More than three products lose that end below the least normal number, one of them times 3. The step that follows is
-/// mostly enough.
+/// More than three products lose that end below the least normal number, one of them times 3.
+/// Usually the following step alone is enough.
 const LOST_TO_UNDERFLOW: f64 = f64::from_bits(4);
 
 /// An ellipsoid in object space, along its axes and about a point of the z axis.
 pub(crate) struct Ellipsoid {
-    /// The z of its middle, nearly.
+    /// The approximate z of its centre.
     pub(crate) height: f64,
-    /// In units of the radius, nearly.
+    /// The approximate half height, in units of the radius.
     pub(crate) semi_axes: [f64; 3],
-    /// What the height was rounded from is no larger.
+    /// An upper bound of the exact height.
     pub(crate) farthest: f64,
 }
 
 impl Quadric {
-    /// A box around it, a few units of rounding too large at most. Cuts by z count for cylinders, other cuts do not.
+    /// A box around it, at most a few rounding units too large. Cuts by z count for cylinders;
+    /// other cuts do not.
     pub fn bounds(&self) -> Bounds {
         let ends = [0, 1, 2].map(|k| {
             let (row, reach) = (&self.world_from_object.rows[k], self.reach(k));
@@ -33,30 +34,31 @@ impl Quadric {
         }
     }
 
-    /// How far the surface reaches from its axis, or from the middle of a sphere, along world axis `k`: |row| * radius, where the last
-    /// entry of the row counts for a sphere alone.
+    /// How far the surface reaches from its axis, or from the centre of a sphere, along world axis
+    /// `k`: |row| * radius, where the last entry of the row counts only for a sphere.
     ///
-    /// Squares and sums are off by 3 units of 2^-53, their root by half of that and its own, and three products follow: less than 6
-    /// of the 8 units that the factor adds. The sum that follows is rounded, which is what `next_up` and `next_down` are for.
+    /// Squares and sums are off by 3 units of 2^-53, their root by half of that and its own, and
+    /// three products follow: less than 6 of the 8 units that the factor adds. The sum that follows
+    /// is rounded, which is what `next_up` and `next_down` are for.
     fn reach(&self, k: usize) -> f64 {
         let mut row = self.world_from_object.rows[k];
         if !matches!(self.form, Form::Sphere(_)) {
             row[2] = 0.0;
         }
-        // The row is scaled to a length between 1 and 4, so only the result can leave the range, not the way to it.
+        // The row is scaled to a length from 1 to 4: only the result can overflow or underflow.
         let scale = power_of_two_near_largest(&row[..3]);
         let v = Vector::from([0, 1, 2].map(|j| row[j] / scale));
         v.dot(v).sqrt() * (self.radius * scale) * (1.0 + 4.0 * f64::EPSILON) + LOST_TO_UNDERFLOW
     }
 
-    /// Between which numbers the part of the axis lies that is within the surface, given a row of the matrix.
+    /// The bounds of the part of the axis within the surface, given a row of the matrix.
     fn along_axis(&self, row: &[f64; 4]) -> [f64; 2] {
         let [low, high] = match &self.form {
             Form::Sphere(_) => return [row[3]; 2],
             Form::Cylinder(cut) => [cut.z_min, cut.z_max],
             Form::Disk(disk) => [disk.height; 2],
         };
-        // Two roundings, either of which may be the wrong way.
+        // Two roundings, either of which may go the wrong way.
         let (a, b) = (row[2] * low, row[2] * high);
         [
             (row[3] + a.min(b).next_down()).next_down(),
@@ -64,7 +66,8 @@ impl Quadric {
         ]
     }
 
-    /// An ellipsoid that holds the surface, but for roundings: a cylinder is in one that is wider and longer by the root of 2.
+    /// An ellipsoid that contains the surface, except for roundings: that of a cylinder is wider
+    /// and longer by the root of 2.
     pub(crate) fn ellipsoid(&self) -> Ellipsoid {
         let around = |height, semi_axes, farthest| Ellipsoid {
             height,
@@ -95,7 +98,8 @@ mod tests {
     use crate::shape::{Cut, Disk};
     use proptest::prelude::*;
 
-    /// The ends of the axis that the form reaches from, and how many columns of the matrix carry the reach.
+    /// The ends of the axis that the form reaches from, and how many columns of the matrix carry
+    /// the reach.
     fn core(form: &Form) -> (Vec<f64>, usize) {
         match form {
             Form::Sphere(_) => (vec![0.0], 3),

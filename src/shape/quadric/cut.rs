@@ -1,14 +1,14 @@
-//! What `zmin`, `zmax` and `phimax` leave of a sphere or a cylinder.
+//! The part of a sphere or cylinder that `zmin`, `zmax` and `phimax` leave.
 
 use super::sector::{Sector, both};
 use std::cmp::Ordering::{self, Less};
 
-/// The part of a surface that is there: a Boolean combination of half-spaces in object space, all of them closed.
+/// A part of a surface: a Boolean combination of closed half-spaces in object space.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cut {
-    /// The lowest z; of a sphere, from minus the radius to the radius.
+    /// The lowest z; for a sphere, within the radius.
     pub z_min: f64,
-    /// The highest z, not less; of a sphere, in the same range.
+    /// The highest z, not below the lowest; for a sphere, within the radius.
     pub z_max: f64,
     /// `None` for a full turn.
     pub sector: Option<Sector>,
@@ -22,8 +22,9 @@ pub(super) struct Plane {
 }
 
 impl Cut {
-    /// What pbrt-v3 makes of the parameters of a sphere: z between the smaller and the larger of the two, clamped to
-    /// the sphere; angles from 0 to `phi_max` degrees, clamped to a full turn. `None` where that is all of it.
+    /// The cut of a sphere as pbrt-v3 reads it: z between the smaller and the larger of the two,
+    /// clamped to the sphere; angles from 0 to `phi_max` degrees, clamped to a full turn. `None`
+    /// for a whole sphere.
     pub fn new(radius: f64, z_min: f64, z_max: f64, phi_max: f64) -> Option<Cut> {
         let clamp = |z: f64| z.max(-radius).min(radius);
         let (z_min, z_max) = (clamp(z_min.min(z_max)), clamp(z_min.max(z_max)));
@@ -36,8 +37,8 @@ impl Cut {
         })
     }
 
-    /// What pbrt-v3 makes of the parameters of a cylinder: z from the smaller to the larger of the two. Where they are equal, a circle
-    /// is left.
+    /// The cut of a cylinder as pbrt-v3 reads it: z from the smaller to the larger of the two. If
+    /// they are equal, a circle remains.
     pub fn of_cylinder(z_min: f64, z_max: f64, phi_max: f64) -> Cut {
         let (z_min, z_max) = if z_min > z_max {
             (z_max, z_min)
@@ -51,8 +52,8 @@ impl Cut {
         }
     }
 
-    /// Whether the point is there of which `side` tells how `normal . q` compares with `offset`; `None` where that is not
-    /// known and matters.
+    /// Whether a point belongs to the part, if `side` compares its `normal . q` with `offset`;
+    /// `None` if that is unknown and matters.
     pub(super) fn holds(&self, side: impl Fn(&Plane) -> Option<Ordering>) -> Option<bool> {
         let beyond = |normal, offset| side(&Plane { normal, offset }).map(|side| side != Less);
         let above = beyond([0.0, 0.0, 1.0], self.z_min);

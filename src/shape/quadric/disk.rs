@@ -1,26 +1,26 @@
-//! Disks: what `height`, `innerradius` and `phimax` leave of a plane.
+//! Disks: the part of a plane that `height`, `innerradius` and `phimax` leave.
 
 use super::cut::Plane;
 use super::sector::{Sector, both};
 use std::cmp::Ordering::{self, Greater, Less};
 
-/// A disk across the z axis, or a part of it, as a closed set: the points with `z = height` that lie no farther from the axis than
-/// the radius and no nearer than the inner radius, at the angles of the sector.
+/// A disk across the z axis, or a part of it, as a closed set: the points with `z = height`, with a
+/// distance from the axis between the inner radius and the radius, at the angles of the sector.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Disk {
     /// Its z.
     pub height: f64,
-    /// As the file gives it: 0 where there is no hole. Its sign counts for v alone. Where its
-    /// absolute value is the radius, a circle is left, and nothing where it is larger.
+    /// The inner radius in the file: 0 without a hole. Its sign only matters for v. If its absolute
+    /// value is the radius, a circle remains; if it is larger, nothing does.
     pub inner_radius: f64,
     /// `None` for a full turn.
     pub sector: Option<Sector>,
-    /// Whether the file gives the radius below 0, which counts for v alone.
+    /// Whether the radius in the file is below 0, which only matters for v.
     pub has_negative_radius: bool,
 }
 
 impl Disk {
-    /// What pbrt-v3 makes of the parameters, for a radius above 0.
+    /// The disk as pbrt-v3 reads it, for a radius above 0.
     pub fn new(height: f64, inner_radius: f64, phi_max: f64) -> Disk {
         Disk {
             height,
@@ -41,7 +41,7 @@ impl Disk {
     pub(super) fn v_at(&self, from_axis: f64, radius: f64) -> f64 {
         let (inner, hole) = (self.inner_radius / radius, self.hole() / radius);
         let rim = if self.has_negative_radius { -1.0 } else { 1.0 };
-        // The distance may have been rounded to beyond a rim.
+        // Rounding may have moved the distance beyond a rim.
         let from_axis = from_axis.min(1.0).max(hole);
         let whole = rim - inner;
         if whole == 0.0 {
@@ -51,8 +51,9 @@ impl Disk {
         }
     }
 
-    /// Whether the point of the plane is there of which `from_axis` tells how its distance from the axis compares with a number,
-    /// and `side` how `normal . q` compares with `offset`; `None` where that is not known and matters.
+    /// Whether a point of the plane belongs to the disk, if `from_axis` compares its distance from
+    /// the axis with a number, and `side` its `normal . q` with `offset`; `None` if that is unknown
+    /// and matters.
     pub(super) fn holds(
         &self,
         radius: f64,

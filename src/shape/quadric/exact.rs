@@ -1,4 +1,4 @@
-//! The test in exact arithmetic.
+//! The quadric test in exact arithmetic.
 
 use super::cut::{Cut, Plane};
 use super::{Disk, Form, Quadric};
@@ -6,9 +6,10 @@ use crate::exact::{Dyadic, ExactVector, Root};
 use crate::geometry::Ray;
 use std::cmp::Ordering;
 
-/// A ray in object space, times the determinant of M: there no division is needed.
+/// A ray in object space, times the determinant of M, which avoids divisions.
 ///
-/// With A the adjugate of the linear part of M, it is o' + t d' with o' = A (o - c) and d' = A d; R = r |det M|.
+/// With A the adjugate of the linear part of M, it is o' + t d' with o' = A (o - c) and d' = A d; R
+/// = r |det M|.
 struct ScaledSpace {
     origin: ExactVector,
     direction: ExactVector,
@@ -16,8 +17,9 @@ struct ScaledSpace {
 }
 
 impl Quadric {
-    /// The smallest positive `t` at which `ray` meets what there is of the surface, or `None`; touching a sphere or a cylinder is
-    /// meeting it (rules E2, E5 and E6). The surface [can be hit](Quadric::can_be_hit), and the ray is finite and not a point.
+    /// The smallest positive `t` at which `ray` meets the surface; touching a sphere or a cylinder
+    /// counts (rules E2, E5 and E6). The surface [can be hit](Quadric::can_be_hit), and the ray is
+    /// finite and has a direction.
     pub fn exact(&self, ray: &Ray) -> Option<Root> {
         let space = ScaledSpace::new(self, ray);
         let (o, d) = (&space.origin, &space.direction);
@@ -39,9 +41,10 @@ impl Quadric {
         }
     }
 
-    /// How far `ray` is from only touching the whole of a sphere or a cylinder: (b^2 - a c) / b^2 of its equation
-    /// a t^2 + 2 b t + c = 0, rounded to the nearest `f64`. It is 0 where the ray touches, below where it misses, and more than 1
-    /// from within. `None` of a disk, and where b is 0. The surface [can be hit](Quadric::can_be_hit), and the ray is finite.
+    /// How far `ray` is from merely touching the whole sphere or cylinder: (b^2 - a c) / b^2 of its
+    /// equation a t^2 + 2 b t + c = 0, rounded to the nearest `f64`. It is 0 if the ray touches,
+    /// negative if it misses, and more than 1 from inside. `None` for a disk, and if b is 0. The
+    /// surface [can be hit](Quadric::can_be_hit), and the ray is finite.
     pub fn clearance(&self, ray: &Ray) -> Option<f64> {
         let space = ScaledSpace::new(self, ray);
         let (o, d) = (&space.origin, &space.direction);
@@ -55,7 +58,7 @@ impl Quadric {
     }
 }
 
-/// What of a vector is across the z axis.
+/// The components across the z axis.
 fn across(v: &ExactVector) -> ExactVector {
     ExactVector::new([v[0].clone(), v[1].clone(), Dyadic::zero()])
 }
@@ -74,7 +77,7 @@ impl ScaledSpace {
         }
     }
 
-    /// The t with |o + t d| = R, the smaller one first; `None` where there is none, or d is 0.
+    /// The two t with |o + t d| = R, in order; `None` if there are none, or d is 0.
     fn distances_from_middle(
         &self,
         o: &ExactVector,
@@ -95,13 +98,14 @@ impl ScaledSpace {
         [d.dot(d), o.dot(d), &o.dot(o) - &radius.square()]
     }
 
-    /// Whether the cut leaves the point at `t`.
+    /// Whether the point at `t` belongs to the part.
     fn is_there(&self, t: &Root, cut: &Cut) -> bool {
         cut.holds(|plane| Some(self.side(t, plane)))
             .expect("every side is known")
     }
 
-    /// On which side of `plane` the point at `t` is. A determinant below 0 turns every sign round.
+    /// The side of `plane` on which the point at `t` is. A negative determinant reverses every
+    /// sign.
     fn side(&self, t: &Root, plane: &Plane) -> Ordering {
         let normal = ExactVector::from(plane.normal);
         let offset = &Dyadic::from(plane.offset) * &self.determinant;
@@ -116,14 +120,14 @@ impl ScaledSpace {
         }
     }
 
-    /// Where the ray crosses the plane of `disk`, if that is ahead and there.
+    /// The `t` at which the ray crosses the plane of `disk`, if it is positive and within the disk.
     fn crossing(&self, disk: &Disk, radius: f64) -> Option<Root> {
         let slope = &self.direction[2];
         if slope.is_zero() {
             return None;
         }
         let rise = &(&Dyadic::from(disk.height) * &self.determinant) - &self.origin[2];
-        // The point times the slope, and what its distance from the axis is times the slope.
+        // The point and its distance from the axis, both times the slope.
         let point = across(&self.origin)
             .times(slope)
             .plus(&across(&self.direction).times(&rise));

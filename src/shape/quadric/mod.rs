@@ -1,4 +1,4 @@
-//! Spheres, cylinders and disks under an affine transform, whole or cut: where they are, and which can be hit at all.
+//! Quadrics: spheres, cylinders and disks under an affine transform, whole or cut.
 
 mod bounds;
 mod cut;
@@ -52,7 +52,8 @@ impl Quadric {
             && !self.world_from_object.is_singular()
     }
 
-    /// The largest absolute coordinates in object space; `None` where no ray can hit it, whatever its transform.
+    /// The largest absolute coordinates in object space; `None` where no ray can hit it, whatever
+    /// its transform.
     pub fn extent(&self) -> Option<[f64; 3]> {
         let along_axis = match &self.form {
             Form::Sphere(_) => self.radius,
@@ -94,8 +95,8 @@ impl Quadric {
     }
 }
 
-/// The largest power of two up to the largest absolute value of `numbers`; 1 where that is 0 or not finite, the least normal
-/// number where it is subnormal.
+/// The largest power of two up to the largest absolute value of `numbers`; 1 where that is 0 or not
+/// finite, the least normal number where it is subnormal.
 fn power_of_two_near_largest<'a>(numbers: impl IntoIterator<Item = &'a f64>) -> f64 {
     let largest = numbers
         .into_iter()

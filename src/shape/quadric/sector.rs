@@ -1,20 +1,22 @@
-//! What `phimax` leaves of a turn about the z axis.
+//! The sector of a turn about the z axis that `phimax` leaves.
 
 use crate::exact::degrees;
 
-/// Angles about the z axis from 0, the direction of x, to less than 360 degrees, both ends included.
+/// Angles about the z axis from 0, the direction of x, to less than 360 degrees, both ends
+/// included.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sector {
-    /// Where it ends.
+    /// The last angle, in degrees.
     pub degrees: f64,
-    /// Of the end, correctly rounded.
+    /// Its sine, correctly rounded.
     pub sine: f64,
-    /// Of the end, correctly rounded.
+    /// Its cosine, correctly rounded.
     pub cosine: f64,
 }
 
 impl Sector {
-    /// Angles from 0 to `phi_max` degrees, clamped to a full turn as in pbrt-v3. `None` where that is all of it.
+    /// Angles from 0 to `phi_max` degrees, clamped to a full turn as in pbrt-v3; `None` for a full
+    /// turn.
     pub fn new(phi_max: f64) -> Option<Sector> {
         let degrees = phi_max.clamp(0.0, 360.0);
         let (sine, cosine) = (degrees::sine, degrees::cosine);
@@ -25,12 +27,12 @@ impl Sector {
         })
     }
 
-    /// Whether the point is there of which `beyond` tells whether `normal . q` is not less than an offset, as far as that is
-    /// known.
+    /// Whether a point is in the sector, as far as that is known; `beyond` says whether its `normal
+    /// . q` reaches an offset.
     ///
-    /// With p the angle of the point and m that of the end, `x sin m - y cos m` is `sin(m - p)` times the distance from the
-    /// axis. So in the half of the turn that the end lies in, it is negative just beyond the end. On the axis the angle
-    /// is 0, as in pbrt.
+    /// With p the angle of the point and m that of the end, `x sin m - y cos m` is `sin(m - p)`
+    /// times the distance from the axis. So in the half of the turn that the end lies in, it is
+    /// negative just beyond the end. On the axis the angle is 0, as in pbrt.
     pub(super) fn holds(&self, beyond: impl Fn([f64; 3], f64) -> Option<bool>) -> Option<bool> {
         let first_half = beyond([0.0, 1.0, 0.0], 0.0);
         let before_end = beyond([self.sine, -self.cosine, 0.0], 0.0);
@@ -39,7 +41,7 @@ impl Sector {
         }
         // At 180 degrees both conditions are y >= 0.
         let within = both(first_half, before_end);
-        // Where the sine is 0, `x sin m - y cos m` is -y: 0 at an angle of 180 degrees too.
+        // If the sine is 0, `x sin m - y cos m` is -y: also 0 at an angle of 180 degrees.
         if self.is_narrow() {
             both(within, beyond([1.0, 0.0, 0.0], 0.0))
         } else {
@@ -48,14 +50,14 @@ impl Sector {
     }
 
     /// Whether the sine of the end is 0 for some test of the surface, in `f64` or `f32`, though the
-    /// end is not at 180 degrees. The numbers that the test uses decide, not the degrees: the sine
-    /// of 1e-322 degrees is rounded to 0.
+    /// end is not at 180 degrees. The numbers in the test decide, not the degrees: the sine of
+    /// 1e-322 degrees rounds to 0.
     fn is_narrow(&self) -> bool {
         self.cosine > 0.0 && self.sine as f32 == 0.0
     }
 }
 
-/// Whether both hold, as far as it can be told.
+/// Whether both hold, as far as that is known.
 pub(super) fn both(a: Option<bool>, b: Option<bool>) -> Option<bool> {
     match (a, b) {
         (Some(false), _) | (_, Some(false)) => Some(false),
@@ -64,7 +66,7 @@ pub(super) fn both(a: Option<bool>, b: Option<bool>) -> Option<bool> {
     }
 }
 
-/// Whether one of them holds, as far as it can be told.
+/// Whether one of them holds, as far as that is known.
 fn either(a: Option<bool>, b: Option<bool>) -> Option<bool> {
     both(a.map(|a| !a), b.map(|b| !b)).map(|neither| !neither)
 }

@@ -1,4 +1,4 @@
-//! The test in `f32`, its answer as it comes.
+//! Single-precision quadric test without error bounds.
 
 use super::cut::Plane;
 use super::{Disk, Form, Quadric};
@@ -6,7 +6,7 @@ use crate::geometry::Vector;
 use crate::shape::vector32::{cross, dot};
 use std::cmp::Ordering;
 
-/// A surface with the numbers that the test in `f32` uses, in units chosen by the caller.
+/// A quadric with the numbers that the test uses, in units chosen by the caller.
 pub(crate) struct SingleQuadric<'a> {
     /// The adjugate of m, the linear part of M over a number s.
     adjugate: [[f32; 3]; 3],
@@ -17,7 +17,7 @@ pub(crate) struct SingleQuadric<'a> {
 }
 
 impl SingleQuadric<'_> {
-    /// `quadric`, where one of its units is `units` of the ray's.
+    /// `quadric`, one unit of which is `units` of the ray's.
     pub(crate) fn new(quadric: &Quadric, units: f64) -> SingleQuadric<'_> {
         let scale = quadric.scale();
         let m = &quadric.world_from_object;
@@ -32,8 +32,8 @@ impl SingleQuadric<'_> {
         }
     }
 
-    /// The `t` at which a ray first meets what there is of the surface; `origin` is relative to the image of the origin of object
-    /// space.
+    /// The `t` at which a ray first meets the surface; `origin` is relative to the image of the
+    /// origin of object space.
     pub(crate) fn intersect(&self, origin: [f32; 3], direction: [f32; 3]) -> Option<f32> {
         let (o, d) = (self.apply(origin), self.apply(direction));
         match &self.quadric.form {
@@ -49,7 +49,7 @@ impl SingleQuadric<'_> {
         }
     }
 
-    /// The first positive t with |o + t d| = R that `is_there`.
+    /// The first positive t with |o + t d| = R that is within the part.
     fn meet(&self, o: [f32; 3], d: [f32; 3], is_there: impl Fn(f32) -> bool) -> Option<f32> {
         let square_of_radius = self.radius * self.radius;
         let (a, b, c) = (dot(d, d), dot(o, d), dot(o, o) - square_of_radius);
@@ -69,7 +69,7 @@ impl SingleQuadric<'_> {
             .find(|t| *t > 0.0 && is_there(*t))
     }
 
-    /// Where the ray crosses the plane of `disk`, if that is ahead and there.
+    /// The `t` at which the ray crosses the plane of `disk`, if it is positive and within the disk.
     fn cross(&self, o: [f32; 3], d: [f32; 3], disk: &Disk) -> Option<f32> {
         let t = (disk.height as f32 * self.determinant - o[2]) / d[2];
         let point = self.point(o, d, t);

@@ -5,19 +5,19 @@ use crate::geometry::{Matrix, Point, Ray, Vector};
 
 /// Object space with the radius as its unit.
 ///
-/// World space is divided by a power of two on the way, so that neither the matrix nor its inverse leaves the range of `f64` because
-/// a scene is large or small. The inverse is exact but for one rounding of each entry.
+/// World space is divided by a power of two, so that neither the matrix nor its inverse overflows
+/// or underflows just because a scene is large or small. Each entry of the inverse is rounded once.
 #[derive(Debug, Clone)]
 pub(in crate::shape) struct UnitSpace {
     quadric: Quadric,
     centre: Point,
     scale: f64,
-    /// Of the linear part.
+    /// The inverse of the linear part.
     object_from_scaled_world: Matrix,
 }
 
 impl UnitSpace {
-    /// That of a quadric that [can be hit](Quadric::can_be_hit).
+    /// The space of a quadric that [can be hit](Quadric::can_be_hit).
     pub(in crate::shape) fn new(quadric: &Quadric) -> UnitSpace {
         let (m, scale) = (&quadric.world_from_object, quadric.scale());
         let scaled = Matrix {
@@ -50,7 +50,8 @@ impl UnitSpace {
         Vector::from(self.object_from_scaled_world.rows.map(component))
     }
 
-    /// The `t` at which `ray`, which misses, comes nearest to the axis of a cylinder, or the middle of a sphere or a disk.
+    /// The `t` at which `ray`, which misses, comes nearest to the axis of a cylinder, or to the
+    /// centre of a sphere or disk.
     pub(in crate::shape) fn nearest(&self, ray: &Ray) -> f64 {
         let weigh = |v: Vector| match self.quadric.form {
             Form::Cylinder(_) => Vector::new(v.x, v.y, 0.0),
@@ -63,8 +64,9 @@ impl UnitSpace {
         -origin.dot(direction) / direction.dot(direction)
     }
 
-    /// The unit normal in the world at a point of the surface: of a sphere and a cylinder away from the middle, of a disk the way that
-    /// the z axis points. It is pbrt-v3's dp/du x dp/dv, taken to the world by the transposed inverse.
+    /// The unit normal in the world at a point of the surface: away from the centre or axis of a
+    /// sphere or cylinder, along the z axis of a disk. It is pbrt-v3's dp/du x dp/dv, mapped to the
+    /// world by the transposed inverse.
     pub(in crate::shape) fn normal(&self, point: Vector) -> Vector {
         let gradient = match self.quadric.form {
             Form::Sphere(_) => point,
@@ -83,9 +85,9 @@ impl UnitSpace {
     /// pbrt-v3's u and v of a point of the surface, from 0 to 1; v of a disk may be beyond where
     /// one of its radii is below 0.
     ///
-    /// u is the angle about the z axis over `phimax`. v is, of a sphere, how far the angle from the z axis has come from that of
-    /// `zmin` to that of `zmax`; of a cylinder, how far z has come from `zmin` to `zmax`; of a disk, how far the point has come from
-    /// its rim to the hole or to the middle. Where there is no way to go, it is 0.
+    /// u is the angle about the z axis over `phimax`. v is a fraction: for a sphere, of the way
+    /// from the angle of `zmin` to that of `zmax`; for a cylinder, from `zmin` to `zmax`; for a
+    /// disk, from the rim to the hole or the centre. It is 0 if the way has no length.
     pub(in crate::shape) fn uv(&self, point: Vector) -> [f64; 2] {
         let from_axis = (point.x * point.x + point.y * point.y).sqrt();
         let radius = self.quadric.radius;
@@ -120,7 +122,8 @@ fn angle_from_axis(z: f64, radius: f64) -> f64 {
     libm::atan2(from_axis, z / radius)
 }
 
-/// How far the angle of a point has come from 0 to `degrees`. Roundings may have put it a little before the one or behind the other.
+/// The fraction of `degrees` that the angle of a point is. Rounding may have moved it slightly out
+/// of the range.
 fn part_of_turn(point: Vector, degrees: f64) -> f64 {
     let angle = libm::atan2(point.y, point.x).to_degrees();
     let angle = if angle < 0.0 { angle + 360.0 } else { angle };

@@ -1,11 +1,11 @@
-//! The test in exact arithmetic.
+//! The triangle test in exact arithmetic.
 
 use super::Triangle;
 use crate::exact::{Dyadic, ExactVector, Root};
 use crate::geometry::Ray;
 use std::cmp::Ordering;
 
-/// What of a triangle decides where a ray meets it.
+/// The numbers that decide where a ray meets a triangle.
 struct Seen {
     /// The edge functions.
     edges: [Dyadic; 3],
@@ -14,11 +14,12 @@ struct Seen {
 }
 
 impl Triangle {
-    /// The `t` at which `ray` crosses the closed triangle, or `None` (rule E1). The triangle and the ray are finite.
+    /// The `t` at which `ray` crosses the closed triangle, or `None` (rule E1). The triangle and
+    /// the ray are finite.
     ///
-    /// With corners v relative to the origin the edge functions are e0 = d . (v1 x v2) and so on. They are of one sign
-    /// within the triangle, 0 on an edge, and all 0 where the ray lies in the plane. By Cramer's rule
-    /// t = v0 . (v1 x v2) / (e0 + e1 + e2).
+    /// With corners v relative to the origin the edge functions are e0 = d . (v1 x v2) and so on.
+    /// They have one sign inside the triangle, are 0 on an edge, and all 0 if the ray lies in the
+    /// plane. By Cramer's rule t = v0 . (v1 x v2) / (e0 + e1 + e2).
     pub fn exact(&self, ray: &Ray) -> Option<Root> {
         let Seen { edges, height } = self.seen_along(ray);
         let is_any = |sign: Ordering| edges.iter().any(|edge| edge.sign() == sign);
@@ -30,8 +31,8 @@ impl Triangle {
         (t.sign() == Ordering::Greater).then_some(t)
     }
 
-    /// The edge functions e0, e1 and e2 of `ray` (see [`Triangle::exact`]): over their sum, the barycentric coordinates of the point
-    /// where it crosses the triangle's plane.
+    /// The edge functions e0, e1 and e2 of `ray` (see [`Triangle::exact`]). Divided by their sum,
+    /// they are the barycentric coordinates of the point where it crosses the plane.
     pub fn exact_edges(&self, ray: &Ray) -> [Dyadic; 3] {
         self.seen_along(ray).edges
     }
@@ -54,8 +55,8 @@ impl Triangle {
         }
     }
 
-    /// The `t` at which `ray` crosses the triangle, which it is known to do: n . (a - o) / (n . d) with n = ab x ac. This takes
-    /// less than half of the work of [`Triangle::exact`].
+    /// The `t` at which `ray`, which is known to hit, crosses the triangle: n . (a - o) / (n . d)
+    /// with n = ab x ac. This takes less than half of the work of [`Triangle::exact`].
     pub fn exact_t(&self, ray: &Ray) -> Root {
         self.exact_crossing(ray)
             .expect("the ray is known to cross it")

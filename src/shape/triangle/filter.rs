@@ -1,23 +1,24 @@
-//! The test in `f64` with bounds on its errors.
+//! The triangle test in `f64`, with error bounds.
 //!
-//! With u = 2^-53 and corners v relative to the ray's origin, the edge functions are e0 = d . (v1 x v2) and so on. A
-//! computed one is a sum of six terms d v v, each of which passes seven roundings at most: the differences in both v, the
-//! two products, the difference within the cross product, and two sums. So it is off by less than 7u(1 + 8u) P, P being
-//! the sum of the absolute terms; 8u P leaves room for the roundings in P and for its being made of rounded v
-//! (Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997, bounds its
-//! first stage in the same way). Two triangles that share an edge compute the same numbers with opposite signs.
+//! With u = 2^-53 and corners v relative to the ray's origin, the edge functions are e0 = d . (v1 x
+//! v2) and so on. A computed one is a sum of six terms d v v, each with at most seven roundings:
+//! the differences in both v, two products, the difference within the cross product, and two sums.
+//! So its error is below 7u(1 + 8u) P, where P is the sum of the absolute terms; 8u P leaves room
+//! for the roundings in P, which is computed from rounded v (Shewchuk, "Adaptive Precision
+//! Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997, bounds its first stage in
+//! the same way). Two triangles that share an edge compute the same numbers with opposite signs.
 
 use super::Triangle;
 use crate::exact::{Approximation, Bracket, UNIT_ROUNDOFF as U, may_underflow_below};
 use crate::geometry::Vector;
 use crate::shape::{FilterRay, FilterResult};
 
-/// Of the absolute terms of an edge function: how far it may be off.
+/// The error of an edge function, relative to its absolute terms.
 const EDGE_ERROR: f64 = 8.0 * U;
 
-/// The same for the two sums of which `t` is the quotient. The terms of one pass eight roundings: the differences in all three
-/// factors, two products, the difference within the cross product, and two sums; those of the other seven. As many are in
-/// the absolute terms.
+/// The errors of the two sums whose quotient is `t`. The terms of one take eight roundings: the
+/// differences in all three factors, two products, the difference within the cross product, and two
+/// sums; those of the other seven. The absolute terms take as many.
 const PLANE_ERROR: f64 = 10.0 * U;
 
 /// Where the ray crosses the triangle's plane.
@@ -29,7 +30,7 @@ enum Side {
 }
 
 impl Triangle {
-    /// Whether `ray` crosses the closed triangle, and where, as far as `f64` can tell (rule E1).
+    /// Whether and where `ray` crosses the closed triangle, as far as `f64` can decide (rule E1).
     #[inline]
     pub fn filter(&self, ray: &FilterRay) -> FilterResult {
         let d = ray.ray.direction;
@@ -52,7 +53,7 @@ impl Triangle {
         }
     }
 
-    /// Where the `t` lies of a ray that is known to cross the triangle, as far as `f64` can tell.
+    /// A bracket of the `t` of a ray that is known to cross the triangle.
     pub fn t_of_hit(&self, ray: &FilterRay) -> Option<Bracket> {
         match self.place(ray) {
             FilterResult::Hit(t) => Some(t),
@@ -60,7 +61,8 @@ impl Triangle {
         }
     }
 
-    /// The verdict on a ray that surely crosses the plane within the triangle: t = n . (a - o) / (n . d).
+    /// The result for a ray that certainly crosses the plane within the triangle: t = n . (a - o) /
+    /// (n . d).
     fn place(&self, ray: &FilterRay) -> FilterResult {
         let [height, slope] = self.height_and_slope(ray);
         let t = height.over(slope).bracket();
@@ -90,9 +92,9 @@ impl Triangle {
     }
 }
 
-/// How far a sum may be off whose absolute terms add up to `terms` at most: infinitely far, where something that counts may
-/// have been lost to underflow, and where something overflowed. What overflows on the way to a sum overflows on the way
-/// to the terms, which are then infinite, or NaN.
+/// The error of a sum whose absolute terms add up to at most `terms`: infinite if underflow may
+/// have lost something that matters, or if something overflowed. Overflow on the way to a sum also
+/// overflows on the way to the terms, which are then infinite or NaN.
 #[inline]
 fn error_of(units: f64, terms: f64, least: f64) -> f64 {
     if terms > least {
@@ -102,21 +104,22 @@ fn error_of(units: f64, terms: f64, least: f64) -> f64 {
     }
 }
 
-/// More than the absolute terms of an edge function can add up to: no product of two coordinates is larger than the square
-/// of the largest, and a component of a cross product has two. Infinite if that component may be.
+/// A bound on the absolute terms of an edge function: no product of two coordinates is larger than
+/// the square of the largest, and a component of a cross product has two. Infinite if that
+/// component may be.
 #[inline]
 fn most_edge_terms([v0, v1, v2]: &[Vector; 3], ray: &FilterRay) -> f64 {
     let extent = v0.largest().max(v1.largest()).max(v2.largest());
     ray.direction_sum * (2.0 * extent * extent)
 }
 
-/// How far an edge function may be off whose absolute terms add up to `terms` at most.
+/// The error of an edge function whose absolute terms add up to at most `terms`.
 #[inline]
 fn edge_error(terms: f64, ray: &FilterRay) -> f64 {
     error_of(EDGE_ERROR, terms, ray.least)
 }
 
-/// Bounds from the terms of each edge function itself: for what the common bound leaves undecided.
+/// Bounds from the terms of each edge function, for rays that the common bound leaves undecided.
 #[cold]
 fn close_edge_errors(corners: &[Vector; 3], ray: &FilterRay) -> [f64; 3] {
     let [v0, v1, v2] = corners;
@@ -126,7 +129,7 @@ fn close_edge_errors(corners: &[Vector; 3], ray: &FilterRay) -> [f64; 3] {
     [error(v1, v2), error(v2, v0), error(v0, v1)]
 }
 
-/// The errors are above 0 and never reached, so that an edge function that equals one is sure as well.
+/// The errors are above 0 and never reached, so an edge function that equals one is certain, too.
 #[inline]
 fn side_of(edges: &[f64; 3], errors: &[f64; 3]) -> Side {
     let positive = [0, 1, 2].map(|k| edges[k] > errors[k]);
@@ -165,7 +168,8 @@ mod tests {
         ]
     }
 
-    /// Of one size, a third of the time, so that products of two or three come near either end of the range.
+    /// Of one size, a third of the time, so that products of two or three come near either end of
+    /// the range.
     fn vector() -> impl Strategy<Value = Vector> {
         let size = prop::sample::select(vec![-620, -530, -340, 0, 300, 330, 500]);
         let of_one_size = (prop::array::uniform3(-1.0f64..1.0), size)
@@ -177,7 +181,8 @@ mod tests {
         ExactVector::from(v)
     }
 
-    /// The cross product overflows where it hardly counts: the direction is short, and nearly across that component.
+    /// The cross product overflows where it hardly counts: the direction is short, and nearly
+    /// across that component.
     #[test]
     fn an_overflow_in_the_cross_product_is_noticed() {
         let (large, d) = (1.2e154, Vector::new(1e-50, 1e-20, 0.0));
@@ -237,7 +242,8 @@ mod tests {
             }
         }
 
-        /// Rays made to cross the plane of the triangle in its middle: whatever the filter says of them is so.
+        /// Rays made to cross the plane of the triangle in its middle: whatever the filter says of
+        /// them is so.
         #[test]
         fn verdicts_are_right(origin in vector(), corners in prop::array::uniform3(vector()), aside in -2.0f64..2.0) {
             let triangle = Triangle(corners.map(|corner| Point::default() + corner));

@@ -1,4 +1,4 @@
-//! Triangles: where they are, and which can be hit at all.
+//! Triangles in world space.
 
 mod exact;
 mod filter;
@@ -27,11 +27,11 @@ impl Triangle {
             && (self.surely_has_area() || self.has_exact_area())
     }
 
-    /// Whether plain arithmetic, without a branch, can tell that [it can be hit](Triangle::can_be_hit).
+    /// Whether arithmetic without branches can decide that [it can be hit](Triangle::can_be_hit).
     #[inline(always)]
     pub(crate) fn can_surely_be_hit(&self) -> bool {
         let [a, b, c] = self.0;
-        // Infinite or a NaN if one of them is; and perhaps if they are huge.
+        // Infinite or NaN if one of them is; perhaps also if they are huge.
         let sum = ((a.x + a.y) + (a.z + b.x)) + ((b.y + b.z) + (c.x + c.y)) + c.z;
         (sum.abs() < f64::INFINITY) & self.surely_has_area()
     }
@@ -40,9 +40,10 @@ impl Triangle {
     fn surely_has_area(&self) -> bool {
         let [a, b, c] = self.0;
         let (u, v) = (b - a, c - a);
-        // A component of the cross product is off by at most the roundings of two differences, one product and
-        // one sum, 4U of its terms' absolute sum; 8U is ample. Below 1e-290 bits may be lost to underflow.
-        // One without area that passed would not be hit either, only counted.
+        // The error of a component of the cross product is at most the roundings of two
+        // differences, one product and one sum: 4U of its terms' absolute sum. 8U is ample. Below
+        // 1e-290 underflow may lose bits. A triangle without area that passed would not be hit
+        // either, only counted.
         let surely_not_zero =
             |p: f64, q: f64| (p - q).abs() > 8.0 * U * (p.abs() + q.abs()) + 1e-290;
         surely_not_zero(u.y * v.z, u.z * v.y)
@@ -60,8 +61,8 @@ impl Triangle {
         !b.minus(&a).cross(&c.minus(&a)).is_zero()
     }
 
-    /// Whether both have the same corners, in whatever order: then every ray that hits one hits the other at the same
-    /// `t`.
+    /// Whether both have the same corners in any order: then every ray that hits one hits the other
+    /// at the same `t`.
     pub fn coincides_with(&self, other: &Triangle) -> bool {
         self.0.iter().all(|corner| other.0.contains(corner))
             && other.0.iter().all(|corner| self.0.contains(corner))

@@ -4,31 +4,35 @@ use super::Triangle;
 use crate::exact::{ExactVector, UNIT_ROUNDOFF as U};
 use crate::geometry::Vector;
 
-/// How far a normal in `f64` may be off, in parts of its length: far less than what is left when it is rounded to `f32`.
+/// The relative error of a normal in `f64`: far below the rounding to `f32`.
 const CLOSE: f64 = 1.0 / (1u64 << 40) as f64;
 
 impl Triangle {
-    /// The unit vector along (b - a) x (c - a), with corners a, b and c, off by 2^-40 at most: in `f64` where that can tell, else
-    /// made exactly and rounded, so that slivers have normals, too. 0 for a triangle without area. The corners are finite.
+    /// The unit vector along (b - a) x (c - a), with corners a, b and c, with an error of at most
+    /// 2^-40: in `f64` if that is certain, else computed exactly and rounded, so that slivers have
+    /// normals, too. 0 for a triangle without area. The corners are finite.
     pub fn normal(&self) -> Vector {
         self.quick_normal()
             .or_else(|| self.exact_normal())
             .unwrap_or_default()
     }
 
-    /// A component passes four roundings: those of both differences, of a product, and of their difference.
+    /// A component takes four roundings: both differences, a product, and the difference of
+    /// products.
     fn quick_normal(&self) -> Option<Vector> {
         let [a, b, c] = self.0;
         let (ab, ac) = (b - a, c - a);
         let (normal, terms) = (ab.cross(ac), ab.absolute_cross(ac));
         let largest = normal.largest();
-        // Within these its square neither overflows nor loses what counts, and no product has lost any.
+        // Within these limits its square neither overflows nor loses what matters, and no product
+        // has underflowed.
         let in_range = largest > 1e-140 && terms.largest() < 1e140;
         (in_range && 8.0 * U * (terms.x + terms.y + terms.z) <= CLOSE * largest)
             .then(|| normal.normalized())
     }
 
-    /// As [`Triangle::normal`], every component rounded but three times. `None` where it has no area.
+    /// Like [`Triangle::normal`], with three roundings per component. `None` for a triangle without
+    /// area.
     pub fn exact_normal(&self) -> Option<Vector> {
         let normal = self.exact_cross();
         let largest = (0..3)

@@ -1,11 +1,13 @@
-//! The test in `f32`, its answer as it comes.
+//! Single-precision triangle test without error bounds.
 
 use crate::shape::vector32::{cross, dot};
 
-/// The `t` at which a ray along `direction` crosses the closed triangle with `corners` relative to its origin, or `None`.
+/// The `t` at which a ray along `direction` crosses the closed triangle with `corners` relative to
+/// its origin, or `None`.
 ///
-/// The signs of the three edge functions decide (Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", 2013; here
-/// without the shear), and `t` is the mean of the corners' along the largest axis of the direction, weighted by them.
+/// The signs of the three edge functions decide (Woop, Benthin, Wald, "Watertight Ray/Triangle
+/// Intersection", 2013; here without the shear), and `t` is the mean of the corners' along the
+/// largest axis of the direction, weighted by them.
 #[inline]
 pub(crate) fn intersect_single(
     corners: [[f32; 3]; 3],

@@ -1,18 +1,20 @@
-//! Where in a triangle a ray crosses it.
+//! Barycentric coordinates of hits.
 
 use super::Triangle;
 use crate::exact::{UNIT_ROUNDOFF as U, may_underflow_below};
 use crate::geometry::Ray;
 
-/// How far weights in `f64` may be off.
+/// The error of weights in `f64`.
 const CLOSE: f64 = 1.0 / (1u64 << 32) as f64;
 
 impl Triangle {
-    /// The barycentric coordinates of the point where `ray` crosses the triangle, which it does or nearly does: of what the corners
-    /// have, the point has this mean. Off by 2^-31 at most; none is below 0, and they add up to 1 but for a rounding.
+    /// The barycentric coordinates of the point where `ray` crosses the triangle, which it does, or
+    /// nearly does. Their error is at most 2^-31; none is negative, and they add up to 1 up to a
+    /// rounding.
     ///
-    /// In `f64` (Moeller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997) where that can tell, else by exact
-    /// arithmetic. Of a ray in the plane of the triangle they are those of the first corner.
+    /// In `f64` (Moeller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997) if
+    /// that is certain, else by exact arithmetic. For a ray in the plane of the triangle they are
+    /// those of the first corner.
     pub fn weights(&self, ray: &Ray) -> [f64; 3] {
         let weights = self
             .quick_weights(ray)
@@ -22,8 +24,9 @@ impl Triangle {
         weights.map(|weight| weight / sum)
     }
 
-    /// A numerator and the denominator are sums of six terms, each of which passes seven roundings at most: differences in two
-    /// factors, two products, the difference within the cross product, and two sums. As many are in the absolute terms.
+    /// A numerator and the denominator are sums of six terms with at most seven roundings each:
+    /// differences in two factors, two products, the difference within the cross product, and two
+    /// sums. The absolute terms take as many.
     fn quick_weights(&self, ray: &Ray) -> Option<[f64; 3]> {
         let ([a, b, c], d) = (self.0, ray.direction);
         let (ab, ac, from_a) = (b - a, c - a, ray.origin - a);

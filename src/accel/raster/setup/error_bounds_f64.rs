@@ -23,7 +23,7 @@
 //! over |g|.
 
 use super::corners_f64::CornersF64;
-use crate::accel::view::{TILE, TileFrame, View};
+use crate::accel::view::{CameraView, TILE, TileFrame};
 use crate::simd::{F32s, F64s, Lanes};
 
 /// Bounds the roundings of a function to `f32`, of its products and of its sums, relative to its
@@ -50,7 +50,7 @@ impl<S: Lanes> ErrorBounds<S> {
     #[inline(always)]
     pub(super) fn of(
         simd: S,
-        view: &View,
+        view: &CameraView,
         corners: &CornersF64<S>,
         homogeneous: &[[S::F; 3]; 3],
     ) -> ErrorBounds<S> {

@@ -1,7 +1,7 @@
 //! Hierarchical Z: how near something must be for a block of pixels, or the tile, to see it.
 
 use crate::accel::raster::depth_buffer::DepthBuffer;
-use crate::accel::view::View;
+use crate::accel::view::CameraView;
 use crate::simd::{F32s, Lanes};
 
 /// The tolerance of the depth test against hierarchical Z.
@@ -14,7 +14,7 @@ pub(crate) struct HiZ {
 impl HiZ {
     /// With `is_exact`, nothing is culled within the error of nearness.
     #[inline]
-    pub(crate) fn of(view: &View, is_exact: bool) -> HiZ {
+    pub(crate) fn of(view: &CameraView, is_exact: bool) -> HiZ {
         let (factor, difference) = match (is_exact, view.is_perspective) {
             (false, _) => (1.0, 0.0),
             (true, true) => (1.0 - 4.0 * view.tolerance, 0.0),

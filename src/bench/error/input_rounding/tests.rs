@@ -157,7 +157,7 @@ fn non_finite_input_has_infinite_bounds() {
     }
     assert_eq!(in_ulps(0.0, 0.0), 0.0);
     assert_eq!(in_ulps(1.0, 1.0), f64::from(1u32 << 24) * bound::SLACK);
-    // Of a mesh that was made flat nobody knows where its vertices came from.
+    // The original vertices of a flattened mesh are unknown.
     assert_eq!(
         error_of(&format!("Scale 1 1 0 {TRIANGLE}")).max_ulp,
         f64::INFINITY

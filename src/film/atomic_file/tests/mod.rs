@@ -125,7 +125,7 @@ fn a_missing_directory_is_named() {
     let error = write_text(&missing.join("a.exr"), Overwrite::Yes, "").unwrap_err();
     assert_eq!(error.kind(), ErrorKind::Output);
     let missing = missing.display();
-    // The name of the temporary file would help nobody.
+    // The name of the temporary file would not help.
     let expected = format!(
         "{missing}/a.exr: cannot create: {}\n   = create the directory `{missing}` first",
         io::Error::from_raw_os_error(NO_SUCH_FILE)

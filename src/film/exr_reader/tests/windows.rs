@@ -2,7 +2,8 @@ use super::*;
 use exr::math::Vec2;
 use exr::meta::attribute::IntegerBounds;
 
-/// An image of 3 by 2 pixels with its data window at `data` in a display window at `display` of `size`.
+/// An image of 3 by 2 pixels with its data window at `data` in a display window at `display` of
+/// `size`.
 fn file(data: (i32, i32), display: (i32, i32), size: (usize, usize)) -> Vec<u8> {
     let mut layer = layer(
         (3, 2),

@@ -34,8 +34,8 @@ pub(super) struct Block {
 pub(super) struct Tally {
     /// The number of lines with an end.
     pub(super) ends: usize,
-    /// Triangles of the faces on lines that follow an end, if all lines are faces of 3 to 9 corners;
-    /// else meaningless.
+    /// Triangles of the faces on lines that follow an end, if all lines are faces of 3 to 9
+    /// corners; else meaningless.
     triangles_after: usize,
     /// The triangles of the face on the first line, likewise.
     triangles_first: usize,

@@ -34,8 +34,8 @@ pub(super) fn read_vertices(
 /// anything is read.
 const MOST_CORNERS: usize = 9;
 
-/// Reads `text`, which must be lines of faces over `vertices` that make exactly as many triangles as
-/// `triangles` has room for.
+/// Reads `text`, which must be lines of faces over `vertices` that make exactly as many triangles
+/// as `triangles` has room for.
 pub(super) fn read_faces(
     text: &[u8],
     form: &Form,

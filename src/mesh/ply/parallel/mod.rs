@@ -1,9 +1,9 @@
 //! The fast PLY readers: all threads, for files in the usual form.
 //!
 //! Nearly all files have it: vertices without lists, then faces with one list; in text, one vertex
-//! or face to a line. The mesh is the one that the general [`reader`](super::reader) makes. Anything
-//! else, such as a mistake or a comment among the values, makes these readers give up without a
-//! message, and the general reader starts over.
+//! or face to a line. The mesh is the one that the general [`reader`](super::reader) makes.
+//! Anything else, such as a mistake or a comment among the values, makes these readers give up
+//! without a message, and the general reader starts over.
 
 mod ascii;
 mod binary;

@@ -14,13 +14,14 @@ use crate::mesh::{Loaded, ply};
 
 const PATH: &str = "a.ply";
 
-/// What the reader of everything makes of `bytes`; NaN and negative zero made to differ from other numbers, and NaN from none.
+/// What the reader of everything makes of `bytes`; NaN and negative zero made to differ from other
+/// numbers, and NaN from none.
 fn slowly(bytes: &[u8]) -> String {
     told(&ply::parse(Path::new(PATH), bytes, &Budget::default()))
 }
 
-/// Reads `bytes` in blocks of every kind of size; whatever is read must be what the reader of everything says.
-/// Whether they were read.
+/// Reads `bytes` in blocks of every kind of size; whatever is read must be what the reader of
+/// everything says. Whether they were read.
 fn check(bytes: &[u8]) -> bool {
     let expected = slowly(bytes);
     let path = Path::new(PATH);

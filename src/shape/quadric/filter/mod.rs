@@ -1,4 +1,4 @@
-//! The test in `f64` with bounds on its errors.
+//! The quadric test in `f64`, with error bounds.
 
 mod adjugate;
 #[cfg(test)]
@@ -14,14 +14,17 @@ use std::array::from_fn;
 use std::cmp::Ordering::{self, Greater, Less};
 
 type Approximations = [Approximation; 3];
-/// The positive roots of an equation, the nearer one first; `None` where it is not sure how many there are.
+/// The positive roots of an equation, the nearer one first; `None` where it is not sure how many
+/// there are.
 type Roots = Option<[Option<Approximation>; 2]>;
 
-/// A surface and a ray in object space, times a positive factor and the sign of the determinant of M.
+/// A surface and a ray in object space, times a positive factor and the sign of the determinant of
+/// M.
 ///
-/// With m the linear part of M divided by a power of two s, so that its largest entry is about 1, A its adjugate, o' =
-/// A (o - c), d' = A d and R = r s |det m|, the ray is o' + t d', and R the radius: nothing is divided, and few products leave
-/// the range. A point q of object space is o' + t d' divided by s det m.
+/// With m the linear part of M divided by a power of two s, so that its largest entry is about 1, A
+/// its adjugate, o' = A (o - c), d' = A d and R = r s |det m|, the ray is o' + t d', and R the
+/// radius: nothing is divided, and few products leave the range. A point q of object space is o' +
+/// t d' divided by s det m.
 struct ScaledSpace {
     origin: Approximations,
     direction: Approximations,
@@ -32,11 +35,13 @@ struct ScaledSpace {
 }
 
 impl Quadric {
-    /// Whether `ray` meets what there is of the surface, and where first, as far as `f64` can tell (rules E2, E5 and E6).
+    /// Whether `ray` meets what there is of the surface, and where first, as far as `f64` can tell
+    /// (rules E2, E5 and E6).
     ///
-    /// The discriminant is taken as R^2 |d'|^2 - |o' x d'|^2, which keeps its digits where b^2 - ac loses them, and the
-    /// roots in the form that adds numbers of one sign (Haines et al., "Precision Improvements for Ray/Sphere
-    /// Intersection", Ray Tracing Gems, 2019). Every number carries a bound on its error. A cylinder is a sphere of two dimensions.
+    /// The discriminant is taken as R^2 |d'|^2 - |o' x d'|^2, which keeps its digits where b^2 - ac
+    /// loses them, and the roots in the form that adds numbers of one sign (Haines et al.,
+    /// "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019). Every number
+    /// carries a bound on its error. A cylinder is a sphere of two dimensions.
     pub fn filter(&self, ray: &FilterRay) -> FilterResult {
         let space = ScaledSpace::new(self, ray);
         let (o, d) = (&space.origin, &space.direction);
@@ -118,7 +123,8 @@ impl ScaledSpace {
         }
     }
 
-    /// The t with |o + t d| = R, where o and d are those of the ray or what of them is across the axis.
+    /// The t with |o + t d| = R, where o and d are those of the ray or what of them is across the
+    /// axis.
     fn roots(&self, o: &Approximations, d: &Approximations) -> Roots {
         let square_of_radius = self.radius.square();
         let b = dot(o, d);
@@ -135,14 +141,15 @@ impl ScaledSpace {
             if discriminant.sign()? == Less {
                 return Some([None, None]);
             }
-            // Both roots are positive only where b is negative. Of a sphere it is far from 0 where the discriminant is, so this is
-            // for the reader's peace of mind.
+            // Both roots are positive only where b is negative. Of a sphere it is far from 0 where
+            // the discriminant is, so this is for the reader's peace of mind.
             b.sign().filter(|sign| *sign == Less)?;
             let sum = discriminant.square_root() - b;
             return Some([Some(c.over(sum)), Some(sum.over(a))]);
         }
-        // From within, the discriminant is positive, and one root is behind; but if d is 0 across the axis, there is none, and a
-        // division by 0 says nothing. Where the sign of b is not sure, both forms are good.
+        // From within, the discriminant is positive, and one root is behind; but if d is 0 across
+        // the axis, there is none, and a division by 0 says nothing. Where the sign of b is not
+        // sure, both forms are good.
         let root = discriminant.square_root();
         let t = if b.sign() == Some(Greater) {
             (-c).over(b + root)
@@ -197,8 +204,9 @@ impl ScaledSpace {
         disk.holds(radius, from_axis, |plane| self.side(&point, sign, plane))
     }
 
-    /// Whether the ray surely misses a cylinder between its ends, which the roots cannot tell where it is nearly parallel to the axis.
-    /// Between the planes of the ends it is a segment: it misses where that is within the circle, or beyond a tangent of it.
+    /// Whether the ray surely misses a cylinder between its ends, which the roots cannot tell where
+    /// it is nearly parallel to the axis. Between the planes of the ends it is a segment: it misses
+    /// where that is within the circle, or beyond a tangent of it.
     fn misses_between_ends(&self, cut: &Cut) -> bool {
         let end = |z: f64| across(&self.point(self.above(z).over(self.direction[2])));
         let (p, q) = (end(cut.z_min), end(cut.z_max));
