@@ -44,7 +44,7 @@ fn run(folder: &Path, arguments: &str) -> Output {
     command.output().expect("the program starts")
 }
 
-/// The image that `scene` gives, and what is said on standard error.
+/// Renders `scene`; returns the image and the messages on standard error.
 fn rendered(folder: &Path, scene: &str) -> (Image, String) {
     let output = run(
         folder,
@@ -111,7 +111,7 @@ fn assert_ends(folder: &str, arguments: &str, code: i32, parts: &[&str]) {
 
 #[test]
 fn every_case_is_right() {
-    // All failures are shown at once, each by the message of its assertion.
+    // Shows all failures at once, each with the message of its assertion.
     let wrong: Vec<&str> = CASES
         .iter()
         .filter(|case| catch_unwind(|| check(case)).is_err())
@@ -146,7 +146,7 @@ fn every_folder_is_in_the_table() {
     );
 }
 
-/// The bits of a channel of `scene.pbrt` in a case.
+/// The values of the channel `name` of `scene.pbrt` in a case.
 fn channel(folder: &str, name: ChannelName, aov: &str) -> Vec<f32> {
     let copied = copy(folder);
     let output = run(

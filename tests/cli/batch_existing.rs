@@ -14,7 +14,7 @@ fn an_existing_image_is_an_error_and_is_kept() {
 }
 
 #[test]
-fn an_existing_image_of_the_films_name_is_an_error_too() {
+fn an_existing_image_with_the_name_in_the_film_is_an_error_too() {
     let folder = Folder::new()
         .with("warned.pbrt", WARNED)
         .with("film.exr", "old");
@@ -75,7 +75,7 @@ fn skip_existing_compares_scenes_and_options_not_names() {
     };
     for file in ["a.exr", "a.png"] {
         assert!(made(&format!("ball.pbrt -o {file}")));
-        // What does not change a pixel is no reason to render again.
+        // Options that change no pixel do not cause another render.
         assert!(!made(&format!(
             "ball.pbrt -o {file} --accel middle --threads 1"
         )));
@@ -121,7 +121,7 @@ fn skip_existing_renders_truncated_images_again() {
                 .said(&format!("{name}: is truncated, rendering it again"));
             assert!(folder.bytes(name) == whole);
         }
-        // Without its header there is nothing to tell whose it is.
+        // Without its header, nothing shows that feimos wrote the file.
         std::fs::write(folder.path(name), &whole[..whole.len().min(40)]).unwrap();
         folder
             .render(&command)

@@ -3,7 +3,7 @@
 use crate::folder::{Folder, Run};
 use serde_json::Value;
 
-/// Options for one round of everything.
+/// Options that measure everything once.
 pub(crate) const ONCE: &str = "--runs 1 --warmup 0";
 
 const ERRORS: [&str; 6] = [
@@ -122,7 +122,7 @@ fn rows_hold_measurements_and_null_for_the_others() {
         };
         assert_eq!(row["fallback_rays"], fallbacks);
     }
-    // A ball and a triangle: one leaf of both. Every ray is tested against its box.
+    // One leaf holds the ball and the triangle. Every ray is tested against its box.
     let [none, _, sah, _] = &rows[..] else {
         panic!("{rows:?}")
     };
@@ -222,7 +222,7 @@ fn two_runs_agree_on_errors_and_counts() {
     assert_eq!(figures(), figures());
 }
 
-/// A floor of `2 * count` triangles behind the camera: no ray comes near, so the test is quick.
+/// A floor of `2 * count` triangles behind the camera. No ray comes near it, so tests stay quick.
 fn floor(count: usize) -> String {
     let corners: String = (0..2 * (count + 1))
         .map(|i| format!("{} 0 {} ", i / 2, i % 2))

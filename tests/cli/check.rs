@@ -1,9 +1,9 @@
-//! `feimos check`: the content of scenes, warnings, several scenes.
+//! `feimos check`: the content of scenes as text, folders of scenes, and warnings.
 
 use crate::folder::{BALL, Folder, Run, WARNED};
 use std::fs;
 
-/// The subjects of the text.
+/// The scenes that the text describes.
 fn titles(run: &Run) -> Vec<&str> {
     run.text()
         .lines()
@@ -199,7 +199,7 @@ fn check_reports_the_warnings_of_render() {
         .failed(2, "required arguments were not provided");
 }
 
-/// A scene for every kind of warning about scene files.
+/// Each scene causes another kind of warning.
 #[test]
 fn every_kind_of_warning_counts_under_strict() {
     let mesh = "Shape \"trianglemesh\" \"point P\" [ 0 0 0 1 0 0 0 1 0 ]";

@@ -133,7 +133,7 @@ Shape "trianglemesh" "point3 P" [-91 0 -90  92 0 -93  93 0 90  -90 0 94] "intege
 
 #[test]
 fn exact_is_the_default_and_counts_its_fallbacks() {
-    // The second square a hair above the first: no `f64` tells which of them a ray meets first.
+    // The second square lies so little above the first that `f64` cannot order the hits of a ray.
     let apart = IN_ONE_PLANE.replace(
         "[-91 0 -90  92 0 -93  93 0 90  -90 0 94]",
         "[-91 H -90  92 H -93  93 H 90  -90 H 94]",
@@ -194,7 +194,7 @@ fn fast_also_gives_the_same_bytes_with_every_accelerator() {
     assert!(exact.iter().zip(&fast).filter(|pair| close(*pair)).count() > exact.len() - 9);
 }
 
-/// A half, a cap and a slice: the missing parts show what lies behind.
+/// Rays pass through the missing parts of a sphere: half of it, a cap or a slice.
 #[test]
 fn partial_spheres_are_cut_as_in_pbrt() {
     let sphere = |parameters: &str| {

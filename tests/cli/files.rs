@@ -90,7 +90,7 @@ fn a_file_beyond_the_size_limit_is_an_error() {
     }
 }
 
-/// Commands, and whether each must tell that the system refuses threads.
+/// Commands, and whether each must print a note that the system refuses threads.
 #[cfg(target_os = "linux")]
 const THREADED: [(&str, bool); 7] = [
     (
@@ -192,7 +192,7 @@ fn a_full_device_is_a_temporary_failure() {
     }
 }
 
-/// A folder that is its own file system; making one needs privileges.
+/// A folder with a file system of its own, which only root can mount.
 struct Mounted<'a>(&'a Folder);
 
 impl Mounted<'_> {

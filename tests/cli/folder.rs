@@ -27,7 +27,7 @@ pub(crate) const WARNED: &str = "WorldBegin\nShape \"cone\"\nShape \"cone\"\n";
 /// A folder that is removed after its test.
 pub(crate) struct Folder(TempDir);
 
-/// The end of a run.
+/// The exit code and the output of a run.
 #[derive(Debug)]
 pub(crate) struct Run {
     pub(crate) code: i32,

@@ -3,7 +3,7 @@
 use crate::folder::{BALL, Folder, SIZE};
 use exr::prelude::{ReadChannels, ReadLayers};
 
-/// Pixels of the image.
+/// The number of pixels of [`BALL`].
 const PIXELS: usize = (SIZE.0 * SIZE.1) as usize;
 
 /// The dictionary and the samples of an `.npy`.
@@ -100,7 +100,7 @@ fn depth_may_have_another_name() {
         assert!(!renamed.bits.contains_key("Z") && renamed.bits["t"] == plain.bits["t"]);
         assert_eq!(renamed.header["depth_channel"], name);
         folder.render("ball.pbrt -o plain.exr").succeeded();
-        // Readers of feimos's own look for it.
+        // feimos itself finds the renamed channel.
         folder.compare("plain.exr rendered.exr").exited(0);
     }
     assert_eq!(folder.rendered("ball.pbrt --depth-channel Z"), plain);
@@ -158,7 +158,7 @@ fn the_header_of_an_exr_holds_exactly_what_decides_its_pixels() {
         assert_ne!(header(&format!("ball.pbrt {other}")), plain, "{other}");
     }
     assert_ne!(header("moved.pbrt")["scene"], plain["scene"]);
-    // Costs are those of one accelerator.
+    // Costs depend on the accelerator.
     assert_eq!(
         header("ball.pbrt --aov Z,cost --accel middle")["accelerator"],
         "middle"

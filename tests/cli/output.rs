@@ -27,7 +27,7 @@ fn without_any_name_the_image_has_the_name_of_pbrt() {
 }
 
 #[test]
-fn bare_meshes_become_images_of_their_name() {
+fn bare_meshes_give_images_of_the_same_name() {
     let gz = {
         let mut encoder = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
         std::io::Write::write_all(&mut encoder, PLY.as_bytes()).unwrap();

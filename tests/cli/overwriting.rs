@@ -3,7 +3,7 @@
 use crate::folder::{BALL, Folder, Run};
 use std::fs;
 
-/// Options for one round of one configuration.
+/// Options that measure one configuration once.
 pub(crate) const ONCE: &str = "--runs 1 --warmup 0 --accel sah --precision fast --reference none";
 
 pub(crate) const MESH: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
@@ -146,7 +146,7 @@ fn json_with_a_file_name_is_refused_with_advice() {
         "check --json a.json ball.pbrt",
         "a.json: this is a result file",
     );
-    // Two scenes are two scenes.
+    // After --json, a scene stays a scene.
     let run = folder
         .bench(&format!("--json ball.pbrt parts.pbrt {ONCE}"))
         .succeeded();

@@ -40,7 +40,7 @@ fn without_measurements_older_results_stay() {
         .bench(&format!("gone.pbrt {ONCE} --csv -"))
         .exited(66);
     assert!(run.stdout.is_empty());
-    // Of several scenes, rows of the others are written.
+    // A run of several scenes writes the rows of those that can be read.
     folder
         .bench(&format!("gone.pbrt ball.pbrt bad.pbrt {ONCE} {outputs}"))
         .exited(66);
@@ -102,7 +102,7 @@ fn a_name_from_the_scene_replaces_only_images_by_feimos() {
             ))
             .succeeded();
     }
-    // These formats do not tell who wrote them.
+    // A PFM does not say which program wrote it.
     let folder = Folder::new().with("f.pbrt", BALL.replace("film.exr", "f.pfm"));
     folder.render("f.pbrt").succeeded();
     folder

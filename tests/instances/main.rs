@@ -1,4 +1,4 @@
-//! Tests that object instances give the image of the same shapes written out, and that of the
+//! Compares images of object instances with those of the same shapes written out, and with the
 //! reference, under any transforms.
 //!
 //! `FEIMOS_CASES=10000 cargo test --release --test instances` runs that many cases of each kind.
@@ -88,8 +88,8 @@ proptest! {
         }
     }
 
-    /// Numbers leave the range of f64, or nearly, on the way to the instance, although the product
-    /// of both transforms does not.
+    /// The transform of an object, or of an instance, nearly or fully exceeds the range of f64. Their
+    /// product does not.
     #[test]
     fn scales_that_cancel_equal_shapes_written_out(
         world in world(),

@@ -1,11 +1,11 @@
-//! Files that say as much as possible in few bytes.
+//! Valid files that describe as much as possible in few bytes.
 
 use super::Format;
 
-/// Things in each file.
+/// The number of repeated parts in most files.
 const COUNT: usize = 100_000;
 
-/// Names and contents; all are good files, though some show nothing.
+/// Names, formats and contents. All files are valid, although some show nothing.
 pub(crate) fn files() -> Vec<(&'static str, Format, Vec<u8>)> {
     let of = |format, files: Vec<(&'static str, Vec<u8>)>| {
         files
@@ -94,7 +94,7 @@ fn header(element: &str, count: usize, length: &str) -> Vec<u8> {
     bytes
 }
 
-/// Corners that `tobj` has to tell apart.
+/// Distinct corners, all of which `tobj` must keep apart.
 fn distinct() -> String {
     let vertex = |at: usize| format!("v {at} {} 0\n", at * at);
     let corners: String = (1..=COUNT / 10).map(|at| format!(" {at}")).collect();

@@ -125,8 +125,7 @@ fn a_triangle_too_small_for_f32_beside_the_scene() {
 proptest! {
     #![proptest_config(cases(1500))]
 
-    /// Small integers: ties, shared edges, and rays through vertices and in planes appear by
-    /// themselves.
+    /// Small integers cause ties, shared edges, and rays that pass through vertices and along planes.
     #[test]
     fn on_integer_grids(
         triangles in prop::collection::vec(prop::array::uniform3(corner(3)), 0..12),
@@ -169,8 +168,7 @@ proptest! {
         agrees_with_the_reference(&grid_camera(world_from_camera, projection, 5), &geometry)?;
     }
 
-    /// Every shape and the camera have their own units, from 1e-300 to 1e300, and beyond either
-    /// end.
+    /// Every shape and the camera have their own units, from less than 1e-300 to more than 1e300.
     #[test]
     fn at_any_scale(
         triangles in prop::collection::vec((prop::array::uniform3(corner(3)), 0usize..3), 0..6),

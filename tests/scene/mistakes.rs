@@ -82,7 +82,7 @@ fn missing_parameters_suggest_misspelt_ones() {
 }
 
 #[test]
-fn mistakes_of_order() {
+fn directives_out_of_order_are_errors() {
     assert!(error("Shape \"sphere\"").starts_with("a.pbrt:1:1: Shape outside the world"));
     assert!(
         error("WorldBegin Camera \"perspective\"")
@@ -166,7 +166,7 @@ const WRONG_VALUES: [(&str, &str); 18] = [
 ];
 
 #[test]
-fn mistakes_of_value() {
+fn wrong_values_are_reported_where_they_are() {
     for (text, expected) in WRONG_VALUES {
         let found = diagnostic(text);
         assert!(found.starts_with(expected), "{found}");
@@ -243,7 +243,7 @@ fn the_depth_of_includes_is_limited() {
 }
 
 #[test]
-fn files_that_are_not_there_are_looked_for_nearby() {
+fn messages_about_missing_files_name_similar_ones() {
     let files = |text: &str| {
         load_files(&[
             ("a.pbrt", &format!("WorldBegin {text}")),

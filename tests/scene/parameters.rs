@@ -140,7 +140,7 @@ fn counts_are_right() {
 }
 
 #[test]
-fn what_does_not_matter_may_be_of_any_type() {
+fn ignored_parameters_may_have_any_type() {
     let scene = scene(
         "WorldBegin Shape \"sphere\" \"float radius\" 2 \"colour shadowalpha\" [ 1 ]
         Shape \"trianglemesh\" \"point P\" [ 0 0 0 1 0 0 0 1 0 ] \"normals N\" [ 0 ] \"float uv\" [ 1 ] \"float st\" [ 1 2 ]
@@ -151,7 +151,7 @@ fn what_does_not_matter_may_be_of_any_type() {
 }
 
 #[test]
-fn the_last_of_several_counts_with_a_warning() {
+fn the_last_of_repeated_parameters_counts_with_a_warning() {
     let scene = scene(
         "Film \"rgb\" \"integer xresolution\" 1 \"integer xresolution\" 2 \"float diagonal\" 1 \"float diagonal\" 1
         WorldBegin
@@ -172,7 +172,7 @@ fn the_last_of_several_counts_with_a_warning() {
 }
 
 #[test]
-fn misspelt_parameters_are_told_with_what_is_meant() {
+fn warnings_about_misspelt_parameters_suggest_known_ones() {
     let scene =
         scene("WorldBegin Shape \"sphere\" \"float raduis\" 1 \"float raduis\" 2 \"float foo\" 3");
     let notes: Vec<&[String]> = scene
@@ -207,7 +207,7 @@ fn numbers_may_be_spelled_as_other_programs_print_them() {
 }
 
 #[test]
-fn crops_are_clamped_put_in_order_and_chosen_as_in_pbrt() {
+fn crops_are_clamped_ordered_and_chosen_as_in_pbrt() {
     let crop = |parameters: &str| {
         let scene = scene(&format!(
             "Film \"rgb\" \"integer xresolution\" 40 \"integer yresolution\" 20 {parameters} WorldBegin"

@@ -22,7 +22,7 @@ const SURFACE: LoadOptions = LoadOptions {
     input_budget: BudgetFactor::ONCE,
 };
 
-/// Loads the scene of a text.
+/// Loads a scene from its text.
 fn scene_of(text: &str) -> Scene {
     scene_with(text, &SURFACE)
 }
@@ -45,7 +45,7 @@ fn image_of(scene: &Scene) -> Image {
     .image
 }
 
-/// A world in front of an eye at the origin that looks along z.
+/// A scene of `world`, seen along z from the origin.
 fn seen(world: &str) -> Scene {
     seen_by("perspective\" \"float fov\" 90", world)
 }

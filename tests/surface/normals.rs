@@ -83,8 +83,8 @@ fn normals_of_spheres_point_outwards_except_in_mirrors() {
     assert_normal("Rotate 180 1 0 0 Shape \"disk\" \"float height\" -2", -1.0);
 }
 
-/// pbrt's dp/du x dp/dv changes its side with the sign of the radius, except for a sphere, for
-/// which it is then no normal.
+/// pbrt's dp/du x dp/dv changes sides with the sign of the radius. For a sphere of negative radius
+/// it is no normal.
 #[test]
 fn a_negative_radius_reverses_normals_except_for_spheres() {
     let negative = "\"float radius\" -1";
