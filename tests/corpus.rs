@@ -1,11 +1,11 @@
-//! Scenes that other people wrote: what becomes of each, by `tests/corpus.tsv`.
+//! Scenes by other people, with the results in `tests/corpus.tsv`.
 //!
-//! Some are in `tests/corpus`. The others have to be had from the repositories that the table names; with the folder that holds them
-//! all,
+//! Some are in `tests/corpus`. The table names the repositories of the others. With a folder that
+//! holds them all, run
 //!
 //!     FEIMOS_CORPUS=FOLDER cargo test --test corpus -- --ignored
 //!
-//! Where rows are wrong, the table as it should be is written to a file that the message names.
+//! If rows are wrong, the test writes the corrected table to a file that the message names.
 
 mod common;
 
@@ -48,7 +48,7 @@ fn outcome(path: &Path) -> String {
     }
 }
 
-/// The pixels that hit something, by the surface area heuristic, and, where there are not too many primitives, by none.
+/// The number of hits with the tree `sah`. In scenes of few primitives, `none` must agree.
 fn hits(scene: &Scene, path: &Path) -> u64 {
     let window = PixelBounds::of_film(RESOLUTION[0], RESOLUTION[1]);
     let by = |method: SplitMethod| {

@@ -1,7 +1,7 @@
-//! Meshes that other programs wrote, among them broken ones: what becomes of each, by `tests/odd_meshes.tsv`.
+//! Meshes by other programs, some of them broken, with the results in `tests/odd_meshes.tsv`.
 //!
-//! Small ones are in `tests/meshes`. The others have to be had from the repositories that the table names; with the
-//! folder that holds them all,
+//! Small ones are in `tests/meshes`. The table names the repositories of the others. With a folder
+//! that holds them all, run
 //!
 //!     FEIMOS_CORPUS=FOLDER cargo test --test odd_meshes -- --ignored
 

@@ -88,7 +88,7 @@ proptest! {
         }
     }
 
-    /// The transform of an object, or of an instance, nearly or fully exceeds the range of f64. Their
+    /// The transform of an object or of an instance nearly or fully exceeds the range of f64. Their
     /// product does not.
     #[test]
     fn scales_that_cancel_equal_shapes_written_out(

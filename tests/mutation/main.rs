@@ -1,11 +1,11 @@
-//! Scenes and meshes with some bytes changed: each is read or refused, without a panic, soon, and in memory that its size
-//! justifies.
+//! Scenes and meshes with some bytes changed must be read or refused soon, without a panic, and in
+//! memory in proportion to their size.
 //!
-//! Changed are the files of this repository, and with
+//! The tests change the files of this repository, and those in any folder with
 //!
 //!     FEIMOS_CORPUS=FOLDER cargo test --test mutation -- --ignored
 //!
-//! those in any other folder. The changes are the same in every run.
+//! The changes are the same in every run.
 
 mod dense;
 mod mutate;
@@ -28,9 +28,10 @@ use std::time::Duration;
 static MEMORY: PeakAlloc = PeakAlloc;
 static MEASURING: Mutex<()> = Mutex::new(());
 
-/// Memory for each byte of a file. Files that people write take 10 or less, changed ones up to 30, the densest, in [`dense`], up to
-/// 40: a corner of one byte in a polygon of a binary PLY file becomes a triangle of 12 bytes, 16 in the plane in which the polygon
-/// is cut and 4 in the list of its corners, and lists that grow are copied to longer ones on the way.
+/// Memory for each byte of a file. Ordinary files take 10 bytes or less, changed ones up to 30, and
+/// the densest, in [`dense`], up to 40. A corner of one byte in a polygon of a binary PLY takes 12
+/// bytes as a triangle, 16 in the plane in which the polygon is cut, and 4 in the list of its
+/// corners. Lists that grow are copied to longer ones.
 const BYTES_EACH: usize = 64;
 /// Memory for a file of any size: messages, and what a reader sets aside.
 const BYTES_MORE: usize = 1 << 16;
@@ -70,7 +71,7 @@ impl Original {
     fn case(&self, number: u64) -> Case {
         let mut random = Random::of(&self.name, number);
         let mut bytes = self.bytes.clone();
-        // What is changed is the content of compressed meshes, the compressed bytes, or a file as it is.
+        // Changes the content of a compressed mesh, its compressed bytes, or a plain file.
         let way = if self.format == Format::Scene {
             9
         } else {
@@ -182,7 +183,7 @@ fn alone() -> MutexGuard<'static, ()> {
     MEASURING.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Checks changed copies of all files on a thread of its own, so that one that is read for ever is noticed.
+/// Checks changed copies of all files on a separate thread, to notice a file that is read forever.
 fn check_all(originals: Vec<Original>) {
     let _alone = alone();
     let originals = Arc::new(originals);

@@ -125,7 +125,7 @@ fn a_triangle_too_small_for_f32_beside_the_scene() {
 proptest! {
     #![proptest_config(cases(1500))]
 
-    /// Small integers cause ties, shared edges, and rays that pass through vertices and along planes.
+    /// Small integers cause ties, shared edges, and rays through vertices and along planes.
     #[test]
     fn on_integer_grids(
         triangles in prop::collection::vec(prop::array::uniform3(corner(3)), 0..12),

@@ -1,4 +1,4 @@
-//! Blocks that cross, that never end and that never began, as one version of pbrt or the other reads them.
+//! Blocks that cross, never end or never began: each is read as in pbrt-v3 or pbrt-v4.
 
 use crate::{load_files, scene};
 use feimos::scene::Scene;

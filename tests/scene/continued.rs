@@ -116,7 +116,7 @@ fn a_directive_may_be_spread_over_many_files() {
 
 #[test]
 fn a_directive_ends_at_an_include_and_at_the_end_of_an_import() {
-    // As in pbrt: what the included file begins with is no argument of what stands before the `Include`.
+    // As in pbrt, the included file does not continue the arguments of the directive before it.
     let before = included("Shape \"sphere\" Include \"b.pbrt\"", "\"float radius\" 3").unwrap_err();
     assert!(
         before.starts_with("b.pbrt:1:1: found the string \"float radius\" where a directive"),
