@@ -113,8 +113,8 @@ fn the_manifest_has_a_line_for_each_scene() {
     folder
         .render("second.pbrt -o second.exr --resolution 3x3")
         .succeeded();
-    let arguments = "ball.pbrt broken.pbrt second.pbrt warned.pbrt -o {stem}.exr --skip-existing --strict \
-                     --resolution 3x3 --manifest all.jsonl";
+    let arguments = "ball.pbrt broken.pbrt second.pbrt warned.pbrt -o {stem}.exr --skip-existing \
+                     --strict --resolution 3x3 --manifest all.jsonl";
     folder.render(arguments).exited(65);
     let lines = json_lines(&folder.text("all.jsonl"));
     let column = |key: &str| {

@@ -83,10 +83,11 @@ fn a_row_has_the_documented_keys_in_their_order() {
         .filter_map(|part| part.rsplit('"').next())
         .collect();
     let documented = "machine cpu cores threads mhz simd os feimos rows \
-                      scene accel precision threads rays pixels load_ms min median max build_ms min median max \
-                      trace_ms min median max mrays_per_s cycles_per_ray nodes_per_ray primitives_per_ray sah_cost epo \
-                      depth bytes input max_ulp max_pixels sampled_pixels wrong_hits false_hits missed_hits \
-                      wrong_primitives confidence_95 max_ulp p99_ulp mean_ulp fallback_rays";
+                      scene accel precision threads rays pixels load_ms min median max build_ms \
+                      min median max trace_ms min median max mrays_per_s cycles_per_ray \
+                      nodes_per_ray primitives_per_ray sah_cost epo depth bytes input max_ulp \
+                      max_pixels sampled_pixels wrong_hits false_hits missed_hits wrong_primitives \
+                      confidence_95 max_ulp p99_ulp mean_ulp fallback_rays";
     assert_eq!(
         keys[..keys.len() - 1],
         documented.split_whitespace().collect::<Vec<_>>()
@@ -98,7 +99,8 @@ fn a_row_has_the_documented_keys_in_their_order() {
 fn rows_hold_measurements_and_null_for_the_others() {
     let rows = rows(
         &Folder::new(),
-        "ball.pbrt --runs 4 --warmup 2 --accel none,sah --precision exact,fast --threads 2 --reference none",
+        "ball.pbrt --runs 4 --warmup 2 --accel none,sah --precision exact,fast --threads 2 \
+         --reference none",
     );
     for row in &rows {
         for ms in [&row["load_ms"], &row["build_ms"], &row["trace_ms"]] {

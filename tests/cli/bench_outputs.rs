@@ -151,12 +151,14 @@ fn impossible_measurements_are_refused() {
         ),
         (
             "--accel sah,kd",
-            "invalid value 'kd' for '--accel <METHODS>'\n  [possible values: none, middle, equal, sah, hlbvh]",
+            "invalid value 'kd' for '--accel <METHODS>'\n  [possible values: none, middle, equal, \
+             sah, hlbvh]",
         ),
         ("--accel sah,none,sah", "--accel names `sah` twice"),
         (
             "--precision slow",
-            "invalid value 'slow' for '--precision <HOW>'\n  [possible values: exact, fast, exact-single, moeller-trumbore, watertight]",
+            "invalid value 'slow' for '--precision <HOW>'\n  [possible values: exact, fast, \
+             exact-single, moeller-trumbore, watertight]",
         ),
         ("--precision fast,fast", "--precision names `fast` twice"),
         (

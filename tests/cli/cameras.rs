@@ -141,7 +141,8 @@ fn images_of_several_cameras_need_different_names() {
 fn wrong_lists_are_refused_before_any_work() {
     let folder = folder().with("bad.json", "[{\"nam\": 1}]").with(
         "one.json",
-        r#"[{"K": [[9,0,1],[0,9,1],[0,0,1]], "R": [[1,0,0],[0,1,0],[0,0,1]], "t": [0,0,5], "resolution": [3, 3]}]"#,
+        r#"[{"K": [[9,0,1],[0,9,1],[0,0,1]], "R": [[1,0,0],[0,1,0],[0,0,1]], "t": [0,0,5],
+            "resolution": [3, 3]}]"#,
     );
     folder
         .render("ball.pbrt --cameras bad.json -o {camera}.exr")

@@ -43,9 +43,10 @@ ball.pbrt
 
 #[test]
 fn skipped_and_unsupported_parts_are_listed() {
-    let scene = "Camera \"orthographic\" Film \"rgb\" \"integer xresolution\" 8 \"integer yresolution\" 4 \
-                 \"integer pixelbounds\" [ 2 8 0 3 ]
-        TransformTimes 0 1 Sampler \"x\" RenderPass \"beauty\" WorldBegin Material \"m\" Material \"n\" Attribute \"light\"
+    let scene = "Camera \"orthographic\" Film \"rgb\" \"integer xresolution\" 8 \
+                 \"integer yresolution\" 4 \"integer pixelbounds\" [ 2 8 0 3 ]
+        TransformTimes 0 1 Sampler \"x\" RenderPass \"beauty\" WorldBegin Material \"m\" \
+        Material \"n\" Attribute \"light\"
         ObjectBegin \"o\" Shape \"sphere\" Shape \"sphere\" ObjectEnd
         ObjectInstance \"o\" Translate 10 0 0 ObjectInstance \"o\" Shape \"nurbs\"";
     let run = Folder::new()
@@ -56,10 +57,12 @@ fn skipped_and_unsupported_parts_are_listed() {
     let lines = [
         "  camera      orthographic, at (0, 0, 0), towards (0, 0, 1)\n",
         "  film        8 x 4 pixels, cropped to x 2 to 8, y 0 to 3\n",
-        "              nurbs            1    left out\n              sphere           2           2\n",
+        "              nurbs            1    left out\n\
+         \x20             sphere           2           2\n",
         "2 instances of 1 object: 4 primitives in all\n",
         "  bounds      (-1, -1, -1) to (11, 1, 1)\n",
-        "  skipped     1 Attribute, 2 Material, 1 Sampler, 1 TransformTimes\n  unknown     1 RenderPass\n",
+        "  skipped     1 Attribute, 2 Material, 1 Sampler, 1 TransformTimes\n\
+         \x20 unknown     1 RenderPass\n",
     ];
     lines
         .iter()

@@ -37,7 +37,9 @@ fn json_has_a_line_for_each_scene() {
         "{warning}"
     );
     let error = json!({
-        "message": "unknown directive `Shap`", "place": "bad.pbrt:1:1", "notes": ["did you mean `Shape`?"]
+        "message": "unknown directive `Shap`",
+        "place": "bad.pbrt:1:1",
+        "notes": ["did you mean `Shape`?"]
     });
     assert_eq!(
         *bad,

@@ -67,7 +67,8 @@ mod linux {
         let last = words.split(' ').count() - 1;
         let complete = format!(
             "source feimos.bash; COMP_WORDS=({words}); COMP_CWORD={last}
-             _feimos feimos \"${{COMP_WORDS[{last}]}}\" \"${{COMP_WORDS[{last} - 1]}}\"; echo \"${{COMPREPLY[*]}}\""
+             _feimos feimos \"${{COMP_WORDS[{last}]}}\" \
+             \"${{COMP_WORDS[{last} - 1]}}\"; echo \"${{COMPREPLY[*]}}\""
         );
         // Bash warns of locales that are not installed.
         let mut bash = std::process::Command::new("bash");

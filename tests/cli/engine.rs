@@ -127,8 +127,10 @@ LookAt 0.3 1.7 -5.1  0.1 0.2 0  0 1 0
 Camera "perspective" "float fov" 60
 Film "rgb" "integer xresolution" 16 "integer yresolution" 9 "string filename" "plane.exr"
 WorldBegin
-Shape "trianglemesh" "point3 P" [-90 0 -90  90 0 -90  90 0 90  -90 0 90] "integer indices" [0 1 2 0 2 3]
-Shape "trianglemesh" "point3 P" [-91 0 -90  92 0 -93  93 0 90  -90 0 94] "integer indices" [0 1 3 1 2 3]
+Shape "trianglemesh" "point3 P" [-90 0 -90  90 0 -90  90 0 90  -90 0 90]
+    "integer indices" [0 1 2 0 2 3]
+Shape "trianglemesh" "point3 P" [-91 0 -90  92 0 -93  93 0 90  -90 0 94]
+    "integer indices" [0 1 3 1 2 3]
 "#;
 
 #[test]
@@ -200,7 +202,8 @@ fn partial_spheres_are_cut_as_in_pbrt() {
     let sphere = |parameters: &str| {
         let head = BALL.split("Shape").next().unwrap();
         format!(
-            "{head}Shape \"sphere\" {parameters}\nTranslate 0 0 9\nShape \"sphere\" \"float radius\" 4\n"
+            "{head}Shape \"sphere\" {parameters}\nTranslate 0 0 9\n\
+             Shape \"sphere\" \"float radius\" 4\n"
         )
     };
     let ids = |parameters: &str| {

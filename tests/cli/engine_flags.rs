@@ -73,7 +73,8 @@ fn a_scene_with_an_unknown_accelerator_is_rendered_by_sah() {
 
 #[test]
 fn an_unknown_accelerator_lists_the_known_ones() {
-    let message = "invalid value 'kdtree' for '--accel <METHOD>'\n  [possible values: none, middle, equal, sah, hlbvh]";
+    let message = "invalid value 'kdtree' for '--accel <METHOD>'\n  \
+                   [possible values: none, middle, equal, sah, hlbvh]";
     Folder::new()
         .render("ball.pbrt --accel kdtree")
         .failed(2, message);

@@ -4,12 +4,14 @@ use crate::folder::Folder;
 use crate::offered::{commands, flags};
 
 /// The promised flags of `render`.
-const RENDER: &str = "--output --aov --view --colormap --range --scale --miss --depth-channel --cropwindow --pixelbounds --resolution \
-    --accel --precision --threads --cameras --force --skip-existing --fail-fast --manifest --quiet --verbose --progress --color \
-    --stats --json --strict";
+const RENDER: &str = "--output --aov --view --colormap --range --scale --miss --depth-channel \
+                      --cropwindow --pixelbounds --resolution --accel --precision --threads \
+                      --cameras --force --skip-existing --fail-fast --manifest --quiet --verbose \
+                      --progress --color --stats --json --strict";
 
 /// The promised flags of `bench`.
-const BENCH: &str = "--accel --precision --threads --runs --warmup --reference --json --json-file --csv --plot --report";
+const BENCH: &str = "--accel --precision --threads --runs --warmup --reference --json --json-file \
+                     --csv --plot --report";
 
 /// The help on each flag of `command`, which begins with the name of the flag.
 fn blocks(folder: &Folder, command: &str) -> Vec<String> {

@@ -138,8 +138,9 @@ fn keys(line: &str) -> Vec<&str> {
 #[test]
 fn json_has_the_documented_keys_in_their_order() {
     let run = Folder::new().render("ball.pbrt --json").succeeded();
-    let documented = "scene output accel precision threads simd width height rays hits shapes triangles spheres instances primitives \
-                      ms load build trace write total bvh nodes leaves depth sah_cost bytes exact unsure_tests comparisons roundings \
+    let documented = "scene output accel precision threads simd width height rays hits shapes \
+                      triangles spheres instances primitives ms load build trace write total bvh \
+                      nodes leaves depth sah_cost bytes exact unsure_tests comparisons roundings \
                       fallback_rays peak_bytes";
     let line = String::from_utf8(run.stdout.clone()).unwrap();
     assert_eq!(

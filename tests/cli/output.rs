@@ -6,8 +6,10 @@ use crate::views::RED;
 
 pub(crate) const CENTRE: (u32, u32) = (SIZE.0 / 2, SIZE.1 / 2);
 const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-const PLY: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
-                   element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+const PLY: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
+                   property float z\n\
+                   element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n\
+                   1 0 0\n0 1 0\n3 0 1 2\n";
 
 #[test]
 fn without_a_name_the_film_names_the_image() {

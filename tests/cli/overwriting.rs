@@ -6,8 +6,10 @@ use std::fs;
 /// Options that measure one configuration once.
 pub(crate) const ONCE: &str = "--runs 1 --warmup 0 --accel sah --precision fast --reference none";
 
-pub(crate) const MESH: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
-                    element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 1\n1 0 1\n0 1 1\n3 0 1 2\n";
+pub(crate) const MESH: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n\
+                               property float y\nproperty float z\n\
+                               element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 1\n\
+                               1 0 1\n0 1 1\n3 0 1 2\n";
 
 /// A scene that reads two other files.
 const PARTS: &str =
@@ -94,7 +96,8 @@ fn results_need_their_extensions() {
     let cases = [
         (
             "bench ball.pbrt --json-file a.txt",
-            "a.txt: --json-file writes another kind of file\n   = expected a name that ends in .json or .jsonl",
+            "a.txt: --json-file writes another kind of file\n   = expected a name that ends in \
+             .json or .jsonl",
         ),
         (
             "bench ball.pbrt --csv a",
@@ -114,7 +117,8 @@ fn results_need_their_extensions() {
         ),
         (
             "render ball.pbrt --manifest part.inc",
-            "part.inc: --manifest writes another kind of file\n   = expected a name that ends in .jsonl or .json",
+            "part.inc: --manifest writes another kind of file\n   = expected a name that ends in \
+             .jsonl or .json",
         ),
     ];
     for (command, message) in cases {
@@ -128,8 +132,8 @@ fn results_need_their_extensions() {
 #[test]
 fn json_with_a_file_name_is_refused_with_advice() {
     let folder = folder();
-    let message = "results.json: this is a result file, not a scene\n   = --json takes no file name: it \
-                   prints to standard output\n   = did you mean --json-file results.json?";
+    let message = "results.json: this is a result file, not a scene\n   = --json takes no file \
+                   name: it prints to standard output\n   = did you mean --json-file results.json?";
     refused(&folder, "bench --json results.json ball.pbrt", message);
     refused(
         &folder,

@@ -59,7 +59,8 @@ ball.pbrt, pixel 6,3 of 13 x 7
   normal      (0, 0, -1)
   primitive   sphere prim 1 of shape 1: sphere, ball.pbrt:6:1
   margin      (b^2 - ac) / b^2 of its equation is 0.04: 0 would be a ray that touches it
-  behind      prim 2 of shape 2: trianglemesh, ball.pbrt:8:1, Z about 7.104166666666666: 3.104166666666667 farther
+  behind      prim 2 of shape 2: trianglemesh, ball.pbrt:8:1, \
+  Z about 7.104166666666666: 3.104166666666667 farther
               the ray hits 2 primitives in all
   exact       alone             prim 1, Z 4, t 4
               in a tile         prim 1, Z 4, t 4
@@ -89,10 +90,10 @@ fn edges_and_ties_are_named() {
         .succeeded();
     let found = stdout(&run);
     for part in [
-        "  margin      barycentric (0.375, 0.625, 0), where 0 would be on an edge; 0 pixels from the nearest edge on the film; \
-         exactly on its edge, which counts as hit (rule E1)\n",
-        "  behind      prim 2 of shape 2: trianglemesh, a.pbrt:3:1 is at exactly the same depth: the first in the file wins \
-         (rule E3)\n",
+        "  margin      barycentric (0.375, 0.625, 0), where 0 would be on an edge; 0 pixels from \
+         the nearest edge on the film; exactly on its edge, which counts as hit (rule E1)\n",
+        "  behind      prim 2 of shape 2: trianglemesh, a.pbrt:3:1 is at exactly the same depth: \
+         the first in the file wins (rule E3)\n",
     ] {
         assert!(found.contains(part), "no {part} in:\n{found}");
     }
@@ -185,7 +186,10 @@ fn a_miss_names_the_nearest_triangle() {
     let run = folder.pixel("ball.pbrt 0,0").succeeded();
     let found = stdout(&run);
     assert!(
-        found.contains("\n  hit         nothing\n  nearest     prim 2 of shape 2: trianglemesh, ball.pbrt:8:1, "),
+        found.contains(
+            "\n  hit         nothing\n  nearest     prim 2 of shape 2: trianglemesh, \
+             ball.pbrt:8:1, "
+        ),
         "{found}"
     );
     assert!(
@@ -204,7 +208,11 @@ fn a_miss_names_the_nearest_triangle() {
 fn included_shapes_are_found_in_their_files() {
     let folder = Folder::new()
         .with("part.pbrt", "\n  Shape \"sphere\" # here\n")
-        .with("a.pbrt", "Film \"rgb\" \"integer xresolution\" 3 \"integer yresolution\" 3\nWorldBegin\nTranslate 0 0 5 Include \"part.pbrt\"");
+        .with(
+            "a.pbrt",
+            "Film \"rgb\" \"integer xresolution\" 3 \"integer yresolution\" 3\n\
+             WorldBegin\nTranslate 0 0 5 Include \"part.pbrt\"",
+        );
     let run = folder.pixel("a.pbrt 1,1").succeeded();
     assert!(
         stdout(&run).contains("sphere prim 1 of shape 1: sphere, part.pbrt:2:3\n"),

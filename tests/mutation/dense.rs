@@ -86,7 +86,8 @@ fn polygons() -> Vec<u8> {
 
 fn header(element: &str, count: usize, length: &str) -> Vec<u8> {
     let mut bytes = format!(
-        "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty uchar x\nproperty uchar y\nproperty uchar z\n\
+        "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty uchar x\n\
+         property uchar y\nproperty uchar z\n\
          element {element} {count}\nproperty list {length} uchar vertex_indices\nend_header\n"
     )
     .into_bytes();

@@ -19,7 +19,8 @@ fn a_wrong_mesh_is_left_out_with_its_number() {
             "a.pbrt:1:18: a triangle mesh of 4 vertices without `indices`",
         ),
         (
-            "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 0 0 1 1 0 ] \"integer indices\" [ 0 1 3 ]",
+            "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 0 0 1 1 0 ] \
+             \"integer indices\" [ 0 1 3 ]",
             "a.pbrt:1:90: index 3, number 3 of `indices`, names no vertex",
         ),
         (
@@ -64,19 +65,23 @@ fn a_wrong_mesh_is_left_out_with_its_number() {
 fn excess_numbers_are_dropped_with_a_warning() {
     let cases = [
         (
-            "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 0 0 1 1 0 ] \"integer indices\" [ 0 1 2 0 ]",
+            "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 0 0 1 1 0 ] \
+             \"integer indices\" [ 0 1 2 0 ]",
             1,
         ),
         (
-            "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 0 0 1 1 0 ] \"integer indices\" [ 0 1 2 7 9 ]",
+            "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 0 0 1 1 0 ] \
+             \"integer indices\" [ 0 1 2 7 9 ]",
             1,
         ),
         (
-            "Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0 1 0 0 0 1 0 1 1 0 ] \"integer indices\" [ 0 1 2 3 0 0 ]",
+            "Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0 1 0 0 0 1 0 1 1 0 ] \
+             \"integer indices\" [ 0 1 2 3 0 0 ]",
             2,
         ),
         (
-            "Shape \"loopsubdiv\" \"integer nlevels\" 0 \"point3 P\" [ 0 0 0 1 0 0 1 1 0 ] \"integer indices\" [ 0 1 2 1 ]",
+            "Shape \"loopsubdiv\" \"integer nlevels\" 0 \"point3 P\" [ 0 0 0 1 0 0 1 1 0 ] \
+             \"integer indices\" [ 0 1 2 1 ]",
             1,
         ),
     ];

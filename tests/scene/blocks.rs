@@ -118,7 +118,8 @@ fn places_in_object(scene: &Scene) -> Vec<f64> {
 #[test]
 fn an_object_ends_where_the_next_begins_and_with_the_file() {
     let text = format!(
-        "WorldBegin ObjectBegin \"o\" {SPHERE} ObjectBegin \"p\" {SPHERE} {SPHERE} ObjectEnd ObjectEnd
+        "WorldBegin ObjectBegin \"o\" {SPHERE} ObjectBegin \"p\" {SPHERE} {SPHERE} ObjectEnd \
+         ObjectEnd
         ObjectInstance \"o\" ObjectInstance \"p\" ObjectInstance \"q\" ObjectBegin \"q\" {SPHERE}"
     );
     let scene = scene(&text);

@@ -54,11 +54,13 @@ fn an_imported_file_leaves_no_state_behind() {
     let files = [
         (
             "a.pbrt",
-            "WorldBegin Translate 1 0 0 Import \"b.pbrt\" Shape \"sphere\" CoordSysTransform \"there\" Shape \"sphere\"",
+            "WorldBegin Translate 1 0 0 Import \"b.pbrt\" Shape \"sphere\" \
+             CoordSysTransform \"there\" Shape \"sphere\"",
         ),
         (
             "b.pbrt",
-            "Translate 1 0 0 CoordinateSystem \"there\" ActiveTransform EndTime Attribute \"shape\" \"float radius\" 5",
+            "Translate 1 0 0 CoordinateSystem \"there\" ActiveTransform EndTime \
+             Attribute \"shape\" \"float radius\" 5",
         ),
     ];
     let scene = load_files(&files).unwrap();
@@ -112,8 +114,10 @@ fn what_stands_still_is_not_warned_of() {
         ActiveTransform EndTime Translate 1 0 0 ActiveTransform StartTime Translate 1 0 0 {TRIANGLE}
         ActiveTransform All
         AttributeBegin ActiveTransform EndTime Scale 2 2 2 AttributeEnd {TRIANGLE}
-        TransformBegin ActiveTransform EndTime Rotate 9 0 0 1 Identity ActiveTransform All Identity {TRIANGLE} TransformEnd
-        CoordinateSystem \"still\" ActiveTransform EndTime Translate 1 1 1 CoordSysTransform \"still\" {TRIANGLE}"
+        TransformBegin ActiveTransform EndTime Rotate 9 0 0 1 Identity ActiveTransform All \
+        Identity {TRIANGLE} TransformEnd
+        CoordinateSystem \"still\" ActiveTransform EndTime Translate 1 1 1 \
+        CoordSysTransform \"still\" {TRIANGLE}"
     ));
     assert_eq!(messages(&scene), Vec::<String>::new());
     assert_eq!(
@@ -202,7 +206,8 @@ fn mistakes_in_attributes_point_at_them() {
 #[test]
 fn directives_of_forks_are_skipped_with_their_arguments() {
     let scene = scene(&format!(
-        "RenderPass \"a\" \"float x\" [ 1 2 3 ] \"bool b\" true \"nested\" [ [ 1, 2 ] [ \"a\" false ] ] 7
+        "RenderPass \"a\" \"float x\" [ 1 2 3 ] \
+         \"bool b\" true \"nested\" [ [ 1, 2 ] [ \"a\" false ] ] 7
         WorldBegin SpectrumOptions2 {TRIANGLE} RenderPass AreaLight [ ] {TRIANGLE}"
     ));
     assert_eq!(scene.geometry.triangle_count(), 2);

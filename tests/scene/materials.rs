@@ -5,8 +5,8 @@ use feimos::scene::Scene;
 use feimos::shape::{InstancedId, PrimitiveId};
 
 /// A quad of two triangles, and a sphere: three primitives under one material.
-const BODY: &str =
-    "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0  1 0 0  1 1 0  0 1 0 ] \"integer indices\" [ 0 1 2 0 2 3 ]
+const BODY: &str = "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0  1 0 0  1 1 0  0 1 0 ] \
+    \"integer indices\" [ 0 1 2 0 2 3 ]
     Shape \"sphere\"";
 
 fn with_material(material: &str) -> Scene {
@@ -76,7 +76,8 @@ fn other_materials_are_surfaces() {
         // An area light of pbrt-v3 is seen without a material.
         "AreaLightSource \"diffuse\" AttributeBegin Material \"none\"",
         "Material \"\" AreaLightSource \"area\"",
-        "NamedMaterial \"late\" AreaLightSource \"diffuse\" MakeNamedMaterial \"late\" \"string type\" \"none\"",
+        "NamedMaterial \"late\" AreaLightSource \"diffuse\" MakeNamedMaterial \"late\" \
+         \"string type\" \"none\"",
     ];
     for material in materials {
         let scene = with_material(material);
@@ -95,7 +96,8 @@ fn other_materials_are_surfaces() {
 #[test]
 fn objects_keep_the_numbers_of_what_they_leave_out() {
     let scene = scene(&format!(
-        "WorldBegin Material \"none\" ObjectBegin \"o\" {BODY} Material \"matte\" {TRIANGLE} ObjectEnd
+        "WorldBegin Material \"none\" ObjectBegin \"o\" {BODY} Material \"matte\" {TRIANGLE} \
+         ObjectEnd
         ObjectInstance \"o\" ObjectInstance \"o\" Material \"matte\" {TRIANGLE}"
     ));
     let number = |placed| scene.geometry.number(placed);
@@ -115,8 +117,10 @@ fn objects_keep_the_numbers_of_what_they_leave_out() {
 fn a_material_may_be_made_after_its_shapes() {
     let late = |type_name: &str| {
         scene(&format!(
-            "WorldBegin NamedMaterial \"late\" {BODY} ObjectBegin \"o\" {BODY} ObjectEnd ObjectInstance \"o\"
-            Material \"matte\" {TRIANGLE} MakeNamedMaterial \"late\" \"string type\" \"{type_name}\""
+            "WorldBegin NamedMaterial \"late\" {BODY} ObjectBegin \"o\" {BODY} ObjectEnd \
+             ObjectInstance \"o\"
+            Material \"matte\" {TRIANGLE} MakeNamedMaterial \"late\" \
+            \"string type\" \"{type_name}\""
         ))
     };
     let hit = |scene: &Scene| {
@@ -140,11 +144,15 @@ fn a_material_may_be_made_after_its_shapes() {
 
 #[test]
 fn the_files_of_what_is_left_out_count_their_primitives() {
-    let ply = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z
-element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
+    let ply = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n\
+               property float z
+element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n\
+4 0 1 2 3\n";
     let text = format!(
-        "WorldBegin AttributeBegin Material \"interface\" Shape \"plymesh\" \"string filename\" \"m.ply\"
-        Shape \"loopsubdiv\" \"integer nlevels\" 1 \"point3 P\" [ 0 0 0  1 0 0  0 1 0 ] \"integer indices\" [ 0 1 2 ]
+        "WorldBegin AttributeBegin Material \"interface\" Shape \"plymesh\" \
+         \"string filename\" \"m.ply\"
+        Shape \"loopsubdiv\" \"integer nlevels\" 1 \"point3 P\" [ 0 0 0  1 0 0  0 1 0 ] \
+        \"integer indices\" [ 0 1 2 ]
         Shape \"curve\" AttributeEnd {TRIANGLE}"
     );
     let scene = load_files(&[("a.pbrt", &text), ("m.ply", ply)]).unwrap();

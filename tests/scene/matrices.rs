@@ -22,7 +22,8 @@ fn what_nothing_depends_on_may_be_no_place() {
     let harmless = [
         "AttributeBegin BAD LightSource \"infinite\" AttributeEnd",
         "AttributeBegin BAD CoordinateSystem \"odd\" AttributeEnd",
-        "AttributeBegin BAD CoordinateSystem \"odd\" AttributeEnd CoordSysTransform \"odd\" Identity",
+        "AttributeBegin BAD CoordinateSystem \"odd\" AttributeEnd CoordSysTransform \"odd\" \
+         Identity",
         "BAD Identity",
         "BAD Transform [ 1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1 ]",
         "BAD CoordSysTransform \"world\"",
@@ -54,7 +55,8 @@ fn what_something_depends_on_has_to_be_a_place() {
         "WorldBegin BAD Shape \"sphere\"",
         "WorldBegin BAD Translate 1 0 0 Scale 2 2 2 Shape \"sphere\"",
         "WorldBegin ObjectBegin \"o\" Shape \"sphere\" ObjectEnd BAD ObjectInstance \"o\"",
-        "WorldBegin AttributeBegin BAD CoordinateSystem \"odd\" AttributeEnd CoordSysTransform \"odd\" Shape \"sphere\"",
+        "WorldBegin AttributeBegin BAD CoordinateSystem \"odd\" AttributeEnd \
+         CoordSysTransform \"odd\" Shape \"sphere\"",
         "BAD Camera \"perspective\" WorldBegin",
     ];
     for (bad, message) in [

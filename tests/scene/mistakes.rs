@@ -48,7 +48,8 @@ fn everything_left_out_is_a_warning() {
         "Film \"image\" \"integer xresolutoin\" 64 \"float diagonal\" 35
         Accelerator \"bvh\" \"string splitmethd\" \"equal\" \"integer maxnodeprims\" 1000
         WorldBegin
-        Shape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 0 0 0 1 0 ] \"texture displacement\" \"d\" \"float alpha\" 1
+        Shape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 0 0 0 1 0 ] \"texture displacement\" \"d\" \
+        \"float alpha\" 1
         Shape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 0 0 0 1 0 ] \"texture alpha\" \"leaf\"
         WorldEnd Shape \"sphere\"",
     );
@@ -177,10 +178,12 @@ fn wrong_values_are_reported_where_they_are() {
 fn a_message_shows_its_line_and_notes() {
     assert_eq!(
         diagnostic(
-            "WorldBegin\nShape \"trianglemesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0 ]\n  \"integer indices\" [ 0 1 3 ]"
+            "WorldBegin\nShape \"trianglemesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0 ]\n  \
+             \"integer indices\" [ 0 1 3 ]"
         ),
-        "a.pbrt:3:27: index 3, number 3 of `indices`, names no vertex\n   |\n 3 |   \"integer indices\" [ 0 1 3 ]\n   \
-         |                           ^\n   = expected an integer from 0 to 2\n   = the shape is left out, as in pbrt; its number stays"
+        "a.pbrt:3:27: index 3, number 3 of `indices`, names no vertex\n   |\n 3 |   \
+         \"integer indices\" [ 0 1 3 ]\n   |                           ^\n   \
+         = expected an integer from 0 to 2\n   = the shape is left out, as in pbrt; its number stays"
     );
 }
 
@@ -211,7 +214,8 @@ fn included_files_are_found_beside_the_top_level_scene() {
         ([1.0, 0.0, 0.0], [2.0, 0.0, 0.0])
     );
     let missing = load_files(&[("a.pbrt", "WorldBegin\nInclude \"b.pbrt\"")]).unwrap_err();
-    let expected = "b.pbrt: cannot read: No such file or directory (os error 2)\n   = included from a.pbrt:2:9";
+    let expected = "b.pbrt: cannot read: No such file or directory (os error 2)\n   \
+                    = included from a.pbrt:2:9";
     assert_eq!(missing, expected);
     let circle = [
         ("a.pbrt", "Include \"b.pbrt\""),

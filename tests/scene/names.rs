@@ -20,7 +20,8 @@ fn numbers(scene: &Scene) -> Vec<(u64, u32)> {
 fn an_instance_may_stand_before_its_object() {
     let object = |name: &str| format!("ObjectBegin \"{name}\" {TRIANGLE} {SPHERE} ObjectEnd\n");
     let uses = format!(
-        "{SPHERE} ObjectInstance \"a\" {SPHERE} {SPHERE} Translate 1 0 0 ObjectInstance \"b\" {TRIANGLE} ObjectInstance \"a\" {SPHERE}"
+        "{SPHERE} ObjectInstance \"a\" {SPHERE} {SPHERE} Translate 1 0 0 ObjectInstance \"b\" \
+         {TRIANGLE} ObjectInstance \"a\" {SPHERE}"
     );
     let before = scene(&format!(
         "WorldBegin {uses} {} {}",
@@ -75,7 +76,8 @@ fn an_instance_of_nothing_is_an_error_at_its_place() {
 fn a_name_may_be_composed_or_not() {
     let (composed, decomposed) = ("caf\u{e9}", "cafe\u{301}");
     let scene = scene(&format!(
-        "WorldBegin CoordinateSystem \"{composed}\" Translate 5 0 0 CoordSysTransform \"{decomposed}\" {TRIANGLE}
+        "WorldBegin CoordinateSystem \"{composed}\" Translate 5 0 0 \
+         CoordSysTransform \"{decomposed}\" {TRIANGLE}
         ObjectBegin \"{decomposed}\" {SPHERE} ObjectEnd ObjectInstance \"{composed}\""
     ));
     assert_eq!(
@@ -148,12 +150,14 @@ fn files_may_have_names_that_are_not_utf8() {
 fn coordinate_systems_of_an_import_end_with_it() {
     let import = |part: &str, rest: &str| {
         let text = format!(
-            "WorldBegin CoordinateSystem \"q\" Import \"b.pbrt\" Translate 7 0 0 CoordSysTransform \"q\" {rest} {SPHERE}"
+            "WorldBegin CoordinateSystem \"q\" Import \"b.pbrt\" Translate 7 0 0 \
+             CoordSysTransform \"q\" {rest} {SPHERE}"
         );
         load_files(&[("a.pbrt", &text), ("b.pbrt", part)]).unwrap()
     };
     let place = |scene: &Scene| scene.geometry.quadric(0).world_from_object.column(3)[0];
-    let leaking = "Translate 9 0 0 CoordinateSystem \"q\" CoordinateSystem \"r\" Translate 1 0 0 CoordinateSystem \"q\"";
+    let leaking = "Translate 9 0 0 CoordinateSystem \"q\" CoordinateSystem \"r\" Translate 1 0 0 \
+                   CoordinateSystem \"q\"";
     assert_eq!(place(&import(leaking, "")), 0.0);
     let unknown = import(leaking, "CoordSysTransform \"r\"");
     assert_eq!(
@@ -176,7 +180,8 @@ fn coordinate_systems_of_an_import_end_with_it() {
 #[test]
 fn objects_that_no_instance_shows_are_listed() {
     let scene = scene(&format!(
-        "WorldBegin ObjectBegin \"used\" {SPHERE} ObjectEnd\n ObjectBegin \"idle\" {SPHERE} ObjectEnd ObjectInstance \"used\""
+        "WorldBegin ObjectBegin \"used\" {SPHERE} ObjectEnd\n ObjectBegin \"idle\" {SPHERE} \
+         ObjectEnd ObjectInstance \"used\""
     ));
     let unused = scene.census.unused_objects();
     assert_eq!((unused.count, unused.first[0].name.as_str()), (1, "idle"));

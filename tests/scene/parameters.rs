@@ -143,7 +143,8 @@ fn counts_are_right() {
 fn ignored_parameters_may_have_any_type() {
     let scene = scene(
         "WorldBegin Shape \"sphere\" \"float radius\" 2 \"colour shadowalpha\" [ 1 ]
-        Shape \"trianglemesh\" \"point P\" [ 0 0 0 1 0 0 0 1 0 ] \"normals N\" [ 0 ] \"float uv\" [ 1 ] \"float st\" [ 1 2 ]
+        Shape \"trianglemesh\" \"point P\" [ 0 0 0 1 0 0 0 1 0 ] \"normals N\" [ 0 ] \
+        \"float uv\" [ 1 ] \"float st\" [ 1 2 ]
         Shape \"nurbs\" \"what P\" \"ever\"",
     );
     let expected = "the shape `nurbs` is not supported: left out";
@@ -153,11 +154,13 @@ fn ignored_parameters_may_have_any_type() {
 #[test]
 fn the_last_of_repeated_parameters_counts_with_a_warning() {
     let scene = scene(
-        "Film \"rgb\" \"integer xresolution\" 1 \"integer xresolution\" 2 \"float diagonal\" 1 \"float diagonal\" 1
+        "Film \"rgb\" \"integer xresolution\" 1 \"integer xresolution\" 2 \"float diagonal\" 1 \
+         \"float diagonal\" 1
         WorldBegin
         Shape \"sphere\" \"float radius\" 1 \"float radius\" 2 \"float radius\" 3
         Shape \"sphere\" \"float radius\" 4 \"float radius\" 5
-        Shape \"trianglemesh\" \"point P\" [ 0 0 0 1 0 0 0 1 0 ] \"float uv\" [ 1 ] \"float uv\" [ 2 ]",
+        Shape \"trianglemesh\" \"point P\" [ 0 0 0 1 0 0 0 1 0 ] \"float uv\" [ 1 ] \
+        \"float uv\" [ 2 ]",
     );
     assert_eq!(
         [0, 1].map(|index| scene.geometry.quadric(index).radius),
@@ -197,8 +200,10 @@ fn numbers_may_be_spelled_as_other_programs_print_them() {
     assert_eq!(commas.geometry.quadric(0), blanks.geometry.quadric(0));
     assert_eq!(warnings(&commas), []);
     let windows = scene(
-        "WorldBegin LightSource \"point\" \"rgb I\" [-nan(ind) 1.#QNAN 1] \"float scale\" 1.#INF # a comment
-        Shape \"trianglemesh\" \"point3 P\" [0 0 -1.#IND00  1.#INF 0 0  0 1 0] \"integer indices\" [0 1 2]
+        "WorldBegin LightSource \"point\" \"rgb I\" [-nan(ind) 1.#QNAN 1] \
+         \"float scale\" 1.#INF # a comment
+        Shape \"trianglemesh\" \"point3 P\" [0 0 -1.#IND00  1.#INF 0 0  0 1 0] \
+        \"integer indices\" [0 1 2]
         Shape \"sphere\" \"float zmax\" 1.#INF \"float radius\" 1.# not a number",
     );
     let vertices = windows.geometry.vertices();
@@ -210,7 +215,8 @@ fn numbers_may_be_spelled_as_other_programs_print_them() {
 fn crops_are_clamped_ordered_and_chosen_as_in_pbrt() {
     let crop = |parameters: &str| {
         let scene = scene(&format!(
-            "Film \"rgb\" \"integer xresolution\" 40 \"integer yresolution\" 20 {parameters} WorldBegin"
+            "Film \"rgb\" \"integer xresolution\" 40 \"integer yresolution\" 20 {parameters} \
+             WorldBegin"
         ));
         let PixelBounds { x0, x1, y0, y1 } = scene.film.crop;
         let said: Vec<String> = warnings(&scene)

@@ -22,14 +22,16 @@ fn spellings_of_both_versions() {
         WorldBegin
         Material \"diffuse\" \"rgb reflectance\" [ 1 0 0 ]
         Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"t.png\"
-        Shape \"trianglemesh\" \"point P\" [ 0,0,0  1,0,0  0,1,.5 ] \"integer indices\" [ 0 1 2 ] # v3
-        Shape \"trianglemesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1e0 +5E-1 ] \"point2 uv\" [ 0 0  1 0  0 1 ]
+        Shape \"trianglemesh\" \"point P\" [ 0,0,0  1,0,0  0,1,.5 ] \
+        \"integer indices\" [ 0 1 2 ] # v3
+        Shape \"trianglemesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1e0 +5E-1 ] \
+        \"point2 uv\" [ 0 0  1 0  0 1 ]
         MakeNamedMaterial \"m\" \"string type\" \"matte\"",
     );
     assert_eq!(vertex(&scene, 2), vertex(&scene, 5));
     assert_eq!(warnings(&scene), []);
-    let summary = "skipped, without influence on hit and depth: 1 ColorSpace, 1 Integrator, 1 MakeNamedMaterial, \
-                   1 Material, 1 Option, 1 Texture";
+    let summary = "skipped, without influence on hit and depth: 1 ColorSpace, 1 Integrator, 1 \
+                   MakeNamedMaterial, 1 Material, 1 Option, 1 Texture";
     assert_eq!(scene.census.summary().as_deref(), Some(summary));
 }
 
@@ -40,11 +42,13 @@ fn meshes_are_found_beside_the_scene() {
     let scene = load_files(&[("a.pbrt", text), ("meshes/m.obj", obj)]).unwrap();
     assert_eq!(scene.geometry.triangle_count(), 1);
     let missing = load_files(&[("a.pbrt", text)]).unwrap_err();
-    let expected = "meshes/m.obj: cannot read: No such file or directory (os error 2)\n   = named in a.pbrt:1:46";
+    let expected = "meshes/m.obj: cannot read: No such file or directory (os error 2)\n   \
+                    = named in a.pbrt:1:46";
     assert_eq!(missing, expected);
 }
 
-const TETRAHEDRON: &str = "\"point3 P\" [ 1 1 1  1 -1 -1  -1 1 -1  -1 -1 1 ] \"integer indices\" [ 0 1 2  0 3 1  0 2 3  1 3 2 ]";
+const TETRAHEDRON: &str = "\"point3 P\" [ 1 1 1  1 -1 -1  -1 1 -1  -1 -1 1 ] \
+                           \"integer indices\" [ 0 1 2  0 3 1  0 2 3  1 3 2 ]";
 
 #[test]
 fn subdivision_surfaces_take_the_levels_of_v3_and_of_v4() {
@@ -54,7 +58,8 @@ fn subdivision_surfaces_take_the_levels_of_v3_and_of_v4() {
         ("\"integer levels\" 1 \"integer nlevels\" 2", 16),
     ] {
         let text = format!(
-            "WorldBegin Shape \"loopsubdiv\" {TETRAHEDRON} {levels} \"string scheme\" \"loop\" {TRIANGLE}"
+            "WorldBegin Shape \"loopsubdiv\" {TETRAHEDRON} {levels} \"string scheme\" \"loop\" \
+             {TRIANGLE}"
         );
         let scene = scene(&text);
         assert_eq!(
@@ -115,9 +120,10 @@ fn errors_point_at_faces_that_cannot_be_subdivided() {
     let found = diagnostic(&format!(
         "WorldBegin\nShape \"loopsubdiv\" {TETRAHEDRON}\n  \"integer nlevels\" 13"
     ));
-    let expected = "a.pbrt:3:21: subdivision would make 268435456 faces of the scene's 4: at most 4210688 are made of so many\n   \
-        |\n 3 |   \"integer nlevels\" 13\n   |                     ^^\n   = if this is meant, raise what input files may \
-        expand to: --input-budget 2\n   = else take fewer levels";
+    let expected = "a.pbrt:3:21: subdivision would make 268435456 faces of the scene's 4: at most \
+                    4210688 are made of so many\n   |\n 3 |   \
+        \"integer nlevels\" 13\n   |                     ^^\n   = if this is meant, raise what \
+        input files may expand to: --input-budget 2\n   = else take fewer levels";
     assert_eq!(found, expected);
 }
 
@@ -125,7 +131,8 @@ fn errors_point_at_faces_that_cannot_be_subdivided() {
 fn bilinear_patches_are_two_triangles_each() {
     let corners = "\"point3 P\" [ 0 0 0  1 0 0  0 1 0  1 1 0  2 0 0  2 1 1 ]";
     let flat = scene(&format!(
-        "WorldBegin Shape \"bilinearmesh\" {corners} \"integer indices\" [ 0 1 2 3 ] \"point2 uv\" [ 0 0 ]"
+        "WorldBegin Shape \"bilinearmesh\" {corners} \"integer indices\" [ 0 1 2 3 ] \
+         \"point2 uv\" [ 0 0 ]"
     ));
     assert_eq!(warnings(&flat), []);
     let triangles = [0, 1].map(|index| {
@@ -143,7 +150,8 @@ fn bilinear_patches_are_two_triangles_each() {
     );
     let curved = "\"integer indices\" [ 0 1 2 3  1 4 3 5 ]";
     let both = scene(&format!(
-        "WorldBegin Shape \"bilinearmesh\" {corners} {curved} Shape \"bilinearmesh\" {corners} {curved}"
+        "WorldBegin Shape \"bilinearmesh\" {corners} {curved} Shape \"bilinearmesh\" {corners} \
+         {curved}"
     ));
     assert_eq!(
         (
@@ -195,7 +203,8 @@ fn a_bare_mesh_is_framed() {
 #[test]
 fn shapes_count_whether_they_are_supported_or_not() {
     let scene = scene(&format!(
-        "WorldBegin {TRIANGLE} Shape \"cone\" Shape \"cone\" Shape \"sphere\" Shape \"spehre\" {TRIANGLE}"
+        "WorldBegin {TRIANGLE} Shape \"cone\" Shape \"cone\" Shape \"sphere\" Shape \"spehre\" \
+         {TRIANGLE}"
     ));
     assert_eq!(scene.shape_count, 6);
     let geometry = &scene.geometry;

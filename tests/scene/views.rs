@@ -145,7 +145,8 @@ fn transforms_nest_and_are_restored() {
     let scene = scene(&format!(
         "WorldBegin
         Translate 1 0 0
-        AttributeBegin Scale 2 2 2 TransformBegin Rotate 90 0 0 1 {TRIANGLE} TransformEnd {TRIANGLE} AttributeEnd
+        AttributeBegin Scale 2 2 2 TransformBegin Rotate 90 0 0 1 {TRIANGLE} TransformEnd \
+        {TRIANGLE} AttributeEnd
         {TRIANGLE}
         CoordinateSystem \"here\" Identity {TRIANGLE} CoordSysTransform \"here\" {TRIANGLE}
         ConcatTransform [ 1 0 0 0  0 1 0 0  0 0 1 0  0 0 7 1 ] {TRIANGLE}
@@ -172,7 +173,8 @@ fn transforms_nest_and_are_restored() {
 #[test]
 fn the_cameras_coordinate_system_moves_with_it() {
     let scene = scene(&format!(
-        "LookAt 0 0 -5  0 0 0  0 1 0  Camera \"perspective\" WorldBegin CoordSysTransform \"camera\" {TRIANGLE}"
+        "LookAt 0 0 -5  0 0 0  0 1 0  Camera \"perspective\" WorldBegin \
+         CoordSysTransform \"camera\" {TRIANGLE}"
     ));
     assert_eq!(vertex(&scene, 1), [1.0, 0.0, -5.0]);
 }
@@ -181,8 +183,9 @@ fn the_cameras_coordinate_system_moves_with_it() {
 fn options_are_read_without_the_world() {
     let files = [(
         "a.pbrt",
-        "Film \"image\" \"string filename\" \"a.png\" Accelerator \"bvh\" \"string splitmethod\" \"hlbvh\" \
-         \"integer maxnodeprims\" 2 WorldBegin Shape \"plymesh\" \"string filename\" \"missing.ply\" nonsense",
+        "Film \"image\" \"string filename\" \"a.png\" Accelerator \"bvh\" \
+         \"string splitmethod\" \"hlbvh\" \"integer maxnodeprims\" 2 WorldBegin Shape \"plymesh\" \
+         \"string filename\" \"missing.ply\" nonsense",
     )];
     let folder = folder(&files);
     let options = read_options(&folder.path().join("a.pbrt"), BudgetFactor::default()).unwrap();
