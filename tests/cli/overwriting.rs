@@ -8,8 +8,8 @@ pub(crate) const ONCE: &str = "--runs 1 --warmup 0 --accel sah --precision fast 
 
 pub(crate) const MESH: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n\
                                property float y\nproperty float z\n\
-                               element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 1\n\
-                               1 0 1\n0 1 1\n3 0 1 2\n";
+                               element face 1\nproperty list uchar int vertex_indices\n\
+                               end_header\n0 0 1\n1 0 1\n0 1 1\n3 0 1 2\n";
 
 /// A scene that reads two other files.
 const PARTS: &str =

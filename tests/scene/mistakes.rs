@@ -183,7 +183,8 @@ fn a_message_shows_its_line_and_notes() {
         ),
         "a.pbrt:3:27: index 3, number 3 of `indices`, names no vertex\n   |\n 3 |   \
          \"integer indices\" [ 0 1 3 ]\n   |                           ^\n   \
-         = expected an integer from 0 to 2\n   = the shape is left out, as in pbrt; its number stays"
+         = expected an integer from 0 to 2\n   \
+         = the shape is left out, as in pbrt; its number stays"
     );
 }
 
