@@ -202,10 +202,7 @@ fn paths_in(code: &str, imports: &mut Vec<Import>) {
         .filter(|word| !word.is_empty())
         .collect();
     // A declaration `mod name;` and a visibility `pub(in path)` need nothing of the module.
-    let is_declared = |at: usize| match words[..at] {
-        [.., "mod"] | [.., "pub", "in"] => true,
-        _ => false,
-    };
+    let is_declared = |at: usize| matches!(words[..at], [.., "mod"] | [.., "pub", "in"]);
     for (_, word) in words.iter().enumerate().filter(|(at, _)| !is_declared(*at)) {
         let path: Vec<String> = word
             .split("::")
