@@ -1,5 +1,6 @@
 //! Collects warnings: the first of each kind, and how many there were.
 
+use super::source_file::SourceSpan;
 use crate::error::Diagnostic;
 use std::collections::HashMap;
 
@@ -58,6 +59,16 @@ impl Warnings {
     /// Adds a warning that is a kind of its own.
     pub(super) fn add_single(&mut self, diagnostic: Diagnostic) {
         self.add(diagnostic.to_string(), || diagnostic);
+    }
+
+    /// Adds a warning of a directive that pbrt does not have.
+    pub(super) fn add_unknown_directive(&mut self, name: &str, keyword: &SourceSpan) {
+        self.add(format!("directive {name}"), || {
+            let message =
+                format!("`{name}` is not a directive of pbrt: skipped with its arguments");
+            let note = "if it places geometry, that is missing from the picture";
+            keyword.diagnostic(message).note(note)
+        });
     }
 
     /// The warnings, one kind at a time.

@@ -1,15 +1,22 @@
 //! The program as users run it: flags, files, streams, exit codes and messages.
 
 mod batch;
+mod batch_existing;
 mod bench;
+mod bench_outputs;
 mod cameras;
 mod check;
+mod check_json;
 mod compare;
+mod compare_files;
 mod completions;
 mod cost;
 mod engine;
+mod engine_flags;
 mod exit_code;
+mod exr_file;
 mod files;
+mod files_replaced;
 mod folder;
 mod formats;
 mod help;
@@ -26,6 +33,8 @@ mod overwriting;
 mod pixel;
 mod places;
 mod region;
+mod results;
 mod signals;
 mod standard_output;
 mod version;
+mod views;

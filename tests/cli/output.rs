@@ -1,11 +1,10 @@
-//! The names and the content of images.
+//! The names of images, and the channels in them.
 
-use crate::folder::{Exr, Folder, SIZE, png};
-use image::Rgb;
+use crate::exr_file::Exr;
+use crate::folder::{Folder, SIZE, png};
+use crate::views::RED;
 
-const RED: Rgb<u8> = Rgb([255, 0, 0]);
-const YELLOW: Rgb<u8> = Rgb([255, 255, 0]);
-const CENTRE: (u32, u32) = (SIZE.0 / 2, SIZE.1 / 2);
+pub(crate) const CENTRE: (u32, u32) = (SIZE.0 / 2, SIZE.1 / 2);
 const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 const PLY: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
                    element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
@@ -196,113 +195,6 @@ fn a_value_of_misses_must_be_a_number() {
     assert!(run.stderr.starts_with(
         "error: invalid value 'far' for '--miss <VALUE>': expected inf, nan or a number\n"
     ));
-}
-
-#[test]
-fn the_hit_view_is_red_and_yellow() {
-    let folder = Folder::new();
-    let exr = folder.rendered("ball.pbrt");
-    folder.render("ball.pbrt -o hit.png --view hit").succeeded();
-    let picture = folder.png("hit.png");
-    assert_eq!(picture.dimensions(), SIZE);
-    let expected: Vec<Rgb<u8>> = exr
-        .measures("A")
-        .iter()
-        .map(|a| if *a == 1.0 { RED } else { YELLOW })
-        .collect();
-    assert!(picture.pixels().eq(&expected));
-}
-
-#[test]
-fn the_depth_view_is_the_default_and_names_its_range() {
-    let folder = Folder::new();
-    let run = folder.render("ball.pbrt -o a.png").succeeded();
-    assert!(run.stderr.contains("depth 4 (red) to "), "{}", run.stderr);
-    folder
-        .render("ball.pbrt -o b.png --view depth --colormap turbo")
-        .succeeded();
-    assert!(folder.bytes("a.png") == folder.bytes("b.png"));
-}
-
-#[test]
-fn gray_depth_goes_from_white_to_black() {
-    let folder = Folder::new();
-    let z = folder.rendered("ball.pbrt").measures("Z");
-    folder
-        .render("ball.pbrt -o gray.png --colormap gray")
-        .succeeded();
-    let picture = folder.png("gray.png");
-    let far = z
-        .iter()
-        .copied()
-        .filter(|z| z.is_finite())
-        .fold(f32::MIN, f32::max);
-    for (pixel, z) in picture.pixels().zip(&z) {
-        let expected = 255.0 * (far - z) / (far - 4.0);
-        let gray = pixel
-            .0
-            .iter()
-            .all(|value| (f32::from(*value) - expected).abs() <= 1.0);
-        assert!(
-            gray || z.is_infinite() && pixel.0[0] != pixel.0[2],
-            "{pixel:?} for {z}"
-        );
-    }
-    assert_eq!(picture[CENTRE].0, [255; 3]);
-}
-
-#[test]
-fn each_colour_map_gives_another_image() {
-    let folder = Folder::new();
-    for map in ["turbo", "viridis", "gray"] {
-        folder
-            .render(&format!("ball.pbrt -o {map}.png --colormap {map}"))
-            .succeeded();
-    }
-    let centre = |map: &str| folder.png(&format!("{map}.png"))[CENTRE];
-    assert!(centre("turbo") != centre("viridis") && centre("viridis") != centre("gray"));
-    let corner = |map: &str| folder.png(&format!("{map}.png"))[(0, 0)];
-    assert!(
-        corner("turbo") == corner("viridis") && corner("viridis") == corner("gray"),
-        "misses look the same"
-    );
-}
-
-#[test]
-fn a_range_is_stretched_over_the_colours_and_clamps() {
-    let folder = Folder::new();
-    folder
-        .render("ball.pbrt -o a.png --colormap gray --range 3,5")
-        .succeeded();
-    assert!([127, 128].contains(&folder.png("a.png")[CENTRE].0[0]));
-    folder
-        .render("ball.pbrt -o b.png --colormap gray --range -2,-1")
-        .succeeded();
-    assert_eq!(folder.png("b.png")[CENTRE].0, [0; 3]);
-    folder
-        .render("ball.pbrt -o c.png --range 5,5")
-        .failed(2, "--range 5,5 is empty");
-    folder
-        .render("ball.pbrt -o c.png --range 1,1.00000000001")
-        .failed(2, "is empty");
-    folder
-        .render("ball.pbrt -o c.png --range 1,1e39")
-        .failed(2, "exceeds the depths of an image");
-}
-
-#[test]
-fn an_image_without_hits_is_written() {
-    let folder = Folder::new().with("empty.pbrt", "WorldBegin");
-    folder
-        .render("empty.pbrt -o a.png --resolution 3x2")
-        .succeeded()
-        .said("0 hit, misses pale blue (");
-    assert!(
-        folder
-            .png("a.png")
-            .pixels()
-            .all(|pixel| *pixel == folder.png("a.png")[(0, 0)])
-    );
 }
 
 #[test]

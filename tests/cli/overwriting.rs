@@ -1,19 +1,19 @@
-//! Inputs are never overwritten, and files of other programs are not replaced.
+//! Outputs never overwrite inputs.
 
 use crate::folder::{BALL, Folder, Run};
 use std::fs;
 
 /// Options for one round of one configuration.
-const ONCE: &str = "--runs 1 --warmup 0 --accel sah --precision fast --reference none";
+pub(crate) const ONCE: &str = "--runs 1 --warmup 0 --accel sah --precision fast --reference none";
 
-const MESH: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
+pub(crate) const MESH: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
                     element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 1\n1 0 1\n0 1 1\n3 0 1 2\n";
 
 /// A scene that reads two other files.
 const PARTS: &str =
     "WorldBegin\nInclude \"part.inc\"\nShape \"plymesh\" \"string filename\" \"mesh.ply\"\n";
 
-fn folder() -> Folder {
+pub(crate) fn folder() -> Folder {
     let folder = Folder::new()
         .with("parts.pbrt", PARTS)
         .with("part.inc", "Shape \"sphere\"\n");
@@ -154,76 +154,30 @@ fn json_with_a_file_name_is_refused_with_advice() {
     assert_eq!(document["rows"].as_array().unwrap().len(), 2);
 }
 
-#[test]
-fn without_measurements_older_results_stay() {
-    let folder = folder()
-        .with("bad.pbrt", "Shap")
-        .with("r.csv", "old")
-        .with("r.json", "old")
-        .with("r.md", "old");
-    fs::create_dir(folder.path("out")).unwrap();
-    let old = "<title>feimos: speed against error</title>";
-    let folder = folder.with("r.svg", "old").with("out/index.html", old);
-    let outputs = "--csv r.csv --json-file r.json --markdown r.md --plot r.svg --report out";
-    for (scenes, code) in [
-        ("gone.pbrt", 66),
-        ("bad.pbrt", 65),
-        ("bad.pbrt gone.ply", 66),
-    ] {
-        folder
-            .bench(&format!("{scenes} {ONCE} {outputs}"))
-            .exited(code);
-        assert!(
-            ["r.csv", "r.json", "r.md", "r.svg"]
-                .iter()
-                .all(|name| folder.text(name) == "old")
-        );
-        assert_eq!(folder.text("out/index.html"), old);
-    }
-    folder
-        .bench(&format!(
-            "gone.pbrt {ONCE} --report new/page --csv new/page/r.csv"
-        ))
-        .exited(66);
-    assert!(!folder.path("new").exists());
-    let run = folder
-        .bench(&format!("gone.pbrt {ONCE} --csv -"))
-        .exited(66);
-    assert!(run.stdout.is_empty());
-    // Of several scenes, rows of the others are written.
-    folder
-        .bench(&format!("gone.pbrt ball.pbrt bad.pbrt {ONCE} {outputs}"))
-        .exited(66);
-    assert_eq!(folder.text("r.csv").lines().count(), 2);
-    assert!(folder.text("out/index.html").contains("ball.pbrt"));
-}
-
-#[test]
-fn a_page_of_another_program_is_not_overwritten() {
-    let folder = Folder::new().with("index.html", "<html>my site</html>");
-    folder
-        .bench(&format!("ball.pbrt {ONCE} --report ."))
-        .failed(73, "./index.html: exists already, and is not a report");
-    assert_eq!(folder.text("index.html"), "<html>my site</html>");
-}
-
+/// A folder in which some names of outputs are links to inputs.
 #[cfg(unix)]
-#[test]
-fn links_to_inputs_are_refused_as_outputs() {
-    use std::os::unix::fs::symlink;
+fn linked() -> Folder {
     let folder = folder();
-    let links = [
+    for (target, link) in [
         ("ball.pbrt", "o.png"),
         ("part.inc", "part.exr"),
         ("part.inc", "part.jsonl"),
         ("mesh.ply", "m.csv"),
-    ];
-    links
-        .iter()
-        .for_each(|(target, link)| symlink(target, folder.path(link)).unwrap());
-    symlink("poses.json", folder.path("poses.npy")).unwrap();
+        ("poses.json", "poses.npy"),
+    ] {
+        std::os::unix::fs::symlink(target, folder.path(link)).unwrap();
+    }
     fs::hard_link(folder.path("mesh.ply"), folder.path("mesh.png")).unwrap();
-    let of_scene = "would overwrite a file that the scene reads\n   = it is the same file as";
+    folder
+}
+
+#[cfg(unix)]
+const OF_SCENE: &str = "would overwrite a file that the scene reads\n   = it is the same file as";
+
+#[cfg(unix)]
+#[test]
+fn links_to_inputs_are_refused_as_outputs() {
+    let folder = linked();
     let cases = [
         (
             "render ball.pbrt -o o.png",
@@ -231,11 +185,11 @@ fn links_to_inputs_are_refused_as_outputs() {
         ),
         (
             "render parts.pbrt -o part.exr",
-            format!("part.exr: -o {of_scene} part.inc"),
+            format!("part.exr: -o {OF_SCENE} part.inc"),
         ),
         (
             "render parts.pbrt -o mesh.png",
-            format!("mesh.png: -o {of_scene} mesh.ply"),
+            format!("mesh.png: -o {OF_SCENE} mesh.ply"),
         ),
         (
             "render mesh.ply --resolution 2x2",
@@ -255,42 +209,31 @@ fn links_to_inputs_are_refused_as_outputs() {
         ),
         (
             &format!("bench parts.pbrt {ONCE} --csv m.csv"),
-            format!("m.csv: --csv {of_scene} mesh.ply"),
+            format!("m.csv: --csv {OF_SCENE} mesh.ply"),
         ),
     ];
     for (command, message) in cases {
         refused(&folder, command, &message);
     }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_manifest_linked_to_an_input_does_not_overwrite_it() {
+    let folder = linked();
     let run = folder.render("ball.pbrt parts.pbrt -o {stem}.exr --manifest part.jsonl");
     run.failed(
         73,
         "part.jsonl: exists already, and is not a manifest by feimos",
     );
     assert_eq!(folder.text("part.inc"), "Shape \"sphere\"\n");
-    // Another line would still be one of a scene that cannot be read.
+    // This input looks like the start of a manifest.
     let part = "{\"scene\":";
     let folder = folder.with("part.inc", part);
     folder
         .render("parts.pbrt -o a.exr --manifest part.jsonl")
-        .failed(2, &format!("part.jsonl: --manifest {of_scene} part.inc"));
+        .failed(2, &format!("part.jsonl: --manifest {OF_SCENE} part.inc"));
     assert_eq!(folder.text("part.inc"), part);
-}
-
-#[cfg(unix)]
-#[test]
-fn measurements_before_a_conflict_are_written() {
-    let folder = folder();
-    std::os::unix::fs::symlink("mesh.ply", folder.path("m.csv")).unwrap();
-    let run = folder.bench(&format!(
-        "ball.pbrt parts.pbrt {ONCE} --csv m.csv --json-file r.json"
-    ));
-    run.failed(
-        2,
-        "m.csv: --csv would overwrite a file that the scene reads",
-    );
-    assert_eq!(folder.text("mesh.ply"), MESH);
-    let document: serde_json::Value = serde_json::from_slice(&folder.bytes("r.json")).unwrap();
-    assert_eq!(document["rows"].as_array().unwrap().len(), 1);
 }
 
 #[test]
@@ -339,51 +282,4 @@ fn a_scene_does_not_overwrite_itself() {
         "render self.png --force",
         "would overwrite a scene",
     );
-}
-
-#[test]
-fn a_name_from_the_scene_replaces_only_images_by_feimos() {
-    let folder = Folder::new().with("film.exr", "my holidays");
-    let advice = "use -o to name another one, move it away, or use --force to overwrite it";
-    folder
-        .render("ball.pbrt")
-        .failed(
-            73,
-            "film.exr: exists already, and is not an image by feimos",
-        )
-        .said(advice);
-    assert_eq!(folder.text("film.exr"), "my holidays");
-    folder.render("ball.pbrt --force").succeeded();
-    folder.render("ball.pbrt --accel none").succeeded();
-    folder.render("ball.pbrt --miss 0").succeeded();
-    assert_eq!(folder.exr("film.exr").size, (13, 7));
-    for name in ["f.png", "f.pfm", "f.npy", "../f.png"] {
-        let scene = format!("{}.pbrt", name.replace(['.', '/'], ""));
-        let folder = Folder::new();
-        fs::create_dir(folder.path("sub")).unwrap();
-        let folder = folder.with(&format!("sub/{scene}"), BALL.replace("film.exr", name));
-        folder
-            .render(&format!(
-                "sub/{scene} -o {}",
-                name.trim_start_matches("../")
-            ))
-            .succeeded();
-    }
-    // These formats do not tell who wrote them.
-    let folder = Folder::new().with("f.pbrt", BALL.replace("film.exr", "f.pfm"));
-    folder.render("f.pbrt").succeeded();
-    folder
-        .render("f.pbrt")
-        .failed(73, "f.pfm: exists already, and is not an image by feimos");
-    folder.render("f.pbrt -o f.pfm").succeeded();
-}
-
-#[test]
-fn a_bare_mesh_does_not_replace_its_photograph() {
-    let folder = folder().with("mesh.png", "a photograph");
-    folder.render("mesh.ply --resolution 2x2").failed(
-        73,
-        "mesh.png: exists already, and is not an image by feimos",
-    );
-    assert_eq!(folder.text("mesh.png"), "a photograph");
 }

@@ -1,6 +1,7 @@
 //! Parts of the film, and films of another size.
 
-use crate::folder::{Exr, Folder};
+use crate::exr_file::Exr;
+use crate::folder::Folder;
 use std::collections::BTreeMap;
 
 /// A value for holes that no scene produces.

@@ -7,82 +7,63 @@ const COUNT: usize = 100_000;
 
 /// Names and contents; all are good files, though some show nothing.
 pub(crate) fn files() -> Vec<(&'static str, Format, Vec<u8>)> {
-    let scene = |start: &str, part: &str, count: usize, end: &str| {
-        format!("{start}{}{end}", part.repeat(count)).into()
+    let of = |format, files: Vec<(&'static str, Vec<u8>)>| {
+        files
+            .into_iter()
+            .map(move |(name, bytes)| (name, format, bytes))
     };
-    let mesh =
-        "WorldBegin\nShape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0] \"integer indices\" [";
-    let many = "ply\nformat ascii 1.0\n";
+    of(Format::Ply, ply_files())
+        .chain(of(Format::Obj, obj_files()))
+        .chain(of(Format::Scene, scene_files()))
+        .collect()
+}
+
+/// `start`, then `part` `count` times, then `end`.
+fn repeated(start: &str, part: &str, count: usize, end: &str) -> Vec<u8> {
+    format!("{start}{}{end}", part.repeat(count)).into()
+}
+
+fn ply_files() -> Vec<(&'static str, Vec<u8>)> {
+    let head = "ply\nformat ascii 1.0\n";
+    let element = format!("{head}element a 1\n");
     vec![
-        ("corners.ply", Format::Ply, one_list("face", 5)),
-        ("polygons.ply", Format::Ply, polygons()),
-        ("strip.ply", Format::Ply, one_list("tristrips", 5)),
-        (
-            "elements.ply",
-            Format::Ply,
-            format!("{many}{}", "element a 0\n".repeat(COUNT)).into(),
-        ),
+        ("corners.ply", one_list("face", 5)),
+        ("polygons.ply", polygons()),
+        ("strip.ply", one_list("tristrips", 5)),
+        ("elements.ply", repeated(head, "element a 0\n", COUNT, "")),
         (
             "properties.ply",
-            Format::Ply,
-            format!("{many}element a 1\n{}", "property char a\n".repeat(COUNT)).into(),
+            repeated(&element, "property char a\n", COUNT, ""),
         ),
-        (
-            "corners.obj",
-            Format::Obj,
-            format!("v 0 0 0\nf{}", " 1".repeat(COUNT)).into(),
-        ),
-        (
-            "backwards.obj",
-            Format::Obj,
-            format!("v 0 0 0\nf{}", " -1".repeat(COUNT)).into(),
-        ),
-        (
-            "triangles.obj",
-            Format::Obj,
-            format!("v 0 0 0\n{}", "f 1 1 1\n".repeat(COUNT)).into(),
-        ),
-        (
-            "vertices.obj",
-            Format::Obj,
-            format!("{}f 1 2 3", "v 0 0 0\n".repeat(COUNT)).into(),
-        ),
-        ("distinct.obj", Format::Obj, distinct().into()),
-        (
-            "mesh.pbrt",
-            Format::Scene,
-            scene(mesh, "0 1 2 ", COUNT, "]"),
-        ),
-        (
-            "spheres.pbrt",
-            Format::Scene,
-            scene("WorldBegin\n", "Shape\"sphere\"", COUNT / 10, ""),
-        ),
-        (
-            "moved.pbrt",
-            Format::Scene,
-            scene("WorldBegin\n", "Scale 2 1 1Shape\"sphere\"", 1000, ""),
-        ),
-        (
-            "blocks.pbrt",
-            Format::Scene,
-            scene("WorldBegin\n", "AttributeBegin ", COUNT / 10, ""),
-        ),
-        ("names.pbrt", Format::Scene, names().into()),
-        (
-            "skipped.pbrt",
-            Format::Scene,
-            scene("WorldBegin\n", "Texture\"a\"\"b\"\"c\"", COUNT / 10, ""),
-        ),
+    ]
+}
+
+fn obj_files() -> Vec<(&'static str, Vec<u8>)> {
+    let vertex = "v 0 0 0\n";
+    vec![
+        ("corners.obj", repeated("v 0 0 0\nf", " 1", COUNT, "")),
+        ("backwards.obj", repeated("v 0 0 0\nf", " -1", COUNT, "")),
+        ("triangles.obj", repeated(vertex, "f 1 1 1\n", COUNT, "")),
+        ("vertices.obj", repeated("", vertex, COUNT, "f 1 2 3")),
+        ("distinct.obj", distinct().into()),
+    ]
+}
+
+fn scene_files() -> Vec<(&'static str, Vec<u8>)> {
+    let mesh = "WorldBegin\nShape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0] \
+                \"integer indices\" [";
+    let world = |part, count| repeated("WorldBegin\n", part, count, "");
+    let sphere = "WorldBegin\nShape\"sphere\"";
+    vec![
+        ("mesh.pbrt", repeated(mesh, "0 1 2 ", COUNT, "]")),
+        ("spheres.pbrt", world("Shape\"sphere\"", COUNT / 10)),
+        ("moved.pbrt", world("Scale 2 1 1Shape\"sphere\"", 1000)),
+        ("blocks.pbrt", world("AttributeBegin ", COUNT / 10)),
+        ("names.pbrt", names().into()),
+        ("skipped.pbrt", world("Texture\"a\"\"b\"\"c\"", COUNT / 10)),
         (
             "parameters.pbrt",
-            Format::Scene,
-            scene(
-                "WorldBegin\nShape\"sphere\"",
-                "\"float a\"1",
-                COUNT / 10,
-                "",
-            ),
+            repeated(sphere, "\"float a\"1", COUNT / 10, ""),
         ),
     ]
 }

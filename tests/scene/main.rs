@@ -1,5 +1,6 @@
 //! The meaning of scene files, and the messages about mistakes in them.
 
+mod arrays;
 mod blocks;
 mod continued;
 mod directives;

@@ -92,83 +92,89 @@ fn mistakes_of_order() {
     assert!(error("Scale 1 1 1").starts_with("a.pbrt: the scene has no WorldBegin"));
 }
 
+/// Texts with a wrong value, and how the message begins.
+const WRONG_VALUES: [(&str, &str); 18] = [
+    (
+        "Camera \"perspective\" \"float fov\" 180",
+        "a.pbrt:1:34: a field of view of 180 degrees",
+    ),
+    (
+        "Camera \"perspective\" \"float fov\" [ 1 2 ]",
+        "a.pbrt:1:34: `fov` takes one number, found 2",
+    ),
+    (
+        "Camera \"spherical\"",
+        "a.pbrt:1:8: the camera `spherical` is not supported",
+    ),
+    (
+        "Scale 0 1 1 Camera \"perspective\"",
+        "a.pbrt:1:1: this Scale by 0 cannot be undone",
+    ),
+    (
+        "LookAt 1 1 1 1 1 1 0 1 0 Camera \"perspective\"",
+        "a.pbrt:1:1: this LookAt has no direction",
+    ),
+    (
+        "Rotate 10 0 0 0 Camera \"perspective\"",
+        "a.pbrt:1:1: the axis of this Rotate has no length",
+    ),
+    (
+        "Camera \"perspective\" \"float screenwindow\" [ 0 1e999 0 0 ]",
+        "a.pbrt:1:43: the screen window is not finite",
+    ),
+    (
+        "Film \"image\" \"float cropwindow\" [ 0 nan 0 1 ]",
+        "a.pbrt:1:33: `cropwindow` takes fractions",
+    ),
+    (
+        "Film \"image\" \"integer pixelbounds\" [ 0 1.5 0 20 ]",
+        "a.pbrt:1:36: `pixelbounds` takes four integers",
+    ),
+    ("Include \"\"", "a.pbrt:1:9: the name of the file is empty"),
+    (
+        "Film \"image\" \"integer xresolution\" 0",
+        "a.pbrt:1:36: `xresolution` is 0, expected an integer from 1 to",
+    ),
+    (
+        "Film \"image\" \"integer yresolution\" 1.5",
+        "a.pbrt:1:36: `yresolution` is 1.5",
+    ),
+    (
+        "Film \"image\" \"string filename\" 7",
+        "a.pbrt:1:32: `filename` is declared as `string`, but its value is a number",
+    ),
+    (
+        "Film \"image\" \"float cropwindow\" [ 0 0 0 1 ]\nWorldBegin",
+        "a.pbrt:1:1: the crop of the film has no pixel",
+    ),
+    (
+        "Transform [ 1 0 0 0  0 1 0 0  0 0 1 1  0 0 0 1 ] Camera \"perspective\"",
+        "a.pbrt:1:1: the last row of this matrix is 0 0 1 1",
+    ),
+    (
+        "WorldBegin Shape \"trianglemesh\"",
+        "a.pbrt:1:18: a triangle mesh without vertices",
+    ),
+    (
+        "WorldBegin Shape \"trianglemesh\" \"point3 P\" [ 0 0 ]",
+        "a.pbrt:1:44: `P` has 2 numbers",
+    ),
+    (
+        "WorldBegin Shape \"plymesh\"",
+        "a.pbrt:1:18: a mesh without a file name",
+    ),
+];
+
 #[test]
 fn mistakes_of_value() {
-    let cases = [
-        (
-            "Camera \"perspective\" \"float fov\" 180",
-            "a.pbrt:1:34: a field of view of 180 degrees",
-        ),
-        (
-            "Camera \"perspective\" \"float fov\" [ 1 2 ]",
-            "a.pbrt:1:34: `fov` takes one number, found 2",
-        ),
-        (
-            "Camera \"spherical\"",
-            "a.pbrt:1:8: the camera `spherical` is not supported",
-        ),
-        (
-            "Scale 0 1 1 Camera \"perspective\"",
-            "a.pbrt:1:1: this Scale by 0 cannot be undone",
-        ),
-        (
-            "LookAt 1 1 1 1 1 1 0 1 0 Camera \"perspective\"",
-            "a.pbrt:1:1: this LookAt has no direction",
-        ),
-        (
-            "Rotate 10 0 0 0 Camera \"perspective\"",
-            "a.pbrt:1:1: the axis of this Rotate has no length",
-        ),
-        (
-            "Camera \"perspective\" \"float screenwindow\" [ 0 1e999 0 0 ]",
-            "a.pbrt:1:43: the screen window is not finite",
-        ),
-        (
-            "Film \"image\" \"float cropwindow\" [ 0 nan 0 1 ]",
-            "a.pbrt:1:33: `cropwindow` takes fractions",
-        ),
-        (
-            "Film \"image\" \"integer pixelbounds\" [ 0 1.5 0 20 ]",
-            "a.pbrt:1:36: `pixelbounds` takes four integers",
-        ),
-        ("Include \"\"", "a.pbrt:1:9: the name of the file is empty"),
-        (
-            "Film \"image\" \"integer xresolution\" 0",
-            "a.pbrt:1:36: `xresolution` is 0, expected an integer from 1 to",
-        ),
-        (
-            "Film \"image\" \"integer yresolution\" 1.5",
-            "a.pbrt:1:36: `yresolution` is 1.5",
-        ),
-        (
-            "Film \"image\" \"string filename\" 7",
-            "a.pbrt:1:32: `filename` is declared as `string`, but its value is a number",
-        ),
-        (
-            "Film \"image\" \"float cropwindow\" [ 0 0 0 1 ]\nWorldBegin",
-            "a.pbrt:1:1: the crop of the film has no pixel",
-        ),
-        (
-            "Transform [ 1 0 0 0  0 1 0 0  0 0 1 1  0 0 0 1 ] Camera \"perspective\"",
-            "a.pbrt:1:1: the last row of this matrix is 0 0 1 1",
-        ),
-        (
-            "WorldBegin Shape \"trianglemesh\"",
-            "a.pbrt:1:18: a triangle mesh without vertices",
-        ),
-        (
-            "WorldBegin Shape \"trianglemesh\" \"point3 P\" [ 0 0 ]",
-            "a.pbrt:1:44: `P` has 2 numbers",
-        ),
-        (
-            "WorldBegin Shape \"plymesh\"",
-            "a.pbrt:1:18: a mesh without a file name",
-        ),
-    ];
-    for (text, expected) in cases {
+    for (text, expected) in WRONG_VALUES {
         let found = diagnostic(text);
         assert!(found.starts_with(expected), "{found}");
     }
+}
+
+#[test]
+fn a_message_shows_its_line_and_notes() {
     assert_eq!(
         diagnostic(
             "WorldBegin\nShape \"trianglemesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0 ]\n  \"integer indices\" [ 0 1 3 ]"
@@ -234,4 +240,40 @@ fn the_depth_of_includes_is_limited() {
         message.starts_with("63.pbrt:1:9: more than 64 files include each other"),
         "{message}"
     );
+}
+
+#[test]
+fn files_that_are_not_there_are_looked_for_nearby() {
+    let files = |text: &str| {
+        load_files(&[
+            ("a.pbrt", &format!("WorldBegin {text}")),
+            (
+                "sub/part.pbrt",
+                "Shape \"plymesh\" \"string filename\" \"m.ply\"",
+            ),
+            ("sub/m.ply", ""),
+            ("Sub2/x.pbrt", ""),
+        ])
+        .unwrap_err()
+    };
+    let mesh = files("Include \"sub/part.pbrt\"");
+    assert!(
+        mesh.starts_with("m.ply: cannot read")
+            && mesh.contains("there is `sub/m.ply` beside sub/part.pbrt"),
+        "{mesh}"
+    );
+    let slash = files("Include \"sub\\\\part.pbrt\"");
+    assert!(
+        slash.contains("paths take `/` on every system")
+            && slash.contains("did you mean `sub/part.pbrt`?"),
+        "{slash}"
+    );
+    if cfg!(target_os = "linux") {
+        let case = files("Shape \"plymesh\" \"string filename\" \"SUB/M.ply\"");
+        assert!(
+            case.contains("there is `sub/m.ply`") && case.contains("named in a.pbrt:1:46"),
+            "{case}"
+        );
+        assert!(files("Import \"sub2/X.pbrt\"").contains("there is `Sub2/x.pbrt`"));
+    }
 }

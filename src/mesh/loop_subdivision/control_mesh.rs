@@ -10,68 +10,80 @@ use std::collections::hash_map::Entry;
 /// first use: from corner 0 to 1, from 1 to 2 and from 2 to 0 of the first face, then those of the
 /// next.
 pub(super) fn connect(vertices: Vec<Point>, faces: &[[u32; 3]]) -> Result<Surface, Refusal> {
-    let mut edges: Vec<Edge> = Vec::new();
-    // The corner opposite to each edge in its first face.
-    let mut opposite: Vec<u32> = Vec::new();
-    let mut number_of = HashMap::new();
+    let mut edges = EdgeTable::default();
     let mut connected = Vec::with_capacity(faces.len());
     for (number, corners) in faces.iter().enumerate() {
-        let refuse = |k: usize, message, advice: &str| {
-            Err(Refusal {
-                place: Place::Index(3 * number + k),
-                message,
-                advice: advice.to_owned(),
-            })
+        let refuse = |(k, message, advice): Mistake| Refusal {
+            place: Place::Index(3 * number + k),
+            message,
+            advice: advice.to_owned(),
         };
-        if let Some(k) = (0..3).find(|k| corners[*k] == corners[(*k + 1) % 3]) {
-            let message = format!("a face with vertex {} twice", corners[k]);
-            return refuse(k, message, "leave it out: it has no area");
-        }
-        let mut edges_of_face = [0; 3];
-        for k in 0..3 {
-            let [a, b, c] = [corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]];
-            match number_of.entry((a.min(b), a.max(b))) {
-                Entry::Vacant(place) => {
-                    place.insert(edges.len() as u32);
-                    edges_of_face[k] = edges.len() as u32;
-                    edges.push(Edge {
-                        ends: [a, b],
-                        is_boundary: true,
-                    });
-                    opposite.push(c);
-                }
-                Entry::Occupied(place) => {
-                    let edge = *place.get() as usize;
-                    if !edges[edge].is_boundary {
-                        let message =
-                            format!("a third face at the edge of the vertices {a} and {b}");
-                        return refuse(
-                            k,
-                            message,
-                            "an edge has two faces at most: give the others vertices of their own",
-                        );
-                    }
-                    if opposite[edge] == c {
-                        let message = format!("a second face of the vertices {a}, {b} and {c}");
-                        return refuse(k, message, "leave one of the two out");
-                    }
-                    edges[edge].is_boundary = false;
-                    edges_of_face[k] = edge as u32;
-                }
-            }
-        }
-        connected.push(Face {
-            corners: *corners,
-            edges: edges_of_face,
-        });
+        connected.push(edges.face(*corners).map_err(refuse)?);
     }
     let surface = Surface {
         vertices,
         faces: connected,
-        edges,
+        edges: edges.edges,
     };
     check_vertices(&surface)?;
     Ok(surface)
+}
+
+/// The corner of a face that is wrong, from 0 to 2, what was found, and what to do about it.
+type Mistake = (usize, String, &'static str);
+
+/// Edges by their ends.
+#[derive(Default)]
+struct EdgeTable {
+    edges: Vec<Edge>,
+    /// The corner opposite to each edge in its first face.
+    opposite: Vec<u32>,
+    number_of: HashMap<(u32, u32), u32>,
+}
+
+impl EdgeTable {
+    /// Adds a face, with the edges that no face before it has.
+    fn face(&mut self, corners: [u32; 3]) -> Result<Face, Mistake> {
+        if let Some(k) = (0..3).find(|k| corners[*k] == corners[(*k + 1) % 3]) {
+            let message = format!("a face with vertex {} twice", corners[k]);
+            return Err((k, message, "leave it out: it has no area"));
+        }
+        let mut edges = [0; 3];
+        for k in 0..3 {
+            let ends = [corners[k], corners[(k + 1) % 3]];
+            let number = self.number(ends, corners[(k + 2) % 3]);
+            edges[k] = number.map_err(|(message, advice)| (k, message, advice))?;
+        }
+        Ok(Face { corners, edges })
+    }
+
+    /// The number of the edge from `a` to `b` in a face whose third corner is `c`.
+    fn number(&mut self, [a, b]: [u32; 2], c: u32) -> Result<u32, (String, &'static str)> {
+        let next = self.edges.len() as u32;
+        let edge = match self.number_of.entry((a.min(b), a.max(b))) {
+            Entry::Vacant(place) => {
+                self.edges.push(Edge {
+                    ends: [a, b],
+                    is_boundary: true,
+                });
+                self.opposite.push(c);
+                return Ok(*place.insert(next));
+            }
+            Entry::Occupied(place) => *place.get(),
+        };
+        let first = &mut self.edges[edge as usize];
+        if !first.is_boundary {
+            let message = format!("a third face at the edge of the vertices {a} and {b}");
+            let advice = "an edge has two faces at most: give the others vertices of their own";
+            return Err((message, advice));
+        }
+        if self.opposite[edge as usize] == c {
+            let message = format!("a second face of the vertices {a}, {b} and {c}");
+            return Err((message, "leave one of the two out"));
+        }
+        first.is_boundary = false;
+        Ok(edge)
+    }
 }
 
 /// Checks that the faces around each vertex follow each other from edge to edge.

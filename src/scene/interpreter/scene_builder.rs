@@ -144,12 +144,7 @@ impl SceneBuilder {
             }
             Statement::ObjectInstance(name) => self.instance(name, keyword)?,
             Statement::Shape(entity) => self.shape(entity, keyword, inputs)?,
-            Statement::Unknown(name) => warnings.add(format!("directive {name}"), || {
-                let message =
-                    format!("`{name}` is not a directive of pbrt: skipped with its arguments");
-                let note = "if it places geometry, that is missing from the picture";
-                keyword.diagnostic(message).note(note)
-            }),
+            Statement::Unknown(name) => warnings.add_unknown_directive(name, keyword),
             Statement::Include(_) | Statement::Import(_) | Statement::Skipped => {}
         }
         Ok(())

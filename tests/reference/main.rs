@@ -2,18 +2,21 @@
 //!
 //! `FEIMOS_CASES=100000 cargo test --release --test reference` runs that many cases of each kind.
 
+#[path = "../common/mod.rs"]
 mod common;
+mod random;
 
 use common::{add_triangles, cases, judged, picture, rendered, whole};
 use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::camera::{Camera, Projection, ScreenWindow};
 use feimos::exact::times_power_of_two;
-use feimos::geometry::{Matrix, Point, Transform, Vector};
+use feimos::geometry::{Matrix, Point};
 use feimos::progress::Progress;
 use feimos::scene::{LoadOptions, load};
-use feimos::shape::{Cut, Disk, Form, Geometry};
+use feimos::shape::Geometry;
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseError;
+use random::{Ball, Corner, corner, grid_ball, matrix, point, projection};
 use std::path::Path;
 
 fn agrees_with_the_reference(camera: &Camera, geometry: &Geometry) -> Result<(), TestCaseError> {
@@ -52,118 +55,6 @@ fn grid_camera(world_from_camera: Matrix, projection: Projection, size: u32) -> 
         screen_window,
         resolution: [size, size],
     }
-}
-
-fn projection() -> impl Strategy<Value = Projection> {
-    prop::sample::select(vec![
-        Projection::Perspective { tangent: 1.0 },
-        Projection::Orthographic,
-    ])
-}
-
-type Corner = [i32; 3];
-
-fn corner(size: i32) -> impl Strategy<Value = Corner> {
-    prop::array::uniform3(-size..=size)
-}
-
-fn point(corner: Corner) -> Point {
-    Point::from(corner.map(f64::from))
-}
-
-/// A quadric: mostly a whole sphere, otherwise one cut by `zmin`, `zmax` and `phimax`, a cylinder
-/// or a disk.
-fn form(radius: f64) -> impl Strategy<Value = Form> {
-    let z = || prop::sample::select(vec![-1.0, -0.8, -0.6, 0.0, 0.1, 0.6, 1.0]);
-    let phi = || {
-        prop::sample::select(vec![
-            0.0, 1e-322, 30.0, 90.0, 180.0, 217.5, 270.0, 360.0, 360.0,
-        ])
-    };
-    let cut_sphere = (z(), z(), phi()).prop_map(move |(low, high, phi)| {
-        Form::Sphere(Cut::new(radius, low * radius, high * radius, phi))
-    });
-    // Integers, so that the ends are on the grid.
-    let end = || prop_oneof![-3i32..4, -1i32..2].prop_map(f64::from);
-    let cylinder = (end(), end(), phi())
-        .prop_map(|(low, high, phi)| Form::Cylinder(Cut::of_cylinder(low, high, phi)));
-    let hole = prop::sample::select(vec![0.0, 0.0, 1.0, 2.0, 0.7]);
-    let disk = (end(), hole, phi())
-        .prop_map(|(height, inner, phi)| Form::Disk(Disk::new(height, inner, phi)));
-    prop_oneof![2 => Just(Form::Sphere(None)), 1 => cut_sphere, 2 => cylinder, 2 => disk]
-}
-
-#[derive(Debug, Clone)]
-struct Ball {
-    world_from_object: Matrix,
-    radius: f64,
-    form: Form,
-}
-
-impl Ball {
-    fn add_to(&self, geometry: &mut Geometry, shape: u32) {
-        let transform = geometry.add_transform(self.world_from_object);
-        geometry
-            .add_quadric(self.radius, self.form, transform, shape)
-            .unwrap();
-    }
-}
-
-/// Rotations by quarter turns, so that axes lie along, across and against the view.
-fn quarter_turns() -> impl Strategy<Value = Matrix> {
-    let turns = [
-        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-        [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
-        [[0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [-1.0, 0.0, 0.0]],
-        [[1.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 1.0]],
-    ];
-    prop::sample::select(
-        turns
-            .map(|turn| Matrix {
-                rows: turn.map(|[x, y, z]| [x, y, z, 0.0]),
-            })
-            .to_vec(),
-    )
-}
-
-fn grid_ball() -> impl Strategy<Value = Ball> {
-    let stretch = prop::array::uniform3(prop::sample::select(vec![1.0, 1.0, 1.0, -1.0, 2.0, 0.0]));
-    (corner(4), quarter_turns(), stretch, 0i32..4).prop_flat_map(
-        |(centre, turn, stretch, radius)| {
-            let place = Matrix::translate(centre.map(f64::from))
-                .times(&turn)
-                .times(&Matrix::scale(stretch));
-            let radius = f64::from(radius);
-            form(radius).prop_map(move |form| Ball {
-                world_from_object: place,
-                radius,
-                form,
-            })
-        },
-    )
-}
-
-/// A matrix with entries of any kind: sheared, mirrored, nearly singular.
-fn matrix() -> impl Strategy<Value = Matrix> {
-    let turn = (-180.0f64..180.0, prop::array::uniform3(-1.0f64..1.0))
-        .prop_map(|(angle, axis)| Transform::rotate(angle, Vector::from(axis)).matrix);
-    let scale = prop::array::uniform3(prop::sample::select(vec![1.0, 1.0, -2.0, 0.3, 1e-6, 1e5]))
-        .prop_map(Matrix::scale);
-    let shear = prop::array::uniform12(-2.0f64..2.0).prop_map(|m| {
-        let row = |k: usize| [m[4 * k], m[4 * k + 1], m[4 * k + 2], m[4 * k + 3]];
-        Matrix {
-            rows: [row(0), row(1), row(2)],
-        }
-    });
-    let one = || {
-        prop_oneof![
-            Just(Matrix::IDENTITY),
-            turn.clone(),
-            scale.clone(),
-            shear.clone()
-        ]
-    };
-    (one(), one()).prop_map(|(a, b)| a.times(&b))
 }
 
 /// Only the small scenes; the dragon would take the reference hours.

@@ -1,6 +1,6 @@
-//! Small inputs that once went wrong: what the program has to do with each, as a table.
-//!
-//! `tests/cases/README.md` tells what is in the folders.
+//! Small inputs that the program once got wrong; `README.md` describes their folders.
+
+mod table;
 
 use assert_cmd::cargo::cargo_bin;
 use feimos::film::{ChannelName, Image, exr_reader};
@@ -8,125 +8,9 @@ use std::fs;
 use std::panic::catch_unwind;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use table::CASES;
+use table::Right::{self, Ends, Same, SameWarned};
 use tempfile::TempDir;
-
-/// What is right.
-enum Right {
-    /// `scene.pbrt` gives the hits and depths of `expected.pbrt`, without a warning.
-    Same,
-    /// So it does, with a warning that has this in it.
-    SameWarned(&'static str),
-    /// The command `feimos ARGUMENTS` ends with this code, after a message that has all of these in it.
-    Ends(&'static str, i32, &'static [&'static str]),
-}
-
-use Right::{Ends, Same, SameWarned};
-
-/// All folders of `tests/cases`, sorted.
-const CASES: &[(&str, Right)] = &[
-    (
-        "a-name-commands-the-terminal",
-        Ends("render s.pbrt --color always", 65, &["control character"]),
-    ),
-    ("attribute-end-before-object-end", SameWarned("pbrt-v4")),
-    ("begin-without-end", SameWarned("AttributeBegin")),
-    ("coordsys-nfc-nfd", Same),
-    (
-        "coplanar-disks",
-        Ends("render scene.pbrt -o found.exr", 0, &["489 hit"]),
-    ),
-    ("cropwindow-1.0001", SameWarned("cropwindow")),
-    ("cropwindow-and-pixelbounds", SameWarned("pixelbounds")),
-    ("cropwindow-out-of-range", SameWarned("cropwindow")),
-    (
-        "disk-v-negative-innerradius",
-        Ends("check scene.pbrt", 0, &[]),
-    ),
-    ("end-without-begin", SameWarned("AttributeEnd")),
-    (
-        "environment-camera",
-        Ends(
-            "check scene.pbrt",
-            65,
-            &[
-                "scene.pbrt:2:8",
-                "the closest are several perspective cameras",
-            ],
-        ),
-    ),
-    (
-        "few-bytes-much-memory",
-        Ends("check loop8.pbrt", 65, &["loop8.pbrt:", "--"]),
-    ),
-    ("gzip-padded-with-zeros", Same),
-    (
-        "import-coordinate-system",
-        Ends("render scene.pbrt -o found.exr", 0, &["288 hit", "`q`"]),
-    ),
-    (
-        "include-backslash",
-        Ends("check scene.pbrt", 66, &["scene.pbrt:5:9", "sub/a.pbrt"]),
-    ),
-    (
-        "include-in-other-case",
-        Ends("check scene.pbrt", 66, &["scene.pbrt:5:9", "a.pbrt"]),
-    ),
-    ("indices-excess", SameWarned("indices")),
-    ("instance-before-its-object", Same),
-    ("interface-disk", Same),
-    ("interface-ends-with-block", Same),
-    ("interface-material", Same),
-    ("lookat-commas", Same),
-    ("loopsubdiv-normal", Ends("check scene.pbrt", 0, &[])),
-    ("matrix-w", Same),
-    ("matrix-w-almost-1", Same),
-    ("matrix-w-negative", Same),
-    ("medium-parameters-after-include", Same),
-    (
-        "mesh-beside-the-included-file",
-        Ends("check scene.pbrt", 66, &["m.ply", "sub/m.ply"]),
-    ),
-    (
-        "mesh-in-other-case",
-        Ends("check scene.pbrt", 66, &["M.PLY", "m.ply"]),
-    ),
-    ("msvc-nan-in-light", Same),
-    ("named-interface", Same),
-    ("names-nfc-nfd", Same),
-    ("negative-radius-disk", Same),
-    ("none-material-v3", Same),
-    (
-        "obj-surfaces-in-silence",
-        Ends("check c.obj", 65, &["c.obj:11:", "1/1/1/7/7"]),
-    ),
-    (
-        "one-include-a-thousand-times",
-        Ends("check scene.pbrt", 65, &["scene.pbrt:", "--"]),
-    ),
-    ("parameters-after-include", Same),
-    ("phimax-underflow", Ends("check scene.pbrt", 0, &[])),
-    ("ply-float-indices", Same),
-    (
-        "polygons-that-cross",
-        Ends("check scene.pbrt", 65, &["many.ply.gz", "face"]),
-    ),
-    (
-        "poses-t-column",
-        Ends(
-            "render scene.pbrt --cameras p.json -o found.exr",
-            0,
-            &["200 hit"],
-        ),
-    ),
-    ("projective-matrix-of-a-light", Same),
-    (
-        "the-output-is-the-scene",
-        Ends("render f.png", 2, &["f.png"]),
-    ),
-    ("transform-begin-attribute-end", SameWarned("AttributeEnd")),
-    ("translate-split-over-files", Same),
-    ("zero-matrix-of-a-light", Same),
-];
 
 fn cases() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/cases")
@@ -307,7 +191,8 @@ fn normals_of_a_subdivision_surface_point_where_those_of_pbrt_do() {
             .all(|(found, expected)| (found - expected as f32).abs() < 1e-4)
     };
     assert!((0..x.len()).any(is_by_pbrt));
-    // The eye is at 4 5 3: against the right hand of the control faces, all that is seen points away from it.
+    // The eye is at 4 5 3. All visible normals point away from it, against the right hand of the
+    // control faces.
     let away = |pixel: usize| 4.0 * x[pixel] + 5.0 * y[pixel] + 3.0 * z[pixel] <= 0.0;
     assert!((0..x.len()).all(away));
 }
