@@ -68,6 +68,12 @@ impl<'a> Faces<'a> {
         self.triangles.push(corners);
     }
 
+    /// Adds the two triangles of a face of four corners, which are indices of vertices.
+    #[inline]
+    pub(super) fn push_quadrilateral(&mut self, [a, b, c, d]: [u32; 4]) {
+        self.triangles.extend([[a, b, c], [a, c, d]]);
+    }
+
     /// Adds the face found at `span`; its corners are indices of vertices.
     #[inline]
     pub(super) fn push(
@@ -95,7 +101,7 @@ impl<'a> Faces<'a> {
         }
         match *corners {
             [a, b, c] => self.triangles.push([a, b, c]),
-            [a, b, c, d] => self.triangles.extend([[a, b, c], [a, c, d]]),
+            [a, b, c, d] => self.push_quadrilateral([a, b, c, d]),
             [] | [_] | [_, _] => self.small.add(span()),
             _ => polygon::triangulate(
                 corners,

@@ -7,6 +7,7 @@ use std::path::Path;
 use super::header::Scalar;
 use super::values::{Fault, Run, Values, whole};
 use crate::error::{Diagnostic, SourceLocation};
+use crate::geometry::Point;
 use crate::mesh::tally::Tally;
 
 /// The order of bytes in a number.
@@ -70,6 +71,42 @@ impl<'a, Order: ByteOrder> Binary<'a, Order> {
         self.at += N;
         Ok(Order::ordered(*bytes))
     }
+}
+
+/// The bytes of the value at the byte `at` of `record`, least significant first.
+#[inline]
+pub(super) fn value<Order: ByteOrder, const N: usize>(record: &[u8], at: usize) -> Option<[u8; N]> {
+    record.get(at..at + N)?.try_into().ok().map(Order::ordered)
+}
+
+/// The `f32` at the byte `at` of `record`.
+#[inline]
+pub(super) fn single<Order: ByteOrder>(record: &[u8], at: usize) -> Option<f64> {
+    value::<Order, 4>(record, at).map(|bytes| f64::from(f32::from_le_bytes(bytes)))
+}
+
+/// The `f64` at the byte `at` of `record`.
+#[inline]
+pub(super) fn double<Order: ByteOrder>(record: &[u8], at: usize) -> Option<f64> {
+    value::<Order, 8>(record, at).map(f64::from_le_bytes)
+}
+
+/// The points whose coordinates `real` reads at `offsets` in records of `stride` bytes.
+fn points(
+    records: &[u8],
+    stride: usize,
+    [x, y, z]: [usize; 3],
+    real: impl Fn(&[u8], usize) -> Option<f64>,
+) -> Option<Vec<Point>> {
+    let mut points = Vec::with_capacity(records.len() / stride);
+    for record in records.chunks_exact(stride) {
+        points.push(Point::new(
+            real(record, x)?,
+            real(record, y)?,
+            real(record, z)?,
+        ));
+    }
+    Some(points)
 }
 
 impl<Order: ByteOrder> Values for Binary<'_, Order> {
@@ -149,5 +186,38 @@ impl<Order: ByteOrder> Values for Binary<'_, Order> {
 
     fn is_inside_line(&self) -> bool {
         false
+    }
+
+    fn points(
+        &mut self,
+        count: u64,
+        stride: usize,
+        offsets: [usize; 3],
+        kind: Scalar,
+    ) -> Option<Vec<Point>> {
+        let size = usize::try_from(count).ok()?.checked_mul(stride)?;
+        let records = self.bytes[self.at..].get(..size)?;
+        let points = match kind {
+            Scalar::F32 => points(records, stride, offsets, single::<Order>),
+            Scalar::F64 => points(records, stride, offsets, double::<Order>),
+            _ => None,
+        }?;
+        self.at += size;
+        Some(points)
+    }
+
+    #[inline]
+    fn corners<const N: usize>(&mut self, before: Run, after: Run, limit: u32) -> Option<[u32; N]> {
+        let start = self.at + before.bytes as usize;
+        let end = start + 1 + 4 * N + after.bytes as usize;
+        let (length, list) = self.bytes.get(start..end)?.split_first()?;
+        let corners = list.as_chunks().0.first_chunk::<N>()?;
+        let corners = corners.map(Order::ordered).map(u32::from_le_bytes);
+        let is_good = usize::from(*length) == N && corners.iter().all(|corner| *corner < limit);
+        if !is_good {
+            return None;
+        }
+        self.at = end;
+        Some(corners)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::element_reader::ElementReader;
 use super::header::{Element, Scalar};
-use super::plan::{Step, least_run};
+use super::plan::{Layout, Step, least_run};
 use super::values::{Run, Values};
 use crate::error::Result;
 use crate::memory;
@@ -25,11 +25,34 @@ pub(super) fn read<V: Values>(
     memory::check((triangles * size_of::<[u32; 3]>()) as u64, too_large)
         .map_err(|error| error.or_at(|| reader.in_header(element.span.clone())))?;
     faces.reserve(triangles);
+    let layout = Layout::of(&plan).filter(|layout| {
+        layout.count.size() == 1 && matches!(layout.item, Scalar::I32 | Scalar::U32)
+    });
     let mut corners = Vec::new();
     for number in 0..element.count {
-        face(reader, element, number, &plan, &mut corners, faces)?;
+        let is_read = layout.is_some_and(|Layout { lead, trail, .. }| {
+            small_face(&mut reader.values, lead, trail, faces)
+        });
+        if !is_read {
+            face(reader, element, number, &plan, &mut corners, faces)?;
+        }
     }
     Ok(())
+}
+
+/// Reads a face of three or four corners at once, if the next one is; otherwise reads nothing.
+#[inline]
+fn small_face<V: Values>(values: &mut V, before: Run, after: Run, faces: &mut Faces) -> bool {
+    // As an unsigned number, a negative index is too large.
+    let limit = faces.vertex_count().min(1 << 31) as u32;
+    if let Some(corners) = values.corners(before, after, limit) {
+        faces.push_triangle(corners);
+    } else if let Some(corners) = values.corners(before, after, limit) {
+        faces.push_quadrilateral(corners);
+    } else {
+        return false;
+    }
+    true
 }
 
 /// The number of faces, but no more triangles than the rest of the file can hold.

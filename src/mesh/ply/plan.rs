@@ -45,3 +45,39 @@ pub(super) fn least_run(element: &Element) -> Run {
             run.plus(Run::of(kind, 1))
         })
 }
+
+/// Faces whose only list is that of their corners.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Layout {
+    /// Values before the list.
+    pub(super) lead: Run,
+    /// The type of the list's length.
+    pub(super) count: Scalar,
+    /// The type of the corners.
+    pub(super) item: Scalar,
+    /// Values after the list.
+    pub(super) trail: Run,
+}
+
+impl Layout {
+    /// The layout of faces with this plan, if they have no other lists.
+    pub(super) fn of(plan: &[Step]) -> Option<Layout> {
+        let none = Run::default();
+        let (lead, list, trail) = match *plan {
+            [list] => (none, list, none),
+            [Step::Skip(lead), list] => (lead, list, none),
+            [list, Step::Skip(trail)] => (none, list, trail),
+            [Step::Skip(lead), list, Step::Skip(trail)] => (lead, list, trail),
+            _ => return None,
+        };
+        match list {
+            Step::Corners { count, item } => Some(Layout {
+                lead,
+                count,
+                item,
+                trail,
+            }),
+            _ => None,
+        }
+    }
+}

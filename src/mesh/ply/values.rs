@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use super::header::Scalar;
 use crate::error::{Diagnostic, SourceLocation};
+use crate::geometry::Point;
 use crate::mesh::tally::Tally;
 
 /// Why a value could not be read.
@@ -94,4 +95,28 @@ pub(super) trait Values: Clone {
 
     /// The warning about a tally of this file.
     fn warning(&self, tally: Tally, noun: &str) -> Option<Diagnostic>;
+
+    /// Reads `count` points at once, if that is faster: their coordinates have the type `kind`, and
+    /// are at the bytes `offsets` of records of `stride` bytes. Otherwise reads nothing.
+    fn points(
+        &mut self,
+        _count: u64,
+        _stride: usize,
+        _offsets: [usize; 3],
+        _kind: Scalar,
+    ) -> Option<Vec<Point>> {
+        None
+    }
+
+    /// Reads a list of `N` corners below `limit` at once, with the values before and after it, if
+    /// that is faster. The length has 8 bits, a corner 32. Otherwise reads nothing.
+    #[inline]
+    fn corners<const N: usize>(
+        &mut self,
+        _before: Run,
+        _after: Run,
+        _limit: u32,
+    ) -> Option<[u32; N]> {
+        None
+    }
 }

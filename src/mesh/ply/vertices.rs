@@ -1,7 +1,7 @@
 //! Reads the element `vertex`.
 
 use super::element_reader::ElementReader;
-use super::header::{Element, Property, Shape};
+use super::header::{Element, Property, Scalar, Shape};
 use super::plan::{Step, plan};
 use super::values::{Fault, Values};
 use crate::error::Result;
@@ -48,6 +48,12 @@ pub(super) fn read<V: Values>(
         Some(names) => Some(properties_called(reader, element, names)?),
         None => None,
     };
+    if uv.is_none()
+        && let Some((stride, offsets, kind)) = record(element, axes)
+        && let Some(points) = reader.values.points(count, stride, offsets, kind)
+    {
+        return Ok((points, Vec::new()));
+    }
     let index_of = |properties: &[usize], at: usize| properties.iter().position(|p| *p == at);
     let plan = plan(&element.properties, |at, shape| {
         let Shape::One(kind) = shape else { return None };
@@ -67,6 +73,23 @@ pub(super) fn read<V: Values>(
         }
     }
     Ok((points, surface))
+}
+
+/// The bytes of a vertex, the offsets of its coordinates and their type, if it has no lists, and
+/// they have one type.
+fn record(element: &Element, axes: [usize; 3]) -> Option<(usize, [usize; 3], Scalar)> {
+    let mut stride = 0;
+    let mut values = Vec::with_capacity(element.properties.len());
+    for property in &element.properties {
+        let Shape::One(kind) = property.shape else {
+            return None;
+        };
+        values.push((stride, kind));
+        stride += kind.size();
+    }
+    let [(x, kind), (y, kind_of_y), (z, kind_of_z)] = axes.map(|at| values[at]);
+    let is_same = kind == kind_of_y && kind == kind_of_z;
+    is_same.then_some((stride, [x, y, z], kind))
 }
 
 /// Reads a vertex, and its u and v.

@@ -96,7 +96,7 @@ fn warns_and_goes_on() {
     );
     assert_eq!(
         warnings(obj("# nothing\n")),
-        ["a.obj: the mesh is empty: it has no faces\n   = nothing of it can be hit"]
+        ["a.obj: the mesh is empty: it has no faces\n   = rays cannot hit it"]
     );
 }
 

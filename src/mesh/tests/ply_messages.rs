@@ -21,7 +21,7 @@ fn warns_and_goes_on() {
     let cloud = points("float", "1 2 3");
     assert_eq!(
         warnings(ply(cloud)),
-        ["a.ply: the mesh has no faces, only 1 vertex\n   = nothing of it can be hit"]
+        ["a.ply: the mesh has no faces, only 1 vertex\n   = rays cannot hit it"]
     );
     let free_text = TRIANGLE.replace("1.0\n", "1.0\nMade by hand\n");
     assert!(

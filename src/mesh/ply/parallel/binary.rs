@@ -7,7 +7,7 @@ use super::form::Form;
 use crate::geometry::Point;
 use crate::input::Storage;
 use crate::mesh::TriangleMesh;
-use crate::mesh::ply::binary::ByteOrder;
+use crate::mesh::ply::binary::{ByteOrder, double, single, value};
 use crate::mesh::ply::header::Scalar;
 
 /// The mesh whose first vertex is at the byte `start` of `storage`.
@@ -115,12 +115,7 @@ fn vertices<Order: ByteOrder>(records: &Records, form: &Form) -> Option<Vec<Poin
         offset += property.kind.size();
     }
     let [(x, kind), (y, _), (z, _)] = places;
-    let single = |record: &[u8], at| {
-        Some(f64::from(f32::from_le_bytes(value::<Order, 4>(
-            record, at,
-        )?)))
-    };
-    let double = |record: &[u8], at| Some(f64::from_le_bytes(value::<Order, 8>(record, at)?));
+    let (single, double) = (single::<Order>, double::<Order>);
     match kind {
         _ if places.iter().any(|(_, other)| *other != kind) => None,
         Scalar::F32 => {
@@ -181,11 +176,6 @@ fn triangles<Order: ByteOrder, const CORNERS: usize, const TRIANGLES: usize>(
         let is_good = count == CORNERS && corners.iter().all(|corner| (*corner as usize) < limit);
         is_good.then(|| std::array::from_fn(|k| [corners[0], corners[k + 1], corners[k + 2]]))
     })
-}
-
-#[inline]
-fn value<Order: ByteOrder, const N: usize>(record: &[u8], at: usize) -> Option<[u8; N]> {
-    record.get(at..at + N)?.try_into().ok().map(Order::ordered)
 }
 
 /// Whether only padding follows the byte `end`.

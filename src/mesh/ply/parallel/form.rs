@@ -1,8 +1,7 @@
 //! The usual form of a PLY file: its header decides whether the parallel readers can read it.
 
 use crate::mesh::ply::header::{Element, Header, Property, Scalar, Shape};
-use crate::mesh::ply::plan::{Step, plan};
-use crate::mesh::ply::values::Run;
+use crate::mesh::ply::plan::{Layout, Step, plan};
 
 /// Vertices and faces of a file in the usual form.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -24,42 +23,6 @@ pub(super) struct VertexProperty {
     pub(super) axis: Option<usize>,
     /// A coordinate is `F32` or `F64`.
     pub(super) kind: Scalar,
-}
-
-/// Faces whose only list is that of their corners.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Layout {
-    /// Values before the list.
-    pub(super) lead: Run,
-    /// The type of the list's length.
-    pub(super) count: Scalar,
-    /// The type of the corners.
-    pub(super) item: Scalar,
-    /// Values after the list.
-    pub(super) trail: Run,
-}
-
-impl Layout {
-    /// The layout of faces with this plan, if they have no other lists.
-    pub(super) fn of(plan: &[Step]) -> Option<Layout> {
-        let none = Run::default();
-        let (lead, list, trail) = match *plan {
-            [list] => (none, list, none),
-            [Step::Skip(lead), list] => (lead, list, none),
-            [list, Step::Skip(trail)] => (none, list, trail),
-            [Step::Skip(lead), list, Step::Skip(trail)] => (lead, list, trail),
-            _ => return None,
-        };
-        match list {
-            Step::Corners { count, item } => Some(Layout {
-                lead,
-                count,
-                item,
-                trail,
-            }),
-            _ => None,
-        }
-    }
 }
 
 impl Form {
