@@ -1,6 +1,6 @@
 //! Keeps `docs/design.md` true: the arrows between modules, no cycle between files, no dead link.
 //!
-//! An arrow leads from a file to the file that defines what it imports or names by a path. Tests are
+//! An arrow leads from a file to each file that defines what it imports or names. Tests are
 //! left out. A `pub use` stands for the file behind it.
 
 mod graph;
@@ -39,7 +39,7 @@ type Arrows = BTreeMap<String, BTreeSet<String>>;
 /// The row of the modules that all others may import.
 const ALL: &str = "*";
 
-/// The table of arrows in the design document: rows `from -> to, to` that may go on in the next line.
+/// The table of arrows in the design document. A row `from -> to, to` may go on in the next line.
 fn documented_arrows() -> Arrows {
     let text = fs::read_to_string("docs/design.md").unwrap();
     let (_, table) = text
