@@ -67,10 +67,20 @@ pub(crate) struct CompareOptions {
 
 /// One of feimos's instruction sets, if this machine has it.
 fn level(name: &str) -> Result<Level, String> {
-    let level = Level::available().find(|level| level.name() == name);
-    level.ok_or_else(|| {
-        let available: Vec<&str> = Level::available().map(Level::name).collect();
-        format!("expected one of {}", available.join(", "))
+    let known = Level::ALL
+        .iter()
+        .find(|level| level.name() == name && level.is_available());
+    let available = || {
+        Level::ALL
+            .iter()
+            .filter(|level| level.is_available())
+            .map(|level| level.name())
+    };
+    known.copied().ok_or_else(|| {
+        format!(
+            "expected one of {}",
+            available().collect::<Vec<_>>().join(", ")
+        )
     })
 }
 

@@ -1,7 +1,7 @@
 //! The geometry of a view as peers take it: `f32`, in world space.
 
 use crate::Result;
-use feimos::shape::Geometry;
+use feimos::shape::Geometry as SceneGeometry;
 use std::collections::HashMap;
 
 /// Either kind; primitives in the order of feimos's numbers.
@@ -19,14 +19,14 @@ pub(crate) enum Geometry {
 }
 
 impl Geometry {
-    /// The geometry of `geometry`, narrowed.
+    /// The geometry of `shapes`, narrowed.
     ///
     /// # Errors
     /// Where there are triangles and spheres: primitive numbers would need a table.
-    pub(crate) fn of(geometry: &Geometry) -> Result<Geometry> {
-        match (geometry.triangle_count(), geometry.quadric_count()) {
-            (_, 0) => Ok(triangles(geometry)),
-            (0, _) => Ok(spheres(geometry)),
+    pub(crate) fn of(shapes: &SceneGeometry) -> Result<Geometry> {
+        match (shapes.triangle_count(), shapes.quadric_count()) {
+            (_, 0) => Ok(triangles(shapes)),
+            (0, _) => Ok(spheres(shapes)),
             _ => Err("a view holds triangles or spheres, not both".into()),
         }
     }
@@ -49,9 +49,9 @@ impl Geometry {
 }
 
 /// Corners that have the same bits become one vertex.
-fn triangles(geometry: &Geometry) -> Geometry {
+fn triangles(shapes: &SceneGeometry) -> Geometry {
     let mut vertices = Vec::new();
-    let mut places = HashMap::with_capacity(geometry.triangle_count());
+    let mut places = HashMap::with_capacity(shapes.triangle_count());
     let mut place_of = |corner: feimos::geometry::Point| {
         *places
             .entry(corner.to_array().map(f64::to_bits))
@@ -60,8 +60,8 @@ fn triangles(geometry: &Geometry) -> Geometry {
                 (vertices.len() - 1) as u32
             })
     };
-    let triangles = (0..geometry.triangle_count())
-        .map(|index| geometry.triangle(index).0.map(&mut place_of))
+    let triangles = (0..shapes.triangle_count())
+        .map(|index| shapes.triangle(index).0.map(&mut place_of))
         .collect();
     Geometry::Triangles {
         vertices,
@@ -69,13 +69,13 @@ fn triangles(geometry: &Geometry) -> Geometry {
     }
 }
 
-fn spheres(geometry: &Geometry) -> Geometry {
+fn spheres(shapes: &SceneGeometry) -> Geometry {
     let sphere = |index| {
-        let sphere = geometry.quadric(index);
+        let sphere = shapes.quadric(index);
         let [x, y, z] = sphere.world_from_object.column(3);
         [x, y, z, sphere.radius].map(|number| number as f32)
     };
-    Geometry::Spheres((0..geometry.quadric_count()).map(sphere).collect())
+    Geometry::Spheres((0..shapes.quadric_count()).map(sphere).collect())
 }
 
 #[cfg(test)]
@@ -87,15 +87,15 @@ mod tests {
     fn corners_are_shared() {
         let corners =
             [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| Point::new(x, y, 0.0));
-        let mut geometry = Geometry::default();
+        let mut shapes = SceneGeometry::default();
         let moved = Matrix::translate([0.0, 0.0, 5.0]);
-        geometry
+        shapes
             .add_mesh(corners.to_vec(), vec![[0, 1, 2], [0, 2, 3]], &moved, 1)
             .unwrap();
         let Geometry::Triangles {
             vertices,
             triangles,
-        } = Geometry::of(&geometry).unwrap()
+        } = Geometry::of(&shapes).unwrap()
         else {
             panic!("spheres")
         };

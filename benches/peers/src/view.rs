@@ -4,23 +4,23 @@ use crate::Result;
 use crate::camera_rays::CameraRays;
 use crate::geometry::Geometry;
 use feimos::camera::Camera;
-use feimos::shape::Geometry;
+use feimos::shape::Geometry as SceneGeometry;
 
 /// A scene and a camera, as feimos and as its peers take them.
 #[derive(Debug)]
 pub(crate) struct View {
     pub(crate) camera: Camera,
-    pub(crate) geometry: Geometry,
+    pub(crate) shapes: SceneGeometry,
     pub(crate) rays: CameraRays,
     pub(crate) geometry: Geometry,
 }
 
 impl View {
-    pub(crate) fn new(camera: Camera, geometry: Geometry) -> Result<View> {
-        let (rays, geometry) = (CameraRays::new(&camera), Geometry::of(&geometry)?);
+    pub(crate) fn new(camera: Camera, shapes: SceneGeometry) -> Result<View> {
+        let (rays, geometry) = (CameraRays::new(&camera), Geometry::of(&shapes)?);
         Ok(View {
             camera,
-            geometry,
+            shapes,
             rays,
             geometry,
         })

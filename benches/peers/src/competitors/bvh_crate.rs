@@ -15,7 +15,7 @@ use std::time::{Duration, Instant};
 /// The crate over one kind of primitives.
 pub(super) struct BvhCrate<'a, S> {
     view: &'a View,
-    geometry: Vec<Shape<S>>,
+    shapes: Vec<Shape<S>>,
     tree: Option<Bvh<f32, 3>>,
 }
 
@@ -48,7 +48,7 @@ impl<S: Solid> BvhCrate<'_, S> {
         let solids = S::all_of(&view.geometry).into_iter().zip(0..);
         BvhCrate {
             view,
-            geometry: solids
+            shapes: solids
                 .map(|(solid, number)| Shape {
                     solid,
                     number,
@@ -62,10 +62,10 @@ impl<S: Solid> BvhCrate<'_, S> {
 
 /// The nearest of all primitives whose boxes the ray meets: the crate's traversals do not look at hits.
 #[inline]
-fn closest_hit<S: Solid>(tree: &Bvh<f32, 3>, geometry: &[Shape<S>], ray: &Ray32) -> Option<Hit> {
+fn closest_hit<S: Solid>(tree: &Bvh<f32, 3>, shapes: &[Shape<S>], ray: &Ray32) -> Option<Hit> {
     let (origin, direction) = (ray.origin.into(), ray.direction.into());
     let mut closest: Option<Hit> = None;
-    for shape in tree.traverse_iterator(&Ray::new(origin, direction), geometry) {
+    for shape in tree.traverse_iterator(&Ray::new(origin, direction), shapes) {
         let t_max = closest.map_or(f32::INFINITY, |(t, _)| t);
         let t = shape
             .solid
@@ -85,7 +85,7 @@ impl<S: Solid> Competitor for BvhCrate<'_, S> {
     }
 
     fn build(&mut self) {
-        self.tree = Some(Bvh::build_par(&mut self.geometry));
+        self.tree = Some(Bvh::build_par(&mut self.shapes));
     }
 
     fn modes(&self) -> &[&'static str] {
@@ -96,7 +96,7 @@ impl<S: Solid> Competitor for BvhCrate<'_, S> {
         let tree = self.tree.as_ref().expect("built before it is traced");
         let start = Instant::now();
         single_rays::trace(&self.view.rays, picture, |ray| {
-            closest_hit(tree, &self.geometry, ray)
+            closest_hit(tree, &self.shapes, ray)
         });
         start.elapsed()
     }

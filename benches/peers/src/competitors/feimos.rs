@@ -82,7 +82,7 @@ impl Competitor for Feimos<'_> {
     fn name(&self) -> String {
         match self.over {
             Over::All => format!("feimos {}", self.method),
-            Over::Seen => format!("feimos {} of what is seen", self.method),
+            Over::Seen => format!("feimos {} visible", self.method),
         }
     }
 
@@ -92,11 +92,11 @@ impl Competitor for Feimos<'_> {
 
     fn build(&mut self) {
         let options = BuildOptions::new(self.method);
-        let View { geometry, camera, .. } = self.view;
+        let View { shapes, camera, .. } = self.view;
         self.aggregate = Some(match self.over {
-            Over::All => Aggregate::build(geometry, camera.anchor(), options, Progress::SILENT),
+            Over::All => Aggregate::build(shapes, camera.anchor(), options, Progress::SILENT),
             Over::Seen => {
-                Aggregate::build_for_view(geometry, camera, &self.window(), options, Progress::SILENT)
+                Aggregate::build_for_view(shapes, camera, &self.window(), options, Progress::SILENT)
             }
         });
     }
@@ -120,7 +120,7 @@ impl Competitor for Feimos<'_> {
             level: self.level,
         };
         let aggregate = self.aggregate.as_ref().expect("built before it is traced");
-        let View { geometry, camera, .. } = self.view;
+        let View { shapes, camera, .. } = self.view;
         let mut images = self.images.borrow_mut();
         let place = images
             .iter()
@@ -134,7 +134,7 @@ impl Competitor for Feimos<'_> {
             });
         let image = &mut images[place].1;
         let start = Instant::now();
-        render_into(image, camera, geometry, aggregate, &options, Progress::SILENT);
+        render_into(image, camera, shapes, aggregate, &options, Progress::SILENT);
         let elapsed = start.elapsed();
         copy(image, picture);
         elapsed

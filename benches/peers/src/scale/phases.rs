@@ -75,10 +75,10 @@ pub(crate) fn print_phases(options: &PhaseOptions) -> Result<()> {
     let scene = measured(&mut costs, || {
         load(&options.mesh, &load_options, Progress::SILENT)
     })??;
-    let (geometry, camera) = (&scene.geometry, &scene.camera);
+    let (shapes, camera) = (&scene.geometry, &scene.camera);
     let build = || {
         Aggregate::build(
-            geometry,
+            shapes,
             camera.anchor(),
             BuildOptions::new(method),
             Progress::SILENT,
@@ -102,7 +102,7 @@ pub(crate) fn print_phases(options: &PhaseOptions) -> Result<()> {
     let rendering = measured(&mut costs, || {
         render(
             camera,
-            geometry,
+            shapes,
             &aggregate,
             &render_options,
             Progress::SILENT,
@@ -117,7 +117,7 @@ pub(crate) fn print_phases(options: &PhaseOptions) -> Result<()> {
     };
     measured(&mut costs, write)??;
     let phases = Phases {
-        triangles: geometry.triangle_count() as u64,
+        triangles: shapes.triangle_count() as u64,
         pixels: u64::from(SIDE * SIDE),
         costs,
     };

@@ -5,7 +5,7 @@ use crate::Result;
 use crate::grid::{Grid, bumpy_sphere};
 use crate::view::View;
 use feimos::geometry::{Matrix, Point};
-use feimos::shape::Geometry;
+use feimos::shape::Geometry as SceneGeometry;
 
 /// Half of the hall's length and width.
 const HALF: f64 = 10.0;
@@ -56,12 +56,12 @@ pub(super) fn view() -> Result<View> {
         )?;
     }
     let (eye, look) = (Point::new(0.2, 1.7, -0.4), Point::new(3.0, 1.4, 8.0));
-    View::new(camera(eye, look, 75.0, [1280, 720]), hall.geometry)
+    View::new(camera(eye, look, 75.0, [1280, 720]), hall.shapes)
 }
 
 #[derive(Default)]
 struct Hall {
-    geometry: Geometry,
+    shapes: SceneGeometry,
     meshes: u32,
 }
 
@@ -75,7 +75,7 @@ impl Hall {
         self.meshes += 1;
         let (vertices, triangles) = (grid.vertices(place).collect(), grid.triangles().collect());
         let added = self
-            .geometry
+            .shapes
             .add_mesh(vertices, triangles, world_from_object, self.meshes);
         added.map_err(|error| error.to_string())?;
         Ok(())

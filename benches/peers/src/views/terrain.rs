@@ -5,26 +5,26 @@ use crate::Result;
 use crate::grid::Grid;
 use crate::view::View;
 use feimos::geometry::{Matrix, Point};
-use feimos::shape::Geometry;
+use feimos::shape::Geometry as SceneGeometry;
 
 const LENGTH: f64 = 2000.0;
 const WIDTH: f64 = 40.0;
 
 /// A million triangles; a ray that misses the first hill runs close to all the others.
 pub(super) fn view() -> Result<View> {
-    let mut geometry = Geometry::default();
+    let mut shapes = SceneGeometry::default();
     let grid = Grid {
         columns: 100,
         rows: 5000,
     };
     let (vertices, triangles) = (grid.vertices(place).collect(), grid.triangles().collect());
-    geometry
+    shapes
         .add_mesh(vertices, triangles, &Matrix::IDENTITY, 1)
         .map_err(|error| error.to_string())?;
     let eye = Point::new(0.0, 2.4, -10.0);
     View::new(
         camera(eye, Point::new(0.0, 2.0, 100.0), 30.0, [1920, 1080]),
-        geometry,
+        shapes,
     )
 }
 

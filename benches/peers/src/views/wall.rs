@@ -5,14 +5,14 @@ use crate::Result;
 use crate::grid::{Grid, bumpy_sphere};
 use crate::view::View;
 use feimos::geometry::{Matrix, Point};
-use feimos::shape::Geometry;
+use feimos::shape::Geometry as SceneGeometry;
 
 /// A ball of a million triangles behind a triangle whose edge crosses the picture: a strip on the right is free.
 pub(super) fn view() -> Result<View> {
-    let mut geometry = Geometry::default();
+    let mut shapes = SceneGeometry::default();
     let grid = Grid::of_triangles(1_000_000);
     let mut add = |vertices, triangles, shape| {
-        geometry
+        shapes
             .add_mesh(vertices, triangles, &Matrix::IDENTITY, shape)
             .map_err(|error| error.to_string())
     };
@@ -27,6 +27,6 @@ pub(super) fn view() -> Result<View> {
     let eye = Point::new(0.0, 0.0, -4.0);
     View::new(
         camera(eye, Point::new(0.0, 0.0, 0.0), 35.0, [1024, 1024]),
-        geometry,
+        shapes,
     )
 }
