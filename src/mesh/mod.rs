@@ -8,6 +8,7 @@
 
 pub mod bilinear_patch;
 mod faces;
+mod flat_polygon;
 pub mod loop_subdivision;
 mod obj;
 mod ply;

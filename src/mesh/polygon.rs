@@ -33,8 +33,9 @@
 //! It is also refused if the faces before it in the files of a scene have looked at more than 2 n^2
 //! pairs, for the largest of them, and 1,000 for each byte of the files. So no file takes forever.
 
+use super::flat_polygon::{Flat, flatten, is_convex, turn};
 use crate::error::{Diagnostic, Error, Result};
-use crate::geometry::{Point, Vector};
+use crate::geometry::Point;
 use crate::input::{Budget, pairs_of};
 
 const MOST_CORNERS: usize = 10_000;
@@ -81,72 +82,6 @@ fn fan(corners: &[u32], triangles: &mut Vec<[u32; 3]>) {
     if let [first, rest @ ..] = corners {
         triangles.extend(rest.windows(2).map(|edge| [*first, edge[0], edge[1]]));
     }
-}
-
-/// A corner in the plane of step 2.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Flat {
-    u: f64,
-    v: f64,
-}
-
-/// Step 2: fills `flat`; `false` if the face is not finite.
-fn flatten(corners: &[u32], vertices: &[Point], flat: &mut Vec<Flat>) -> bool {
-    let corner = |at: usize| vertices[corners[at % corners.len()] as usize];
-    let normal = newell(corners.len(), |at| corner(at) - corner(0));
-    if !normal.is_finite() {
-        return false;
-    }
-    let axis = normal.largest_axis();
-    let (mut u, mut v) = ((axis + 1) % 3, (axis + 2) % 3);
-    if normal[axis] < 0.0 {
-        std::mem::swap(&mut u, &mut v);
-    }
-    flat.clear();
-    flat.extend((0..corners.len()).map(|at| Flat {
-        u: corner(at)[u],
-        v: corner(at)[v],
-    }));
-    (0..corners.len()).all(|at| corner(at).is_finite())
-}
-
-fn newell(count: usize, corner: impl Fn(usize) -> Vector) -> Vector {
-    let (mut x, mut y, mut z) = (0.0, 0.0, 0.0);
-    for at in 0..count {
-        let (a, b) = (corner(at), corner(at + 1));
-        x += (a.y - b.y) * (a.z + b.z);
-        y += (a.z - b.z) * (a.x + b.x);
-        z += (a.x - b.x) * (a.y + b.y);
-    }
-    Vector::new(x, y, z)
-}
-
-/// Step 3: positive if the way from `a` over `b` to `c` bends to the left.
-fn turn(a: Flat, b: Flat, c: Flat) -> f64 {
-    (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u)
-}
-
-/// Step 4.
-fn is_convex(flat: &[Flat]) -> bool {
-    let around = |at: usize| flat[at % flat.len()];
-    (0..flat.len()).all(|at| turn(around(at), around(at + 1), around(at + 2)) >= 0.0)
-        && goes_around_once(flat)
-}
-
-fn goes_around_once(flat: &[Flat]) -> bool {
-    let edges = flat.iter().zip(flat.iter().cycle().skip(1));
-    let upwards = edges
-        .filter(|(a, b)| a != b)
-        .map(|(a, b)| b.v > a.v || (b.v == a.v && b.u > a.u));
-    let mut first = None;
-    let mut last = None;
-    let mut changes = 0;
-    for up in upwards {
-        changes += usize::from(last.is_some_and(|last| last != up));
-        first.get_or_insert(up);
-        last = Some(up);
-    }
-    changes + usize::from(first != last) == 2
 }
 
 /// The working memory of steps 2 to 7, reused for each face.

@@ -118,10 +118,9 @@ fn t_may_be_a_column() {
 }
 
 #[test]
-fn what_is_wrong_with_a_list_is_told_with_its_place() {
+fn mistakes_in_a_list_are_reported_with_their_place() {
     let place = r#""lookat": [0,0,-5, 0,0,0, 0,1,0]"#;
-    let eye = "[[1,0,0],[0,1,0],[0,0,1]]";
-    let cases = [
+    assert_refused(&[
         (
             "[{\n  \"nam\": 1}]".to_owned(),
             "poses.json:2:7: camera 1, `nam`: unknown field `nam`",
@@ -153,6 +152,13 @@ fn what_is_wrong_with_a_list_is_told_with_its_place() {
             r#"[{"K": [[1, 0], [0, 1]]}]"#.to_owned(),
             "camera 1, `K`: invalid length 2",
         ),
+    ]);
+}
+
+#[test]
+fn mistakes_in_later_cameras_are_reported() {
+    let place = r#""lookat": [0,0,-5, 0,0,0, 0,1,0]"#;
+    assert_refused(&[
         (
             r#"[{"resolution": [640.5, 480]}]"#.to_owned(),
             "camera 1, `resolution`: invalid type: floating point",
@@ -190,6 +196,13 @@ fn what_is_wrong_with_a_list_is_told_with_its_place() {
             r#"[{"transform": [0,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]}]"#.to_owned(),
             "a matrix without a finite inverse",
         ),
+    ]);
+}
+
+#[test]
+fn contradictions_of_a_camera_are_reported() {
+    let eye = "[[1,0,0],[0,1,0],[0,0,1]]";
+    assert_refused(&[
         (
             r#"[{"transform": [1,0,0,1, 0,1,0,0, 0,0,1,0, 0,0,0,1]}]"#.to_owned(),
             "a transform that is not affine",
@@ -220,9 +233,13 @@ fn what_is_wrong_with_a_list_is_told_with_its_place() {
             format!(r#"[{{"K": {eye}, "R": {eye}, "t": [0,0,0], "resolution": [0, 3]}}]"#),
             "a `resolution` without pixels",
         ),
-    ];
+    ]);
+}
+
+/// Asserts that each list is refused with a message that holds the text beside it.
+fn assert_refused(cases: &[(String, &str)]) {
     for (text, expected) in cases {
-        let message = refused(&text);
+        let message = refused(text);
         assert!(
             message.starts_with("poses.json") && message.contains(expected),
             "{text}: {message}"

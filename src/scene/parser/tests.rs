@@ -1,5 +1,6 @@
 //! The grammar as a whole: what it takes, what it says, what it survives.
 
+mod brief_messages;
 mod forms;
 mod lexical;
 mod messages;

@@ -1,11 +1,11 @@
 //! Files as they are written, by the reader of the crate.
 
 mod header;
+mod random;
 
 use super::*;
 use crate::film::{ChannelName, exr_zip};
 use exr::prelude::{FlatImage, FlatSamples, ReadChannels, ReadLayers};
-use proptest::prelude::*;
 use std::io::Cursor;
 
 const STRANGE: [f32; 8] = [
@@ -274,29 +274,4 @@ fn content_that_the_format_cannot_hold_is_an_error() {
     };
     let far = picture((u32::MAX, 1), far, &[ChannelName::Z]);
     assert!(write(&far, &metadata("{}"), &mut Cursor::new(Vec::new())).is_err());
-}
-
-proptest! {
-    #[test]
-    fn any_bits_survive(
-        width in 1u32..40,
-        rows in prop::collection::vec(any::<u32>(), 1..6),
-        flat: bool,
-    ) {
-        // Flat rows are compressed, noisy ones are stored.
-        let noise = |x: u32, seed: u32| {
-            let product = (x + 1).wrapping_mul(seed | 1);
-            product.wrapping_mul(2_654_435_761).rotate_left(13)
-        };
-        let value = |x: u32, seed: u32| if flat { seed } else { noise(x, seed) };
-        let row = |seed: &u32| (0..width).map(|x| value(x, *seed)).collect::<Vec<u32>>();
-        let values: Vec<u32> = rows.iter().flat_map(row).collect();
-        let floats = values.iter().map(|bits| f32::from_bits(*bits)).collect();
-        let data_window = PixelBounds { x0: 3, x1: 3 + width, y0: 1, y1: 1 + rows.len() as u32 };
-        let channels = vec![
-            Channel { name: ChannelName::T, samples: Samples::F32(floats) },
-            Channel { name: ChannelName::Id, samples: Samples::U32(values) },
-        ];
-        assert_survives(&Image { display_window: (50, 10), data_window, channels });
-    }
 }
