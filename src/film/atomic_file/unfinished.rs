@@ -167,29 +167,17 @@ fn finish_copy(file: &mut File, target: &Path, overwrite: Overwrite) -> io::Resu
 
 #[cfg(test)]
 mod tests {
+    use super::super::tests::names_in;
     use super::*;
     use std::io::Write;
 
-    fn names_in(directory: &Path) -> Vec<String> {
-        let entries = fs::read_dir(directory).unwrap();
-        let mut names: Vec<String> = entries
-            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-            .collect();
-        names.sort();
-        names
-    }
-
     type Finish = fn(&mut File, &Path, Overwrite) -> io::Result<()>;
-
-    fn finish_named(file: &mut File, target: &Path, overwrite: Overwrite) -> io::Result<()> {
-        finish_copy(file, target, overwrite)
-    }
 
     /// All ways to a final name replace what they may, keep what they must, and leave no other
     /// name.
     #[test]
     fn all_ways_to_a_final_name_agree() {
-        let ways: [Finish; 2] = [finish_unnamed, finish_named];
+        let ways: [Finish; 2] = [finish_unnamed, finish_copy];
         for finish in ways {
             let directory = tempfile::tempdir().unwrap();
             let target = directory.path().join("a.exr");

@@ -28,11 +28,7 @@ pub(super) struct ElementReader<'a, V> {
 impl<V: Values> ElementReader<'_, V> {
     /// Reads the length of a list, which the rest of the file must be able to hold.
     #[inline]
-    pub(super) fn length(
-        &mut self,
-        count: Scalar,
-        item: Scalar,
-    ) -> std::result::Result<u64, Fault> {
+    fn length(&mut self, count: Scalar, item: Scalar) -> std::result::Result<u64, Fault> {
         let length =
             u64::try_from(self.values.integer(count)?).map_err(|_| Fault::NegativeLength)?;
         let is_possible = V::least_bytes(Run::of(item, length)) <= self.values.bytes_left();
@@ -41,6 +37,24 @@ impl<V: Values> ElementReader<'_, V> {
         } else {
             Err(Fault::ListTooLong)
         }
+    }
+
+    /// Reads the length of the list of corners and returns it with the type of the corners. Skips
+    /// the values of any other step.
+    #[inline]
+    pub(super) fn corner_list_length(
+        &mut self,
+        step: Step,
+        element: &Element,
+        number: u64,
+    ) -> Result<Option<(u64, Scalar)>> {
+        let read = match step {
+            Step::Corners { count, item } => {
+                self.length(count, item).map(|length| Some((length, item)))
+            }
+            other => self.leave_out(other).map(|()| None),
+        };
+        read.map_err(|fault| self.error(fault, element, number))
     }
 
     /// Skips the values of a step.

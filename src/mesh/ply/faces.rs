@@ -74,14 +74,9 @@ fn face<V: Values>(
     faces: &mut Faces,
 ) -> Result<()> {
     for step in plan {
-        let Step::Corners { count, item } = *step else {
-            reader
-                .leave_out(*step)
-                .map_err(|fault| reader.error(fault, element, number))?;
+        let Some((length, item)) = reader.corner_list_length(*step, element, number)? else {
             continue;
         };
-        let length = reader.length(count, item);
-        let length = length.map_err(|fault| reader.error(fault, element, number))?;
         let start = reader.values.last();
         corners.clear();
         for _ in 0..length {

@@ -8,7 +8,6 @@
 
 use super::element_reader::{END_OF_STRIP, ElementReader};
 use super::header::{Element, Scalar};
-use super::plan::Step;
 use super::values::Values;
 use crate::error::Result;
 use crate::mesh::faces::Faces;
@@ -24,15 +23,9 @@ pub(super) fn read<V: Values>(
     let mut small = Tally::default();
     for number in 0..element.count {
         for step in &plan {
-            let Step::Corners { count, item } = *step else {
-                reader
-                    .leave_out(*step)
-                    .map_err(|fault| reader.error(fault, element, number))?;
-                continue;
-            };
-            let length = reader.length(count, item);
-            let length = length.map_err(|fault| reader.error(fault, element, number))?;
-            strip_list(reader, element, number, (length, item), faces, &mut small)?;
+            if let Some(list) = reader.corner_list_length(*step, element, number)? {
+                strip_list(reader, element, number, list, faces, &mut small)?;
+            }
         }
     }
     let warning = reader
