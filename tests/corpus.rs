@@ -57,7 +57,7 @@ fn hits(scene: &Scene, path: &Path) -> u64 {
             build,
             threads: 2,
             level: Level::detect(),
-            tree: Tree::OfView,
+            tree: Tree::Bins,
         };
         picture_by(
             &scene.camera,

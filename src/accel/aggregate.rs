@@ -1,12 +1,10 @@
 //! The finished aggregate: trees over the primitives and instances of a scene.
 
-use super::builder::{self, BuildOptions, Collected, Visibility, collect, space_around};
+use super::builder::{self, BuildOptions, Collected, collect, space_around};
 use super::instance::{InstanceTrees, Outlines};
 use super::space::AnchorSpace;
 use super::tree::{BLOCK_SIZE, BinaryTree, PrimitiveBlock, WideTree, collapse, primitive_blocks};
-use crate::camera::Camera;
 use crate::error::Result;
-use crate::film::PixelBounds;
 use crate::geometry::Point;
 use crate::memory;
 use crate::progress::Progress;
@@ -40,80 +38,40 @@ impl Aggregate {
     ) -> Aggregate {
         let outlines = Outlines::of(geometry);
         let space = space_around(geometry, &outlines.bounds_of_all(geometry), anchor);
-        let collected = collect(geometry, &space, None);
-        let instances = InstanceTrees::build(geometry, outlines, &space, None, options, progress);
-        Aggregate::over(collected, instances, space, geometry, options, progress)
-    }
-
-    /// Builds trees for one image, over the primitives that a ray of `camera` through a pixel of
-    /// `window` may meet. No other rays may be cast.
-    ///
-    /// `progress` counts [`Aggregate::item_count`] items; those left out count at once.
-    pub fn build_for_view(
-        geometry: &Geometry,
-        camera: &Camera,
-        window: &PixelBounds,
-        options: BuildOptions,
-        progress: Progress,
-    ) -> Aggregate {
-        let outlines = Outlines::of(geometry);
-        let space = space_around(geometry, &outlines.bounds_of_all(geometry), camera.anchor());
-        let visibility = Visibility::new(camera, window, geometry, &space);
-        let visible = visibility.as_ref();
-        let collected = collect(geometry, &space, visible);
-        let instances =
-            InstanceTrees::build(geometry, outlines, &space, visible, options, progress);
-        drop(visibility);
-        progress.advance(geometry.own_count() - collected.primitives.len());
-        Aggregate::over(collected, instances, space, geometry, options, progress)
-    }
-
-    /// Checks that there is memory for a build over all of `geometry`. A build `for_view` may leave
-    /// out all primitives, so it needs less.
-    ///
-    /// # Errors
-    /// If less memory is free than the smallest such build takes.
-    pub fn check_memory(geometry: &Geometry, for_view: bool) -> Result<()> {
-        // A primitive has a lane of a block and an entry in the order of leaves. A view first
-        // projects the vertices.
-        let each = size_of::<PrimitiveBlock>() / BLOCK_SIZE + size_of::<PrimitiveId>();
-        let bytes = match for_view {
-            false => geometry.own_count() as u64 * each as u64,
-            true => size_of_val(geometry.vertices()) as u64 / 2,
-        };
-        let message = || {
-            let count = geometry.own_count();
-            format!("a tree over {count} primitives is too large for this machine's memory")
-        };
-        memory::check(bytes, message)
-    }
-
-    fn over(
-        collected: Collected,
-        instances: InstanceTrees,
-        space: AnchorSpace,
-        geometry: &Geometry,
-        options: BuildOptions,
-        progress: Progress,
-    ) -> Aggregate {
         let Collected {
             primitives,
             never_hit,
-        } = collected;
+        } = collect(geometry, &space);
+        let instances =
+            InstanceTrees::build(geometry, outlines, &space, &|_| true, options, progress);
         let tree = builder::build(primitives, options, progress, PrimitiveId::from_bits);
         let WideTree {
             nodes,
             blocks: runs,
         } = collapse(&tree);
         let blocks = primitive_blocks(&runs, &tree.order, geometry);
-        let wide = WideTree { nodes, blocks };
         Aggregate {
             space,
             tree,
-            wide,
+            wide: WideTree { nodes, blocks },
             instances,
             never_hit,
         }
+    }
+
+    /// Checks that there is memory for a build.
+    ///
+    /// # Errors
+    /// If less memory is free than the smallest such build takes.
+    pub fn check_memory(geometry: &Geometry) -> Result<()> {
+        // A primitive has a lane of a block and an entry in the order of leaves.
+        let each = size_of::<PrimitiveBlock>() / BLOCK_SIZE + size_of::<PrimitiveId>();
+        let bytes = geometry.own_count() as u64 * each as u64;
+        let message = || {
+            let count = geometry.own_count();
+            format!("a tree over {count} primitives is too large for this machine's memory")
+        };
+        memory::check(bytes, message)
     }
 
     /// The number of items that a build processes: primitives, with those of each object once, and

@@ -3,7 +3,9 @@
 //! Every split method fills the same nodes, and the same traversals visit them, so that methods can
 //! be compared.
 
+mod accelerator;
 mod aggregate;
+mod bins;
 mod builder;
 mod depth;
 mod hit;
@@ -14,10 +16,13 @@ mod raster;
 mod ray;
 mod space;
 mod split_method;
+mod structure;
 mod tree;
 mod view;
 
+pub use accelerator::Accelerator;
 pub use aggregate::Aggregate;
+pub use bins::Bins;
 pub use builder::BuildOptions;
 pub use depth::Depth;
 pub use hit::{ExactFallbacks, Hit, TraversalCounts};
@@ -26,4 +31,5 @@ pub use quality::Statistics;
 pub use raster::{TileOptions, TileTracer, Tiles, TracedTile};
 pub use ray::Tracer;
 pub use split_method::SplitMethod;
+pub use structure::Structure;
 pub(crate) use view::TILE;

@@ -7,7 +7,7 @@ mod single_rays;
 mod surface_tile;
 mod traced;
 
-use crate::accel::{Aggregate, Precision, TILE, TileTracer, Tiles};
+use crate::accel::{Precision, Structure, TILE, TileTracer, Tiles};
 use crate::camera::Camera;
 use crate::error::Result;
 use crate::film::{ChannelName, Image, PixelBounds, Samples};
@@ -39,43 +39,49 @@ pub struct Rendering {
 ///
 /// # Errors
 /// If the image does not fit into memory.
-pub fn render(
-    camera: &Camera,
-    geometry: &Geometry,
-    aggregate: &Aggregate,
+pub fn render<'a>(
+    camera: &'a Camera,
+    geometry: &'a Geometry,
+    structure: impl Into<Structure<'a>>,
     options: &RenderOptions,
     progress: Progress,
 ) -> Result<Rendering> {
+    let structure = structure.into();
     let mut image = blank_image(camera, options)?;
-    let traced = render_into(&mut image, camera, geometry, aggregate, options, progress);
+    let traced = render_into(&mut image, camera, geometry, structure, options, progress);
     Ok(Rendering { image, traced })
 }
 
 /// Like [`render`], into an image that [`blank_image()`] made for these options. It may already
 /// have been rendered into.
-pub fn render_into(
+///
+/// Costs and counts are those of rays in a tree: bins leave them at 0.
+pub fn render_into<'a>(
     image: &mut Image,
-    camera: &Camera,
-    geometry: &Geometry,
-    aggregate: &Aggregate,
+    camera: &'a Camera,
+    geometry: &'a Geometry,
+    structure: impl Into<Structure<'a>>,
     options: &RenderOptions,
     progress: Progress,
 ) -> Traced {
+    let structure = structure.into();
     let (costs, channels): (Vec<_>, Vec<_>) = image
         .channels
         .iter_mut()
         .partition(|channel| channel.name == ChannelName::Cost);
-    let single_rays = |precision, progress| SingleRays {
-        camera,
-        geometry,
-        aggregate,
-        window: options.data_window,
-        precision,
-        progress,
+    let single_rays = |precision, progress| {
+        structure.tree().map(|aggregate| SingleRays {
+            camera,
+            geometry,
+            aggregate,
+            window: options.data_window,
+            precision,
+            progress,
+        })
     };
     // Single rays count hits as well: if only costs are requested, no tile is rasterized.
     let by_tiles = (!channels.is_empty() || costs.is_empty()).then(|| {
-        let tiles = Tiles::new(camera, geometry, aggregate, options.of_tiles());
+        let tiles = Tiles::new(camera, geometry, structure, options.of_tiles());
         let renderer = Renderer {
             camera,
             geometry,
@@ -92,16 +98,13 @@ pub fn render_into(
             Some(_) => Progress::SILENT,
             None => progress,
         };
-        Some(single_rays(Precision::Exact, progress).fill(costs))
+        Some(single_rays(Precision::Exact, progress)?.fill(costs))
     });
     let counts = match &by_cost {
         _ if !options.counted => None,
         Some(traced) if options.precision == Precision::Exact => traced.counts,
-        _ => {
-            single_rays(options.precision, Progress::SILENT)
-                .count()
-                .counts
-        }
+        _ => single_rays(options.precision, Progress::SILENT)
+            .and_then(|single_rays| single_rays.count().counts),
     };
     Traced {
         counts,

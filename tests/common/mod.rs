@@ -2,7 +2,7 @@
 // Each test file is a crate of its own and uses some of this.
 #![allow(dead_code)]
 
-use feimos::accel::{Aggregate, BuildOptions, Precision, SplitMethod};
+use feimos::accel::{Aggregate, Bins, BuildOptions, Precision, SplitMethod, Structure};
 use feimos::camera::Camera;
 use feimos::film::{Channel, ChannelName, Image, PixelBounds, Samples};
 use feimos::geometry::{Matrix, Point};
@@ -40,11 +40,11 @@ pub(crate) struct Way {
     pub(crate) tree: Tree,
 }
 
-/// The contents of a tree, and its anchor.
+/// The structure: a tree with its contents and its anchor, or bins.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Tree {
-    /// The visible primitives; anchored at the eye.
-    OfView,
+    /// None: bins of what the view may see. Views that have no bins get a tree of all primitives.
+    Bins,
     /// All primitives; anchored at the eye.
     OfAll,
     /// All primitives; anchored at the middle of the scene, for many views. Hits in `f32` differ
@@ -96,13 +96,17 @@ pub(crate) fn picture_by(
                 .unwrap_or_else(|wrong| panic!("{way:?}: {wrong}"));
             aggregate
         };
-        let aggregate = match way.tree {
-            Tree::OfView => {
-                Aggregate::build_for_view(geometry, camera, &window, way.build, Progress::SILENT)
-            }
-            Tree::OfAll => of_all(camera.anchor()),
-            Tree::Shared => of_all(middle(geometry)),
+        let bins = match way.tree {
+            Tree::Bins => bins_of(camera, geometry, &way, &window),
+            Tree::OfAll | Tree::Shared => None,
         };
+        let aggregate = match way.tree {
+            _ if bins.is_some() => None,
+            Tree::Shared => Some(of_all(middle(geometry))),
+            Tree::Bins | Tree::OfAll => Some(of_all(camera.anchor())),
+        };
+        let of_bins = bins.as_ref().map(Structure::Bins);
+        let structure = of_bins.or(aggregate.as_ref().map(Structure::Tree)).unwrap();
         let channels = ChannelName::ALL
             .into_iter()
             .filter(|name| *name != ChannelName::Cost)
@@ -116,13 +120,13 @@ pub(crate) fn picture_by(
             precision,
             level,
         };
-        let rendering = render(camera, geometry, &aggregate, &options, Progress::SILENT).unwrap();
+        let rendering = render(camera, geometry, structure, &options, Progress::SILENT).unwrap();
         // Other code runs if only hit or miss is requested.
         let options = RenderOptions {
             channels: vec![ChannelName::A],
             ..options
         };
-        let hits = render(camera, geometry, &aggregate, &options, Progress::SILENT).unwrap();
+        let hits = render(camera, geometry, structure, &options, Progress::SILENT).unwrap();
         let hit = |image: &Image| bits_of(image, ChannelName::A);
         assert_eq!(
             hit(&rendering.image),
@@ -131,6 +135,16 @@ pub(crate) fn picture_by(
         );
         rendering
     })
+}
+
+/// The bins of a view, if it has any. Asserts that they count what can never be hit.
+fn bins_of(camera: &Camera, geometry: &Geometry, way: &Way, window: &PixelBounds) -> Option<Bins> {
+    let silent = Progress::SILENT;
+    let bins = Bins::new(geometry, camera, window, way.build, way.level, silent)?;
+    let own = geometry.primitives();
+    let never_hit = own.filter(|primitive| !geometry.own_surface(*primitive).can_be_hit());
+    assert_eq!(bins.never_hit(), never_hit.count(), "{way:?}");
+    Some(bins)
 }
 
 /// The middle of the box around everything, or the origin if the scene is empty.
@@ -167,8 +181,8 @@ pub(crate) fn agreed_picture(
     };
     let reference = picture_by(camera, geometry, way, precision, window);
     let trees: &[Tree] = match precision {
-        Precision::Exact => &[Tree::OfView, Tree::Shared, Tree::OfAll],
-        Precision::Fast => &[Tree::OfView, Tree::OfAll],
+        Precision::Exact => &[Tree::Bins, Tree::Shared, Tree::OfAll],
+        Precision::Fast => &[Tree::Bins, Tree::OfAll],
     };
     let mut turn = 0;
     for method in SplitMethod::ALL {

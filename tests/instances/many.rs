@@ -97,7 +97,7 @@ fn picture_of(camera: &Camera, geometry: &Geometry, build: BuildOptions) -> Imag
         build,
         threads: 2,
         level: feimos::simd::Level::detect(),
-        tree: common::Tree::OfView,
+        tree: common::Tree::Bins,
     };
     common::picture_by(camera, geometry, way, Precision::Exact, whole(camera)).image
 }

@@ -1,8 +1,7 @@
 //! Collects the primitives that a tree is built over.
 
-use super::build_primitive::{BuildPrimitive, CHUNK};
+use super::build_primitive::BuildPrimitive;
 use super::triangle_boxes::{GROUP, boxes_of_triangles};
-use super::visibility::Visibility;
 use crate::accel::space::AnchorSpace;
 use crate::shape::{Geometry, PrimitiveId};
 use rayon::prelude::*;
@@ -10,42 +9,30 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The primitives of a scene that a tree is built over.
 pub(crate) struct Collected {
-    /// Visible primitives that can be hit. Their order does not depend on the number of threads.
+    /// The primitives that can be hit. Their order does not depend on the number of threads.
     pub(crate) primitives: Vec<BuildPrimitive>,
     /// The number of primitives that can never be hit.
     pub(crate) never_hit: usize,
 }
 
-/// Collects the primitives of `geometry` that can be hit and, if `visibility` is given, may be
-/// seen.
-pub(crate) fn collect(
-    geometry: &Geometry,
-    space: &AnchorSpace,
-    visibility: Option<&Visibility>,
-) -> Collected {
+/// Collects the primitives of `geometry` that can be hit.
+pub(crate) fn collect(geometry: &Geometry, space: &AnchorSpace) -> Collected {
     let never_hit = AtomicUsize::new(0);
-    let mut primitives = match visibility {
-        None => all_triangles(geometry, space, &never_hit),
-        Some(visibility) => visible_triangles(geometry, space, visibility, &never_hit),
-    };
+    let mut primitives = all_triangles(geometry, space, &never_hit);
     let quadric = |index| {
         let quadric = geometry.quadric(index);
         if !quadric.can_be_hit() {
             never_hit.fetch_add(1, Ordering::Relaxed);
             return BuildPrimitive::DEAD;
         }
-        let bounds = quadric.bounds();
-        if visibility.is_some_and(|visibility| !visibility.may_see_box(&bounds)) {
-            return BuildPrimitive::DEAD;
-        }
         BuildPrimitive::new(
-            &space.enclose(&bounds),
+            &space.enclose(&quadric.bounds()),
             PrimitiveId::quadric(index).to_bits(),
         )
     };
     primitives.par_extend((0..geometry.quadric_count()).into_par_iter().map(quadric));
     let never_hit = never_hit.into_inner();
-    if never_hit > 0 || visibility.is_some() {
+    if never_hit > 0 {
         remove_dead(&mut primitives);
     }
     Collected {
@@ -75,7 +62,7 @@ fn all_triangles(
 ) -> Vec<BuildPrimitive> {
     let count = geometry.triangle_count();
     let boxes = |group: usize| {
-        let boxes = boxes_of_triangles(geometry, space, group * GROUP, |_| true);
+        let boxes = boxes_of_triangles(geometry, space, group * GROUP);
         if boxes.never_hit > 0 {
             never_hit.fetch_add(boxes.never_hit, Ordering::Relaxed);
         }
@@ -86,31 +73,6 @@ fn all_triangles(
     let mut primitives = groups.into_flattened();
     primitives.truncate(count);
     primitives
-}
-
-/// The triangles that may be seen, which can be few.
-fn visible_triangles(
-    geometry: &Geometry,
-    space: &AnchorSpace,
-    visibility: &Visibility,
-    never_hit: &AtomicUsize,
-) -> Vec<BuildPrimitive> {
-    let count = geometry.triangle_count();
-    let may_see = |index: usize| visibility.may_see_triangle(*geometry.corners_of(index));
-    let seen_in_chunk = |chunk: usize| {
-        let first = chunk * CHUNK;
-        let mut seen = Vec::new();
-        for first in (first..count.min(first + CHUNK)).step_by(GROUP) {
-            let boxes = boxes_of_triangles(geometry, space, first, may_see);
-            never_hit.fetch_add(boxes.never_hit, Ordering::Relaxed);
-            let primitives = boxes.primitives.iter();
-            seen.extend(primitives.filter(|primitive| !primitive.is_dead()));
-        }
-        seen
-    };
-    let chunks = (0..count.div_ceil(CHUNK)).into_par_iter();
-    let seen: Vec<Vec<BuildPrimitive>> = chunks.map(seen_in_chunk).collect();
-    seen.concat()
 }
 
 #[cfg(test)]

@@ -15,7 +15,6 @@ mod radix_sort;
 mod splitter;
 mod top_down;
 mod triangle_boxes;
-mod visibility;
 mod world_space;
 
 use self::build_primitive::bounds_of;
@@ -31,7 +30,6 @@ use rayon::prelude::*;
 pub(super) use self::build_primitive::BuildPrimitive;
 pub(super) use self::collection::{Collected, collect};
 pub use self::options::BuildOptions;
-pub(super) use self::visibility::Visibility;
 pub(super) use self::world_space::space_around;
 
 /// Builds a tree over `primitives`. `item_of_bits` turns their bits into the items that the tree

@@ -20,26 +20,24 @@ struct TriangleGroup {
 
 /// The boxes of consecutive triangles.
 pub(super) struct TriangleBoxes {
-    /// Dead for triangles that can never be hit or are not wanted, and past the last triangle.
+    /// Dead for triangles that can never be hit, and past the last triangle.
     pub(super) primitives: [BuildPrimitive; GROUP],
     /// The number of triangles that can never be hit.
     pub(super) never_hit: usize,
 }
 
-/// The boxes of the triangles from index `first` on whose index is `wanted`.
+/// The boxes of the triangles from index `first` on.
 #[inline]
 pub(super) fn boxes_of_triangles(
     geometry: &Geometry,
     space: &AnchorSpace,
     first: usize,
-    wanted: impl Fn(usize) -> bool,
 ) -> TriangleBoxes {
     let count = GROUP.min(geometry.triangle_count() - first);
     let group = TriangleGroup::fetch(geometry, first, count);
     let can_be_hit = group.can_be_hit();
     let never_hit = (0..count).filter(|k| !can_be_hit[*k]).count();
-    let alive: [bool; GROUP] =
-        std::array::from_fn(|k| k < count && can_be_hit[k] && wanted(first + k));
+    let alive: [bool; GROUP] = std::array::from_fn(|k| k < count && can_be_hit[k]);
     let mut primitives = [BuildPrimitive::DEAD; GROUP];
     if !alive.contains(&true) {
         return TriangleBoxes {
@@ -140,9 +138,9 @@ mod tests {
             .unwrap();
         for reach in [1e7, f64::INFINITY] {
             let space = AnchorSpace::new(Point::new(1.0, 2.0, 3.0), reach);
-            let boxes = (0..85).step_by(GROUP).flat_map(|first| {
-                boxes_of_triangles(&geometry, &space, first, |_| true).primitives
-            });
+            let boxes = (0..85)
+                .step_by(GROUP)
+                .flat_map(|first| boxes_of_triangles(&geometry, &space, first).primitives);
             let expected = (0..85).map(|index| {
                 let primitive = PrimitiveId::triangle(index);
                 let surface = geometry.own_surface(primitive);

@@ -13,7 +13,7 @@ pub(super) use self::object_tree::ObjectTree;
 pub(super) use self::placement::Placement;
 
 use self::outline::Outline;
-use super::builder::{self, BuildOptions, BuildPrimitive, Visibility};
+use super::builder::{self, BuildOptions, BuildPrimitive};
 use super::space::AnchorSpace;
 use super::tree::{BinaryTree, Run, WideTree, collapse};
 use crate::geometry::Bounds;
@@ -73,23 +73,21 @@ pub(super) struct InstanceTrees {
 }
 
 impl InstanceTrees {
-    /// Builds the trees over the instances that may be seen, if `visibility` is given, otherwise
-    /// over all.
+    /// Builds the trees over the instances of whose boxes `is_seen` is true.
     ///
     /// `progress` counts instances and primitives of objects; those left out count at once.
     pub(super) fn build(
         geometry: &Geometry,
         outlines: Outlines,
         space: &AnchorSpace,
-        visibility: Option<&Visibility>,
+        is_seen: &(dyn Fn(&Bounds) -> bool + Sync),
         options: BuildOptions,
         progress: Progress,
     ) -> InstanceTrees {
         let count = geometry.instances().len();
         let place = |instance: usize| {
             let bounds = outlines.bounds(geometry, instance)?;
-            let is_seen = visibility.is_none_or(|visibility| visibility.may_see_box(&bounds));
-            is_seen.then(|| BuildPrimitive::new(&space.enclose(&bounds), instance as u32))
+            is_seen(&bounds).then(|| BuildPrimitive::new(&space.enclose(&bounds), instance as u32))
         };
         let seen: Vec<BuildPrimitive> = (0..count).into_par_iter().filter_map(place).collect();
         progress.advance(count - seen.len());

@@ -3,8 +3,9 @@
 use super::depth_buffer::{DepthBuffer, PixelHit, TilePixel};
 use super::fronts::Fronts;
 use crate::accel::ray::{FastSearch, Nearest, Search, Ties};
+use crate::accel::space::AnchorSpace;
 use crate::accel::view::CameraView;
-use crate::accel::{Aggregate, Depth, ExactFallbacks, Hit, Precision};
+use crate::accel::{Depth, ExactFallbacks, Hit, Precision};
 use crate::camera::Camera;
 use crate::geometry::Ray;
 use crate::shape::{Coincidence, FilterRay, FilterResult, Geometry, InstancedId, Primitive};
@@ -20,7 +21,8 @@ pub(super) struct Unresolved {
 pub(super) struct Fallback<'a> {
     pub(super) camera: &'a Camera,
     pub(super) geometry: &'a Geometry,
-    pub(super) aggregate: &'a Aggregate,
+    /// The space of the boxes in the world.
+    pub(super) space: &'a AnchorSpace,
     pub(super) view: &'a CameraView,
     pub(super) precision: Precision,
     pub(super) hits_only: bool,
@@ -169,8 +171,8 @@ impl Fallback<'_> {
         pixels: &DepthBuffer,
         pixel: TilePixel,
     ) -> Option<(Hit, f32)> {
-        let slab = self.aggregate.space.ray(ray);
-        let mut search = FastSearch::new(self.geometry, &self.aggregate.space, ray, &slab);
+        let slab = self.space.ray(ray);
+        let mut search = FastSearch::new(self.geometry, self.space, ray, &slab);
         search.test(primitive);
         let hit = search.into_hit()?;
         let nearness = self.view.nearness(hit.t.low);

@@ -14,7 +14,7 @@ use crate::simd::Lanes;
 #[inline(always)]
 pub(super) fn rasterize_instances<S: Lanes, const EXACT: bool>(tile: &mut Tile, simd: S) {
     let hi_z = HiZ::of(tile.frame.view, EXACT);
-    let trees = &tile.fallback.aggregate.instances;
+    let trees = tile.instances.trees;
     let mut cull_nearness = hi_z.refresh(simd, &mut tile.buffers.pixels);
     let mut block = PrimitiveBlock::empty();
     tile.buffers.stack.start();
@@ -24,7 +24,7 @@ pub(super) fn rasterize_instances<S: Lanes, const EXACT: bool>(tile: &mut Tile, 
             return;
         };
         if child.blocks == 0 {
-            let nodes = tile.instances;
+            let nodes = tile.instances.nodes;
             let node = &nodes[child.first as usize];
             stack.push(simd, &tile.frame, nodes, node, pixels, cull_nearness);
             continue;
@@ -57,7 +57,7 @@ fn rasterize_instance<S: Lanes, const EXACT: bool>(
     block: &mut PrimitiveBlock,
 ) -> f32 {
     let geometry = tile.fallback.geometry;
-    let object = tile.fallback.aggregate.instances.object(geometry, instance);
+    let object = tile.instances.trees.object(geometry, instance);
     let placement = object.placement(&geometry.instances()[instance]);
     let film = FilmFromTree::of_object(tile.frame.view, &object.space, &placement);
     let mut pose = geometry.pose(instance);

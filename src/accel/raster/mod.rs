@@ -10,6 +10,7 @@
 //! the exact fallback, which tests single rays. Depths are computed last, for visible primitives
 //! only; see [`depth_planes`].
 
+mod bins;
 mod depth_buffer;
 mod depth_planes;
 mod exact_fallback;

@@ -1,5 +1,6 @@
 //! One tile: from blocks of primitives to hits in its depth buffer.
 
+use super::bins::TileEntries;
 use super::depth_buffer::{DepthBuffer, TilePixel};
 use super::exact_fallback::{Coincidences, Fallback, Unresolved};
 use super::fronts::Fronts;
@@ -11,6 +12,7 @@ use super::setup::{
 use super::traced_tile::TracedTile;
 use super::traversal::{HiZ, ProjectedNode, TileStack, ViewTree};
 use crate::accel::ExactFallbacks;
+use crate::accel::instance::InstanceTrees;
 use crate::accel::ray::Ties;
 use crate::accel::tree::PrimitiveBlock;
 use crate::accel::view::TileFrame;
@@ -45,12 +47,25 @@ impl TileBuffers {
     }
 }
 
+/// The structure in which a tile finds the primitives in no instance.
+pub(super) enum World<'a> {
+    Tree(ViewTree<'a>),
+    Bins(TileEntries<'a>),
+}
+
+/// The trees over the instances as a view sees them.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ViewInstances<'a> {
+    /// The nodes of the tree over all instances.
+    pub(super) nodes: &'a [ProjectedNode],
+    pub(super) trees: &'a InstanceTrees,
+}
+
 /// The inputs and outputs of one tile.
 pub(super) struct Tile<'a> {
     pub(super) frame: TileFrame<'a>,
-    pub(super) tree: ViewTree<'a>,
-    /// The nodes of the tree over the instances.
-    pub(super) instances: &'a [ProjectedNode],
+    pub(super) world: World<'a>,
+    pub(super) instances: ViewInstances<'a>,
     pub(super) fallback: Fallback<'a>,
     pub(super) wanted: WantedDepths,
     pub(super) buffers: &'a mut TileBuffers,

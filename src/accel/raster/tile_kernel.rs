@@ -2,8 +2,9 @@
 
 use super::instances::rasterize_instances;
 use super::resolve::resolve;
-use super::tile::{Tile, TileBuffers};
+use super::tile::{Tile, TileBuffers, World};
 use super::traversal::{HiZ, PrefetchQueue};
+use crate::accel::tree::PrimitiveBlock;
 use crate::shape::{InstancedId, PrimitiveId};
 use crate::simd::{Lanes, SimdKernel};
 
@@ -40,7 +41,7 @@ struct Aligned(#[allow(dead_code)] u8);
 fn run<S: Lanes, const EXACT: bool>(mut tile: Tile, simd: S) {
     std::hint::black_box(&mut Aligned(0));
     rasterize_world::<S, EXACT>(&mut tile, simd);
-    if !tile.instances.is_empty() {
+    if !tile.instances.nodes.is_empty() {
         rasterize_instances::<S, EXACT>(&mut tile, simd);
     }
     let Tile {
@@ -60,19 +61,27 @@ fn run<S: Lanes, const EXACT: bool>(mut tile: Tile, simd: S) {
 #[inline(always)]
 fn rasterize_world<S: Lanes, const EXACT: bool>(tile: &mut Tile, simd: S) {
     let hi_z = HiZ::of(tile.frame.view, EXACT);
-    let tree = tile.tree;
     let mut cull_nearness = hi_z.refresh(simd, &mut tile.buffers.pixels);
-    if tree.nodes.is_empty() {
+    if matches!(&tile.world, World::Tree(tree) if tree.nodes.is_empty()) {
         return;
     }
     tile.buffers.stack.start();
     let mut queue = PrefetchQueue::default();
+    let mut filled = PrimitiveBlock::empty();
     while cull_nearness < f32::INFINITY {
         let TileBuffers { stack, pixels, .. } = &mut *tile.buffers;
-        let Some(block) = queue.next(simd, &tile.frame, &tree, stack, pixels, cull_nearness) else {
-            return;
+        let block = match &mut tile.world {
+            World::Tree(tree) => {
+                let next = queue.next(simd, &tile.frame, tree, stack, pixels, cull_nearness);
+                let blocks = tree.blocks;
+                next.map(|block| &blocks[block])
+            }
+            World::Bins(entries) => entries
+                .fill(simd, &mut filled, pixels, cull_nearness)
+                .then_some(&filled),
         };
-        tile.rasterize_block::<S, EXACT>(simd, cull_nearness, &tree.blocks[block], ALONE);
+        let Some(block) = block else { return };
+        tile.rasterize_block::<S, EXACT>(simd, cull_nearness, block, ALONE);
         cull_nearness = hi_z.refresh(simd, &mut tile.buffers.pixels);
     }
 }

@@ -1,14 +1,15 @@
 //! Traces the rays of an image tile by tile.
 
+use super::bins::{SegmentEntries, TileEntries};
 use super::exact_fallback::Fallback;
 use super::resolve::WantedDepths;
-use super::tile::{Tile, TileBuffers};
+use super::tile::{Tile, TileBuffers, ViewInstances, World};
 use super::tile_kernel::{ExactTile, FastTile};
 use super::traced_tile::TracedTile;
 use super::traversal::{FilmFromTree, ProjectNodes, ProjectedNode, ViewTree};
 use crate::accel::tree::WideNode;
 use crate::accel::view::{CameraView, TILE, TileFrame};
-use crate::accel::{Aggregate, ExactFallbacks, Precision, Tracer};
+use crate::accel::{ExactFallbacks, Precision, Structure, Tracer};
 use crate::camera::Camera;
 use crate::film::PixelBounds;
 use crate::shape::Geometry;
@@ -36,7 +37,7 @@ pub struct TileOptions {
 pub struct Tiles<'a> {
     camera: &'a Camera,
     geometry: &'a Geometry,
-    aggregate: &'a Aggregate,
+    structure: Structure<'a>,
     options: TileOptions,
     /// `None` if the view cannot be rasterized: then rays are traced one by one.
     view: Option<ProjectedView>,
@@ -57,28 +58,32 @@ struct ProjectedView {
 }
 
 impl<'a> Tiles<'a> {
-    /// Prepares the rays of `camera` through `aggregate`, which was built over `geometry`.
+    /// Prepares the rays of `camera` through `structure`, which was built over `geometry`; bins for
+    /// this camera.
     pub fn new(
         camera: &'a Camera,
         geometry: &'a Geometry,
-        aggregate: &'a Aggregate,
+        structure: Structure<'a>,
         options: TileOptions,
     ) -> Tiles<'a> {
+        let space = structure.space();
         // The results of f32 depend on where boxes are most precise. If that is not the eye, they
         // are defined as those of single rays.
-        let is_for_view = aggregate.space.anchor() == camera.anchor();
-        let view = CameraView::new(camera, &aggregate.space)
+        let is_for_view = space.anchor() == camera.anchor();
+        let view = CameraView::new(camera, space)
             .filter(|_| is_for_view || options.precision == Precision::Exact);
         let project = |view: &CameraView, nodes| project_all(nodes, view, options.level);
         let view = view.map(|view| ProjectedView {
-            nodes: project(&view, &aggregate.wide.nodes),
-            instances: project(&view, &aggregate.instances.wide.nodes),
+            nodes: structure
+                .tree()
+                .map_or_else(Vec::new, |aggregate| project(&view, &aggregate.wide.nodes)),
+            instances: project(&view, &structure.instances().wide.nodes),
             view,
         });
         Tiles {
             camera,
             geometry,
-            aggregate,
+            structure,
             options,
             view,
         }
@@ -93,8 +98,12 @@ impl<'a> Tiles<'a> {
     pub fn tracer(&'a self) -> TileTracer<'a> {
         TileTracer {
             tiles: self,
-            single: Tracer::new(self.aggregate, self.geometry, self.options.precision),
+            single: self
+                .structure
+                .tree()
+                .map(|aggregate| Tracer::new(aggregate, self.geometry, self.options.precision)),
             buffers: TileBuffers::new(),
+            segment: SegmentEntries::new(),
             traced: TracedTile::new(),
             fallbacks: ExactFallbacks::default(),
         }
@@ -104,8 +113,11 @@ impl<'a> Tiles<'a> {
 /// Traces tiles, one after the other.
 pub struct TileTracer<'a> {
     tiles: &'a Tiles<'a>,
-    single: Tracer<'a>,
+    /// Traces rays of views that cannot be rasterized; bins have none.
+    single: Option<Tracer<'a>>,
     buffers: TileBuffers,
+    /// The entries of the current bin.
+    segment: SegmentEntries,
     traced: TracedTile,
     fallbacks: ExactFallbacks,
 }
@@ -123,8 +135,10 @@ impl TileTracer<'_> {
 
     /// The number of exact fallbacks so far.
     pub fn fallbacks(&self) -> ExactFallbacks {
-        let mut sum = self.single.fallbacks();
-        sum += self.fallbacks;
+        let mut sum = self.fallbacks;
+        if let Some(single) = &self.single {
+            sum += single.fallbacks();
+        }
         sum
     }
 
@@ -134,19 +148,22 @@ impl TileTracer<'_> {
         } = self.tiles;
         let hits_only = self.tiles.hits_only();
         self.traced.clear_depths(options.miss);
+        let Some(single) = &mut self.single else {
+            unreachable!("bins are only made for views that can be rasterized");
+        };
         let [columns, rows] = part_of(first, window);
         for row in rows[0]..rows[1] {
             for column in columns[0]..columns[1] {
                 let ray = camera.ray(first[0] + column, first[1] + row);
                 let hit = if hits_only {
-                    self.single.any_hit(&ray)
+                    single.any_hit(&ray)
                 } else {
-                    self.single.closest_hit(&ray)
+                    single.closest_hit(&ray)
                 };
                 let Some(hit) = hit else { continue };
                 self.traced.put_hit(column, row, hit.primitive);
                 if options.with_z || options.with_distance {
-                    let depth = self.single.depth(&ray, &hit);
+                    let depth = single.depth(&ray, &hit);
                     self.traced.put_depth(column, row, depth);
                 }
             }
@@ -157,7 +174,7 @@ impl TileTracer<'_> {
         let Tiles {
             camera,
             geometry,
-            aggregate,
+            structure,
             options,
             ..
         } = *self.tiles;
@@ -166,17 +183,34 @@ impl TileTracer<'_> {
         self.buffers.pixels.clear(view.least_nearness());
         self.buffers.pixels.keep_only(columns, rows);
         self.buffers.coincidences.fronts.clear();
-        let tile = Tile {
-            frame: TileFrame::new(view, first),
-            tree: ViewTree {
+        let world = match structure {
+            Structure::Tree(aggregate) => World::Tree(ViewTree {
                 nodes: &projected.nodes,
                 blocks: &aggregate.wide.blocks,
+            }),
+            Structure::Bins(bins) => {
+                let pixel = [first[0] + columns[0], first[1] + rows[0]];
+                self.segment.turn_to(bins, pixel);
+                World::Bins(TileEntries::new(
+                    bins,
+                    &self.segment,
+                    geometry,
+                    first,
+                    pixel,
+                ))
+            }
+        };
+        let tile = Tile {
+            frame: TileFrame::new(view, first),
+            world,
+            instances: ViewInstances {
+                nodes: &projected.instances,
+                trees: structure.instances(),
             },
-            instances: &projected.instances,
             fallback: Fallback {
                 camera,
                 geometry,
-                aggregate,
+                space: structure.space(),
                 view,
                 precision: options.precision,
                 hits_only: self.tiles.hits_only(),

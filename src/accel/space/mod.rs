@@ -7,5 +7,5 @@ mod slab_ray;
 
 pub(super) use self::anchor_space::{AnchorSpace, SingleRay};
 pub(super) use self::box32::{Box32, Corners};
-pub(super) use self::rounding::{larger, smaller};
+pub(super) use self::rounding::{at_or_below, larger, smaller};
 pub(super) use self::slab_ray::SlabRay;

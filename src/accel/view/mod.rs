@@ -2,11 +2,9 @@
 
 mod camera_view;
 mod magnitudes;
-mod on_film;
 mod pixel_grid;
 mod tile_frame;
 
 pub(super) use self::camera_view::{CameraView, ROUNDING, UNDERFLOW};
-pub(super) use self::on_film::{MAX_PIXEL_ERROR, OnFilm};
 pub(crate) use self::tile_frame::TILE;
 pub(super) use self::tile_frame::TileFrame;

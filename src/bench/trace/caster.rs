@@ -154,7 +154,7 @@ impl<'a> Caster<'a> {
             ..
         } = self.scene;
         let options = self.options(precision).of_tiles();
-        let tiles = Tiles::new(camera, geometry, aggregate, options);
+        let tiles = Tiles::new(camera, geometry, aggregate.into(), options);
         let pairs: Vec<(&[u32; 2], &[u32; 2])> = sample.tiles.iter().zip(&sample.pixels).collect();
         let answers = pairs.into_par_iter().map_init(
             || tiles.tracer(),

@@ -2,15 +2,20 @@
 
 use super::values::{integer, named};
 use clap::Args;
-use feimos::accel::{BuildOptions, Precision, SplitMethod};
+use feimos::accel::{Accelerator, BuildOptions, Precision, SplitMethod};
+use feimos::named::UnknownName;
 use feimos::scene::{AcceleratorParameters, spelling};
 use feimos::simd::Level;
+use std::str::FromStr;
 
 #[derive(Debug, Args)]
 pub(crate) struct EngineArgs {
-    /// Choose how primitives are aggregated [default: the scene's method, else sah].
-    #[arg(long, value_name = "METHOD", value_parser = named(SplitMethod::ALL, SplitMethod::name))]
-    pub(crate) accel: Option<SplitMethod>,
+    /// Choose how rays find primitives: raster sorts what a view sees into bins, without a tree;
+    /// the others build a tree over the whole scene; auto takes what is fastest for the number of
+    /// cameras. All give the same images.
+    #[arg(long, value_name = "METHOD", default_value = "auto")]
+    #[arg(value_parser = named(AcceleratorChoice::ALL, AcceleratorChoice::name))]
+    pub(crate) accel: AcceleratorChoice,
     /// Choose how hits are decided: exact gives the right answer for every pixel, to the last bit
     /// of the depth; fast computes in f32 without error bounds.
     #[arg(long, value_name = "HOW", default_value = "exact")]
@@ -22,6 +27,57 @@ pub(crate) struct EngineArgs {
     pub(crate) simd: Level,
     #[command(flatten)]
     pub(crate) threads: ThreadArgs,
+}
+
+/// The value of `--accel`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum AcceleratorChoice {
+    Auto,
+    Fixed(Accelerator),
+}
+
+const fn tree(method: SplitMethod) -> AcceleratorChoice {
+    AcceleratorChoice::Fixed(Accelerator::Tree(method))
+}
+
+impl AcceleratorChoice {
+    /// All values, in the order of help.
+    pub(crate) const ALL: [AcceleratorChoice; 7] = [
+        AcceleratorChoice::Auto,
+        AcceleratorChoice::Fixed(Accelerator::Raster),
+        tree(SplitMethod::None),
+        tree(SplitMethod::Middle),
+        tree(SplitMethod::Equal),
+        tree(SplitMethod::Sah),
+        tree(SplitMethod::Hlbvh),
+    ];
+
+    /// The value on the command line.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            AcceleratorChoice::Auto => "auto",
+            AcceleratorChoice::Fixed(accelerator) => accelerator.name(),
+        }
+    }
+
+    /// The split method, if the choice is a tree.
+    pub(crate) fn method(self) -> Option<SplitMethod> {
+        match self {
+            AcceleratorChoice::Fixed(Accelerator::Tree(method)) => Some(method),
+            _ => None,
+        }
+    }
+}
+
+impl FromStr for AcceleratorChoice {
+    type Err = UnknownName;
+
+    fn from_str(name: &str) -> Result<AcceleratorChoice, UnknownName> {
+        match name {
+            "auto" => Ok(AcceleratorChoice::Auto),
+            name => name.parse().map(AcceleratorChoice::Fixed),
+        }
+    }
 }
 
 #[derive(Debug, Args)]

@@ -1,17 +1,19 @@
 //! Renders one image: builds, traces and writes.
 
+use super::built::{Built, BuiltTree};
 use super::encode::Content;
 use super::milliseconds::{Milliseconds, milliseconds_since, timed};
 use super::plan::Plan;
 use super::record::{Finished, Record};
-use super::scene::{Built, LoadedScene, Viewpoint};
-use super::summary::{report_image, report_statistics, report_tree};
+use super::scene::{LoadedScene, Viewpoint};
+use super::summary::{report_built, report_image, report_statistics};
 use super::target::{Target, Targets};
 use crate::cli::files::destination::Destination;
+use crate::cli::options::engine::AcceleratorChoice;
 use crate::cli::terminal::progress::{Phase, ProgressBars};
 use crate::cli::terminal::reporter::Reporter;
-use feimos::accel::{Aggregate, Precision};
-use feimos::error::Result;
+use feimos::accel::{Accelerator, Aggregate, Bins, Precision};
+use feimos::error::{Error, Result};
 use feimos::film::{CameraAttributes, PixelBounds};
 use feimos::progress::Progress;
 use feimos::render::{RenderOptions, render};
@@ -37,11 +39,9 @@ pub(super) enum Outcome {
     Skipped(Destination),
 }
 
-/// The aggregate of one view, or of all.
-enum Tree<'a> {
-    Own(Box<Built>),
-    Shared(&'a Built),
-}
+/// With so many views of one scene, a tree that all share is faster than bins for each:
+/// docs/performance.md has the measurements.
+const MANY_VIEWS: usize = 16;
 
 impl Renderer<'_> {
     /// Renders a view of the scene, on the threads of the current pool. The image was begun at
@@ -79,14 +79,7 @@ impl Renderer<'_> {
             header,
         } = target;
         let geometry = &loaded.scene.geometry;
-        let (tree, build_ms) = self.tree(loaded, view, &content, &window)?;
-        let Built {
-            aggregate,
-            statistics,
-        } = match &tree {
-            Tree::Own(built) => built,
-            Tree::Shared(built) => *built,
-        };
+        let (built, build_ms) = self.build(loaded, view, &content, &window)?;
         let options = RenderOptions {
             data_window: window,
             channels: content.channels(),
@@ -95,8 +88,9 @@ impl Renderer<'_> {
             level: self.plan.simd,
             precision: self.plan.precision,
         };
+        let (camera, structure) = (&view.camera, built.structure());
         let trace =
-            |progress: Progress<'_>| render(&view.camera, geometry, aggregate, &options, progress);
+            |progress: Progress<'_>| render(camera, geometry, structure, &options, progress);
         let (rendering, trace_ms) =
             timed(|| self.bars.during(Phase::Rendering(window.area()), trace));
         let rendering = rendering?;
@@ -116,49 +110,107 @@ impl Renderer<'_> {
         };
         Ok(Finished {
             destination,
-            method: loaded.build.method,
+            accelerator: built.accelerator(),
+            size: built.size(),
             precision: self.plan.precision,
             simd: self.plan.simd,
-            statistics: *statistics,
             rendering,
             legend: legend?,
             ms,
         })
     }
 
-    /// The aggregate for an image, and the milliseconds that building it took now.
-    fn tree<'a>(
+    /// The structure for an image, and the milliseconds that building it took now.
+    fn build<'a>(
         &self,
         loaded: &'a LoadedScene,
         view: &Viewpoint,
         content: &Content,
         window: &PixelBounds,
-    ) -> Result<(Tree<'a>, f64)> {
+    ) -> Result<(Built<'a>, f64)> {
+        if self.takes_bins(loaded, content)? {
+            Bins::check_memory(&loaded.scene.geometry)?;
+            let (bins, ms) = self.bins(loaded, view, window);
+            if let Some(bins) = bins {
+                let built = Built::Bins(Box::new(bins));
+                report_built(&built, &loaded.scene.geometry, self.reporter);
+                return Ok((built, ms));
+            }
+            if self.plan.accel != AcceleratorChoice::Auto {
+                let method = loaded.build.method;
+                self.reporter.note(format_args!(
+                    "this view cannot be rasterized, because its numbers are too large or too \
+                     small: using {method}"
+                ));
+            }
+        }
+        self.tree(loaded, view, content)
+    }
+
+    /// Decides between bins and a tree.
+    ///
+    /// # Errors
+    /// Costs are asked for, and bins.
+    fn takes_bins(&self, loaded: &LoadedScene, content: &Content) -> Result<bool> {
+        let costs = content.needs_tree();
+        match self.plan.accel {
+            AcceleratorChoice::Fixed(Accelerator::Tree(_)) => Ok(false),
+            AcceleratorChoice::Fixed(Accelerator::Raster) if costs => {
+                let error =
+                    Error::usage("the cost of a ray is that in a tree, and raster has none");
+                Err(error.note("choose a tree, such as --accel sah"))
+            }
+            AcceleratorChoice::Fixed(Accelerator::Raster) => Ok(true),
+            // Answers in f32 are those of the eye's own structure.
+            AcceleratorChoice::Auto => {
+                let is_fast = self.plan.precision == Precision::Fast;
+                Ok(!costs && (is_fast || loaded.views.len() < MANY_VIEWS))
+            }
+        }
+    }
+
+    fn bins(
+        &self,
+        loaded: &LoadedScene,
+        view: &Viewpoint,
+        window: &PixelBounds,
+    ) -> (Option<Bins>, f64) {
+        let (geometry, build, simd) = (&loaded.scene.geometry, loaded.build, self.plan.simd);
+        let make = |progress: Progress<'_>| {
+            Bins::new(geometry, &view.camera, window, build, simd, progress)
+        };
+        let phase = Phase::Building(Aggregate::item_count(geometry));
+        timed(|| self.bars.during(phase, make))
+    }
+
+    fn tree<'a>(
+        &self,
+        loaded: &'a LoadedScene,
+        view: &Viewpoint,
+        content: &Content,
+    ) -> Result<(Built<'a>, f64)> {
         let (geometry, build) = (&loaded.scene.geometry, loaded.build);
         // Answers in f32, and costs, depend on the anchor, where boxes are the most precise: each
         // view has its own tree, as if it were rendered alone.
-        let depends_on_view = self.plan.precision == Precision::Fast || content.needs_whole_tree();
+        let depends_on_view = self.plan.precision == Precision::Fast || content.needs_tree();
         let is_shared = loaded.views.len() > 1 && !depends_on_view;
         if let (true, Some(built)) = (is_shared, loaded.shared()) {
-            return Ok((Tree::Shared(built), 0.0));
+            return Ok((Built::Shared(built), 0.0));
         }
-        // Statistics and costs are those of the whole tree; other images need its visible part.
-        let is_whole = is_shared || self.plan.stats || content.needs_whole_tree();
-        Aggregate::check_memory(geometry, !is_whole)?;
-        let make = |progress: Progress<'_>| match is_whole {
-            _ if is_shared => Aggregate::build(geometry, loaded.middle(), build, progress),
-            true => Aggregate::build(geometry, view.camera.anchor(), build, progress),
-            false => Aggregate::build_for_view(geometry, &view.camera, window, build, progress),
+        Aggregate::check_memory(geometry)?;
+        let anchor = match is_shared {
+            true => loaded.middle(),
+            false => view.camera.anchor(),
         };
+        let make = |progress: Progress<'_>| Aggregate::build(geometry, anchor, build, progress);
         let phase = Phase::Building(Aggregate::item_count(geometry));
         let (aggregate, ms) = timed(|| self.bars.during(phase, make));
-        let built = Built::new(aggregate, geometry);
-        report_tree(&built, geometry, build.method, self.reporter);
-        let tree = if is_shared {
-            Tree::Shared(loaded.share(built))
-        } else {
-            Tree::Own(Box::new(built))
+        let tree = BuiltTree::new(build.method, aggregate, geometry);
+        let built = match is_shared {
+            true => Built::Shared(loaded.share(tree)),
+            false => Built::Tree(Box::new(tree)),
         };
-        Ok((tree, ms))
+        report_built(&built, geometry, self.reporter);
+        Ok((built, ms))
     }
 }

@@ -2,6 +2,7 @@
 
 mod args;
 mod batch;
+mod built;
 mod encode;
 mod image;
 mod image_options;

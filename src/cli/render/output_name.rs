@@ -1,7 +1,7 @@
 //! Output names: templates, and the destinations that they give.
 
 use crate::cli::files::destination::Destination;
-use feimos::accel::SplitMethod;
+use crate::cli::options::engine::AcceleratorChoice;
 use feimos::error::{Error, Result};
 use std::path::{Path, PathBuf};
 
@@ -34,11 +34,8 @@ impl OutputName {
     }
 
     /// Returns true if the name depends on the content of the scene file.
-    pub(crate) fn needs_scene(&self, accel: Option<SplitMethod>) -> bool {
-        match &self.template {
-            None => true,
-            Some(template) => template.contains("{accel}") && accel.is_none(),
-        }
+    pub(crate) fn needs_scene(&self) -> bool {
+        self.template.is_none()
     }
 
     /// An example with the format of all images; `None` if the format depends on the scene.
@@ -77,7 +74,7 @@ impl OutputName {
         &self,
         scene: &Path,
         film_filename: Option<&str>,
-        accel: SplitMethod,
+        accel: AcceleratorChoice,
         camera: Option<&str>,
     ) -> Destination {
         let stem = stem(scene);
@@ -147,7 +144,12 @@ mod tests {
     fn name(template: Option<&str>, scene: &str, film: Option<&str>) -> String {
         let output = OutputName::new(template.map(str::to_owned), true).unwrap();
         output
-            .destination(Path::new(scene), film, SplitMethod::Sah, Some("left"))
+            .destination(
+                Path::new(scene),
+                film,
+                AcceleratorChoice::Auto,
+                Some("left"),
+            )
             .to_string()
     }
 

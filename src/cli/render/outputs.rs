@@ -6,11 +6,9 @@ use super::target::Targets;
 use crate::cli::files::destination::Destination;
 use crate::cli::files::inputs::Inputs;
 use crate::cli::files::places::Places;
-use crate::cli::terminal::reporter::Reporter;
-use feimos::accel::SplitMethod;
 use feimos::error::{Error, Result};
 use feimos::film::atomic_file::Overwrite;
-use feimos::scene::{self, SceneOptions};
+use feimos::scene;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
@@ -53,7 +51,7 @@ impl Outputs {
         let mut known = Vec::with_capacity(scenes.len());
         for scene in scenes {
             // Do not read a single scene twice only for the name of its image.
-            let is_late = is_single && plan.output_name.needs_scene(plan.accel);
+            let is_late = is_single && plan.output_name.needs_scene();
             let destinations = if is_late {
                 None
             } else {
@@ -185,23 +183,18 @@ fn cameras(plan: &Plan) -> Vec<Option<&str>> {
 
 /// The destinations of a scene; `None` if it cannot be read, which rendering will report.
 fn destinations(path: &Path, plan: &Plan) -> Option<Vec<Destination>> {
-    let (film_filename, method) = if plan.output_name.needs_scene(plan.accel) {
+    let film_filename = if plan.output_name.needs_scene() {
         if path == Path::new("-") {
             return None;
         }
         let options = scene::read_options(path, plan.load.input_budget).ok()?;
-        let SceneOptions {
-            film_filename,
-            accelerator,
-        } = options;
-        let build = plan.build_options(&accelerator, &Reporter::silent());
-        (film_filename, build.method)
+        options.film_filename
     } else {
-        (None, plan.accel.unwrap_or(SplitMethod::Sah))
+        None
     };
     let destination = |camera| {
         plan.output_name
-            .destination(path, film_filename.as_deref(), method, camera)
+            .destination(path, film_filename.as_deref(), plan.accel, camera)
     };
     Some(cameras(plan).into_iter().map(destination).collect())
 }

@@ -3,7 +3,9 @@
 use super::args::RenderArgs;
 use super::image_options::ImageOptions;
 use super::output_name::OutputName;
-use crate::cli::options::engine::{accelerator_note, build_options, method_of_scene};
+use crate::cli::options::engine::{
+    AcceleratorChoice, accelerator_note, build_options, method_of_scene,
+};
 use crate::cli::terminal::reporter::Reporter;
 use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::error::{Error, Result};
@@ -17,8 +19,7 @@ pub(super) struct Plan {
     pub(super) output_name: OutputName,
     pub(super) images: ImageOptions,
     pub(super) load: LoadOptions,
-    /// The method of the command line, which overrides the scene's.
-    pub(super) accel: Option<SplitMethod>,
+    pub(super) accel: AcceleratorChoice,
     pub(super) precision: Precision,
     /// The instruction set of the kernels.
     pub(super) simd: Level,
@@ -107,16 +108,17 @@ impl Plan {
         Ok(window)
     }
 
-    /// Build options: by the method of the command line, else the scene's, else `sah`.
+    /// Options for trees: by the method of the command line, else the scene's, else `sah`.
     pub(super) fn build_options(
         &self,
         accelerator: &AcceleratorParameters,
         reporter: &Reporter,
     ) -> BuildOptions {
-        if let (None, Some(note)) = (self.accel, accelerator_note(accelerator)) {
+        let chosen = self.accel.method();
+        if let (None, Some(note)) = (chosen, accelerator_note(accelerator)) {
             reporter.note(note);
         }
-        let method = self.accel.or(method_of_scene(accelerator).ok());
+        let method = chosen.or(method_of_scene(accelerator).ok());
         build_options(method.unwrap_or(SplitMethod::Sah), accelerator)
     }
 }

@@ -1,9 +1,10 @@
 //! The record of a finished image: what `--json` and the manifest hold.
 
+use super::built::BuiltSize;
 use super::milliseconds::Milliseconds;
 use super::scene::{LoadedScene, Viewpoint};
 use crate::cli::files::destination::Destination;
-use feimos::accel::{ExactFallbacks, Precision, SplitMethod, Statistics};
+use feimos::accel::{Accelerator, ExactFallbacks, Precision, Statistics};
 use feimos::render::Rendering;
 use feimos::simd::Level;
 use serde::Serialize;
@@ -11,10 +12,10 @@ use serde::Serialize;
 /// An image that was rendered and written.
 pub(super) struct Finished {
     pub(super) destination: Destination,
-    pub(super) method: SplitMethod,
+    pub(super) accelerator: Accelerator,
+    pub(super) size: BuiltSize,
     pub(super) precision: Precision,
     pub(super) simd: Level,
-    pub(super) statistics: Statistics,
     pub(super) rendering: Rendering,
     /// The meaning of a view's colours.
     pub(super) legend: Option<String>,
@@ -46,7 +47,10 @@ pub(super) struct Record {
     /// Primitives, counted once in every instance.
     primitives: u64,
     ms: Milliseconds,
-    bvh: Bvh,
+    /// The size of the tree, if there is one.
+    bvh: Option<Bvh>,
+    /// The size of the bins, if there are any.
+    bins: Option<BinSize>,
     /// Exact fallbacks; `None` unless the precision is `exact`.
     exact: Option<Fallbacks>,
     /// The most memory that the process has used so far, if the system knows.
@@ -63,6 +67,14 @@ struct Bvh {
     bytes: usize,
 }
 
+/// The size of bins.
+#[derive(Debug, Clone, Copy, Serialize)]
+struct BinSize {
+    /// Primitives in no instance that a ray may meet.
+    primitives: usize,
+    bytes: usize,
+}
+
 /// Counts of what `f64` could not decide.
 #[derive(Debug, Clone, Copy, Serialize)]
 struct Fallbacks {
@@ -72,17 +84,33 @@ struct Fallbacks {
     fallback_rays: u64,
 }
 
-impl Record {
-    pub(super) fn new(loaded: &LoadedScene, view: &Viewpoint, finished: &Finished) -> Record {
-        let window = finished.rendering.image.data_window;
-        let geometry = &loaded.scene.geometry;
+impl Bvh {
+    fn new(statistics: Statistics) -> Bvh {
         let Statistics {
             nodes,
             leaves,
             depth,
             sah_cost,
             bytes,
-        } = finished.statistics;
+        } = statistics;
+        Bvh {
+            nodes,
+            leaves,
+            depth,
+            sah_cost,
+            bytes,
+        }
+    }
+}
+
+impl Record {
+    pub(super) fn new(loaded: &LoadedScene, view: &Viewpoint, finished: &Finished) -> Record {
+        let window = finished.rendering.image.data_window;
+        let geometry = &loaded.scene.geometry;
+        let (bvh, bins) = match finished.size {
+            BuiltSize::Tree(statistics) => (Some(Bvh::new(statistics)), None),
+            BuiltSize::Bins { primitives, bytes } => (None, Some(BinSize { primitives, bytes })),
+        };
         let traced = &finished.rendering.traced;
         let ExactFallbacks {
             unsure_tests,
@@ -100,7 +128,7 @@ impl Record {
             scene: loaded.path.display().to_string(),
             camera: view.name.clone(),
             output: finished.destination.to_string(),
-            accel: finished.method.name(),
+            accel: finished.accelerator.name(),
             precision: finished.precision.name(),
             threads: rayon::current_num_threads(),
             simd: finished.simd.name(),
@@ -114,13 +142,8 @@ impl Record {
             instances: geometry.instances().len(),
             primitives: geometry.primitive_count(),
             ms: finished.ms,
-            bvh: Bvh {
-                nodes,
-                leaves,
-                depth,
-                sah_cost,
-                bytes,
-            },
+            bvh,
+            bins,
             exact: (finished.precision == Precision::Exact).then_some(fallbacks),
             peak_bytes: peak_bytes(),
         }

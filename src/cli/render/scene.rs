@@ -1,11 +1,12 @@
 //! A loaded scene, and everything that its images share.
 
+use super::built::BuiltTree;
 use super::milliseconds::timed;
 use super::plan::Plan;
 use crate::cli::terminal::progress::{Phase, ProgressBars};
 use crate::cli::terminal::reporter::Reporter;
 use crate::cli::terminal::scene_summary::report_scene;
-use feimos::accel::{Aggregate, BuildOptions, Statistics};
+use feimos::accel::BuildOptions;
 use feimos::camera::Camera;
 use feimos::digest::Digest;
 use feimos::error::Result;
@@ -13,7 +14,6 @@ use feimos::file_id::InputFiles;
 use feimos::geometry::Point;
 use feimos::progress::Progress;
 use feimos::scene::{self, Film, Pose, Scene, SceneDigest};
-use feimos::shape::Geometry;
 use std::path::Path;
 use std::sync::OnceLock;
 
@@ -25,24 +25,8 @@ pub(super) struct LoadedScene<'a> {
     /// One for each image.
     pub(super) views: Vec<Viewpoint>,
     digest: OnceLock<SceneDigest>,
-    /// The aggregate over the whole scene, for all views.
-    shared: OnceLock<Built>,
-}
-
-/// An aggregate and its statistics, which take a traversal to collect.
-pub(super) struct Built {
-    pub(super) aggregate: Aggregate,
-    pub(super) statistics: Statistics,
-}
-
-impl Built {
-    pub(super) fn new(aggregate: Aggregate, geometry: &Geometry) -> Built {
-        let statistics = aggregate.statistics(geometry);
-        Built {
-            aggregate,
-            statistics,
-        }
-    }
+    /// The tree over the whole scene, for all views.
+    shared: OnceLock<BuiltTree>,
 }
 
 /// A camera and its film.
@@ -107,17 +91,17 @@ impl<'a> LoadedScene<'a> {
         digest.seen_by(&view.camera)
     }
 
-    /// The aggregate of all views, if it has been built.
-    pub(super) fn shared(&self) -> Option<&Built> {
+    /// The tree of all views, if it has been built.
+    pub(super) fn shared(&self) -> Option<&BuiltTree> {
         self.shared.get()
     }
 
-    /// Keeps an aggregate over the whole scene for all views.
-    pub(super) fn share(&self, built: Built) -> &Built {
+    /// Keeps a tree over the whole scene for all views.
+    pub(super) fn share(&self, built: BuiltTree) -> &BuiltTree {
         self.shared.get_or_init(|| built)
     }
 
-    /// The anchor of an aggregate for all views, where its boxes are the most precise.
+    /// The anchor of a tree for all views, where its boxes are the most precise.
     pub(super) fn middle(&self) -> Point {
         let middle = self.scene.geometry.extent().centre();
         if middle.is_finite() {

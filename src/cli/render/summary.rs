@@ -1,31 +1,18 @@
-//! Messages about the aggregate and about a finished image.
+//! Messages about a structure and about a finished image.
 
+use super::built::{Built, BuiltSize};
 use super::record::Finished;
-use super::scene::Built;
+
 use crate::cli::terminal::reporter::Reporter;
 use crate::cli::terminal::scene_summary::StoredGeometry;
-use feimos::accel::{ExactFallbacks, Precision, SplitMethod};
+use feimos::accel::{ExactFallbacks, Precision};
 use feimos::scene::Scene;
 use feimos::shape::Geometry;
 
-/// Prints the size of a tree, and a note on primitives that no ray can hit.
-pub(super) fn report_tree(
-    built: &Built,
-    geometry: &Geometry,
-    method: SplitMethod,
-    reporter: &Reporter,
-) {
-    let Built {
-        aggregate,
-        statistics,
-    } = built;
-    reporter.detail(format_args!(
-        "built {} nodes by {method} over {} of {} primitives",
-        statistics.nodes,
-        aggregate.primitive_count(geometry),
-        geometry.primitive_count(),
-    ));
-    let dead = aggregate.never_hit();
+/// Prints the size of a structure, and a note on primitives that no ray can hit.
+pub(super) fn report_built(built: &Built, geometry: &Geometry, reporter: &Reporter) {
+    reporter.detail(built.summary(geometry));
+    let dead = built.never_hit();
     if dead > 0 {
         reporter.note(format_args!(
             "{dead} of {} primitives can never be hit: no area, or not finite",
@@ -47,22 +34,22 @@ pub(super) fn report_image(finished: &Finished, reporter: &Reporter) {
     let ms = &finished.ms;
     reporter.result(format_args!(
         "{}: {width} x {height} pixels, {hits} hit{legend} \
-         (load {:.0}, build {:.0}, trace {:.0}, write {:.0} ms)",
-        finished.destination, ms.load, ms.build, ms.trace, ms.write,
+         (load {:.0}, build {:.0} by {}, trace {:.0}, write {:.0} ms)",
+        finished.destination, ms.load, ms.build, finished.accelerator, ms.trace, ms.write,
     ));
 }
 
 /// Prints the lines of `--stats`.
 pub(super) fn report_statistics(scene: &Scene, finished: &Finished, reporter: &Reporter) {
-    let (tree, ms, geometry) = (&finished.statistics, &finished.ms, &scene.geometry);
+    let (ms, geometry) = (&finished.ms, &scene.geometry);
     let rays = finished.rendering.image.data_window.area() as f64;
-    let counts = finished.rendering.traced.counts.unwrap_or_default();
-    let (nodes, primitives) = (counts.nodes as f64 / rays, counts.primitives as f64 / rays);
     let mrays_per_s = rays / ms.trace / 1e3;
     let Finished {
-        method, precision, ..
+        accelerator,
+        precision,
+        ..
     } = finished;
-    let lines = [
+    let mut lines = vec![
         (
             "shapes",
             format!(
@@ -75,26 +62,19 @@ pub(super) fn report_statistics(scene: &Scene, finished: &Finished, reporter: &R
         ("precision", precision.to_string()),
         (
             "accelerator",
-            format!("{method}, built in {:.1} ms", ms.build),
-        ),
-        (
-            "nodes",
-            format!(
-                "{} ({} leaves), depth {}",
-                tree.nodes, tree.leaves, tree.depth
-            ),
-        ),
-        ("SAH cost", format!("{:.2}", tree.sah_cost)),
-        ("tree", format!("{} bytes", tree.bytes)),
-        (
-            "per ray",
-            format!("{nodes:.2} nodes, {primitives:.2} primitives tested"),
-        ),
-        (
-            "trace",
-            format!("{:.1} ms, {mrays_per_s:.2} million rays a second", ms.trace),
+            format!("{accelerator}, built in {:.1} ms", ms.build),
         ),
     ];
+    lines.extend(lines_on_size(finished.size));
+    if let Some(counts) = finished.rendering.traced.counts {
+        let (nodes, primitives) = (counts.nodes as f64 / rays, counts.primitives as f64 / rays);
+        let text = format!("{nodes:.2} nodes, {primitives:.2} primitives tested");
+        lines.push(("per ray", text));
+    }
+    lines.push((
+        "trace",
+        format!("{:.1} ms, {mrays_per_s:.2} million rays a second", ms.trace),
+    ));
     for (subject, text) in lines {
         reporter.line(format_args!("{subject:12}{text}"));
     }
@@ -109,5 +89,26 @@ pub(super) fn report_statistics(scene: &Scene, finished: &Finished, reporter: &R
             "integers    for {rays} rays: {unsure_tests} tests, {comparisons} comparisons, \
              {roundings} roundings"
         ));
+    }
+}
+
+/// The lines on the size of a structure.
+fn lines_on_size(size: BuiltSize) -> Vec<(&'static str, String)> {
+    match size {
+        BuiltSize::Bins { primitives, bytes } => vec![(
+            "bins",
+            format!("{primitives} primitives that rays may meet, {bytes} bytes"),
+        )],
+        BuiltSize::Tree(tree) => vec![
+            (
+                "nodes",
+                format!(
+                    "{} ({} leaves), depth {}",
+                    tree.nodes, tree.leaves, tree.depth
+                ),
+            ),
+            ("SAH cost", format!("{:.2}", tree.sah_cost)),
+            ("tree", format!("{} bytes", tree.bytes)),
+        ],
     }
 }

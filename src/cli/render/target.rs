@@ -40,11 +40,11 @@ impl<'a> Targets<'a> {
 
     /// The destination of the image of `view`.
     pub(super) fn destination(&self, loaded: &LoadedScene, view: &Viewpoint) -> Destination {
-        let (filename, method) = (view.film.filename.as_deref(), loaded.build.method);
-        let camera = view.name.as_deref();
-        self.plan
-            .output_name
-            .destination(loaded.path, filename, method, camera)
+        let (filename, camera) = (view.film.filename.as_deref(), view.name.as_deref());
+        let Plan {
+            output_name, accel, ..
+        } = self.plan;
+        output_name.destination(loaded.path, filename, *accel, camera)
     }
 
     /// The target of the image of `view`; `None` if the image exists and is to be skipped.

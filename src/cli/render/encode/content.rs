@@ -28,7 +28,7 @@ impl Content {
     }
 
     /// Returns true if the content depends on the whole aggregate, not only on its visible part.
-    pub(crate) fn needs_whole_tree(&self) -> bool {
+    pub(crate) fn needs_tree(&self) -> bool {
         self.channels().contains(&ChannelName::Cost)
     }
 

@@ -32,7 +32,7 @@ impl Provenance {
         header.insert("version".into(), env!("CARGO_PKG_VERSION").into());
         header.insert("scene".into(), self.scene.to_string().into());
         header.insert("precision".into(), self.precision.name().into());
-        if content.needs_whole_tree() {
+        if content.needs_tree() {
             header.insert("accelerator".into(), self.accel.name().into());
         }
         match content {

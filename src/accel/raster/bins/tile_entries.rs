@@ -1,0 +1,197 @@
+//! The entries that a tile may see, merged from the bins of all levels, the nearest first.
+
+use super::segment_entries::SegmentEntries;
+use crate::accel::bins::{BinEntry, BinLevel, Bins};
+use crate::accel::raster::depth_buffer::DepthBuffer;
+use crate::accel::raster::traversal::pixel_blocks_between;
+use crate::accel::tree::{BLOCK_SIZE, PrimitiveBlock};
+use crate::accel::view::TILE;
+use crate::shape::Geometry;
+use crate::simd::{F32s, Lanes, Mask};
+use std::ops::Range;
+
+/// Entries by which corners are fetched from memory before they are needed, and by which their
+/// indices are.
+const CORNERS_AHEAD: usize = 12;
+const INDICES_AHEAD: usize = 24;
+
+/// The entries of a tile that were not taken yet.
+#[derive(Debug)]
+pub(crate) struct TileEntries<'a> {
+    geometry: &'a Geometry,
+    /// The first pixel of the tile.
+    first: [u32; 2],
+    /// The entries of the first level, the nearest slice first, and those of the next tiles.
+    entries: &'a [BinEntry],
+    places: Range<usize>,
+    first_level: BinLevel,
+    large: LargeEntries<'a>,
+}
+
+impl<'a> TileEntries<'a> {
+    /// The entries of the tile whose first pixel in the window is `pixel`.
+    pub(crate) fn new(
+        bins: &'a Bins,
+        segment: &'a SegmentEntries,
+        geometry: &'a Geometry,
+        first: [u32; 2],
+        pixel: [u32; 2],
+    ) -> TileEntries<'a> {
+        TileEntries {
+            geometry,
+            first,
+            entries: segment.all(),
+            places: segment.places_of_tile(first[0]),
+            first_level: bins.grid.levels[0],
+            large: LargeEntries::new(bins, first, pixel),
+        }
+    }
+
+    /// Fills `block` with the next primitives that some pixel may see. Returns whether there are
+    /// any.
+    #[inline(always)]
+    pub(crate) fn fill<S: Lanes>(
+        &mut self,
+        simd: S,
+        block: &mut PrimitiveBlock,
+        pixels: &DepthBuffer,
+        cull_nearness: f32,
+    ) -> bool {
+        block.clear();
+        let hi_z = simd.load(&pixels.hi_z);
+        while (block.count as usize) < BLOCK_SIZE {
+            let Some((entry, pixel_blocks)) = self.next(simd, cull_nearness) else {
+                break;
+            };
+            let hidden = hi_z.above(simd.splat(entry.nearness)).bits();
+            if pixel_blocks & !hidden != 0 {
+                let primitive = entry.primitive;
+                block.push(primitive, &self.geometry.own_surface(primitive));
+            }
+        }
+        block.count != 0
+    }
+
+    /// The next entry, and the blocks of pixels that it touches.
+    #[inline(always)]
+    fn next<S: Lanes>(&mut self, simd: S, cull_nearness: f32) -> Option<(BinEntry, u32)> {
+        let small = self.entries.get(self.places.start);
+        let small = small.filter(|_| !self.places.is_empty());
+        let is_large = match (&self.large.nearest, small) {
+            (None, None) => return None,
+            (Some(large), Some(small)) => large.nearness >= small.nearness,
+            (large, _) => large.is_some(),
+        };
+        if is_large {
+            return self.large.take(cull_nearness);
+        }
+        let entry = *small?;
+        self.prefetch(simd);
+        self.places.start += 1;
+        let pixel_blocks = pixel_blocks(&entry, &self.first_level, self.first);
+        Some((entry, pixel_blocks))
+    }
+
+    #[inline(always)]
+    fn prefetch<S: Lanes>(&self, simd: S) {
+        let ahead = |by: usize| {
+            let entry = self.entries.get(self.places.start + by)?;
+            let primitive = entry.primitive;
+            (!primitive.is_quadric()).then(|| self.geometry.corners_of(primitive.index()))
+        };
+        if let Some(corners) = ahead(INDICES_AHEAD) {
+            simd.prefetch(corners);
+        }
+        if let Some(corners) = ahead(CORNERS_AHEAD) {
+            for corner in corners {
+                simd.prefetch(self.geometry.vertex(*corner));
+            }
+        }
+    }
+}
+
+/// The entries of a tile in bins of all levels but the first.
+#[derive(Debug)]
+struct LargeEntries<'a> {
+    first: [u32; 2],
+    /// For each level the entries that were not taken yet, the nearest first.
+    rest: Vec<(BinLevel, &'a [BinEntry])>,
+    /// The nearest entry that the tile touches.
+    nearest: Option<BinEntry>,
+    /// The index of its list.
+    list: usize,
+}
+
+impl<'a> LargeEntries<'a> {
+    fn new(bins: &'a Bins, first: [u32; 2], pixel: [u32; 2]) -> LargeEntries<'a> {
+        let small = bins.grid.small_bins();
+        let levels = bins.grid.levels.iter().skip(1);
+        let entries = levels.filter_map(|level| {
+            let entries = &bins.large[level.bin_at(pixel) - small][..];
+            (!entries.is_empty()).then_some((*level, entries))
+        });
+        let mut large = LargeEntries {
+            first,
+            rest: entries.collect(),
+            nearest: None,
+            list: 0,
+        };
+        large.find();
+        large
+    }
+
+    /// Finds the nearest entry that the tile touches.
+    fn find(&mut self) {
+        self.nearest = None;
+        for (list, (level, rest)) in self.rest.iter_mut().enumerate() {
+            while let Some((entry, others)) = rest.split_first() {
+                let touches = pixel_blocks(entry, level, self.first) != 0;
+                let is_nearest = self
+                    .nearest
+                    .is_none_or(|nearest| entry.nearness > nearest.nearness);
+                if !touches {
+                    *rest = others;
+                    continue;
+                }
+                if is_nearest {
+                    (self.nearest, self.list) = (Some(*entry), list);
+                }
+                break;
+            }
+        }
+    }
+
+    /// Removes the nearest entry. Ends the lists if it has less nearness than `cull_nearness`.
+    fn take(&mut self, cull_nearness: f32) -> Option<(BinEntry, u32)> {
+        let entry = self.nearest.take()?;
+        if entry.nearness < cull_nearness {
+            self.rest.clear();
+            return Some((entry, 0));
+        }
+        let (level, rest) = &mut self.rest[self.list];
+        let pixel_blocks = pixel_blocks(&entry, level, self.first);
+        *rest = &rest[1..];
+        self.find();
+        Some((entry, pixel_blocks))
+    }
+}
+
+/// The blocks of pixels that an entry touches in the tile whose first pixel is `first`, block k as
+/// bit k.
+#[inline(always)]
+fn pixel_blocks(entry: &BinEntry, level: &BinLevel, first: [u32; 2]) -> u32 {
+    let mut ends = [[0; 2]; 2];
+    for (axis, sides) in [entry.columns, entry.rows].into_iter().enumerate() {
+        let unit = level.unit(axis);
+        // Relative to the tile, in pixels.
+        let tile = i64::from(level.offset(axis, first[axis]));
+        let low = (i64::from(sides[0]) << unit) - tile;
+        let high = ((i64::from(sides[1]) + 1) << unit) - 1 - tile;
+        let last = i64::from(TILE) - 1;
+        if low > last || high < 0 {
+            return 0;
+        }
+        ends[axis] = [low.max(0) as i32, high.min(last) as i32];
+    }
+    pixel_blocks_between(ends[0], ends[1])
+}
