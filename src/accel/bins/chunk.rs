@@ -1,11 +1,12 @@
 //! Sorts a chunk of primitives into bins.
 
-use super::film_point::{FilmPoint, MAX_PIXEL_ERROR, Projector};
+use super::film_point::{FilmPoint, Projector};
 use super::footprint::{FilmWindow, Footprint};
 use super::grid::{BinEntry, BinGrid};
+use super::triangle_group::TriangleGroup;
 use crate::geometry::Bounds;
 use crate::shape::{Geometry, PrimitiveId};
-use crate::simd::{Lanes, SimdKernel};
+use crate::simd::{LANES, Lanes, SimdKernel};
 use std::ops::Range;
 
 /// Some primitives, sorted into bins.
@@ -78,32 +79,34 @@ impl SimdKernel for BinChunk<'_, '_> {
     type Output = BinnedChunk;
 
     #[inline(always)]
-    fn run<S: Lanes>(self, _: S) -> BinnedChunk {
+    fn run<S: Lanes>(self, simd: S) -> BinnedChunk {
         let BinChunk {
             binner,
-            primitives,
+            primitives: Range { start, end },
             buffer,
         } = self;
-        let triangles = binner.geometry.triangle_count();
         buffer.clear();
-        let (mut never_hit, mut seen) = (0, 0);
-        for place in primitives {
-            let (primitive, found) = if place < triangles {
-                (PrimitiveId::triangle(place), binner.triangle(place))
-            } else {
-                let quadric = place - triangles;
-                (PrimitiveId::quadric(quadric), binner.quadric(quadric))
-            };
-            match found {
-                Found::Footprint(footprint) => {
-                    seen += 1;
-                    let put = |bin, entry| buffer.push((bin, entry));
-                    binner.grid.spread(&footprint, primitive, put);
-                }
-                Found::Unseen => {}
-                Found::NeverHit => never_hit += 1,
-            }
+        let mut found = FoundPrimitives {
+            grid: binner.grid,
+            entries: buffer,
+            never_hit: 0,
+            seen: 0,
+        };
+        let triangles = binner.geometry.triangle_count();
+        for first in (start..end.min(triangles)).step_by(LANES) {
+            binner.find_triangles(
+                simd,
+                first..(first + LANES).min(end).min(triangles),
+                &mut found,
+            );
         }
+        for place in start.max(triangles)..end {
+            let quadric = place - triangles;
+            found.add(PrimitiveId::quadric(quadric), binner.quadric(quadric));
+        }
+        let FoundPrimitives {
+            never_hit, seen, ..
+        } = found;
         let (starts, entries) = BinnedChunk::sort(buffer, binner.grid.bins());
         BinnedChunk {
             starts,
@@ -116,28 +119,86 @@ impl SimdKernel for BinChunk<'_, '_> {
 
 /// How a view sees a primitive.
 enum Found {
-    Footprint(Footprint),
+    Seen(Footprint),
     Unseen,
     /// No ray can hit it, from any eye.
     NeverHit,
 }
 
 impl Found {
-    #[inline(always)]
     fn new(footprint: Option<Footprint>) -> Found {
-        footprint.map_or(Found::Unseen, Found::Footprint)
+        footprint.map_or(Found::Unseen, Found::Seen)
+    }
+}
+
+/// The entries of a chunk so far.
+struct FoundPrimitives<'a> {
+    grid: &'a BinGrid,
+    entries: &'a mut Vec<(u32, BinEntry)>,
+    never_hit: usize,
+    seen: usize,
+}
+
+impl FoundPrimitives<'_> {
+    #[inline(always)]
+    fn add_seen(&mut self, primitive: PrimitiveId, footprint: &Footprint) {
+        self.seen += 1;
+        let entries = &mut *self.entries;
+        let put = |bin, entry| entries.push((bin, entry));
+        self.grid.spread(footprint, primitive, put);
+    }
+
+    fn add(&mut self, primitive: PrimitiveId, found: Found) {
+        match found {
+            Found::Seen(footprint) => self.add_seen(primitive, &footprint),
+            Found::Unseen => {}
+            Found::NeverHit => self.never_hit += 1,
+        }
     }
 }
 
 impl Binner<'_> {
+    /// Finds up to sixteen consecutive triangles.
     #[inline(always)]
-    fn triangle(&self, index: usize) -> Found {
+    fn find_triangles<S: Lanes>(
+        &self,
+        simd: S,
+        triangles: Range<usize>,
+        found: &mut FoundPrimitives,
+    ) {
+        let mut group = TriangleGroup::new();
+        for (lane, index) in triangles.clone().enumerate() {
+            group.put(lane, self.corners(index));
+        }
+        let lanes = (1 << triangles.len()) - 1;
+        let footprints = group.footprints(simd, &self.window, lanes);
+        let mut seen = footprints.seen;
+        while seen != 0 {
+            let lane = seen.trailing_zeros() as usize;
+            seen &= seen - 1;
+            let triangle = PrimitiveId::triangle(triangles.start + lane);
+            found.add_seen(triangle, &footprints.of(lane));
+        }
+        let mut unsure = footprints.unsure;
+        while unsure != 0 {
+            let index = triangles.start + unsure.trailing_zeros() as usize;
+            unsure &= unsure - 1;
+            found.add(PrimitiveId::triangle(index), self.triangle(index));
+        }
+    }
+
+    #[inline(always)]
+    fn corners(&self, index: usize) -> [FilmPoint; 3] {
         let corners = self.geometry.corners_of(index);
-        let points = corners.map(|corner| self.vertices[corner as usize]);
-        if !has_area(&points) && !self.geometry.triangle(index).can_be_hit() {
+        corners.map(|corner| self.vertices[corner as usize])
+    }
+
+    /// A triangle, by its exact corners if need be.
+    fn triangle(&self, index: usize) -> Found {
+        if !self.geometry.triangle(index).can_be_hit() {
             return Found::NeverHit;
         }
-        Found::new(self.window.footprint(points))
+        Found::new(self.window.footprint(self.corners(index)))
     }
 
     #[inline(always)]
@@ -157,21 +218,4 @@ impl Binner<'_> {
         let points: [FilmPoint; 8] = self.projector.project(&corners);
         self.window.footprint(points)
     }
-}
-
-/// Tests whether a triangle surely has an area: it has one on the film.
-#[inline(always)]
-fn has_area(points: &[FilmPoint; 3]) -> bool {
-    let [a, b, c] = points.map(|point| point.0);
-    let (u, v) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
-    let farthest = [a, b, c].map(|point| point[0].abs().max(point[1].abs()));
-    let farthest = farthest[0].max(farthest[1]).max(farthest[2]);
-    // Bounds the errors of u and v: those of two points, two roundings of them and one of the
-    // difference.
-    let error = 2.0 * MAX_PIXEL_ERROR as f32 + farthest * (1.0 / (1 << 21) as f32);
-    let terms = (u[0] * v[1]).abs() + (u[1] * v[0]).abs();
-    let lengths = u[0].abs() + u[1].abs() + v[0].abs() + v[1].abs();
-    let bound = error * (lengths + 2.0 * error) + terms * (1.0 / (1 << 21) as f32);
-    // Unknown places are NaN, with which the comparison fails.
-    (u[0] * v[1] - u[1] * v[0]).abs() > bound + f32::MIN_POSITIVE
 }

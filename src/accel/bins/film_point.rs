@@ -25,7 +25,8 @@ impl FilmPoint {
     /// Behind the eye: no ray gets there.
     pub(super) const BEHIND: f32 = 1.0;
     /// So close to the eye's plane, or so far, that its place is unknown: column and row are NaN.
-    pub(super) const UNKNOWN: f32 = 2.0;
+    /// The sum of three sides tells whether any is unknown, or all are behind.
+    pub(super) const UNKNOWN: f32 = 4.0;
 
     /// The smaller number in each place.
     #[inline(always)]

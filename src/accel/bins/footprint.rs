@@ -17,11 +17,11 @@ pub(super) struct Footprint {
 
 /// Pixels by which rectangles are widened. Footprints in tiles have a smaller margin, so none
 /// sticks out of its rectangle.
-const MARGIN: f32 = 1.0 / 256.0;
+pub(super) const MARGIN: f32 = 1.0 / 256.0;
 /// Covers the roundings to `f32`, relative to the distance from the film's first pixel.
-const RELATIVE_MARGIN: f32 = 1.0 / (1 << 20) as f32;
+pub(super) const RELATIVE_MARGIN: f32 = 1.0 / (1 << 20) as f32;
 /// Exceeds the relative error of nearness in tiles.
-const NEARER: f32 = 1.0 + 1.0 / (1 << 15) as f32;
+pub(super) const NEARER: f32 = 1.0 + 1.0 / (1 << 15) as f32;
 
 /// The part of a film that is rendered, as a view sees it.
 #[derive(Debug, Clone, Copy)]
@@ -29,8 +29,8 @@ pub(super) struct FilmWindow {
     /// First and last column, first and last row.
     pixels: [[u32; 2]; 2],
     /// The same. From 2^24 on, `f32` skips integers: there the ends lie farther out.
-    ends: [[f32; 2]; 2],
-    is_perspective: bool,
+    pub(super) ends: [[f32; 2]; 2],
+    pub(super) is_perspective: bool,
 }
 
 impl FilmWindow {
@@ -49,7 +49,7 @@ impl FilmWindow {
     }
 
     /// The footprint of the convex hull of `points`; `None` if no ray can meet it.
-    #[inline(always)]
+    #[inline]
     pub(super) fn footprint<const N: usize>(&self, points: [FilmPoint; N]) -> Option<Footprint> {
         let (mut low, mut high) = (points[0], points[0]);
         for point in &points[1..] {
@@ -72,7 +72,7 @@ impl FilmWindow {
     }
 
     /// The footprint of a rectangle of the film.
-    #[inline(always)]
+    #[inline]
     fn between(&self, low: [f32; 2], high: [f32; 2], nearness: f32) -> Option<Footprint> {
         let mut pixels = [[0; 2]; 2];
         for axis in 0..2 {

@@ -9,6 +9,7 @@ mod chunk;
 mod film_point;
 mod footprint;
 mod grid;
+mod triangle_group;
 
 use self::chunk::{BinChunk, BinnedChunk, Binner};
 use self::film_point::{FilmPoint, Projector, project_all};
