@@ -16,6 +16,7 @@ pub mod exr_reader;
 mod exr_zip;
 mod format;
 mod image_file;
+mod in_order;
 mod metadata;
 pub mod npy_file;
 pub mod npy_reader;
