@@ -13,6 +13,15 @@ use std::thread;
 #[cfg(test)]
 mod tests;
 
+/// Bytes of pixels in a part: enough to read and write long pieces, few enough to stay in a core's
+/// cache.
+pub(super) const PART: usize = 1 << 18;
+
+/// The rows of a part, at least one, if each has `row_bytes` bytes of pixels.
+pub(super) fn rows_of_part(row_bytes: usize) -> usize {
+    (PART / row_bytes.max(1)).max(1)
+}
+
 /// Makes parts 0 to `count` by `make` on the threads of the current rayon pool, each in a buffer
 /// that its thread uses again, and passes them to `write` in order.
 ///

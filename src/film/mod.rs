@@ -23,6 +23,7 @@ pub mod npy_reader;
 pub mod pfm_file;
 pub mod pfm_reader;
 mod pixel_bounds;
+mod png_deflate;
 pub mod png_file;
 pub mod png_reader;
 mod raster;

@@ -1,14 +1,10 @@
 //! Compresses scan lines on all threads and writes them as chunks, after the table of their places.
 
 use crate::film::exr_zip::Zipper;
-use crate::film::in_order::write_in_order;
+use crate::film::in_order::{rows_of_part, write_in_order};
 use crate::film::{Channel, PixelBounds};
 use std::io::{self, Seek, SeekFrom, Write};
 use std::ops::Range;
-
-/// Bytes of samples in a band: enough to read and write long pieces, few enough to stay in a core's
-/// cache.
-pub(super) const BAND: usize = 1 << 18;
 
 /// Writes `header`, the table and the chunks of `channels`, which hold the pixels of `window`, in
 /// the order of their names. Each chunk is a scan line.
@@ -25,7 +21,7 @@ pub(super) fn write(
     out.write_all(&head)?;
     let mut end = head.len() as u64;
 
-    let lines = (BAND / (channels.len() * width * size_of::<u32>()).max(1)).max(1);
+    let lines = rows_of_part(channels.len() * width * size_of::<u32>());
     let compress = |index: usize, band: &mut Band| {
         let first = index * lines;
         band.compress(channels, window, first..(first + lines).min(height))

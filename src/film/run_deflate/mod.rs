@@ -194,7 +194,7 @@ const END_OF_BLOCK: (u32, u32) = (0, 7);
 
 /// The symbol of a length of 3 to 258 bytes, the number of extra bits, and their value (RFC 1951,
 /// 3.2.5).
-fn length_symbol(length: usize) -> (u32, u32, u32) {
+pub(super) fn length_symbol(length: usize) -> (u32, u32, u32) {
     let beyond = (length - MIN_COPY) as u32;
     match beyond {
         0..8 => (257 + beyond, 0, 0),

@@ -4,6 +4,7 @@ mod header;
 mod random;
 
 use super::*;
+use crate::film::in_order::{PART, rows_of_part};
 use crate::film::{ChannelName, exr_zip};
 use exr::prelude::{FlatImage, FlatSamples, ReadChannels, ReadLayers};
 use std::io::Cursor;
@@ -180,8 +181,8 @@ fn rows_may_have_odd_or_even_length() {
 #[test]
 fn bands_write_every_line() {
     const WIDTH: u32 = 2048;
-    let lines = (chunks::BAND / (WIDTH as usize * size_of::<u32>())) as u32;
-    let wide = chunks::BAND as u32 / 2;
+    let lines = rows_of_part(WIDTH as usize * size_of::<u32>()) as u32;
+    let wide = PART as u32 / 2;
     let sizes = [lines - 1, lines, lines + 1, 2 * lines].map(|height| (WIDTH, height));
     for (width, height) in sizes.into_iter().chain([(wide, 3)]) {
         assert_survives(&picture(
