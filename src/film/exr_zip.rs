@@ -3,54 +3,66 @@
 use super::{Channel, Samples, run_deflate};
 use std::ops::Range;
 
-/// Compresses scan lines one after the other. Each thread has its own.
+/// Compresses scan lines, some at a time. Each thread has its own.
 #[derive(Default)]
 pub(super) struct Zipper {
-    /// The bytes of the line at even places, then those at odd places.
+    /// For each line, the bytes at even places, then those at odd places.
     split: Vec<u8>,
     differences: Vec<u8>,
-    zipped: Vec<u8>,
 }
 
 impl Zipper {
-    /// Row `line` of `channels`, with `width` samples each, as stored in the file: compressed, or
-    /// uncompressed if that is not longer. Readers recognize this by the length.
-    pub(super) fn zip(&mut self, channels: &[&Channel], width: usize, line: usize) -> Vec<u8> {
-        let row = line * width..(line + 1) * width;
-        self.split
-            .resize(channels.len() * width * size_of::<u32>(), 0);
-        let (even, odd) = self
-            .split
-            .split_at_mut(channels.len() * width * size_of::<u16>());
-        let halves = even
-            .as_chunks_mut()
-            .0
-            .chunks_exact_mut(width)
-            .zip(odd.as_chunks_mut().0.chunks_exact_mut(width));
-        for (channel, (even, odd)) in channels.iter().zip(halves) {
-            match &channel.samples {
-                Samples::F32(values) => split(
-                    values[row.clone()].iter().map(|value| value.to_bits()),
-                    even,
-                    odd,
-                ),
-                Samples::U32(values) => split(values[row.clone()].iter().copied(), even, odd),
+    /// Takes the rows `lines` of `channels`, with `width` samples each.
+    ///
+    /// Channel by channel, since memory is read faster in long pieces.
+    pub(super) fn take(&mut self, channels: &[&Channel], width: usize, lines: Range<usize>) {
+        let row_bytes = width * size_of::<u32>();
+        let line_bytes = channels.len() * row_bytes;
+        self.split.resize(lines.len() * line_bytes, 0);
+        for (index, channel) in channels.iter().enumerate() {
+            let place = index * row_bytes / 2..(index + 1) * row_bytes / 2;
+            for (line, split_line) in lines.clone().zip(self.split.chunks_exact_mut(line_bytes)) {
+                let (even, odd) = split_line.split_at_mut(line_bytes / 2);
+                let (even, odd) = (&mut even[place.clone()], &mut odd[place.clone()]);
+                let row = line * width..(line + 1) * width;
+                match &channel.samples {
+                    Samples::F32(values) => {
+                        split(values[row].iter().map(|value| value.to_bits()), even, odd);
+                    }
+                    Samples::U32(values) => split(values[row].iter().copied(), even, odd),
+                }
             }
         }
-        take_differences(&self.split, &mut self.differences);
-        self.zipped.clear();
-        run_deflate::compress(&self.differences, &mut self.zipped);
-        if self.zipped.len() < self.split.len() {
-            self.zipped.clone()
-        } else {
-            bytes_of_row(channels, row)
+    }
+
+    /// Appends row `line` of `channels`, which is number `index` of the rows taken, to `out` as
+    /// stored in the file: compressed, or uncompressed if that is not longer. Readers recognize
+    /// this by the length.
+    pub(super) fn zip(
+        &mut self,
+        channels: &[&Channel],
+        width: usize,
+        [line, index]: [usize; 2],
+        out: &mut Vec<u8>,
+    ) {
+        let line_bytes = channels.len() * width * size_of::<u32>();
+        take_differences(
+            &self.split[index * line_bytes..][..line_bytes],
+            &mut self.differences,
+        );
+        let start = out.len();
+        run_deflate::compress(&self.differences, out);
+        if out.len() - start >= line_bytes {
+            out.truncate(start);
+            out.extend(bytes_of_row(channels, line * width..(line + 1) * width));
         }
     }
 }
 
 /// Splits samples of four bytes, lowest first, into those at even and those at odd places.
-fn split(samples: impl Iterator<Item = u32>, even: &mut [[u8; 2]], odd: &mut [[u8; 2]]) {
-    for ((sample, even), odd) in samples.zip(even).zip(odd) {
+fn split(samples: impl Iterator<Item = u32>, even: &mut [u8], odd: &mut [u8]) {
+    let halves = even.as_chunks_mut().0.iter_mut().zip(odd.as_chunks_mut().0);
+    for (sample, (even, odd)) in samples.zip(halves) {
         let [byte0, byte1, byte2, byte3] = sample.to_le_bytes();
         *even = [byte0, byte2];
         *odd = [byte1, byte3];

@@ -16,7 +16,7 @@ pub(crate) enum Destination {
 /// The content of a file.
 pub(crate) trait Encode {
     /// Writes the content, to a file or to memory.
-    fn encode(&self, out: &mut (impl Write + Seek)) -> io::Result<()>;
+    fn encode(&self, out: &mut (impl Write + Seek + Send)) -> io::Result<()>;
 }
 
 impl Destination {

@@ -69,7 +69,7 @@ fn check_format(path: &Path) -> Result<()> {
 }
 
 impl Encode for Merged {
-    fn encode(&self, out: &mut (impl Write + Seek)) -> io::Result<()> {
+    fn encode(&self, out: &mut (impl Write + Seek + Send)) -> io::Result<()> {
         exr_file::write(&self.image, &self.metadata, out)
     }
 }

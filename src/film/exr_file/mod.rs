@@ -2,60 +2,55 @@
 //!
 //! Scan lines come in increasing order, each compressed by itself (`zips`), so that equal images
 //! give equal files: the default encoding of the `exr` crate writes tiles in the order in which
-//! threads finish them. The thread pool of the crate is off: lines are compressed in the pool of
-//! the caller, and written in order. The crate writes the header and the structure of the file, but
-//! not its ZIP: ours takes a small fraction of the time.
+//! threads finish them. The crate writes the header. Compression, in the pool of the caller, and
+//! chunks are ours: they take a small fraction of the time.
+
+mod chunks;
 
 use std::io::{self, Seek, Write};
-use std::ops::Range;
 
-use exr::block::chunk::{Chunk, CompressedBlock, CompressedScanLineBlock};
-use exr::block::writer::ChunksWriter;
 use exr::error::Error as ExrError;
 use exr::math::Vec2;
-use exr::meta::BlockDescription;
 use exr::meta::attribute::{
     AttributeValue, ChannelDescription, IntegerBounds, LineOrder, SampleType, Text,
 };
 use exr::meta::header::{Header, ImageAttributes, LayerAttributes};
-use rayon::prelude::*;
+use exr::meta::{BlockDescription, MetaData, magic_number};
 
 #[cfg(test)]
 mod tests;
 
-use super::exr_zip::Zipper;
 use super::{CameraAttributes, Channel, Image, Metadata, PixelBounds, Samples};
 
 /// The name of the attribute with the metadata of the caller. There is only one, because the `exr`
 /// crate keeps custom attributes in a hash table and writes several of them in random order.
 pub const ATTRIBUTE: &str = "feimos";
 
-/// Scan lines in a batch: enough to keep every thread busy, few enough that memory never holds the
-/// whole compressed image.
-const BATCH: u32 = 256;
-
 /// Writes `image` as an OpenEXR file with `metadata`: its JSON in the [`ATTRIBUTE`], and the
 /// standard attributes of a camera.
-pub fn write(image: &Image, metadata: &Metadata, out: &mut (impl Write + Seek)) -> io::Result<()> {
+pub fn write(
+    image: &Image,
+    metadata: &Metadata,
+    out: &mut (impl Write + Seek + Send),
+) -> io::Result<()> {
     image
         .validate()
         .map_err(|problem| io::Error::new(io::ErrorKind::InvalidInput, problem))?;
     let channels = sorted_channels(image, metadata);
-    let header = header(image, &channels, metadata).map_err(into_io)?;
-    let window = image.data_window;
-    let batches = (0..window.height())
-        .step_by(BATCH as usize)
-        .map(|first| first..window.height().min(first + BATCH));
-    exr::block::write(out, [header].into_iter().collect(), true, |_, writer| {
-        for batch in batches {
-            let chunks = compress(&channels, window, batch.clone())?;
-            for (line, chunk) in batch.zip(chunks) {
-                writer.write_chunk(line as usize, chunk)?;
-            }
-        }
-        Ok(())
-    })
-    .map_err(into_io)
+    let header = header(image, &channels, metadata)
+        .and_then(|header| encode(&[header]))
+        .map_err(into_io)?;
+    chunks::write(header, &channels, image.data_window, out)
+}
+
+/// The beginning of a file, up to the table of chunks.
+fn encode(headers: &[Header]) -> Result<Vec<u8>, ExrError> {
+    let mut bytes = Vec::new();
+    let requirements = MetaData::validate(headers, true)?;
+    magic_number::write(&mut bytes)?;
+    requirements.write(&mut bytes)?;
+    Header::write_all(headers, &mut bytes, false)?;
+    Ok(bytes)
 }
 
 /// The channels in the order of their names in the file, by bytes, as the format demands.
@@ -123,31 +118,6 @@ fn integer_bounds(bounds: PixelBounds) -> Result<IntegerBounds, ExrError> {
         position,
         (bounds.width() as usize, bounds.height() as usize),
     ))
-}
-
-/// The compressed lines of a batch, in order, each with its place in the file.
-fn compress(
-    channels: &[&Channel],
-    window: PixelBounds,
-    lines: Range<u32>,
-) -> Result<Vec<Chunk>, ExrError> {
-    let width = window.width() as usize;
-    let chunk = |zipper: &mut Zipper, line: u32| {
-        let compressed_pixels_le = zipper.zip(channels, width, line as usize);
-        let y_coordinate = i32::try_from(window.y0 + line)?;
-        let block = CompressedScanLineBlock {
-            y_coordinate,
-            compressed_pixels_le,
-        };
-        Ok(Chunk {
-            layer_index: 0,
-            compressed_block: CompressedBlock::ScanLine(block),
-        })
-    };
-    lines
-        .into_par_iter()
-        .map_init(Zipper::default, chunk)
-        .collect()
 }
 
 /// An error of the disk unchanged; any other as an error of the input.

@@ -58,11 +58,8 @@ pub(super) fn compress(bytes: &[u8], out: &mut Vec<u8>) {
 /// The first run at or after `from` of bytes that equal the byte one period before.
 fn next_run(bytes: &[u8], from: usize) -> Option<(usize, usize)> {
     let mut place = from.max(PERIOD);
-    while place + WORD <= bytes.len() {
-        if !repeats_at(bytes, place) {
-            place += STRIDE;
-            continue;
-        }
+    loop {
+        place = next_repeated_word(bytes, place)?;
         let before = bytes[from.max(PERIOD)..place]
             .iter()
             .rev()
@@ -74,18 +71,42 @@ fn next_run(bytes: &[u8], from: usize) -> Option<(usize, usize)> {
         }
         place = end.max(place + STRIDE);
     }
+}
+
+/// The first of `place` and the places after it, a stride apart, where a word repeats.
+fn next_repeated_word(bytes: &[u8], mut place: usize) -> Option<usize> {
+    // Several at once, because most do not repeat.
+    const AT_ONCE: usize = 4;
+    while place + AT_ONCE * STRIDE <= bytes.len() {
+        let repeats: [bool; AT_ONCE] =
+            std::array::from_fn(|index| repeats_at::<WORD>(bytes, place + index * STRIDE));
+        if repeats.iter().fold(false, |any, one| any | one) {
+            break;
+        }
+        place += AT_ONCE * STRIDE;
+    }
+    while place + WORD <= bytes.len() {
+        if repeats_at::<WORD>(bytes, place) {
+            return Some(place);
+        }
+        place += STRIDE;
+    }
     None
 }
 
-/// Returns true if the word at `place` equals the one a period before.
+/// Returns true if the `N` bytes at `place` equal those a period before.
 #[inline]
-fn repeats_at(bytes: &[u8], place: usize) -> bool {
-    bytes[place..place + WORD] == bytes[place - PERIOD..place - PERIOD + WORD]
+fn repeats_at<const N: usize>(bytes: &[u8], place: usize) -> bool {
+    bytes[place..place + N] == bytes[place - PERIOD..place - PERIOD + N]
 }
 
 /// The first byte at or after `place` that differs from the one a period before.
 fn end_of_run(bytes: &[u8], mut place: usize) -> usize {
-    while place + WORD <= bytes.len() && repeats_at(bytes, place) {
+    const WORDS: usize = 4 * WORD;
+    while place + WORDS <= bytes.len() && repeats_at::<WORDS>(bytes, place) {
+        place += WORDS;
+    }
+    while place + WORD <= bytes.len() && repeats_at::<WORD>(bytes, place) {
         place += WORD;
     }
     let rest = bytes[place..].iter().zip(&bytes[place - PERIOD..]);
@@ -142,25 +163,29 @@ impl Blocks<'_> {
     fn copy(&mut self, length: usize) {
         let (symbol, extra_bits, extra) = length_symbol(length);
         let (code, bits) = fixed_code(symbol);
-        self.put(code, bits);
-        self.put(extra, extra_bits);
         // Distances have a code of five bits each; this one has no extra bits.
-        self.put(reversed(PERIOD as u32 - 1, 5), 5);
+        let distance = reversed(PERIOD as u32 - 1, 5) << extra_bits;
+        self.put(code | (extra | distance) << bits, bits + extra_bits + 5);
     }
 
+    /// Appends up to 32 bits.
     #[inline]
     fn put(&mut self, bits: u32, count: u32) {
         self.bits |= u64::from(bits) << self.bit_count;
         self.bit_count += count;
-        while self.bit_count >= 8 {
-            self.out.push(self.bits as u8);
-            self.bits >>= 8;
-            self.bit_count -= 8;
+        if self.bit_count >= u32::BITS {
+            self.out.extend((self.bits as u32).to_le_bytes());
+            self.bits >>= u32::BITS;
+            self.bit_count -= u32::BITS;
         }
     }
 
+    /// Fills the current byte with zeros and appends all bits.
     fn fill_byte(&mut self) {
-        self.put(0, (8 - self.bit_count) % 8);
+        let bytes = self.bit_count.div_ceil(u8::BITS) as usize;
+        self.out
+            .extend_from_slice(&self.bits.to_le_bytes()[..bytes]);
+        (self.bits, self.bit_count) = (0, 0);
     }
 }
 
@@ -169,7 +194,7 @@ const END_OF_BLOCK: (u32, u32) = (0, 7);
 
 /// The symbol of a length of 3 to 258 bytes, the number of extra bits, and their value (RFC 1951,
 /// 3.2.5).
-fn length_symbol(length: usize) -> (u32, u32, u32) {
+pub(super) fn length_symbol(length: usize) -> (u32, u32, u32) {
     let beyond = (length - MIN_COPY) as u32;
     match beyond {
         0..8 => (257 + beyond, 0, 0),

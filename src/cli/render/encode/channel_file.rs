@@ -57,7 +57,7 @@ impl ChannelFile {
         image: &Image,
         header: Option<&str>,
         camera: Option<CameraAttributes>,
-        out: &mut (impl Write + Seek),
+        out: &mut (impl Write + Seek + Send),
     ) -> io::Result<()> {
         match &self.format {
             ChannelFormat::Exr { .. } => {

@@ -119,7 +119,7 @@ struct Encoding<'a> {
 }
 
 impl Encode for Encoding<'_> {
-    fn encode(&self, out: &mut (impl Write + Seek)) -> io::Result<()> {
+    fn encode(&self, out: &mut (impl Write + Seek + Send)) -> io::Result<()> {
         match (self.content, &self.pixels) {
             (Content::View(file), Some(pixels)) => {
                 let window = &self.image.data_window;

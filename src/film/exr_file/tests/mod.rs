@@ -4,6 +4,7 @@ mod header;
 mod random;
 
 use super::*;
+use crate::film::in_order::{PART, rows_of_part};
 use crate::film::{ChannelName, exr_zip};
 use exr::prelude::{FlatImage, FlatSamples, ReadChannels, ReadLayers};
 use std::io::Cursor;
@@ -178,11 +179,15 @@ fn rows_may_have_odd_or_even_length() {
 }
 
 #[test]
-fn batches_write_every_line() {
-    for height in [BATCH - 1, BATCH, BATCH + 1, 2 * BATCH] {
+fn bands_write_every_line() {
+    const WIDTH: u32 = 2048;
+    let lines = rows_of_part(WIDTH as usize * size_of::<u32>()) as u32;
+    let wide = PART as u32 / 2;
+    let sizes = [lines - 1, lines, lines + 1, 2 * lines].map(|height| (WIDTH, height));
+    for (width, height) in sizes.into_iter().chain([(wide, 3)]) {
         assert_survives(&picture(
-            (2, height),
-            PixelBounds::of_film(2, height),
+            (width, height),
+            PixelBounds::of_film(width, height),
             &[ChannelName::Id],
         ));
     }
@@ -193,7 +198,7 @@ fn stored_lines(file: &[u8]) -> Vec<Vec<u8>> {
     let reader = exr::block::read(Cursor::new(file), true).unwrap();
     let chunks = reader.all_chunks(true).unwrap();
     let pixels = chunks.map(|chunk| match chunk.unwrap().compressed_block {
-        CompressedBlock::ScanLine(line) => line.compressed_pixels_le,
+        exr::block::chunk::CompressedBlock::ScanLine(line) => line.compressed_pixels_le,
         other => panic!("{other:?}"),
     });
     pixels.collect()
