@@ -7,24 +7,24 @@ use crate::geometry::Point;
 use crate::mesh::ply::header::Scalar;
 use crate::mesh::polygon::{self, Clipper};
 
-/// Reads `text`, which must have one line for each of `points`.
-pub(super) fn read_vertices(
+/// Reads the coordinates in `text`, which must have one line for each of `vertices`.
+pub(super) fn read_vertices<T: From<[f64; 3]>>(
     text: &[u8],
     properties: &[VertexProperty],
-    points: &mut [Point],
+    vertices: &mut [T],
 ) -> Option<()> {
     let usual = usual_kind(properties);
     let others = properties.len() - 3;
     let mut rest = text;
-    for place in points {
+    for place in vertices {
         if let Some(kind) = usual
             && let Some((point, length)) = usual_lines::three_reals(rest, others)
         {
-            *place = Point::from(point.map(|value| rounded(value, kind)));
+            *place = T::from(point.map(|value| rounded(value, kind)));
             rest = &rest[length..];
         } else {
             let mut lines = Lines::new(rest);
-            *place = vertex(&mut lines, properties)?;
+            *place = T::from(vertex(&mut lines, properties)?);
             lines.end_line()?;
             rest = lines.rest();
         }
@@ -52,7 +52,7 @@ fn rounded(value: f64, kind: Scalar) -> f64 {
 }
 
 /// The values of a vertex, up to the end of the line.
-fn vertex(lines: &mut Lines, properties: &[VertexProperty]) -> Option<Point> {
+fn vertex(lines: &mut Lines, properties: &[VertexProperty]) -> Option<[f64; 3]> {
     let mut point = [0.0; 3];
     for property in properties {
         match property.axis {
@@ -60,7 +60,7 @@ fn vertex(lines: &mut Lines, properties: &[VertexProperty]) -> Option<Point> {
             None => lines.skip()?,
         }
     }
-    Some(Point::from(point))
+    Some(point)
 }
 
 /// The most corners of a face: their number is one digit, so that triangles can be counted before
