@@ -2,6 +2,7 @@
 
 mod eight_bytes;
 mod non_finite;
+pub(crate) mod usual_lines;
 
 use self::eight_bytes::EightBytes;
 pub(crate) use self::non_finite::leading as leading_non_finite;

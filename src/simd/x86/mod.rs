@@ -10,7 +10,9 @@ mod avx2;
 mod avx512;
 mod level;
 mod sse;
+mod text;
 
 pub(super) use avx2::Avx2;
 pub(super) use avx512::Avx512;
 pub(super) use sse::Sse;
+pub(super) use text::{blanks, four_numbers};

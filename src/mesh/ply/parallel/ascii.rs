@@ -4,10 +4,9 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use super::blocks::{Block, HEAD, cut, defaults};
+use super::blocks::{Block, HEAD, cut, points, zeros};
 use super::element_lines;
 use super::form::Form;
-use crate::geometry::Point;
 use crate::input::Storage;
 use crate::mesh::TriangleMesh;
 
@@ -29,9 +28,9 @@ pub(super) fn read(storage: &Storage, start: u64, form: &Form, block: u64) -> Op
     let (vertex_blocks, face_blocks) = parted(storage, blocks, form.vertices)?;
     let room = room(&face_blocks, form)?;
 
-    let mut vertices = defaults(form.vertices)?;
-    let read_vertices = |text: &[u8], points: &mut [Point]| {
-        element_lines::read_vertices(text, &form.properties, points)
+    let mut vertices = zeros(form.vertices)?;
+    let read_vertices = |text: &[u8], places: &mut [[f64; 3]]| {
+        element_lines::read_vertices(text, &form.properties, places)
     };
     fill(
         storage,
@@ -40,7 +39,8 @@ pub(super) fn read(storage: &Storage, start: u64, form: &Form, block: u64) -> Op
         |block| block.tally.lines(),
         read_vertices,
     )?;
-    let mut triangles = defaults(room)?;
+    let vertices = points(vertices);
+    let mut triangles = zeros(room)?;
     let read_faces = |text: &[u8], places: &mut [[u32; 3]]| {
         element_lines::read_faces(text, form, &vertices, places)
     };

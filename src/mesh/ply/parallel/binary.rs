@@ -2,12 +2,12 @@
 
 use rayon::prelude::*;
 
-use super::blocks::{HEAD, defaults};
+use super::blocks::{HEAD, points, zeros};
 use super::form::Form;
 use crate::geometry::Point;
 use crate::input::Storage;
 use crate::mesh::TriangleMesh;
-use crate::mesh::ply::binary::{ByteOrder, double, single, value};
+use crate::mesh::ply::binary::{ByteOrder, double, single};
 use crate::mesh::ply::header::Scalar;
 
 /// The mesh whose first vertex is at the byte `start` of `storage`.
@@ -71,12 +71,12 @@ impl Records<'_> {
     /// Reads `N` values from each record; all records must be within the file.
     fn read<T, const N: usize>(
         &self,
-        read: impl Fn(&[u8]) -> Option<[T; N]> + Sync,
+        read: impl Fn(&[u8]) -> Option<[T; N]> + Copy + Sync,
     ) -> Option<Vec<T>>
     where
         T: Copy + Default + Send + Sync,
     {
-        let mut values = defaults(self.count.checked_mul(N)?)?;
+        let mut values = zeros(self.count.checked_mul(N)?)?;
         let at_once = (self.block as usize / self.stride).max(1);
         let blocks = values.par_chunks_mut(at_once * N).enumerate();
         blocks.try_for_each_init(Vec::new, |buffer, (number, places)| {
@@ -86,11 +86,11 @@ impl Records<'_> {
                 .storage
                 .piece(start..start + size as u64, buffer)
                 .ok()?;
-            for (record, places) in bytes
-                .chunks_exact(self.stride)
-                .zip(places.chunks_exact_mut(N))
-            {
-                places.copy_from_slice(&read(record)?);
+            let (places, _) = places.as_chunks_mut();
+            // A copy keeps what `read` captures in registers.
+            let read = read;
+            for (record, places) in bytes.chunks_exact(self.stride).zip(places) {
+                *places = read(record)?;
             }
             Some(())
         })?;
@@ -116,16 +116,13 @@ fn vertices<Order: ByteOrder>(records: &Records, form: &Form) -> Option<Vec<Poin
     }
     let [(x, kind), (y, _), (z, _)] = places;
     let (single, double) = (single::<Order>, double::<Order>);
-    match kind {
+    let coordinates = match kind {
         _ if places.iter().any(|(_, other)| *other != kind) => None,
-        Scalar::F32 => {
-            records.read(|r| Some([Point::new(single(r, x)?, single(r, y)?, single(r, z)?)]))
-        }
-        Scalar::F64 => {
-            records.read(|r| Some([Point::new(double(r, x)?, double(r, y)?, double(r, z)?)]))
-        }
+        Scalar::F32 => records.read(move |r| Some([[single(r, x)?, single(r, y)?, single(r, z)?]])),
+        Scalar::F64 => records.read(move |r| Some([[double(r, x)?, double(r, y)?, double(r, z)?]])),
         _ => None,
-    }
+    };
+    coordinates.map(points)
 }
 
 /// The records of faces that have `corners` corners each.
@@ -162,17 +159,24 @@ fn triangles<Order: ByteOrder, const CORNERS: usize, const TRIANGLES: usize>(
     u32::try_from(form.faces.checked_mul(TRIANGLES)?).ok()?;
     let count_at = usize::try_from(form.layout.lead.bytes).ok()?;
     let count_size = form.layout.count.size();
-    let first = count_at + count_size;
-    records.read::<_, TRIANGLES>(|record| {
-        let count = match count_size {
-            1 => usize::from(*record.get(count_at)?),
-            2 => usize::from(u16::from_le_bytes(value::<Order, 2>(record, count_at)?)),
-            _ => u32::from_le_bytes(value::<Order, 4>(record, count_at)?) as usize,
+    records.read::<_, TRIANGLES>(move |record| {
+        let list = record.get(count_at..)?;
+        let (count, list) = match count_size {
+            1 => list
+                .split_first()
+                .map(|(count, list)| (usize::from(*count), list))?,
+            2 => list.split_first_chunk().map(|(count, list)| {
+                (
+                    usize::from(u16::from_le_bytes(Order::ordered(*count))),
+                    list,
+                )
+            })?,
+            _ => list
+                .split_first_chunk()
+                .map(|(count, list)| (u32::from_le_bytes(Order::ordered(*count)) as usize, list))?,
         };
-        let mut corners = [0; CORNERS];
-        for (number, corner) in corners.iter_mut().enumerate() {
-            *corner = u32::from_le_bytes(value::<Order, 4>(record, first + 4 * number)?);
-        }
+        let corners: &[_; CORNERS] = list.as_chunks().0.first_chunk()?;
+        let corners = corners.map(|corner| u32::from_le_bytes(Order::ordered(corner)));
         let is_good = count == CORNERS && corners.iter().all(|corner| (*corner as usize) < limit);
         is_good.then(|| std::array::from_fn(|k| [corners[0], corners[k + 1], corners[k + 2]]))
     })

@@ -1,24 +1,34 @@
 //! Cuts text into blocks of whole lines, and counts lines and triangles before they are read.
 
+use std::hint::black_box;
 use std::ops::Range;
 
 use rayon::prelude::*;
 
+use crate::geometry::Point;
 use crate::input::Storage;
 use crate::memory;
 
 /// The longest header, and the longest line.
 pub(super) const HEAD: u64 = 1 << 14;
 
-/// `count` defaults, made by all threads: most of the time goes into the system's allocation of
-/// memory. `None` if there is not enough.
-pub(super) fn defaults<T: Copy + Default + Send + Sync>(count: usize) -> Option<Vec<T>> {
+/// `count` zeros. `None` if there is not enough memory.
+///
+/// The memory is new, and nothing has touched it: so the threads that fill it share the time that
+/// the system takes to provide it.
+pub(super) fn zeros<T: Copy + Default>(count: usize) -> Option<Vec<T>> {
     let bytes = count.checked_mul(size_of::<T>())?;
     memory::check(bytes as u64, String::new).ok()?;
-    let mut values = Vec::new();
-    values.try_reserve_exact(count).ok()?;
-    rayon::iter::repeat_n(T::default(), count).collect_into_vec(&mut values);
-    Some(values)
+    // `vec!` would end the program if the system refuses.
+    let mut trial: Vec<T> = Vec::new();
+    trial.try_reserve_exact(count).ok()?;
+    drop(black_box(trial));
+    Some(vec![T::default(); count])
+}
+
+/// The points with these coordinates, in the same memory.
+pub(super) fn points(coordinates: Vec<[f64; 3]>) -> Vec<Point> {
+    coordinates.into_iter().map(Point::from).collect()
 }
 
 /// Whole lines, the last of which may lack its end.

@@ -13,9 +13,9 @@ impl<'a> Lines<'a> {
         Lines { rest: text }
     }
 
-    /// Whether nothing is left.
-    pub(super) fn is_done(&self) -> bool {
-        self.rest.is_empty()
+    /// What is left.
+    pub(super) fn rest(&self) -> &'a [u8] {
+        self.rest
     }
 
     /// The next number.

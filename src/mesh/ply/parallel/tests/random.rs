@@ -7,39 +7,94 @@ use super::*;
 
 fn number() -> impl Strategy<Value = String> {
     prop_oneof![
-        8 => "-?[0-9]{1,3}[.][0-9]{1,7}",
+        40 => "-?[0-9]{1,3}[.][0-9]{1,7}",
+        4 => "-?0[.][0-9]{6,9}",
         2 => "[+-]?[0-9]{0,9}[.]?[0-9]{0,18}(e[+-]?[0-9]{1,3})?",
         1 => "(nan|inf|-inf|0|-0|x)",
     ]
 }
 
 fn blank() -> impl Strategy<Value = &'static str> {
-    prop_oneof![20 => Just(" "), 1 => Just("  "), 1 => Just("\t"), 1 => Just(" \r")]
+    prop_oneof![60 => Just(" "), 1 => Just("  "), 1 => Just("\t"), 1 => Just(" \r")]
 }
 
 fn line_end() -> impl Strategy<Value = &'static str> {
-    prop_oneof![30 => Just("\n"), 10 => Just(" \n"), 2 => Just("\r\n"), 1 => Just("\n\n"), 1 => Just("\r")]
+    prop_oneof![
+        90 => Just("\n"),
+        30 => Just(" \n"),
+        6 => Just("\r\n"),
+        1 => Just("\n\n"),
+        1 => Just("\r"),
+    ]
 }
 
-/// Text that is plain most of the time.
-fn any_text() -> impl Strategy<Value = String> {
-    let vertex = (number(), blank(), number(), blank(), number(), line_end());
-    let vertex = vertex.prop_map(|(x, a, y, b, z, end)| format!("{x}{a}{y}{b}255 {z}{end}"));
-    let corners = prop_oneof![12 => proptest::collection::vec(0..12_u32, 3..5), 1 => proptest::collection::vec(0..30_u32, 0..12)];
-    let face = (corners, blank(), line_end()).prop_map(|(corners, blank, end)| {
+/// The values of a vertex apart from its coordinates.
+#[derive(Debug, Clone, Copy)]
+enum Others {
+    None,
+    BeforeZ,
+    AfterZ,
+}
+
+impl Others {
+    fn any() -> impl Strategy<Value = Others> {
+        prop_oneof![
+            Just(Others::None),
+            Just(Others::BeforeZ),
+            Just(Others::AfterZ)
+        ]
+    }
+
+    fn header(self, vertices: usize, faces: usize, kind: &str) -> String {
+        let z = format!("property {kind} z\n");
+        let before_z = format!("property uchar red\n{z}");
+        let properties = match self {
+            Others::None => z,
+            Others::BeforeZ => before_z.clone(),
+            Others::AfterZ => z + "property uchar red\nproperty float quality\n",
+        };
+        header("ascii", vertices, faces, kind).replace(&before_z, &properties)
+    }
+
+    fn line(self, [x, y, z]: [String; 3], blanks: [&str; 4], end: &str) -> String {
+        let [a, b, c, d] = blanks;
+        match self {
+            Others::None => format!("{x}{a}{y}{b}{z}{end}"),
+            Others::BeforeZ => format!("{x}{a}{y}{b}255{c}{z}{end}"),
+            Others::AfterZ => format!("{x}{a}{y}{b}{z}{c}255{d}0.123456789{end}"),
+        }
+    }
+}
+
+/// A face of corners below `count`, most of the time.
+fn face(count: u32) -> impl Strategy<Value = String> {
+    let corners = prop_oneof![
+        12 => proptest::collection::vec(0..count, 3..5),
+        1 => proptest::collection::vec(0..30_u32, 0..12),
+    ];
+    (corners, blank(), line_end()).prop_map(|(corners, blank, end)| {
         let corners: String = corners
             .iter()
             .map(|corner| format!("{blank}{corner}"))
             .collect();
         format!("{}{corners}{end}", corners.split_whitespace().count())
-    });
+    })
+}
+
+/// Text that is plain most of the time.
+fn any_text() -> impl Strategy<Value = String> {
+    let numbers = proptest::array::uniform3(number());
+    let vertex = (numbers, proptest::array::uniform4(blank()), line_end());
     let kind = prop_oneof![Just("float"), Just("double")];
     let bodies = (
         proptest::collection::vec(vertex, 12..30),
-        proptest::collection::vec(face, 1..20),
+        proptest::collection::vec(face(12), 1..20),
     );
-    (bodies, kind).prop_map(|((vertices, faces), kind)| {
-        header("ascii", vertices.len(), faces.len(), kind) + &vertices.concat() + &faces.concat()
+    (bodies, kind, Others::any()).prop_map(|((vertices, faces), kind, others)| {
+        let header = others.header(vertices.len(), faces.len(), kind);
+        let line = |(numbers, blanks, end)| others.line(numbers, blanks, end);
+        let vertices: String = vertices.into_iter().map(line).collect();
+        header + &vertices + &faces.concat()
     })
 }
 
