@@ -10,6 +10,7 @@ mod tests;
 
 pub use diagnostic::{Diagnostic, printable};
 pub use location::{Excerpt, Position, SourceLocation};
+pub(crate) use location::{SHOWN_BYTES, TextPosition, is_line_end, shown_from};
 
 use std::fmt;
 use std::path::Path;

@@ -14,7 +14,7 @@ use crate::memory;
 const TRUSTED_TIMES: usize = 16;
 
 /// Whether `bytes` are gzip data.
-fn recognises(bytes: &[u8]) -> bool {
+pub(super) fn recognises(bytes: &[u8]) -> bool {
     bytes.starts_with(MAGIC)
 }
 
@@ -75,14 +75,6 @@ pub(crate) fn parsed<T>(
 ///
 /// # Errors
 /// Damaged data, and more data than `budget` allows.
-pub(crate) fn content(path: &Path, bytes: Vec<u8>, budget: &Budget) -> Result<Vec<u8>> {
-    if recognises(&bytes) {
-        decompressed(path, &bytes, budget).map(Cow::into_owned)
-    } else {
-        Ok(bytes)
-    }
-}
-
 fn decompressed<'a>(path: &Path, bytes: &'a [u8], budget: &Budget) -> Result<Cow<'a, [u8]>> {
     if !recognises(bytes) {
         return Ok(Cow::Borrowed(bytes));
@@ -99,7 +91,7 @@ fn decompressed<'a>(path: &Path, bytes: &'a [u8], budget: &Budget) -> Result<Cow
         .read_to_end(&mut content);
     read.map_err(|error| damaged(path, &error))?;
     if content.len() as u64 > limit {
-        return Err(bomb(path, bytes.len(), limit).note(budget.advice()));
+        return Err(bomb(path, bytes.len() as u64, limit).note(budget.advice()));
     }
     budget.charge_decompressed(content.len() as u64);
     Ok(Cow::Owned(content))
@@ -114,7 +106,7 @@ fn trusted_size(end: &[u8], size: usize) -> usize {
     claimed.min(size.saturating_mul(TRUSTED_TIMES))
 }
 
-fn damaged(path: &Path, error: &std::io::Error) -> Error {
+pub(super) fn damaged(path: &Path, error: &std::io::Error) -> Error {
     let message = format!("the gzip data are damaged or cut off: {error}");
     let location = SourceLocation::file(path);
     Error::bad_input(
@@ -124,7 +116,7 @@ fn damaged(path: &Path, error: &std::io::Error) -> Error {
     )
 }
 
-fn bomb(path: &Path, size: usize, limit: u64) -> Error {
+pub(super) fn bomb(path: &Path, size: u64, limit: u64) -> Error {
     let message = format!(
         "{size} bytes of gzip data decompress to more than {limit} bytes, \
          which the compressed files of a scene have left"

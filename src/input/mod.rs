@@ -3,13 +3,16 @@
 mod budget;
 pub(crate) mod gzip;
 mod gzip_members;
+mod inflated;
 mod missing;
 mod storage;
+mod text_stream;
 
 pub use budget::BudgetFactor;
 pub(crate) use budget::{Budget, pairs_of};
 pub(crate) use missing::advise_beside;
 pub(crate) use storage::Storage;
+pub(crate) use text_stream::TextStream;
 
 use crate::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
 use crate::memory;
@@ -21,14 +24,6 @@ use rayon::prelude::*;
 
 /// The bytes that a thread reads at a time; smaller files are read by one thread.
 const PIECE: usize = 1 << 20;
-
-/// Reads standard input.
-///
-/// # Errors
-/// A read error, or input that does not end within a part of the available memory.
-pub(crate) fn read_stdin() -> Result<Vec<u8>> {
-    read_stream(Path::new("-"), &mut io::stdin().lock())
-}
 
 /// Reads an input of unknown size, which may never end.
 fn read_stream(path: &Path, stream: &mut impl Read) -> Result<Vec<u8>> {

@@ -1,7 +1,7 @@
 //! Counts the directives and shapes of a scene.
 
 use super::parser::{Directive, KEYWORDS, Statement};
-use crate::error::SourceLocation;
+use super::place::Place;
 use std::collections::BTreeMap;
 
 /// How often each directive and each type of shape occurs, in all files of a scene.
@@ -103,7 +103,7 @@ impl Census {
     }
 
     /// Notes a shape that only bounds a medium.
-    pub(super) fn add_boundary(&mut self, shape: &str, place: impl FnOnce() -> SourceLocation) {
+    pub(super) fn add_boundary(&mut self, shape: &str, place: impl FnOnce() -> Place) {
         self.boundaries.count += 1;
         if self.boundaries.first.len() < MAX_LISTED {
             self.boundaries.first.push(Boundary {

@@ -3,8 +3,7 @@
 use super::accelerator::AcceleratorParameters;
 use super::bare_mesh::scene_of_mesh;
 use super::interpreter::Interpreter;
-use super::parser;
-use super::source_file::SourceFile;
+use super::scene_text::{self, WINDOW};
 use super::{LoadOptions, Scene};
 use crate::error::Result;
 use crate::file_id::InputFiles;
@@ -85,8 +84,7 @@ pub fn is_bare_mesh(path: &Path) -> bool {
 
 /// Whether the file `path` is a scene of its own: it has a `WorldBegin`, or cannot be read.
 pub fn is_top_level(path: &Path) -> bool {
-    SourceFile::read_top_level(path, &Budget::default())
-        .map_or(true, |file| parser::begins_world(file.text()))
+    scene_text::has_world(path, WINDOW).unwrap_or(true)
 }
 
 /// The shape that a scene would call the mesh, and its format.

@@ -1,51 +1,56 @@
 //! Where the files of a scene state its shapes and instances.
 
-use super::source_file::{SourceFile, SourceSpan};
-use crate::error::SourceLocation;
+use super::place::Place;
+use super::source_span::SourceSpan;
 use std::path::Path;
 use std::sync::Arc;
 
-/// The places of all `Shape` and `ObjectInstance` statements. They keep the text of their files.
+/// The places of all `Shape` and `ObjectInstance` statements.
 #[derive(Debug, Clone, Default)]
 pub struct Locations {
-    shapes: Vec<(Box<str>, SourceSpan)>,
-    instances: Vec<SourceSpan>,
+    shapes: Vec<(Box<str>, Place)>,
+    instances: Vec<Place>,
 }
 
 impl Locations {
     /// The one shape of a mesh file that is rendered without a scene.
     pub(super) fn of_mesh(path: &Path, shape: &str) -> Locations {
-        let mut locations = Locations::default();
-        let file = Arc::new(SourceFile::new(path, Vec::new()));
-        locations.add_shape(shape, &SourceSpan::new(&file, &(0..0)));
-        locations
+        let place = Place {
+            path: Arc::from(path),
+            position: None,
+        };
+        Locations {
+            shapes: vec![(shape.into(), place)],
+            instances: Vec::new(),
+        }
     }
 
     /// Adds the next `Shape`, by its type and its keyword.
     pub(super) fn add_shape(&mut self, name: &str, keyword: &SourceSpan) {
-        self.shapes.push((name.into(), keyword.clone()));
+        self.shapes.push((name.into(), keyword.place()));
     }
 
     /// Adds the next `ObjectInstance`, by its keyword.
     pub(super) fn add_instance(&mut self, keyword: &SourceSpan) {
-        self.instances.push(keyword.clone());
+        self.instances.push(keyword.place());
     }
 
     /// Type and place of `Shape` statement `number`, counted from 1.
-    pub fn shape(&self, number: u32) -> Option<(&str, SourceLocation)> {
-        let (name, keyword) = self.shapes.get((number as usize).checked_sub(1)?)?;
-        Some((name, keyword.location()))
+    pub fn shape(&self, number: u32) -> Option<(&str, &Place)> {
+        let (name, place) = self.shapes.get((number as usize).checked_sub(1)?)?;
+        Some((name, place))
     }
 
     /// Place of `ObjectInstance` statement `number`, counted from 0.
-    pub fn instance(&self, number: usize) -> Option<SourceLocation> {
-        self.instances.get(number).map(SourceSpan::location)
+    pub fn instance(&self, number: usize) -> Option<&Place> {
+        self.instances.get(number)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::source_file::SourceFile;
 
     #[test]
     fn shapes_and_instances_are_found_by_number() {

@@ -12,8 +12,11 @@ mod load;
 mod locations;
 mod parameters;
 pub mod parser;
+mod place;
+mod scene_text;
 mod shapes;
 mod source_file;
+mod source_span;
 pub mod spelling;
 mod transform_history;
 mod warnings;
@@ -27,7 +30,9 @@ pub use load::{
     SceneOptions, is_bare_mesh, is_top_level, load, load_listing_files, parse, read_options,
 };
 pub use locations::Locations;
-pub use source_file::{SourceFile, SourceSpan, Span};
+pub use place::Place;
+pub use source_file::{SourceFile, Span};
+pub use source_span::SourceSpan;
 pub use transform_history::{TransformHistory, TransformId, TransformStep};
 pub use warnings::{Warning, Warnings};
 

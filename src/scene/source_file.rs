@@ -1,21 +1,30 @@
-//! The text of a scene file, and spans of it.
+//! Pieces of the text of a scene file: where they stand in the file, in lines and columns.
 
-use crate::error::{Diagnostic, Error, Result, SourceLocation};
-use crate::input::{self, Budget, gzip};
+use super::place::Place;
+use crate::error::{
+    Diagnostic, Error, SHOWN_BYTES, SourceLocation, TextPosition, is_line_end, shown_from,
+};
 use std::ops::Range;
-use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::path::Path;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Bytes of a text, counted from 0.
 pub type Span = Range<usize>;
 
-/// The whole text of a file, or of one directive that several files share.
+/// The text of a file or a piece of it, or the text of one directive that several files share.
 #[derive(Debug)]
 pub struct SourceFile {
-    path: PathBuf,
+    path: Arc<Path>,
+    /// Where the piece begins in the text of the file.
+    offset: usize,
+    begin: TextPosition,
     text: Vec<u8>,
+    /// Whether the text of the file ends with this piece.
+    is_last: bool,
     /// Empty unless the text comes from several files; else in order, the first at the start.
     parts: Vec<Part>,
+    /// The bytes of the piece whose lines were counted last, and where they end.
+    counted: Mutex<(usize, TextPosition)>,
 }
 
 /// A part of a spliced text: it reaches from `start` to the next part.
@@ -30,79 +39,59 @@ struct Part {
 impl SourceFile {
     /// A file called `path` that contains `text`.
     pub fn new(path: &Path, text: Vec<u8>) -> SourceFile {
+        SourceFile::piece(&Arc::from(path), 0, TextPosition::default(), text, true)
+    }
+
+    /// The piece `text` of the file `path`: it begins at byte `offset`, which is at `begin`.
+    pub(super) fn piece(
+        path: &Arc<Path>,
+        offset: usize,
+        begin: TextPosition,
+        text: Vec<u8>,
+        is_last: bool,
+    ) -> SourceFile {
         SourceFile {
-            path: path.to_path_buf(),
+            path: Arc::clone(path),
+            offset,
+            begin,
             text,
+            is_last,
             parts: Vec::new(),
+            counted: Mutex::new((0, begin)),
         }
     }
 
-    /// Reads the scene that the user named, `-` for standard input; within a scene `-` is a file
-    /// like any other. Gzip data is decompressed; spans count in the decompressed text.
-    pub(super) fn read_top_level(path: &Path, budget: &Budget) -> Result<SourceFile> {
-        let is_stdin = path == Path::new("-");
-        let is_known = !is_stdin && budget.enter(path);
-        let bytes = if is_stdin {
-            input::read_stdin()?
-        } else {
-            input::read(path)?
-        };
-        if !is_known {
-            // A pipe has no size before it is read.
-            budget.enter_stream(path, bytes.len() as u64);
-        }
-        SourceFile::decompressed(path, bytes, is_known, budget)
-    }
-
-    /// Reads a regular file that a scene includes, compressed or not.
-    pub(super) fn read_included(path: &Path, budget: &Budget) -> Result<SourceFile> {
-        budget.charge_file()?;
-        input::refuse_special(path)?;
-        let is_known = budget.enter(path);
-        SourceFile::decompressed(path, input::read(path)?, is_known, budget)
-    }
-
-    fn decompressed(
-        path: &Path,
-        bytes: Vec<u8>,
-        is_known: bool,
-        budget: &Budget,
-    ) -> Result<SourceFile> {
-        let text = gzip::content(path, bytes, budget)?;
-        budget.charge_text(text.len() as u64, is_known)?;
-        Ok(SourceFile::new(path, text))
-    }
-
-    /// The text of `first` from `start` on, followed by the `span` of `second`.
+    /// The text of `first` from `start` on, followed by the `span` of `second`. Spans of it count
+    /// from its own start.
     pub(super) fn spliced(
         first: &Arc<SourceFile>,
         start: usize,
         second: &Arc<SourceFile>,
         span: Span,
     ) -> SourceFile {
-        let mut text = first.text[start..].to_vec();
-        let mut parts = first.parts_from(start);
+        let mut text = first.from(start).to_vec();
+        let mut parts = first.parts_from(start..first.end());
         // The end of a file ends a word and a comment.
         text.push(b'\n');
         let moved = |part: Part| Part {
             start: part.start + text.len(),
             ..part
         };
-        parts.extend(second.parts_from(span.start).into_iter().map(moved));
-        text.extend_from_slice(&second.text[span]);
+        parts.extend(second.parts_from(span.clone()).into_iter().map(moved));
+        text.extend_from_slice(second.slice(&span));
         SourceFile {
-            path: second.path.clone(),
-            text,
             parts,
+            ..SourceFile::piece(&second.path, 0, TextPosition::default(), text, true)
         }
     }
 
-    /// The parts of the text from `start` on, as if it began there.
-    fn parts_from(self: &Arc<SourceFile>, start: usize) -> Vec<Part> {
+    /// The parts of the text in `span`, as if it began there.
+    fn parts_from(&self, span: Span) -> Vec<Part> {
+        let start = span.start;
         if self.parts.is_empty() {
             return vec![Part {
                 start: 0,
-                file: Arc::clone(self),
+                file: Arc::new(self.excerpt(&span)),
                 offset: start,
             }];
         }
@@ -115,14 +104,67 @@ impl SourceFile {
         self.parts[first..].iter().map(moved).collect()
     }
 
+    /// A copy of `span` with all that messages show around it.
+    pub(super) fn excerpt(&self, span: &Span) -> SourceFile {
+        let [start, end] = [span.start, span.end].map(|at| self.index(at));
+        let from = shown_from(&self.text, start);
+        let after = &self.text[end..self.text.len().min(end + SHOWN_BYTES)];
+        let to = end + after.iter().position(is_line_end).unwrap_or(after.len());
+        let text = self.text[from..to].to_vec();
+        let begin = self.position(span.start).before(&self.text[from..start]);
+        SourceFile::piece(&self.path, self.offset + from, begin, text, false)
+    }
+
+    /// A copy of `span` that does not hold the whole piece `file`. A spliced text is small.
+    pub(super) fn kept(file: &Arc<SourceFile>, span: &Span) -> Arc<SourceFile> {
+        match file.is_spliced() {
+            true => Arc::clone(file),
+            false => Arc::new(file.excerpt(span)),
+        }
+    }
+
+    /// Takes the text out of the piece.
+    pub(super) fn into_text(self) -> Vec<u8> {
+        self.text
+    }
+
     /// The file as the user named it, or as a scene reached it.
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// The bytes of the text.
-    pub fn text(&self) -> &[u8] {
-        &self.text
+    pub(super) fn shared_path(&self) -> &Arc<Path> {
+        &self.path
+    }
+
+    /// Where the piece begins in the text of the file.
+    pub(super) fn start(&self) -> usize {
+        self.offset
+    }
+
+    /// Where the piece ends in the text of the file.
+    pub(super) fn end(&self) -> usize {
+        self.offset + self.text.len()
+    }
+
+    /// Whether the text of the file ends with this piece.
+    pub(super) fn is_last(&self) -> bool {
+        self.is_last
+    }
+
+    /// The bytes of the piece from `start` on.
+    pub(super) fn from(&self, start: usize) -> &[u8] {
+        &self.text[self.index(start)..]
+    }
+
+    /// The bytes of `span`.
+    pub(super) fn slice(&self, span: &Span) -> &[u8] {
+        &self.text[self.index(span.start)..self.index(span.end)]
+    }
+
+    /// The index in the piece of byte `at` of the text.
+    fn index(&self, at: usize) -> usize {
+        at.saturating_sub(self.offset).min(self.text.len())
     }
 
     /// Whether the text comes from several files.
@@ -130,71 +172,62 @@ impl SourceFile {
         !self.parts.is_empty()
     }
 
-    /// File, line and column of `span`. An empty file has no lines: only the file is named.
+    /// The line and column of byte `at` of the text, which must not be within a character or CR LF.
+    /// Bytes that were passed are not counted again.
+    pub(super) fn position(&self, at: usize) -> TextPosition {
+        let index = self.index(at);
+        let mut counted = self.counted.lock().unwrap_or_else(PoisonError::into_inner);
+        if counted.0 > index {
+            *counted = (0, self.begin);
+        }
+        let (passed, mut position) = *counted;
+        position.pass(&self.text[passed..index]);
+        *counted = (index, position);
+        position
+    }
+
+    /// The part that `at` is in, and the place in its file.
+    fn part_of(&self, at: usize) -> Option<(&Part, usize)> {
+        let after = self.parts.partition_point(|part| part.start <= at);
+        let part = &self.parts[after.checked_sub(1)?];
+        Some((part, at - part.start + part.offset))
+    }
+
+    /// Whether the whole file is empty: it has no lines.
+    fn is_of_empty_file(&self) -> bool {
+        self.offset == 0 && self.text.is_empty()
+    }
+
+    /// File, line and column of `span`. Of an empty file, only the file is named.
     pub(super) fn at(&self, span: &Span) -> SourceLocation {
-        let after = self.parts.partition_point(|part| part.start <= span.start);
-        let Some(part) = after.checked_sub(1).map(|index| &self.parts[index]) else {
-            return match self.text.is_empty() {
-                true => SourceLocation::file(&self.path),
-                false => SourceLocation::text(&self.path, &self.text, span.clone()),
-            };
-        };
-        // What follows the part is in another file.
-        let end = self
-            .parts
-            .get(after)
-            .map_or(span.end, |next| span.end.min(next.start));
-        let in_file = |at: usize| at - part.start + part.offset;
-        SourceLocation::text(
-            &part.file.path,
-            &part.file.text,
-            in_file(span.start)..in_file(end),
-        )
+        if let Some((part, start)) = self.part_of(span.start) {
+            // What follows the part is in another file.
+            let mut starts = self.parts.iter().map(|part| part.start);
+            let next = starts.find(|next| *next > span.start).unwrap_or(usize::MAX);
+            let length = span.end.min(next).saturating_sub(span.start);
+            return part.file.at(&(start..start + length));
+        }
+        if self.is_of_empty_file() {
+            return SourceLocation::file(&self.path);
+        }
+        let local = self.index(span.start)..self.index(span.end);
+        SourceLocation::in_piece(&self.path, &self.text, local, self.position(span.start))
+    }
+
+    /// File, line and column of `at`, without the line.
+    pub(super) fn place(&self, at: usize) -> Place {
+        if let Some((part, at)) = self.part_of(at) {
+            return part.file.place(at);
+        }
+        Place {
+            path: Arc::clone(&self.path),
+            position: (!self.is_of_empty_file()).then(|| self.position(at)),
+        }
     }
 
     /// An error at `span`.
     pub(super) fn error(&self, span: &Span, message: impl Into<String>) -> Error {
         Error::bad_input(Diagnostic::new(message).at(self.at(span)))
-    }
-}
-
-/// A span that remembers its file. Its line and column are only counted when they are shown.
-#[derive(Debug, Clone)]
-pub struct SourceSpan {
-    file: Arc<SourceFile>,
-    span: Span,
-}
-
-impl SourceSpan {
-    pub(super) fn new(file: &Arc<SourceFile>, span: &Span) -> SourceSpan {
-        SourceSpan {
-            file: Arc::clone(file),
-            span: span.clone(),
-        }
-    }
-
-    /// Another span of the same file.
-    pub(super) fn beside(&self, span: &Span) -> SourceSpan {
-        SourceSpan::new(&self.file, span)
-    }
-
-    pub(super) fn file(&self) -> &Arc<SourceFile> {
-        &self.file
-    }
-
-    /// File, line and column.
-    pub fn location(&self) -> SourceLocation {
-        self.file.at(&self.span)
-    }
-
-    /// An error at this place.
-    pub(super) fn error(&self, message: impl Into<String>) -> Error {
-        self.file.error(&self.span, message)
-    }
-
-    /// A warning or note about this place.
-    pub(super) fn diagnostic(&self, message: impl Into<String>) -> Diagnostic {
-        Diagnostic::new(message).at(self.location())
     }
 }
 

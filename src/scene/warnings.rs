@@ -1,6 +1,6 @@
 //! Collects warnings: the first of each kind, and how many there were.
 
-use super::source_file::SourceSpan;
+use super::source_span::SourceSpan;
 use crate::error::Diagnostic;
 use std::collections::HashMap;
 

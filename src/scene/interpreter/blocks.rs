@@ -1,7 +1,7 @@
 //! The kinds of block, and the warnings about blocks that do not match.
 
 use crate::error::Diagnostic;
-use crate::scene::source_file::SourceSpan;
+use crate::scene::source_span::SourceSpan;
 use crate::scene::warnings::Warnings;
 
 /// A kind of block.

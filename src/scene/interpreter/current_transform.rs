@@ -6,7 +6,7 @@ use super::transforms::{Transforms, Unusable};
 use crate::error::Result;
 use crate::geometry::{Point, Transform, Vector};
 use crate::scene::parser::{ActiveTransform, Text, TransformDirective};
-use crate::scene::source_file::SourceSpan;
+use crate::scene::source_span::SourceSpan;
 use crate::scene::transform_history::{TransformHistory, TransformStep};
 use crate::scene::warnings::Warnings;
 use std::rc::Rc;
@@ -111,7 +111,7 @@ impl CurrentTransform {
         }
         self.now.change(self.active, |current| current.times(leaf));
         if is_rendered && self.singular.is_none() && !self.start().inverse.is_finite() {
-            self.singular = Some((why_not_finite(directive), at.clone()));
+            self.singular = Some((why_not_finite(directive), at.kept()));
         }
     }
 
@@ -119,7 +119,7 @@ impl CurrentTransform {
         self.now.change(self.active, |_| *transform);
         if self.changes_start() {
             let is_singular = !transform.inverse.is_finite();
-            self.singular = is_singular.then(|| (why_not_finite(directive), at.clone()));
+            self.singular = is_singular.then(|| (why_not_finite(directive), at.kept()));
             self.now.unusable = None;
         }
     }
@@ -131,7 +131,7 @@ impl CurrentTransform {
             && self.changes_start()
             && (replaces || self.now.unusable.is_none())
         {
-            let (message, at) = (why_unusable(m), at.clone());
+            let (message, at) = (why_unusable(m), at.kept());
             self.now.unusable = Some(Rc::new(Unusable { message, at }));
         }
     }

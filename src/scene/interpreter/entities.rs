@@ -8,7 +8,7 @@ use crate::scene::cameras::CameraParameters;
 use crate::scene::film::{Film, FilmParameters};
 use crate::scene::parameters::Parameters;
 use crate::scene::parser::Entity;
-use crate::scene::source_file::SourceSpan;
+use crate::scene::source_span::SourceSpan;
 use crate::scene::warnings::Warnings;
 use std::path::Path;
 
@@ -53,7 +53,7 @@ impl Entities {
         let mut parameters = Parameters::new("Film", entity, at.file())?;
         self.film = FilmParameters::read(&mut parameters, warnings)?;
         parameters.finish_with_suggestions(warnings);
-        self.film_at = Some(at.clone());
+        self.film_at = Some(at.kept());
         Ok(())
     }
 

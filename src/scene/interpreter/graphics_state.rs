@@ -11,7 +11,8 @@ use super::materials::Material;
 use crate::error::Result;
 use crate::scene::parameters::{MAX_DEFAULTS, Parameters, ShapeDefaults};
 use crate::scene::parser::Entity;
-use crate::scene::source_file::SourceSpan;
+use crate::scene::source_file::SourceFile;
+use crate::scene::source_span::SourceSpan;
 use crate::scene::spelling;
 use crate::scene::warnings::Warnings;
 
@@ -26,6 +27,8 @@ pub(super) struct GraphicsState {
     /// Whether shapes emit light: `AreaLightSource`.
     pub(super) is_light: bool,
     open: Vec<OpenBlock>,
+    /// The blocks, from the outermost on, that hold no piece of the text.
+    settled: usize,
 }
 
 /// A block that is not closed yet, with the state before it.
@@ -49,6 +52,7 @@ impl GraphicsState {
             material: Material::default(),
             is_light: false,
             open: Vec::new(),
+            settled: 0,
         }
     }
 
@@ -73,6 +77,14 @@ impl GraphicsState {
             is_light: self.is_light,
             defaults: self.defaults.len(),
         });
+    }
+
+    /// Lets go of the piece of the text that has been read.
+    pub(super) fn settle(&mut self) {
+        for block in &mut self.open[self.settled..] {
+            block.began = block.began.kept();
+        }
+        self.settled = self.open.len();
     }
 
     /// Closes the innermost block, with a warning if it is not a `block`.
@@ -108,6 +120,7 @@ impl GraphicsState {
     }
 
     fn restore(&mut self, before: OpenBlock) {
+        self.settled = self.settled.min(self.open.len());
         self.transform.restore(before.transform);
         self.reverses_orientation = before.reverses_orientation;
         (self.material, self.is_light) = (before.material, before.is_light);
@@ -120,7 +133,12 @@ impl GraphicsState {
         let parameters = Parameters::new("Attribute", entity, at.file())?;
         let target = parameters.entity_name();
         if target == "shape" {
-            if self.defaults.add(&entity.parameters, at.file()) {
+            let end = entity
+                .parameters
+                .last()
+                .map_or(at.start(), |last| last.values_span.end);
+            let kept = SourceFile::kept(at.file(), &(at.start()..end));
+            if self.defaults.add(&entity.parameters, &kept) {
                 return Ok(());
             }
             let message = format!(

@@ -2,7 +2,7 @@
 
 use super::name::{Name, key};
 use crate::scene::parser::{Entity, Text, Values};
-use crate::scene::source_file::SourceSpan;
+use crate::scene::source_span::SourceSpan;
 use crate::scene::warnings::Warnings;
 use std::collections::{HashMap, HashSet};
 

@@ -10,26 +10,40 @@ mod materials;
 mod name;
 mod objects;
 mod scene_builder;
+#[cfg(test)]
+mod tests;
 mod transforms;
 
 use super::inputs::Inputs;
-use super::parser::{Directives, Next, Statement, Text, end_of_arguments, is_last};
-use super::source_file::{SourceFile, SourceSpan};
+use super::parser::{Directives, Next, Statement, Step, Text, end_of_arguments, is_last};
+use super::scene_text::{SceneText, WINDOW};
+use super::source_file::SourceFile;
+use super::source_span::SourceSpan;
 use super::{AcceleratorParameters, LoadOptions, Scene};
 use crate::error::Result;
 use crate::file_id::InputFiles;
-use crate::input::advise_beside;
+use crate::input::{TextStream, advise_beside};
 use crate::progress::Progress;
 use includes::{Includes, Tail};
 use scene_builder::{Phase, SceneBuilder};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+/// How much of a file has been executed.
+enum Read {
+    /// All of it, but for its last directive, which may continue in another file.
+    All(Option<Tail>),
+    /// What is certain before the next piece is read.
+    Part,
+}
+
 /// Reads one scene.
 pub(super) struct Interpreter<'a> {
     path: PathBuf,
     progress: Progress<'a>,
     stops_at_world: bool,
+    /// The bytes of a scene file that are in memory at a time.
+    window: usize,
     inputs: Inputs,
     includes: Includes,
     scene: SceneBuilder,
@@ -46,6 +60,7 @@ impl<'a> Interpreter<'a> {
             path: path.to_path_buf(),
             progress,
             stops_at_world: false,
+            window: WINDOW,
             inputs: Inputs::new(path, options.input_budget),
             includes: Includes::default(),
             scene: SceneBuilder::new(options),
@@ -63,15 +78,14 @@ impl<'a> Interpreter<'a> {
     /// Executes the scene file.
     pub(super) fn read_top_level(&mut self) -> Result<()> {
         self.inputs.add_named(&self.path);
-        let file = SourceFile::read_top_level(&self.path, self.inputs.budget())?;
-        self.read(Arc::new(file), false).map(|_| ())
+        let stream = TextStream::open_named(&self.path, self.inputs.budget())?;
+        self.read(stream, None, false).map(|_| ())
     }
 
     /// Executes `text` as if it were the scene file.
     pub(super) fn read_text(&mut self, text: Vec<u8>) -> Result<()> {
-        self.inputs.budget().enter_bytes(text.len() as u64);
-        let file = SourceFile::new(&self.path, text);
-        self.read(Arc::new(file), false).map(|_| ())
+        let stream = TextStream::of_memory(&self.path, text, self.inputs.budget());
+        self.read(stream, None, false).map(|_| ())
     }
 
     /// The files that were read, or tried.
@@ -84,56 +98,93 @@ impl<'a> Interpreter<'a> {
         self.scene.finish(&self.path)
     }
 
-    /// Executes a file and those that it includes. If arguments follow its `Include`, the file
-    /// `is_continued`, and its last directive is returned instead of executed.
-    fn read(&mut self, file: Arc<SourceFile>, is_continued: bool) -> Result<Option<Tail>> {
-        self.includes.enter(file.path());
-        let tail = self.read_directives(&file, is_continued)?;
+    /// Executes a file, which a scene names at `named_at`, and those that it includes. If arguments
+    /// follow its `Include`, the file `is_continued`, and its last directive is returned instead of
+    /// executed.
+    fn read(
+        &mut self,
+        stream: TextStream,
+        named_at: Option<SourceSpan>,
+        is_continued: bool,
+    ) -> Result<Option<Tail>> {
+        self.includes.enter(stream.path());
+        let mut text = SceneText::new(stream, self.window, named_at, self.inputs.budget())?;
+        let read = self.read_pieces(&mut text, is_continued);
+        let budget = self.inputs.budget();
+        let tail = match read {
+            // Nothing in damaged data is worth an error.
+            Err(error) => return Err(text.damage(budget).unwrap_or(error)),
+            Ok(tail) => tail,
+        };
+        if !self.stops_at_world {
+            text.finish(budget)?;
+        }
         self.includes.leave();
         Ok(tail)
     }
 
+    fn read_pieces(&mut self, text: &mut SceneText, is_continued: bool) -> Result<Option<Tail>> {
+        let mut seen = 0;
+        loop {
+            let piece = Arc::clone(text.piece());
+            let mut directives = text.directives(&piece);
+            let read = self.read_directives(&piece, &mut directives, &mut seen, is_continued)?;
+            if let Read::All(tail) = read {
+                return Ok(tail);
+            }
+            let position = directives.into_position();
+            self.scene.settle();
+            drop(piece);
+            text.advance(position, self.inputs.budget())?;
+        }
+    }
+
+    /// Executes the `directives` of `file`, or of a piece of it. The first bytes of the file, of
+    /// number `seen`, have been reported as progress.
     fn read_directives(
         &mut self,
         file: &Arc<SourceFile>,
+        directives: &mut Directives,
+        seen: &mut usize,
         is_continued: bool,
-    ) -> Result<Option<Tail>> {
-        let mut directives = Directives::new(file);
-        let mut seen = 0;
+    ) -> Result<Read> {
         loop {
             // Only a directive that is returned has to be found again.
             let start = if is_continued { directives.offset() } else { 0 };
-            let directive = match directives.next() {
-                None => return Ok(None),
+            let directive = match directives.step() {
+                Step::End => return Ok(Read::All(None)),
+                Step::NeedsMore => return Ok(Read::Part),
                 // Anything may follow the end of the world.
-                Some(Err(_)) if self.scene.phase() == Phase::Ended => return Ok(None),
-                // Perhaps the rest of it is in another file.
-                Some(Err(_)) if is_continued && is_last(file.text(), start) => {
-                    return Ok(Some(Tail::new(file, start)));
+                Step::Error(_) if self.scene.phase() == Phase::Ended => {
+                    return Ok(Read::All(None));
                 }
-                Some(directive) => directive?,
+                // Perhaps the rest of it is in another file.
+                Step::Error(_) if is_continued && is_last(file, start) => {
+                    return Ok(Read::All(Some(Tail::new(file, start))));
+                }
+                Step::Error(error) => return Err(error),
+                Step::Directive(directive) => directive,
             };
             if !file.is_spliced() {
-                self.progress.advance(directive.span.end - seen);
-                seen = directive.span.end;
+                self.progress.advance(directive.span.end - *seen);
+                *seen = directive.span.end;
             }
             let keyword = SourceSpan::new(file, &directive.keyword);
             if self.scene.phase() == Phase::Ended {
                 self.scene
                     .warn_of_the_rest(&keyword.beside(&directive.span));
-                return Ok(None);
+                return Ok(Read::All(None));
             }
             let includes = matches!(directive.statement, Statement::Include(_));
             if is_continued && !includes && directives.next_is() == Next::End {
-                return Ok(Some(Tail::new(file, start)));
+                return Ok(Read::All(Some(Tail::new(file, start))));
             }
             self.scene.count(&directive);
             self.scene.check_legal(&directive, &keyword)?;
             let mut tail = None;
             match &directive.statement {
                 Statement::Include(name) => {
-                    tail =
-                        self.include_and_continue(name, &keyword, &mut directives, is_continued)?;
+                    tail = self.include_and_continue(name, &keyword, directives, is_continued)?;
                 }
                 Statement::Import(name) => {
                     let was_in_object = self.scene.begin_import(&keyword);
@@ -143,7 +194,7 @@ impl<'a> Interpreter<'a> {
                 _ => self.scene.execute(&directive, &keyword, &mut self.inputs)?,
             }
             if tail.is_some() || (self.stops_at_world && self.scene.phase() != Phase::Options) {
-                return Ok(tail);
+                return Ok(Read::All(tail));
             }
         }
     }
@@ -166,13 +217,18 @@ impl<'a> Interpreter<'a> {
             return Ok(None);
         };
         let start = directives.offset();
-        let end = end_of_arguments(at.file().text(), start);
+        let end = end_of_arguments(at.file(), start);
         directives.go_to(end);
         let is_continued = is_continued && directives.next_is() == Next::End;
         if is_continued && start == end {
             return Ok(Some(tail));
         }
-        self.read_directives(&tail.with(at.file(), start..end), is_continued)
+        let whole = tail.with(at.file(), start..end);
+        let mut directives = Directives::new(&whole);
+        match self.read_directives(&whole, &mut directives, &mut 0, is_continued)? {
+            Read::All(tail) => Ok(tail),
+            Read::Part => Ok(None),
+        }
     }
 
     /// Reads the file `name` in place of the directive at `at`.
@@ -191,10 +247,10 @@ impl<'a> Interpreter<'a> {
             return Err(named_at.error(refusal));
         }
         self.inputs.add(&path);
-        let included = SourceFile::read_included(&path, self.inputs.budget());
+        let included = TextStream::open_included(&path, self.inputs.budget());
         // An error without a place is about this directive.
         let included = included.map_err(|error| error.or_at(|| named_at.location()));
-        let read = included.and_then(|included| self.read(Arc::new(included), is_continued));
+        let read = included.and_then(|text| self.read(text, Some(named_at.clone()), is_continued));
         read.map_err(|error| {
             let place = named_at.location();
             let error = advise_beside(&place.path, &name.path(), &path, error);

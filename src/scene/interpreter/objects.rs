@@ -5,8 +5,9 @@ use crate::error::Result;
 use crate::geometry::Matrix;
 use crate::scene::census::UnusedObject;
 use crate::scene::parser::Text;
+use crate::scene::place::Place;
 use crate::scene::shapes::TransformCache;
-use crate::scene::source_file::SourceSpan;
+use crate::scene::source_span::SourceSpan;
 use crate::scene::spelling;
 use crate::scene::warnings::Warnings;
 use crate::shape::Geometry;
@@ -20,8 +21,8 @@ pub(super) struct Objects {
     /// The object that is being defined.
     open: Option<Definition>,
     defined: HashMap<Name, Object>,
-    /// Instances of objects that are not defined yet.
-    awaited: Vec<Awaited>,
+    /// Instances of objects that are not defined yet, by the names of the objects.
+    awaited: HashMap<Name, Awaited>,
     /// The number of different transforms in each object, summed up.
     transform_count: usize,
 }
@@ -43,20 +44,27 @@ struct Definition {
 /// A finished object.
 enum Object {
     /// No instance shows it yet. The place is that of its name.
-    Unused(Box<Geometry>, SourceSpan),
+    Unused(Box<Geometry>, Place),
     /// The number of the object in the scene.
     Used(usize),
 }
 
-/// An `ObjectInstance` before the definition of its object.
+/// Each `ObjectInstance` of one object before its definition.
 struct Awaited {
-    name: Name,
-    at: SourceSpan,
-    /// Its number among the instances of the scene.
-    instance: usize,
+    /// The name in the first of them.
+    first: SourceSpan,
+    /// Their numbers among the instances of the scene.
+    instances: Vec<usize>,
 }
 
 impl Objects {
+    /// Lets go of the piece of the text that has been read.
+    pub(super) fn settle(&mut self) {
+        if let Some(definition) = &mut self.open {
+            definition.at = definition.at.kept();
+        }
+    }
+
     /// The geometry that the next shape belongs to.
     pub(super) fn store(&mut self) -> &mut Store {
         match &mut self.open {
@@ -100,7 +108,7 @@ impl Objects {
             warnings.add("object defined twice", || at.diagnostic(message));
         }
         self.defined
-            .insert(name, Object::Unused(Box::new(store.geometry), at));
+            .insert(name, Object::Unused(Box::new(store.geometry), at.place()));
     }
 
     /// Adds an instance of the object `name`, which may be defined later.
@@ -121,8 +129,12 @@ impl Objects {
             None => geometry
                 .add_undefined_instance(world_from_instance)
                 .map(|instance| {
-                    let (name, at) = (Name::new(name), keyword.beside(&name.span));
-                    self.awaited.push(Awaited { name, at, instance });
+                    let awaited = self.awaited.entry(Name::new(name));
+                    let awaited = awaited.or_insert_with(|| Awaited {
+                        first: keyword.beside(&name.span).kept(),
+                        instances: Vec::new(),
+                    });
+                    awaited.instances.push(instance);
                 }),
         };
         added.map_err(|error| keyword.error(error.to_string()).note("split the scene"))
@@ -134,11 +146,13 @@ impl Objects {
     /// # Errors
     /// An instance of an object that does not exist.
     pub(super) fn define_awaited(&mut self) -> Result<()> {
-        let mut defined = Vec::with_capacity(self.awaited.len());
-        for Awaited { name, at, instance } in std::mem::take(&mut self.awaited) {
+        let mut defined = Vec::new();
+        let mut awaited: Vec<_> = self.awaited.drain().collect();
+        awaited.sort_by_key(|(_, awaited)| awaited.instances[0]);
+        for (name, Awaited { first, instances }) in awaited {
             let object = number_of(&mut self.defined, &mut self.scene.geometry, name.borrow());
             let Some(object) = object else {
-                let error = at.error(format!("there is no object called `{name}`"));
+                let error = first.error(format!("there is no object called `{name}`"));
                 let known: Vec<String> = self.defined.keys().map(Name::to_string).collect();
                 let known = known.iter().map(String::as_str);
                 return Err(match spelling::closest(&name.to_string(), known) {
@@ -146,7 +160,7 @@ impl Objects {
                     None => error.note("expected the name of an ObjectBegin"),
                 });
             };
-            defined.push((instance, object));
+            defined.extend(instances.into_iter().map(|instance| (instance, object)));
         }
         if !defined.is_empty() {
             self.scene.geometry.define_instances(&defined);
@@ -173,7 +187,7 @@ impl Objects {
         unused.sort_by_key(|(name, _)| *name);
         let listed = unused.iter().take(most).map(|(name, at)| UnusedObject {
             name: name.to_string(),
-            place: at.location().to_string(),
+            place: at.to_string(),
         });
         (listed.collect(), unused.len() as u64)
     }

@@ -12,7 +12,7 @@ use crate::scene::locations::Locations;
 use crate::scene::parameters::Parameters;
 use crate::scene::parser::{Directive, Entity, KEYWORDS, Legal, Statement, Text};
 use crate::scene::shapes::{self, ShapeTarget};
-use crate::scene::source_file::SourceSpan;
+use crate::scene::source_span::SourceSpan;
 use crate::scene::warnings::Warnings;
 use crate::scene::{AcceleratorParameters, LoadOptions, Scene};
 use std::path::Path;
@@ -61,6 +61,12 @@ impl SceneBuilder {
 
     pub(super) fn phase(&self) -> Phase {
         self.phase
+    }
+
+    /// Lets go of the piece of the text that has been read.
+    pub(super) fn settle(&mut self) {
+        self.state.settle();
+        self.objects.settle();
     }
 
     /// Counts a directive that is about to be executed.
@@ -211,7 +217,7 @@ impl SceneBuilder {
         let is_light = self.state.is_light;
         let bounds_medium = self.state.material.only_bounds_media(is_light);
         if bounds_medium {
-            self.census.add_boundary(name, || keyword.location());
+            self.census.add_boundary(name, || keyword.place());
         } else if shapes::is_supported(name) {
             self.state.transform.check_usable("Shape", keyword)?;
             self.warn_if_moving(keyword);

@@ -2,7 +2,7 @@
 
 use crate::geometry::Transform;
 use crate::scene::parser::ActiveTransform;
-use crate::scene::source_file::SourceSpan;
+use crate::scene::source_span::SourceSpan;
 use crate::scene::transform_history::{TransformHistory, TransformId};
 use std::rc::Rc;
 

@@ -233,7 +233,7 @@ impl<'a> Parameters<'a> {
         message: impl Into<String>,
     ) -> Error {
         let (array, file) = self.span_of(name);
-        file.error(&parser::number_in(file.text(), array, index), message)
+        file.error(&parser::number_in(file, array, index), message)
     }
 
     /// An error that points at the name after the keyword.

@@ -29,13 +29,13 @@ impl<'a> Diagnostics<'a> {
 
     /// The bytes from `from` to `to`, both suffixes of the text.
     pub(super) fn span(&self, from: &[u8], to: &[u8]) -> Span {
-        let length = self.file.text().len();
-        length - from.len()..length - to.len()
+        let end = self.file.end();
+        end - from.len()..end - to.len()
     }
 
     /// The first `length` bytes of the suffix `rest`.
     fn first(&self, rest: &[u8], length: usize) -> Span {
-        let start = self.file.text().len() - rest.len();
+        let start = self.file.end() - rest.len();
         start..start + length
     }
 

@@ -6,6 +6,7 @@
 //! decides what directives mean, which types and parameters exist and how many numbers make a
 //! point.
 
+mod completeness;
 mod diagnostics;
 mod directive;
 mod encoding;
@@ -16,35 +17,23 @@ mod statement;
 #[cfg(test)]
 mod tests;
 mod values;
+mod world;
 
+pub(super) use self::completeness::may_be_long;
 pub use self::directive::{Description, Directive, KEYWORDS, Legal};
+pub(super) use self::encoding::{BYTES_TO_JUDGE_BY, check as check_encoding};
 pub use self::statement::{
     ActiveTransform, Entity, NUMBER_TYPES, Parameter, Statement, Text, TransformDirective, Values,
 };
 pub(super) use self::values::number_in;
+pub(super) use self::world::WorldSearch;
 
+use self::completeness::{arguments_are_certain, begins_certainly, directive_is_certain};
 use self::diagnostics::Diagnostics;
 use self::lexer::{Fault, Token, blanks, word};
 use super::source_file::SourceFile;
-use crate::error::{Error, Result};
-
-/// Whether the text of a scene file has a `WorldBegin`, even if the rest of it is wrong.
-pub fn begins_world(text: &[u8]) -> bool {
-    const KEYWORD: &[u8] = b"WorldBegin";
-    // Most included files do not even mention it in a comment.
-    if !text.windows(KEYWORD.len()).any(|bytes| bytes == KEYWORD) {
-        return false;
-    }
-    let mut rest = text;
-    loop {
-        match Token::next(rest) {
-            (Token::End, _) => return false,
-            (Token::Keyword("WorldBegin"), _) => return true,
-            // An unclosed string ends with its opening quote.
-            (token, at) => rest = &at[token.length()..],
-        }
-    }
-}
+use crate::error::{Error, Result, is_line_end};
+use std::borrow::Cow;
 
 /// What follows a directive.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -68,69 +57,111 @@ impl Next {
     }
 }
 
-/// The end of the arguments at `start` of `text`: the next directive or the end of the text.
-pub(super) fn end_of_arguments(text: &[u8], start: usize) -> usize {
-    let mut rest = &text[start..];
+/// The end of the arguments at `start` of `file`: the next directive or the end of the text.
+pub(super) fn end_of_arguments(file: &SourceFile, start: usize) -> usize {
+    let mut rest = file.from(start);
     loop {
         let (token, at) = Token::next(rest);
         // The parser reports an unclosed string, and has to see its quote.
         let is_unclosed = matches!(token, Token::Quoted(_)) && token.length() == 1;
         if Next::of(token) != Next::Argument || is_unclosed {
-            return text.len() - at.len() + usize::from(is_unclosed);
+            return file.end() - at.len() + usize::from(is_unclosed);
         }
         rest = &at[token.length()..];
     }
 }
 
-/// Whether the directive at `start` of `text`, which may be incomplete, seems to be the last one.
-pub(super) fn is_last(text: &[u8], start: usize) -> bool {
-    let after = match word(&text[start..]) {
-        Ok((rest, _)) => text.len() - rest.len(),
+/// Whether the directive at `start` of `file`, which may be incomplete, seems to be the last one.
+pub(super) fn is_last(file: &SourceFile, start: usize) -> bool {
+    let after = match word(file.from(start)) {
+        Ok((rest, _)) => file.end() - rest.len(),
         Err(_) => return false,
     };
-    end_of_arguments(text, after) == text.len()
+    file.is_last() && end_of_arguments(file, after) == file.end()
 }
 
-/// The directives of one scene file, in order; ends after the first error.
+/// What a piece of a scene file has next.
+#[derive(Debug)]
+pub(super) enum Step<'a> {
+    Directive(Directive<'a>),
+    Error(Error),
+    /// The file ends.
+    End,
+    /// The piece ends within a directive, or where the next one decides what it means.
+    NeedsMore,
+}
+
+/// The directives of one scene file, or of a piece of it, in order; ends after the first error.
 #[derive(Debug)]
 pub struct Directives<'a> {
     file: &'a SourceFile,
     /// The text that is not parsed yet; empty after an error.
     rest: &'a [u8],
+    /// Directives from here on are left to the next piece.
+    last_start: usize,
     /// Why the file is not text, until it has been reported.
     unreadable: Option<Error>,
-    previous: Option<&'a str>,
+    previous: Option<Cow<'a, str>>,
 }
 
 impl<'a> Directives<'a> {
     /// The directives of `file`.
     pub fn new(file: &'a SourceFile) -> Directives<'a> {
+        let text = file.from(file.start());
         // The files of a spliced text have been checked.
-        let text = if file.is_spliced() {
-            Ok(file.text())
-        } else {
-            encoding::check(file)
+        let mark = match file.is_spliced() {
+            true => Ok(0),
+            false => encoding::check(file.path(), text),
         };
-        let (rest, unreadable) = match text {
-            Ok(text) => (text, None),
+        let (rest, unreadable) = match mark {
+            Ok(mark) => (&text[mark..], None),
             Err(error) => (&[][..], Some(error)),
         };
         Directives {
             file,
             rest,
+            last_start: usize::MAX,
             unreadable,
             previous: None,
         }
     }
 
+    /// The directives of the piece `file` from `offset` on, after the keyword `previous`. The one
+    /// at `last_start` is probably incomplete.
+    pub(super) fn of_piece(
+        file: &'a SourceFile,
+        offset: usize,
+        previous: Option<String>,
+        last_start: usize,
+    ) -> Directives<'a> {
+        Directives {
+            file,
+            rest: file.from(offset),
+            last_start,
+            unreadable: None,
+            previous: previous.map(Cow::Owned),
+        }
+    }
+
     /// Where the next directive begins in the text, or would begin.
     pub(super) fn offset(&self) -> usize {
-        self.file.text().len() - Token::next(self.rest).1.len()
+        self.file.end() - Token::next(self.rest).1.len()
     }
 
     /// Continues with the directive at `offset` of the text.
     pub(super) fn go_to(&mut self, offset: usize) {
-        self.rest = &self.file.text()[offset..];
+        self.rest = self.file.from(offset);
+    }
+
+    /// Where to go on in the next piece, and the keyword of the directive before that.
+    pub(super) fn into_position(self) -> (usize, Option<String>) {
+        let end = self.file.end();
+        let at = match Token::next(self.rest) {
+            // Perhaps within a comment, but tokens do not go on in the next line.
+            (Token::End, _) => end - last_line(self.rest),
+            (_, at) => end - at.len(),
+        };
+        (at, self.previous.map(Cow::into_owned))
     }
 
     /// The kind of token that comes next.
@@ -138,40 +169,85 @@ impl<'a> Directives<'a> {
         Next::of(Token::next(self.rest).0)
     }
 
+    /// The next directive, if it is certain whatever the next piece has.
+    pub(super) fn step(&mut self) -> Step<'a> {
+        if let Some(error) = self.unreadable.take() {
+            return Step::Error(error);
+        }
+        if self.last_start < self.file.end() && self.offset() >= self.last_start {
+            return Step::NeedsMore;
+        }
+        let (rest, previous) = (self.rest, self.previous.clone());
+        let parsed = self.directive();
+        let is_certain = self.file.is_last()
+            || match &parsed {
+                Ok(None) => false,
+                Ok(Some(directive)) => self.ends_certainly(directive),
+                Err(_) => directive_is_certain(rest),
+            };
+        if !is_certain {
+            (self.rest, self.previous) = (rest, previous);
+            return Step::NeedsMore;
+        }
+        match parsed {
+            Ok(None) => Step::End,
+            Ok(Some(directive)) => Step::Directive(directive),
+            Err(error) => {
+                self.rest = &[];
+                Step::Error(error)
+            }
+        }
+    }
+
+    /// Whether the `directive` before the rest ends there, whatever follows.
+    fn ends_certainly(&self, directive: &Directive) -> bool {
+        match directive.statement {
+            // What follows may continue the last directive of the file.
+            Statement::Include(_) => arguments_are_certain(self.rest),
+            _ => begins_certainly(self.rest),
+        }
+    }
+
     fn directive(&mut self) -> Result<Option<Directive<'a>>> {
         let errors = Diagnostics::new(self.file);
+        let previous = self.previous.as_deref();
         let parsed = blanks(self.rest).and_then(|(rest, ())| match rest {
             [] => Ok((rest, None)),
-            _ => grammar::directive(errors, self.previous, rest)
+            _ => grammar::directive(errors, previous, rest)
                 .map(|(rest, parsed)| (rest, Some(parsed))),
         });
         match parsed {
             Ok((rest, parsed)) => {
                 self.rest = rest;
-                self.previous = parsed.as_ref().map(|(name, _)| *name);
+                self.previous = parsed.as_ref().map(|(name, _)| Cow::Borrowed(*name));
                 Ok(parsed.map(|(_, directive)| directive))
             }
             Err(nom::Err::Failure(Fault::Wrong(error)) | nom::Err::Error(Fault::Wrong(error))) => {
                 Err(error)
             }
             // The grammar reports a mismatch where it happens; this is for one it forgot.
-            Err(_) => Err(errors.no_directive(self.previous, self.rest)),
+            Err(_) => Err(errors.no_directive(previous, self.rest)),
         }
     }
+}
+
+/// The bytes of `gap`, which has no token, from the start of its last line on.
+fn last_line(gap: &[u8]) -> usize {
+    // The line end may be the first half of CR LF.
+    let whole = gap.strip_suffix(b"\r").unwrap_or(gap);
+    let last = whole.iter().rposition(is_line_end);
+    gap.len() - last.map_or(0, |last| last + 1)
 }
 
 impl<'a> Iterator for Directives<'a> {
     type Item = Result<Directive<'a>>;
 
     fn next(&mut self) -> Option<Result<Directive<'a>>> {
-        let directive = match self.unreadable.take() {
-            Some(error) => Err(error),
-            None => self.directive(),
-        };
-        if directive.is_err() {
-            self.rest = &[];
+        match self.step() {
+            Step::Directive(directive) => Some(Ok(directive)),
+            Step::Error(error) => Some(Err(error)),
+            Step::End | Step::NeedsMore => None,
         }
-        directive.transpose()
     }
 }
 

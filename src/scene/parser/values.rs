@@ -16,7 +16,7 @@ use super::numbers::{Keep, numbers};
 use super::statement::{Declaration, Text, Values};
 use crate::decimal;
 use crate::error::Result;
-use crate::scene::source_file::Span;
+use crate::scene::source_file::{SourceFile, Span};
 
 /// A quoted string.
 pub(super) fn text<'a>(errors: Diagnostics, input: &'a [u8]) -> Parsed<'a, Text<'a>> {
@@ -215,8 +215,8 @@ fn is_end_of_directive(input: &[u8]) -> bool {
 
 /// The span of number `index`, counted from 0, of the numbers at `array`; all of `array` if there
 /// are fewer.
-pub(crate) fn number_in(source: &[u8], array: &Span, index: usize) -> Span {
-    let text = &source[array.clone()];
+pub(crate) fn number_in(file: &SourceFile, array: &Span, index: usize) -> Span {
+    let text = file.slice(array);
     let mut rest = text.strip_prefix(b"[").unwrap_or(text);
     for left in (0..=index).rev() {
         let Ok((after, word)) = separators(rest).and_then(|(rest, ())| word(rest)) else {

@@ -108,25 +108,3 @@ fn strings_need_not_be_utf8() {
         .collect();
     assert_eq!(texts, ["\u{fffd}.pbrt", "\u{fffd}\n"]);
 }
-
-#[test]
-fn worlds_begin_outside_comments_and_strings() {
-    let with = [
-        "WorldBegin",
-        "\"a\" [1] WorldBegin # x",
-        "Scale 1 \"open\nWorldBegin",
-        "] \"a # b\" WorldBegin\n",
-    ];
-    let without = [
-        "",
-        "# WorldBegin",
-        "\"WorldBegin\"",
-        "WorldBeginning",
-        "WorldEnd \"a \\\" WorldBegin\"",
-    ];
-    with.iter()
-        .for_each(|text| assert!(super::super::begins_world(text.as_bytes()), "{text}"));
-    without
-        .iter()
-        .for_each(|text| assert!(!super::super::begins_world(text.as_bytes()), "{text}"));
-}

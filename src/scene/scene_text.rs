@@ -1,0 +1,211 @@
+//! Reads the text of a scene file piece by piece, so that files may be larger than the memory.
+
+use super::parser::{BYTES_TO_JUDGE_BY, Directives, WorldSearch, check_encoding, may_be_long};
+use super::source_file::SourceFile;
+use super::source_span::SourceSpan;
+use crate::error::{Error, Result, SourceLocation, TextPosition, shown_from};
+use crate::input::{Budget, TextStream};
+use crate::memory;
+use std::path::Path;
+use std::sync::Arc;
+
+/// The bytes of a piece. A longer directive gets a piece of its own.
+pub(super) const WINDOW: usize = 1 << 20;
+
+/// A piece without the end of its first directive is parsed all the same when it has so many
+/// windows.
+const PATIENCE: usize = 256;
+
+/// The text of a scene file, of which one piece at a time is in memory.
+pub(super) struct SceneText {
+    stream: TextStream,
+    /// What was read to check the encoding.
+    head: Vec<u8>,
+    piece: Arc<SourceFile>,
+    /// Where the directives of the piece begin, and the keyword before them.
+    start: (usize, Option<String>),
+    /// Where the last directive of the piece seems to begin. It is probably incomplete.
+    last_start: usize,
+    window: usize,
+    /// Memory for the next piece.
+    spare: Vec<u8>,
+    /// The name in the directive that includes the file.
+    named_at: Option<SourceSpan>,
+}
+
+impl SceneText {
+    /// The text of `stream`, in pieces of `window` bytes. `named_at` is where a scene names it.
+    ///
+    /// # Errors
+    /// A file that is not text, and errors of reading.
+    pub(super) fn new(
+        stream: TextStream,
+        window: usize,
+        named_at: Option<SourceSpan>,
+        budget: &Budget,
+    ) -> Result<SceneText> {
+        let empty = SourceFile::piece(stream.path(), 0, TextPosition::default(), Vec::new(), false);
+        let mut text = SceneText {
+            stream,
+            head: Vec::new(),
+            piece: Arc::new(empty),
+            start: (0, None),
+            last_start: usize::MAX,
+            window,
+            spare: Vec::new(),
+            named_at,
+        };
+        let mut head = Vec::new();
+        text.read(&mut head, BYTES_TO_JUDGE_BY, budget)?;
+        let mark = check_encoding(text.stream.path(), &head);
+        text.start.0 = mark.map_err(|error| text.damage(budget).unwrap_or(error))?;
+        text.head = head;
+        text.grow(budget)?;
+        Ok(text)
+    }
+
+    /// The piece that is in memory.
+    pub(super) fn piece(&self) -> &Arc<SourceFile> {
+        &self.piece
+    }
+
+    /// The directives of the `piece` that is in memory.
+    pub(super) fn directives<'a>(&mut self, piece: &'a SourceFile) -> Directives<'a> {
+        Directives::of_piece(piece, self.start.0, self.start.1.take(), self.last_start)
+    }
+
+    /// Goes to the piece that begins with the directive at `start`, after the keyword `previous`.
+    /// If the present piece does, it becomes longer.
+    ///
+    /// # Errors
+    /// An error of reading, and a directive that does not fit into memory.
+    pub(super) fn advance(
+        &mut self,
+        (start, previous): (usize, Option<String>),
+        budget: &Budget,
+    ) -> Result<()> {
+        if start > self.start.0 {
+            let old = &self.piece;
+            let before = start - old.start();
+            let from = shown_from(old.from(old.start()), before);
+            let mut text = std::mem::take(&mut self.spare);
+            text.clear();
+            text.extend_from_slice(old.from(old.start() + from));
+            let begin = old.position(old.start() + from);
+            let piece =
+                SourceFile::piece(old.shared_path(), old.start() + from, begin, text, false);
+            let old = std::mem::replace(&mut self.piece, Arc::new(piece));
+            // A block or a message may still need the text.
+            self.spare = Arc::into_inner(old).map_or_else(Vec::new, SourceFile::into_text);
+            if self.spare.capacity() > 4 * self.window {
+                self.spare = Vec::new();
+            }
+        }
+        self.start = (start, previous);
+        self.grow(budget)
+    }
+
+    /// Adds text to the piece until it probably has the whole of its first directive.
+    fn grow(&mut self, budget: &Budget) -> Result<()> {
+        let (path, offset) = (Arc::clone(self.piece.shared_path()), self.piece.start());
+        let begin = self.piece.position(offset);
+        let empty = SourceFile::piece(&path, offset, begin, Vec::new(), false);
+        let old = std::mem::replace(&mut self.piece, Arc::new(empty));
+        let copy = |shared: Arc<SourceFile>| shared.from(offset).to_vec();
+        let mut text = Arc::try_unwrap(old).map_or_else(copy, SourceFile::into_text);
+        let first = self.start.0 - offset;
+        let is_last = loop {
+            let known = text.len();
+            let count = self.window.max(known.saturating_sub(first));
+            if !self.read(&mut text, count, budget)? {
+                self.last_start = usize::MAX;
+                break true;
+            }
+            if let Some(last) = last_capital(&text, known.max(first + 1)) {
+                self.last_start = offset + last;
+                break false;
+            }
+            let is_long = text.len() >= self.window.saturating_mul(PATIENCE);
+            if is_long || !may_be_long(&text[first.min(text.len())..]) {
+                self.last_start = usize::MAX;
+                break false;
+            }
+        };
+        self.piece = Arc::new(SourceFile::piece(&path, offset, begin, text, is_last));
+        Ok(())
+    }
+
+    /// Adds `count` bytes to `text`, fewer only at the end. Returns whether there may be more.
+    fn read(&mut self, text: &mut Vec<u8>, count: usize, budget: &Budget) -> Result<bool> {
+        let too_large = || "this file is too large for this machine's memory".to_owned();
+        let read = memory::check(count as u64, too_large).and_then(|()| {
+            let taken = count.min(self.head.len());
+            text.extend(self.head.drain(..taken));
+            match count - taken {
+                0 => Ok(true),
+                missing => self.stream.read(text, missing, budget),
+            }
+        });
+        read.map_err(|error| self.located(error))
+    }
+
+    /// An error without a place is about the directive that includes the file, or the file.
+    fn located(&self, error: Error) -> Error {
+        error.or_at(|| match &self.named_at {
+            Some(named_at) => named_at.location(),
+            None => SourceLocation::file(self.stream.path()),
+        })
+    }
+
+    /// Whether the rest of compressed data is damaged: then nothing in it is worth an error.
+    pub(super) fn damage(&mut self, budget: &Budget) -> Option<Error> {
+        let checked = self.stream.check_rest(budget);
+        checked.map_err(|error| self.located(error)).err()
+    }
+
+    /// Ends the reading before the text does.
+    ///
+    /// # Errors
+    /// Damaged data in the rest.
+    pub(super) fn finish(&mut self, budget: &Budget) -> Result<()> {
+        let finished = self.stream.finish(budget);
+        finished.map_err(|error| self.located(error))
+    }
+}
+
+/// Whether the scene file `path` has a `WorldBegin`, even if the rest of it is wrong.
+///
+/// # Errors
+/// A file that cannot be read.
+pub(super) fn has_world(path: &Path, window: usize) -> Result<bool> {
+    let budget = Budget::default();
+    let mut stream = TextStream::open_named(path, &budget)?;
+    let mut text = Vec::new();
+    loop {
+        let count = window.max(text.len());
+        let is_last = !stream.read(&mut text, count, &budget)?;
+        match WorldSearch::of(&text, is_last) {
+            WorldSearch::Found => return Ok(true),
+            WorldSearch::NotWithin(_) if is_last => return Ok(false),
+            WorldSearch::NotWithin(passed) => _ = text.drain(..passed),
+        }
+    }
+}
+
+/// The index of the last capital letter behind a blank, from index `from` on: a directive may begin
+/// there.
+fn last_capital(text: &[u8], from: usize) -> Option<usize> {
+    const AT_ONCE: usize = 64;
+    let is_start = |(before, byte): (&u8, &u8)| (*before <= b' ') & byte.is_ascii_uppercase();
+    let mut end = text.len();
+    while end > from {
+        let start = from.max(end.saturating_sub(AT_ONCE));
+        let pairs = || text[start - 1..end - 1].iter().zip(&text[start..end]);
+        // Without an early exit, the compiler turns the loop into vector instructions.
+        if pairs().fold(false, |found, pair| found | is_start(pair)) {
+            return pairs().rposition(is_start).map(|index| start + index);
+        }
+        end = start;
+    }
+    None
+}
