@@ -1,6 +1,6 @@
 //! All results on one page of HTML.
 
-use super::columns::{ray_table, tree_table};
+use super::columns::{accelerator_table, ray_table};
 use super::html::{escaped, figure, swatch, table};
 use super::notes::notes;
 use super::plot::to_svg;
@@ -93,7 +93,7 @@ fn of_scene(machine: &Machine, section: &Section) -> String {
         text += &format!("<p class=\"quiet\">{}</p>\n", escaped(&note));
     }
     text += &to_svg("Error against speed", rows);
-    text += &table(&tree_table(rows));
+    text += &table(&accelerator_table(rows));
     text += &table(&ray_table(rows, machine.mhz));
     text += &of_pictures(rows, pictures);
     text
@@ -148,12 +148,12 @@ fn different<'a>(rows: &[Row], pictures: &'a [Option<Vec<u8>>]) -> Vec<(String, 
         };
         let mut found = different.iter_mut();
         match found.find(|(kernel, _, other)| *kernel == row.kernel && *other == picture) {
-            Some((_, methods, _)) => methods.push(row.method.name()),
-            None => different.push((row.kernel, vec![row.method.name()], picture)),
+            Some((_, accelerators, _)) => accelerators.push(row.accelerator.name()),
+            None => different.push((row.kernel, vec![row.accelerator.name()], picture)),
         }
     }
-    let captioned = |(kernel, methods, picture): (Kernel, Vec<&str>, &'a [u8])| {
-        (format!("{kernel}: {}", methods.join(", ")), picture)
+    let captioned = |(kernel, accelerators, picture): (Kernel, Vec<&str>, &'a [u8])| {
+        (format!("{kernel}: {}", accelerators.join(", ")), picture)
     };
     different.into_iter().map(captioned).collect()
 }
