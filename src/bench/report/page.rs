@@ -56,11 +56,12 @@ pub fn to_html(machine: &Machine, command: &str, sections: &[Section]) -> String
 
 const READING: &str = "\
 <p>Each accelerator is built, and each kernel traces rays through it, in turn, round after round. \
-Times are medians, with the fastest and the slowest run. <code>exact</code> and <code>fast</code> \
-are feimos's own kernels, which trace tiles of rays. The others trace one ray at a time through \
-the same trees: <code>exact-single</code> with exact answers, and two f32 baselines, \
-<code>moeller-trumbore</code> with the textbook quadratic formula and <code>watertight</code> with \
-pbrt's. Errors are measured against exact arithmetic on all primitives: false and missed hits, \
+Times are medians, with the fastest and the slowest run. <code>raster</code> is no tree: it sorts \
+the primitives that the view may see into bins. The other accelerators are trees over the whole \
+scene. <code>exact</code> and <code>fast</code> are feimos's own kernels, which trace tiles of \
+rays. The others trace one ray at a time through the same trees: <code>exact-single</code> with \
+exact answers, and two f32 baselines, <code>moeller-trumbore</code> with the textbook quadratic \
+formula and <code>watertight</code> with pbrt's. Errors are measured against exact arithmetic on all primitives: false and missed hits, \
 wrong primitives, and for all other hits the error of the depth in units in the last place of an \
 f32 (ulp). Tests of nodes and primitives are those of a ray that is traced alone through the whole \
 tree. SAH is the cost of the tree by the surface area heuristic, EPO the overlap of its nodes with \

@@ -70,7 +70,7 @@ mod tests {
     use super::*;
     use crate::accel::{Accelerator, SplitMethod};
     use crate::bench::kernel::Kernel;
-    use crate::bench::run::tests::row;
+    use crate::bench::run::tests::{row, row_of};
 
     #[test]
     fn counts_add_up_and_incomplete_rows_are_left_out() {
@@ -124,5 +124,16 @@ mod tests {
             (errors.tally.depths.total(), errors.tally.depths.above(0)),
             (8, 2)
         );
+    }
+
+    #[test]
+    fn totals_of_bins_have_no_figures_of_trees() {
+        let bins = |scene: &str| Row {
+            scene: scene.into(),
+            ..row_of(Accelerator::Raster, Kernel::ALL[0], 1000)
+        };
+        let totals = totals(&[bins("a"), bins("b")]);
+        assert_eq!((totals[0].depth, totals[0].nodes_per_ray), (None, None));
+        assert_eq!(totals[0].bytes, 2 * bins("a").bytes);
     }
 }
