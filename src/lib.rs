@@ -49,6 +49,8 @@ pub mod exact;
 pub mod file_id;
 pub mod film;
 pub mod geometry;
+#[cfg(target_os = "linux")]
+pub mod huge_pages;
 pub mod input;
 pub mod json;
 mod memory;

@@ -4,6 +4,10 @@ mod cli;
 
 use std::process::ExitCode;
 
+#[cfg(target_os = "linux")]
+#[global_allocator]
+static ALLOCATOR: feimos::huge_pages::HugePageAllocator = feimos::huge_pages::HugePageAllocator;
+
 fn main() -> ExitCode {
     cli::run()
 }

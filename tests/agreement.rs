@@ -5,8 +5,8 @@
 
 mod common;
 
-use common::{add_triangles, agreed_picture, picture, scene, whole};
-use feimos::accel::{BuildOptions, Precision, SplitMethod};
+use common::{Way, add_triangles, agreed_picture, assert_same, picture, picture_by, scene, whole};
+use feimos::accel::{Accelerator, BuildOptions, Precision, SplitMethod};
 use feimos::camera::{Camera, Projection, ScreenWindow};
 use feimos::film::{ChannelName, PixelBounds};
 use feimos::geometry::{Matrix, Point, Transform, Vector};
@@ -173,6 +173,9 @@ proptest! {
         let options = BuildOptions::new(SplitMethod::Sah);
         let image = picture(&camera, &geometry, options, Precision::Exact, 2, whole(&camera)).image;
         let part = picture(&camera, &geometry, options, Precision::Exact, 1, crop).image;
+        let way = Way::of(Accelerator::Raster, 2);
+        let binned = picture_by(&camera, &geometry, way, Precision::Exact, crop).image;
+        assert_same(&part, &binned, "bins");
         let prim = image.numbers(ChannelName::Prim).unwrap();
         let part = part.numbers(ChannelName::Prim).unwrap();
         for (row, y) in (crop.y0..crop.y1).enumerate() {

@@ -9,12 +9,11 @@
 
 mod common;
 
-use common::{Tree, Way, assert_same, picture_by};
-use feimos::accel::{BuildOptions, Precision, SplitMethod};
+use common::{Way, assert_same, picture_by};
+use feimos::accel::{Accelerator, Precision, SplitMethod};
 use feimos::film::PixelBounds;
 use feimos::progress::Progress;
 use feimos::scene::{LoadOptions, Scene, load};
-use feimos::simd::Level;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -48,28 +47,21 @@ fn outcome(path: &Path) -> String {
     }
 }
 
-/// The number of hits with the tree `sah`. In scenes of few primitives, `none` must agree.
+/// The number of hits by `raster`. In scenes of few primitives, `none` must agree.
 fn hits(scene: &Scene, path: &Path) -> u64 {
     let window = PixelBounds::of_film(RESOLUTION[0], RESOLUTION[1]);
-    let by = |method: SplitMethod| {
-        let build = BuildOptions::new(method);
-        let way = Way {
-            build,
-            threads: 2,
-            level: Level::detect(),
-            tree: Tree::Bins,
-        };
+    let by = |accelerator: Accelerator| {
         picture_by(
             &scene.camera,
             &scene.geometry,
-            way,
+            Way::of(accelerator, 2),
             Precision::Exact,
             window,
         )
     };
-    let rendering = by(SplitMethod::Sah);
+    let rendering = by(Accelerator::Raster);
     if scene.geometry.primitive_count() < MOST_FOR_NONE {
-        let expected = by(SplitMethod::None);
+        let expected = by(Accelerator::Tree(SplitMethod::None));
         assert_same(
             &expected.image,
             &rendering.image,

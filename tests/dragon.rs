@@ -3,24 +3,23 @@
 
 mod common;
 
-use common::{picture, scene};
-use feimos::accel::{BuildOptions, Precision, SplitMethod};
+use common::{Way, picture_by, scene};
+use feimos::accel::{Accelerator, Precision, SplitMethod};
 use feimos::film::ChannelName;
 use std::path::Path;
 
 /// The number of hits, the sum of `Z` and that of `t`, with each value rounded to `f32`.
-fn sums(name: &str, method: SplitMethod) -> (u64, f64, f64) {
+fn sums(name: &str, accelerator: Accelerator) -> (u64, f64, f64) {
     let scene = scene(
         &Path::new(env!("CARGO_MANIFEST_DIR"))
             .join("scenes")
             .join(name),
     );
-    let rendering = picture(
+    let rendering = picture_by(
         &scene.camera,
         &scene.geometry,
-        BuildOptions::new(method),
+        Way::of(accelerator, 2),
         Precision::Exact,
-        2,
         scene.film.crop,
     );
     let sum = |channel| {
@@ -46,14 +45,10 @@ fn assert_close(found: f64, expected: f64, tolerance: f64) {
 
 #[test]
 fn from_the_front() {
-    for method in [
-        SplitMethod::Middle,
-        SplitMethod::Equal,
-        SplitMethod::Sah,
-        SplitMethod::Hlbvh,
-    ] {
-        let (hits, z, t) = sums("dragon.pbrt", method);
-        assert_eq!(hits, 64_870, "{method}");
+    let list = Accelerator::Tree(SplitMethod::None);
+    for accelerator in Accelerator::ALL.into_iter().filter(|other| *other != list) {
+        let (hits, z, t) = sums("dragon.pbrt", accelerator);
+        assert_eq!(hits, 64_870, "{accelerator}");
         assert_close(z, 158_857.985, 0.002);
         assert_close(t, 175_275.204, 0.002);
     }
@@ -61,8 +56,10 @@ fn from_the_front() {
 
 #[test]
 fn from_nearby() {
-    let (hits, z, t) = sums("dragon-close.pbrt", SplitMethod::Sah);
-    assert_eq!(hits, 1_218_314);
-    assert_close(z, 3_758_891.294, 0.02);
-    assert_close(t, 3_981_616.334, 0.02);
+    for accelerator in [Accelerator::Raster, Accelerator::Tree(SplitMethod::Sah)] {
+        let (hits, z, t) = sums("dragon-close.pbrt", accelerator);
+        assert_eq!(hits, 1_218_314);
+        assert_close(z, 3_758_891.294, 0.02);
+        assert_close(t, 3_981_616.334, 0.02);
+    }
 }

@@ -3,8 +3,8 @@
 
 mod common;
 
-use common::{bits_of, picture, scene, whole};
-use feimos::accel::{BuildOptions, Precision, SplitMethod};
+use common::{Way, bits_of, picture_by, scene, whole};
+use feimos::accel::{Accelerator, Precision, SplitMethod};
 use feimos::film::{ChannelName, Image, PixelBounds};
 use feimos::scene::Scene;
 use std::collections::BTreeMap;
@@ -83,42 +83,33 @@ fn answers(image: &Image) -> Answers {
 fn rendered(
     hard: &HardScene,
     precision: Precision,
-    method: SplitMethod,
+    accelerator: Accelerator,
     threads: usize,
     window: PixelBounds,
 ) -> Answers {
     let Scene {
         camera, geometry, ..
     } = &hard.scene;
-    answers(
-        &picture(
-            camera,
-            geometry,
-            BuildOptions::new(method),
-            precision,
-            threads,
-            window,
-        )
-        .image,
-    )
+    let way = Way::of(accelerator, threads);
+    answers(&picture_by(camera, geometry, way, precision, window).image)
 }
 
 #[test]
 fn every_pixel_is_right_with_every_accelerator_and_number_of_threads() {
     for hard in &hard_scenes() {
-        for method in SplitMethod::ALL {
+        for accelerator in Accelerator::ALL {
             for threads in [1, 2] {
                 let found = rendered(
                     hard,
                     Precision::Exact,
-                    method,
+                    accelerator,
                     threads,
                     whole(&hard.scene.camera),
                 );
                 let wrong = wrong_pixels(&hard.expected, &found);
                 assert!(
                     found == hard.expected,
-                    "{}, {method}, {threads} threads: {wrong:?}",
+                    "{}, {accelerator}, {threads} threads: {wrong:?}",
                     hard.name
                 );
             }
@@ -148,12 +139,12 @@ fn every_pixel_of_a_crop_is_right() {
                 ..film
             },
         ];
-        for (crop, method) in
-            crops
-                .into_iter()
-                .zip([SplitMethod::Sah, SplitMethod::Hlbvh, SplitMethod::None])
-        {
-            let found = rendered(hard, Precision::Exact, method, 2, crop);
+        let accelerators = [SplitMethod::Sah, SplitMethod::Hlbvh, SplitMethod::None];
+        let accelerators = accelerators.map(Accelerator::Tree);
+        let pairs = crops.into_iter().zip(accelerators);
+        let by_raster = crops.map(|crop| (crop, Accelerator::Raster));
+        for (crop, accelerator) in pairs.chain(by_raster) {
+            let found = rendered(hard, Precision::Exact, accelerator, 2, crop);
             let inside = |(x, y): &(u32, u32)| {
                 (crop.x0..crop.x1).contains(x) && (crop.y0..crop.y1).contains(y)
             };
@@ -166,7 +157,7 @@ fn every_pixel_of_a_crop_is_right() {
             let wrong = wrong_pixels(&expected, &found);
             assert!(
                 found == expected,
-                "{}, {method}, {crop:?}: {wrong:?}",
+                "{}, {accelerator}, {crop:?}: {wrong:?}",
                 hard.name
             );
         }
@@ -211,7 +202,8 @@ fn the_table_in_the_docs_is_true() {
         let group = groups.entry(hard.name.chars().next().unwrap()).or_default();
         for (errors, precision) in group.iter_mut().zip([Precision::Fast, Precision::Exact]) {
             let film = whole(&hard.scene.camera);
-            errors.add(hard, &rendered(hard, precision, SplitMethod::Sah, 1, film));
+            let sah = Accelerator::Tree(SplitMethod::Sah);
+            errors.add(hard, &rendered(hard, precision, sah, 1, film));
         }
     }
     let docs = include_str!("../docs/accuracy.md");

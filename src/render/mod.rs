@@ -3,6 +3,7 @@
 mod blank_image;
 mod options;
 mod segment;
+mod segments;
 mod single_rays;
 mod surface_tile;
 mod traced;
@@ -14,7 +15,8 @@ use crate::film::{ChannelName, Image, PixelBounds, Samples};
 use crate::progress::Progress;
 use crate::shape::Geometry;
 use rayon::prelude::*;
-use segment::{Segment, segments_of};
+use segment::Segment;
+use segments::Segments;
 use single_rays::SingleRays;
 use surface_tile::SurfaceTile;
 
@@ -88,7 +90,7 @@ pub fn render_into<'a>(
             options,
             progress,
         };
-        renderer.fill_all(&tiles, segments_of(channels, &options.data_window))
+        renderer.fill_all(&tiles, Segments::new(channels, &options.data_window))
     });
     let by_cost = costs.into_iter().find_map(|channel| {
         let Samples::U32(costs) = &mut channel.samples else {
@@ -121,10 +123,11 @@ struct Renderer<'a> {
 }
 
 impl Renderer<'_> {
-    /// Traces the tiles of all segments, on all threads.
-    fn fill_all(&self, tiles: &Tiles, segments: Vec<Segment>) -> Traced {
+    /// Traces the tiles of all segments, on all threads. Each thread takes the next segment when
+    /// it has finished one, so that all end together.
+    fn fill_all(&self, tiles: &Tiles, segments: Segments) -> Traced {
         let fill = |tracer: &mut TileTracer, segment| self.fill(tracer, segment);
-        let traced = segments.into_par_iter().map_init(|| tiles.tracer(), fill);
+        let traced = segments.par_bridge().map_init(|| tiles.tracer(), fill);
         traced.reduce(Traced::default, Traced::plus)
     }
 

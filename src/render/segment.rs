@@ -1,88 +1,21 @@
-//! Segments of an image, which threads fill independently.
+//! A segment of an image, which one thread fills from tiles.
 
 use super::surface_tile::SurfaceTile;
-use crate::accel::{TILE, TracedTile};
-use crate::film::{Channel, ChannelName, PixelBounds, Samples};
+use crate::accel::TracedTile;
+use crate::film::{ChannelName, PixelBounds};
 use crate::shape::{Geometry, InstancedId, Numbers};
-
-/// Columns of a segment: enough to keep a thread busy, few enough for threads to end together.
-const WIDTH: u32 = 8 * TILE;
 
 /// Some columns of one row of tiles, in every channel.
 pub(super) struct Segment<'a> {
     /// The pixels of the segment on the film.
     pub(super) bounds: PixelBounds,
-    channels: Vec<(ChannelName, Rows<'a>)>,
+    pub(super) channels: Vec<(ChannelName, Rows<'a>)>,
 }
 
 /// The same columns of several rows.
-enum Rows<'a> {
+pub(super) enum Rows<'a> {
     F32(Vec<&'a mut [f32]>),
     U32(Vec<&'a mut [u32]>),
-}
-
-/// Cuts the range from `low` to `high` at the multiples of `step`.
-fn cuts(low: u32, high: u32, step: u32) -> Vec<[u32; 2]> {
-    (low / step * step..high)
-        .step_by(step as usize)
-        .map(|at| [at.max(low), (at + step).min(high)])
-        .collect()
-}
-
-/// Cuts `channels`, which hold the pixels of `window`, into segments.
-pub(super) fn segments_of<'a>(
-    channels: Vec<&'a mut Channel>,
-    window: &PixelBounds,
-) -> Vec<Segment<'a>> {
-    let columns = cuts(window.x0, window.x1, WIDTH);
-    let rows = cuts(window.y0, window.y1, TILE);
-    let bounds = rows.iter().flat_map(|[y0, y1]| {
-        columns.iter().map(|[x0, x1]| PixelBounds {
-            x0: *x0,
-            x1: *x1,
-            y0: *y0,
-            y1: *y1,
-        })
-    });
-    let segment = |bounds| Segment {
-        bounds,
-        channels: Vec::new(),
-    };
-    let mut segments: Vec<Segment> = bounds.map(segment).collect();
-    for channel in channels {
-        let divided = match &mut channel.samples {
-            Samples::F32(values) => divide(values, window, &columns, &rows, Rows::F32),
-            Samples::U32(values) => divide(values, window, &columns, &rows, Rows::U32),
-        };
-        for (segment, rows) in segments.iter_mut().zip(divided) {
-            segment.channels.push((channel.name, rows));
-        }
-    }
-    segments
-}
-
-/// Cuts the samples of a channel into the rows of every segment, which `rows_of` wraps.
-fn divide<'a, T>(
-    values: &'a mut [T],
-    window: &PixelBounds,
-    columns: &[[u32; 2]],
-    rows: &[[u32; 2]],
-    rows_of: fn(Vec<&'a mut [T]>) -> Rows<'a>,
-) -> Vec<Rows<'a>> {
-    let mut divided = Vec::new();
-    divided.resize_with(columns.len() * rows.len(), Vec::new);
-    let mut lines = values.chunks_mut(window.width() as usize);
-    for (down, [y0, y1]) in rows.iter().enumerate() {
-        for line in lines.by_ref().take((y1 - y0) as usize) {
-            let mut rest = line;
-            for (across, [x0, x1]) in columns.iter().enumerate() {
-                let (part, after) = rest.split_at_mut((x1 - x0) as usize);
-                divided[down * columns.len() + across].push(part);
-                rest = after;
-            }
-        }
-    }
-    divided.into_iter().map(rows_of).collect()
 }
 
 impl Segment<'_> {

@@ -2,7 +2,7 @@
 
 use crate::folder::{BALL, Folder};
 
-const ACCELERATORS: [&str; 5] = ["none", "middle", "equal", "sah", "hlbvh"];
+const ACCELERATORS: [&str; 7] = ["none", "middle", "equal", "sah", "hlbvh", "raster", "auto"];
 
 /// A floor of 200 triangles that share edges, some of them twice, with balls that intersect it.
 fn crowd() -> String {

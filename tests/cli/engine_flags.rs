@@ -38,7 +38,7 @@ fn impossible_numbers_of_threads_are_refused() {
 }
 
 #[test]
-fn the_command_line_overrides_the_accelerator_of_the_scene() {
+fn the_accelerator_of_a_scene_names_the_method_of_trees() {
     let folder = Folder::new().with(
         "equal.pbrt",
         format!("Accelerator \"bvh\" \"string splitmethod\" \"equal\"\n{BALL}"),
@@ -46,36 +46,56 @@ fn the_command_line_overrides_the_accelerator_of_the_scene() {
     let accel = |flags: &str| {
         folder.render(&format!("{flags} --json")).succeeded().json()[0]["accel"].clone()
     };
-    assert_eq!(accel("ball.pbrt"), "sah");
-    assert_eq!(accel("equal.pbrt"), "equal");
+    assert_eq!(accel("ball.pbrt"), "raster");
+    assert_eq!(accel("equal.pbrt"), "raster");
+    assert_eq!(accel("equal.pbrt --accel raster"), "raster");
     assert_eq!(accel("equal.pbrt --accel hlbvh"), "hlbvh");
+    // Costs need a tree.
+    assert_eq!(accel("ball.pbrt --view cost -o a.png"), "sah");
+    assert_eq!(accel("equal.pbrt --view cost -o b.png --force"), "equal");
+    assert_eq!(
+        accel("equal.pbrt --view cost -o c.png --accel hlbvh"),
+        "hlbvh"
+    );
 }
 
 #[test]
-fn a_scene_with_an_unknown_accelerator_is_rendered_by_sah() {
+fn trees_of_a_scene_with_an_unknown_accelerator_are_built_by_sah() {
     let folder = Folder::new().with("kd.pbrt", format!("Accelerator \"kdtree\"\n{BALL}"));
     let run = folder
-        .render("kd.pbrt --json")
+        .render("kd.pbrt --json --view cost -o a.png")
         .succeeded()
-        .said("the unknown accelerator `kdtree`: using sah");
+        .said("the unknown accelerator `kdtree`: trees are built by sah");
     assert_eq!(run.json()[0]["accel"], "sah");
     for (wrong, meant) in [
         ("\"bhv\"", "bvh"),
         ("\"bvh\" \"string splitmethod\" \"midle\"", "middle"),
     ] {
         let folder = Folder::new().with("a.pbrt", format!("Accelerator {wrong}\n{BALL}"));
-        folder
-            .render("a.pbrt")
-            .succeeded()
-            .said(&format!("using sah; did you mean `{meant}`?\n"));
+        folder.render("a.pbrt").succeeded().said(&format!(
+            "trees are built by sah; did you mean `{meant}`?\n"
+        ));
     }
 }
 
 #[test]
 fn an_unknown_accelerator_lists_the_known_ones() {
     let message = "invalid value 'kdtree' for '--accel <METHOD>'\n  \
-                   [possible values: none, middle, equal, sah, hlbvh]";
+                   [possible values: auto, raster, none, middle, equal, sah, hlbvh]";
     Folder::new()
         .render("ball.pbrt --accel kdtree")
         .failed(2, message);
+}
+
+#[test]
+fn costs_of_raster_are_refused() {
+    for flags in ["--view cost -o a.png", "--aov Z,cost -o a.exr"] {
+        Folder::new()
+            .render(&format!("ball.pbrt --accel raster {flags}"))
+            .failed(
+                2,
+                "the cost of a ray is that in a tree, and raster has none",
+            )
+            .said("choose a tree, such as --accel sah");
+    }
 }

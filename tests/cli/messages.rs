@@ -49,7 +49,7 @@ fn verbose_reports_each_phase() {
     for flag in ["-v", "--verbose"] {
         let run = folder.render(&format!("ball.pbrt {flag}")).succeeded();
         run.said("loaded 2 shapes: 1 triangle, 1 sphere")
-            .said("built 1 nodes by sah over 2 of 2 primitives");
+            .said("sorted 2 of 2 primitives into bins");
     }
     folder
         .render("ball.pbrt -v -q")
@@ -96,7 +96,9 @@ fn statistics_are_printed_on_demand_even_if_quiet() {
     let folder = Folder::new();
     let labels =
         "shapes primitives geometry precision accelerator nodes SAH tree per trace integers";
-    let run = folder.render("ball.pbrt --stats -q").succeeded();
+    let run = folder
+        .render("ball.pbrt --stats -q --accel sah")
+        .succeeded();
     let found: Vec<&str> = run
         .stderr
         .lines()
@@ -106,6 +108,12 @@ fn statistics_are_printed_on_demand_even_if_quiet() {
     run.said("1 triangle, 1 sphere")
         .said("accelerator sah")
         .said("precision   exact");
+    folder
+        .render("ball.pbrt --stats -q")
+        .succeeded()
+        .said("accelerator raster")
+        .said("bins        2 primitives that rays may meet")
+        .did_not_say("per ray");
     let run = folder
         .render("ball.pbrt --stats -q --precision fast")
         .succeeded();
@@ -137,10 +145,12 @@ fn keys(line: &str) -> Vec<&str> {
 
 #[test]
 fn json_has_the_documented_keys_in_their_order() {
-    let run = Folder::new().render("ball.pbrt --json").succeeded();
+    let run = Folder::new()
+        .render("ball.pbrt --json --accel sah")
+        .succeeded();
     let documented = "scene output accel precision threads simd width height rays hits shapes \
                       triangles spheres instances primitives ms load build trace write total bvh \
-                      nodes leaves depth sah_cost bytes exact unsure_tests comparisons roundings \
+                      nodes leaves depth sah_cost bytes bins exact unsure_tests comparisons roundings \
                       fallback_rays peak_bytes";
     let line = String::from_utf8(run.stdout.clone()).unwrap();
     assert_eq!(

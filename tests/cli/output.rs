@@ -66,7 +66,7 @@ fn placeholders_are_filled_in() {
         .render("ball.pbrt -o {stem}-{accel}.exr --accel middle")
         .succeeded();
     folder.render("ball.pbrt -o {accel}.exr").succeeded();
-    assert_eq!(folder.images(), ["ball-middle.exr", "sah.exr"]);
+    assert_eq!(folder.images(), ["auto.exr", "ball-middle.exr"]);
 }
 
 #[test]

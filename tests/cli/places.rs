@@ -88,7 +88,7 @@ fn a_missing_folder_is_found_before_the_scene_is_read() {
         .did_not_say("loaded ");
     folder
         .render("ball.pbrt -v -o out/{accel}.exr")
-        .failed(73, "out/sah.exr: cannot create")
+        .failed(73, "out/auto.exr: cannot create")
         .did_not_say("built ");
     folder
         .bench("ball.pbrt -v --csv out/a.csv")

@@ -2,7 +2,9 @@
 // Each test file is a crate of its own and uses some of this.
 #![allow(dead_code)]
 
-use feimos::accel::{Aggregate, Bins, BuildOptions, Precision, SplitMethod, Structure};
+use feimos::accel::{
+    Accelerator, Aggregate, Bins, BuildOptions, Precision, SplitMethod, Structure,
+};
 use feimos::camera::Camera;
 use feimos::film::{Channel, ChannelName, Image, PixelBounds, Samples};
 use feimos::geometry::{Matrix, Point};
@@ -38,6 +40,22 @@ pub(crate) struct Way {
     pub(crate) threads: usize,
     pub(crate) level: Level,
     pub(crate) tree: Tree,
+}
+
+impl Way {
+    /// The way of an accelerator of the command line, with the best instructions.
+    pub(crate) fn of(accelerator: Accelerator, threads: usize) -> Way {
+        let (method, tree) = match accelerator {
+            Accelerator::Raster => (SplitMethod::Sah, Tree::Bins),
+            Accelerator::Tree(method) => (method, Tree::OfAll),
+        };
+        Way {
+            build: BuildOptions::new(method),
+            threads,
+            level: Level::detect(),
+            tree,
+        }
+    }
 }
 
 /// The structure: a tree with its contents and its anchor, or bins.

@@ -188,7 +188,7 @@ impl Binner<'_> {
     }
 
     #[inline(always)]
-    fn corners(&self, index: usize) -> [FilmPoint; 3] {
+    pub(super) fn corners(&self, index: usize) -> [FilmPoint; 3] {
         let corners = self.geometry.corners_of(index);
         corners.map(|corner| self.vertices[corner as usize])
     }

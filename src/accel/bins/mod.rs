@@ -162,3 +162,6 @@ fn from_front_to_back(chunks: &[BinnedChunk], bin: usize) -> Vec<BinEntry> {
     }
     entries
 }
+
+#[cfg(test)]
+mod tests;

@@ -56,17 +56,27 @@ impl PrimitiveBlock {
     /// Adds a primitive with the geometry `surface`. The block must not be full.
     #[inline]
     pub(crate) fn push(&mut self, primitive: PrimitiveId, surface: &Primitive) {
-        let lane = self.count as usize;
-        self.primitives[lane] = primitive;
-        self.count += 1;
         match surface {
-            Primitive::Triangle(triangle) => self.put_triangle(lane, triangle),
-            Primitive::Quadric(quadric) => self.put_quadric(lane, quadric),
+            Primitive::Triangle(triangle) => self.push_triangle(primitive, triangle),
+            Primitive::Quadric(quadric) => {
+                let lane = self.next_lane(primitive);
+                self.put_quadric(lane, quadric);
+            }
         }
     }
 
-    #[inline]
-    fn put_triangle(&mut self, lane: usize, triangle: &Triangle) {
+    #[inline(always)]
+    fn next_lane(&mut self, primitive: PrimitiveId) -> usize {
+        let lane = self.count as usize;
+        self.primitives[lane] = primitive;
+        self.count += 1;
+        lane
+    }
+
+    /// Adds a triangle. The block must not be full.
+    #[inline(always)]
+    pub(crate) fn push_triangle(&mut self, primitive: PrimitiveId, triangle: &Triangle) {
+        let lane = self.next_lane(primitive);
         self.triangles |= 1 << lane;
         let [a, b, c] = &triangle.0;
         for axis in 0..3 {

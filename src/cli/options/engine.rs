@@ -136,6 +136,6 @@ pub(crate) fn accelerator_note(accelerator: &AcceleratorParameters) -> Option<St
     };
     let meant = meant.map_or(String::new(), |known| format!("; did you mean `{known}`?"));
     Some(format!(
-        "the scene asks for the unknown accelerator `{unknown}`: using sah{meant}"
+        "the scene asks for the unknown accelerator `{unknown}`: trees are built by sah{meant}"
     ))
 }

@@ -121,6 +121,12 @@ impl SegmentEntries {
         &self.sorted
     }
 
+    /// Bounds how much nearer an entry may be than one before it.
+    pub(super) fn uncertainty(&self) -> f32 {
+        // Twice the range of a slice, for roundings; infinite if there is just one.
+        2.0 / self.slices.per_nearness
+    }
+
     /// The places of a tile's entries among [all](SegmentEntries::all). `column` is the first of
     /// the tile on the film.
     #[inline(always)]

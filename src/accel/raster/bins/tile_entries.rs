@@ -6,7 +6,7 @@ use crate::accel::raster::depth_buffer::DepthBuffer;
 use crate::accel::raster::traversal::pixel_blocks_between;
 use crate::accel::tree::{BLOCK_SIZE, PrimitiveBlock};
 use crate::accel::view::TILE;
-use crate::shape::Geometry;
+use crate::shape::{Geometry, PrimitiveId};
 use crate::simd::{F32s, Lanes, Mask};
 use std::ops::Range;
 
@@ -19,12 +19,13 @@ const INDICES_AHEAD: usize = 24;
 #[derive(Debug)]
 pub(crate) struct TileEntries<'a> {
     geometry: &'a Geometry,
-    /// The first pixel of the tile.
-    first: [u32; 2],
+    /// The first column of the tile in its bin of the first level.
+    column: i32,
     /// The entries of the first level, the nearest slice first, and those of the next tiles.
     entries: &'a [BinEntry],
     places: Range<usize>,
-    first_level: BinLevel,
+    /// No entry is nearer by more than one before it.
+    uncertainty: f32,
     large: LargeEntries<'a>,
 }
 
@@ -39,10 +40,10 @@ impl<'a> TileEntries<'a> {
     ) -> TileEntries<'a> {
         TileEntries {
             geometry,
-            first,
+            column: bins.grid.levels[0].offset(0, first[0]) as i32,
             entries: segment.all(),
             places: segment.places_of_tile(first[0]),
-            first_level: bins.grid.levels[0],
+            uncertainty: segment.uncertainty(),
             large: LargeEntries::new(bins, first, pixel),
         }
     }
@@ -59,37 +60,69 @@ impl<'a> TileEntries<'a> {
     ) -> bool {
         block.clear();
         let hi_z = simd.load(&pixels.hi_z);
+        let is_seen = |nearness: f32, pixel_blocks: u32| {
+            let hidden = hi_z.above(simd.splat(nearness)).bits();
+            pixel_blocks & !hidden != 0
+        };
         while (block.count as usize) < BLOCK_SIZE {
-            let Some((entry, pixel_blocks)) = self.next(simd, cull_nearness) else {
+            if self.is_large_next() {
+                let Some((entry, pixel_blocks)) = self.large.take(cull_nearness) else {
+                    break;
+                };
+                if is_seen(entry.nearness, pixel_blocks) {
+                    self.push(block, entry.primitive);
+                }
+                continue;
+            }
+            let Some(entry) = self.next_small() else {
                 break;
             };
-            let hidden = hi_z.above(simd.splat(entry.nearness)).bits();
-            if pixel_blocks & !hidden != 0 {
-                let primitive = entry.primitive;
-                block.push(primitive, &self.geometry.own_surface(primitive));
+            self.prefetch(simd);
+            if is_seen(entry.nearness, self.pixel_blocks(&entry)) {
+                self.push(block, entry.primitive);
+            } else if entry.nearness + self.uncertainty < cull_nearness {
+                // All that follow are hidden, too.
+                self.places.start = self.places.end;
             }
         }
         block.count != 0
     }
 
-    /// The next entry, and the blocks of pixels that it touches.
+    /// Tests whether the nearest entry that is left is in a bin of another level than the first.
     #[inline(always)]
-    fn next<S: Lanes>(&mut self, simd: S, cull_nearness: f32) -> Option<(BinEntry, u32)> {
+    fn is_large_next(&self) -> bool {
+        let Some(large) = &self.large.nearest else {
+            return false;
+        };
         let small = self.entries.get(self.places.start);
         let small = small.filter(|_| !self.places.is_empty());
-        let is_large = match (&self.large.nearest, small) {
-            (None, None) => return None,
-            (Some(large), Some(small)) => large.nearness >= small.nearness,
-            (large, _) => large.is_some(),
-        };
-        if is_large {
-            return self.large.take(cull_nearness);
+        small.is_none_or(|small| large.nearness >= small.nearness)
+    }
+
+    #[inline(always)]
+    fn next_small(&mut self) -> Option<BinEntry> {
+        let place = self.places.next()?;
+        Some(self.entries[place])
+    }
+
+    /// The blocks of pixels that an entry of the first level touches.
+    #[inline(always)]
+    fn pixel_blocks(&self, entry: &BinEntry) -> u32 {
+        // The tile is as high as the bin, and its entries touch it.
+        let last = TILE as i32 - 1;
+        let column = |column: u8| i32::from(column) - self.column;
+        let [first, end] = entry.columns;
+        let columns = [column(first).max(0), column(end).min(last)];
+        pixel_blocks_between(columns, entry.rows.map(i32::from))
+    }
+
+    #[inline(always)]
+    fn push(&self, block: &mut PrimitiveBlock, primitive: PrimitiveId) {
+        if primitive.is_quadric() {
+            block.push(primitive, &self.geometry.own_surface(primitive));
+        } else {
+            block.push_triangle(primitive, &self.geometry.triangle(primitive.index()));
         }
-        let entry = *small?;
-        self.prefetch(simd);
-        self.places.start += 1;
-        let pixel_blocks = pixel_blocks(&entry, &self.first_level, self.first);
-        Some((entry, pixel_blocks))
     }
 
     #[inline(always)]
@@ -178,7 +211,6 @@ impl<'a> LargeEntries<'a> {
 
 /// The blocks of pixels that an entry touches in the tile whose first pixel is `first`, block k as
 /// bit k.
-#[inline(always)]
 fn pixel_blocks(entry: &BinEntry, level: &BinLevel, first: [u32; 2]) -> u32 {
     let mut ends = [[0; 2]; 2];
     for (axis, sides) in [entry.columns, entry.rows].into_iter().enumerate() {
