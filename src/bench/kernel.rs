@@ -1,7 +1,7 @@
 //! The kernels that `bench` compares.
 
 use super::baseline::Baseline;
-use crate::accel::Precision;
+use crate::accel::{Accelerator, Precision};
 use crate::named::named;
 
 /// How rays are traced and how hits are decided.
@@ -25,5 +25,15 @@ impl Kernel {
     /// Returns true if exact fallbacks decide what `f64` cannot.
     pub fn is_exact(self) -> bool {
         matches!(self, Kernel::Tiles(Precision::Exact) | Kernel::ExactSingle)
+    }
+
+    /// Returns true if the kernel traces single rays, which find primitives in a tree only.
+    pub fn needs_tree(self) -> bool {
+        !matches!(self, Kernel::Tiles(_))
+    }
+
+    /// Returns true if the kernel can be measured with `accelerator`.
+    pub fn suits(self, accelerator: Accelerator) -> bool {
+        !self.needs_tree() || accelerator != Accelerator::Raster
     }
 }

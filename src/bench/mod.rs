@@ -12,9 +12,10 @@ pub use baseline::{Baseline, BaselineKernel};
 pub use error::{Errors, GroundTruth, InputError, confidence_interval, has_ground_truth};
 pub use kernel::Kernel;
 pub use report::{
-    Section, TextTable, is_report, notes, ray_table, to_csv, to_html, to_json, to_markdown, to_svg,
-    tree_table,
+    Section, TextTable, accelerator_table, is_report, notes, ray_table, to_csv, to_html, to_json,
+    to_markdown, to_svg,
 };
 pub use run::{
-    Bench, Machine, Measured, PictureFiles, Pictures, Plan, Rounds, Row, Spread, timed, totals,
+    Bench, Build, Machine, Measured, PictureFiles, Pictures, Plan, Rounds, Row, Spread, timed,
+    totals,
 };

@@ -12,7 +12,7 @@ import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
-ACCELERATORS = ["none", "middle", "equal", "sah", "hlbvh"]
+ACCELERATORS = ["raster", "none", "middle", "equal", "sah", "hlbvh"]
 INSTRUCTION_SETS = ["portable", "sse4.1", "avx2", "avx512"]
 ALL_CHANNELS = "Z,t,A,id,prim,instance,N,P,uv"
 SIZE = "96x64"
@@ -155,10 +155,16 @@ class Run:
         diff = self.folder / "diff.png"
         self.add("difference", 0, diff.read_bytes() if diff.exists() else b"")
         if is_small and "tests/hard" in str(self.scene):
-            flags = "--runs 1 --warmup 0 --accel none,sah --json -q --csv rows.csv".split()
-            self.lines("bench", "bench", self.scene, *flags)
-            rows = self.folder / "rows.csv"
-            self.add("bench csv", 0, stable_csv(rows.read_text()) if rows.exists() else b"")
+            self.bench("bench", "none,sah")
+            self.bench("bench raster", "raster")
+
+    def bench(self, name, accel):
+        """Hashes the rows of `bench`."""
+        rows = self.folder / "rows.csv"
+        rows.unlink(missing_ok=True)
+        flags = f"--runs 1 --warmup 0 --accel {accel} --json -q --csv {rows.name}".split()
+        self.lines(name, "bench", self.scene, *flags)
+        self.add(f"{name} csv", 0, stable_csv(rows.read_text()) if rows.exists() else b"")
 
 
 def hashes(program, scene):

@@ -28,7 +28,7 @@ pub(crate) fn document(run: &Run) -> Value {
     serde_json::from_slice(&run.stdout).unwrap()
 }
 
-fn rows(folder: &Folder, arguments: &str) -> Vec<Value> {
+pub(crate) fn rows(folder: &Folder, arguments: &str) -> Vec<Value> {
     let run = folder.bench(&format!("{arguments} --json")).succeeded();
     document(&run)["rows"].as_array().unwrap().clone()
 }
@@ -38,7 +38,7 @@ pub(crate) fn stdout(run: &Run) -> String {
 }
 
 /// The accelerator and the precision of each row.
-fn configurations(rows: &[Value]) -> Vec<(String, String)> {
+pub(crate) fn configurations(rows: &[Value]) -> Vec<(String, String)> {
     let text = |row: &Value, key: &str| row[key].as_str().unwrap().to_owned();
     rows.iter()
         .map(|row| (text(row, "accel"), text(row, "precision")))
@@ -49,9 +49,13 @@ fn configurations(rows: &[Value]) -> Vec<(String, String)> {
 fn every_accelerator_is_measured_with_every_precision() {
     let rows = rows(&Folder::new(), &format!("ball.pbrt {ONCE}"));
     let methods = ["none", "middle", "equal", "sah", "hlbvh"];
-    let expected = methods
+    let of_trees = methods
         .iter()
-        .flat_map(|method| KERNELS.map(|how| (method.to_string(), how.to_string())));
+        .flat_map(|method| KERNELS.map(|how| (*method, how)));
+    let expected = [("raster", "exact"), ("raster", "fast")]
+        .into_iter()
+        .chain(of_trees);
+    let expected = expected.map(|(method, how)| (method.to_string(), how.to_string()));
     assert_eq!(configurations(&rows), expected.collect::<Vec<_>>());
 }
 

@@ -151,8 +151,8 @@ fn impossible_measurements_are_refused() {
         ),
         (
             "--accel sah,kd",
-            "invalid value 'kd' for '--accel <METHODS>'\n  [possible values: none, middle, equal, \
-             sah, hlbvh]",
+            "invalid value 'kd' for '--accel <METHODS>'\n  [possible values: raster, none, \
+             middle, equal, sah, hlbvh]",
         ),
         ("--accel sah,none,sah", "--accel names `sah` twice"),
         (

@@ -4,6 +4,7 @@ mod batch;
 mod batch_existing;
 mod bench;
 mod bench_outputs;
+mod bench_raster;
 mod cameras;
 mod check;
 mod check_json;

@@ -18,7 +18,7 @@ pub(super) struct Column {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Table {
     /// One line for each accelerator.
-    Trees,
+    Accelerators,
     /// One line for each accelerator and kernel.
     Rays,
     Both,
@@ -47,12 +47,12 @@ const fn shown(
 
 /// All columns in order. Values take a row and the machine's clock in MHz, if it is known.
 pub(super) const COLUMNS: [Column; 28] = {
-    use Table::{Both, Rays, Trees};
+    use Table::{Accelerators, Both, Rays};
     use Value::{Confidence, Count, Input, Name, Real};
     [
         hidden("scene", |row, _| Name(row.scene.clone())),
         shown("accel", Both, "accel", |row, _| {
-            Name(row.method.to_string())
+            Name(row.accelerator.to_string())
         }),
         shown("precision", Rays, "precision", |row, _| {
             Name(row.kernel.to_string())
@@ -60,10 +60,10 @@ pub(super) const COLUMNS: [Column; 28] = {
         hidden("threads", |row, _| Count(Some(row.threads as u64))),
         hidden("rays", |row, _| Count(Some(row.rays))),
         hidden("pixels", |row, _| Count(Some(row.pixels))),
-        shown("load_ms", Trees, "load ms", |row, _| {
+        shown("load_ms", Accelerators, "load ms", |row, _| {
             Value::Spread(row.load_ms)
         }),
-        shown("build_ms", Trees, "build ms", |row, _| {
+        shown("build_ms", Accelerators, "build ms", |row, _| {
             Value::Spread(row.build_ms)
         }),
         shown("trace_ms", Rays, "trace ms", |row, _| {
@@ -76,19 +76,19 @@ pub(super) const COLUMNS: [Column; 28] = {
             Real(mhz.map(|mhz| row.cycles_per_ray(mhz)), mean)
         }),
         shown("nodes_per_ray", Rays, "nodes/ray", |row, _| {
-            Real(Some(row.nodes_per_ray), mean)
+            Real(row.nodes_per_ray, mean)
         }),
         shown("primitives_per_ray", Rays, "prims/ray", |row, _| {
-            Real(Some(row.primitives_per_ray), mean)
+            Real(row.primitives_per_ray, mean)
         }),
-        shown("sah_cost", Trees, "SAH", |row, _| {
-            Real(Some(row.sah_cost).filter(|cost| cost.is_finite()), mean)
+        shown("sah_cost", Accelerators, "SAH", |row, _| {
+            Real(row.sah_cost.filter(|cost| cost.is_finite()), mean)
         }),
-        shown("epo", Trees, "EPO", |row, _| Real(row.overlap, mean)),
-        shown("depth", Trees, "depth", |row, _| {
-            Count(Some(row.depth as u64))
+        shown("epo", Accelerators, "EPO", |row, _| Real(row.overlap, mean)),
+        shown("depth", Accelerators, "depth", |row, _| {
+            Count(row.depth.map(|depth| depth as u64))
         }),
-        shown("bytes", Trees, "tree bytes", |row, _| {
+        shown("bytes", Accelerators, "bytes", |row, _| {
             Count(Some(row.bytes as u64))
         }),
         hidden("input", |row, _| Input(row.input)),
@@ -155,10 +155,10 @@ impl Column {
     }
 }
 
-/// The trees of a scene: one line for the rows of each accelerator.
-pub fn tree_table(rows: &[Row]) -> TextTable {
-    let trees = rows.chunk_by(|a, b| a.scene == b.scene && a.method == b.method);
-    table(Table::Trees, trees.map(|rows| &rows[0]), None)
+/// The accelerators of a scene: one line for the rows of each.
+pub fn accelerator_table(rows: &[Row]) -> TextTable {
+    let of_each = rows.chunk_by(|a, b| a.scene == b.scene && a.accelerator == b.accelerator);
+    table(Table::Accelerators, of_each.map(|rows| &rows[0]), None)
 }
 
 /// The rays of a scene, on a machine with a clock of `mhz`, if that is known.
@@ -188,49 +188,53 @@ fn table<'a>(table: Table, rows: impl Iterator<Item = &'a Row>, mhz: Option<f64>
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::accel::SplitMethod;
+    use crate::accel::{Accelerator, SplitMethod};
     use crate::bench::kernel::Kernel;
-    use crate::bench::run::tests::row;
+    use crate::bench::run::tests::{row, row_of};
 
     #[test]
-    fn trees_have_one_line_and_rays_one_for_each_kernel() {
+    fn accelerators_have_one_line_and_rays_one_for_each_kernel() {
         let [exact, fast, ..] = Kernel::ALL;
         let rows = [
+            row_of(Accelerator::Raster, exact, 1000),
             row(SplitMethod::Sah, exact, 1000),
             row(SplitMethod::Sah, fast, 100),
             row(SplitMethod::Hlbvh, fast, 0),
         ];
-        let trees = "\
-accel           load ms       build ms   SAH  EPO  depth  tree bytes
-sah    2.00 (1.00-3.00)  461 (415-492)  49.1  3.2     26  34,218,112
-hlbvh  2.00 (1.00-3.00)  461 (415-492)  49.1  3.2     26  34,218,112
+        let accelerators = "\
+accel            load ms       build ms   SAH  EPO  depth       bytes
+raster  2.00 (1.00-3.00)  461 (415-492)     -    -      -  34,218,112
+sah     2.00 (1.00-3.00)  461 (415-492)  49.1  3.2     26  34,218,112
+hlbvh   2.00 (1.00-3.00)  461 (415-492)  49.1  3.2     26  34,218,112
 ";
-        assert_eq!(tree_table(&rows).aligned(), trees);
-        let rays = "\
-accel  precision          trace ms  Mrays/s  cycles/ray  nodes/ray  prims/ray      false     missed wrong prim  max ulp  99 %   mean  integers
-sah    exact      50.0 (50.0-53.0)     0.02     250,000       19.9      1,235          1          0          2        3     3  0.750    12,345
-sah    fast       50.0 (50.0-53.0)     0.02     250,000       19.9      1,235  1 (<5.45%)  0 (<3.70%)  2 (<7.00%)        3     3  0.750         -
-hlbvh  fast       50.0 (50.0-53.0)     0.02     250,000       19.9      1,235          -          -          -        -     -      -         -
-";
-        let words = |text: &str| {
-            text.split_whitespace()
-                .map(str::to_owned)
-                .collect::<Vec<_>>()
-        };
-        assert_eq!(
-            words(&ray_table(&rows, Some(2500.0)).aligned()),
-            words(rays)
-        );
+        assert_eq!(accelerator_table(&rows).aligned(), accelerators);
+        let titles = "accel precision trace ms Mrays/s cycles/ray nodes/ray prims/ray false missed \
+                      wrong prim max ulp 99 % mean integers";
+        let rays = [
+            titles,
+            "raster exact 50.0 (50.0-53.0) 0.02 250,000 - - 1 0 2 3 3 0.750 12,345",
+            "sah exact 50.0 (50.0-53.0) 0.02 250,000 19.9 1,235 1 0 2 3 3 0.750 12,345",
+            "sah fast 50.0 (50.0-53.0) 0.02 250,000 19.9 1,235 1 (<5.45%) 0 (<3.70%) 2 (<7.00%) 3 \
+             3 0.750 -",
+            "hlbvh fast 50.0 (50.0-53.0) 0.02 250,000 19.9 1,235 - - - - - - -",
+        ];
+        let table = ray_table(&rows, Some(2500.0)).aligned();
+        let words = |line: &str| line.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(table.lines().map(words).collect::<Vec<_>>(), rays);
     }
 
     #[test]
     fn unknown_values_are_dashes() {
         let [exact, ..] = Kernel::ALL;
         let empty = Row {
-            sah_cost: f64::NAN,
+            sah_cost: Some(f64::NAN),
             overlap: None,
             ..row(SplitMethod::None, exact, 0)
         };
-        assert!(tree_table(&[empty]).aligned().contains("  -    -     26"));
+        assert!(
+            accelerator_table(&[empty])
+                .aligned()
+                .contains("  -    -     26")
+        );
     }
 }

@@ -1,6 +1,6 @@
 //! Rows as Markdown.
 
-use super::columns::{ray_table, tree_table};
+use super::columns::{accelerator_table, ray_table};
 use super::notes::notes;
 use crate::bench::run::{Machine, Row, totals};
 use crate::terminal_text;
@@ -18,8 +18,8 @@ pub fn to_markdown(machine: &Machine, rows: &[Row]) -> String {
         notes(rows)
             .iter()
             .for_each(|note| text += &format!("- {note}\n"));
-        let (trees, rays) = (tree_table(rows), ray_table(rows, machine.mhz));
-        text += &format!("\n{}\n{}", trees.markdown(), rays.markdown());
+        let (accelerators, rays) = (accelerator_table(rows), ray_table(rows, machine.mhz));
+        text += &format!("\n{}\n{}", accelerators.markdown(), rays.markdown());
     }
     text
 }

@@ -1,6 +1,6 @@
 //! Marks of plots: a colour for each kernel, a shape for each accelerator, and their legend.
 
-use crate::accel::{Precision, SplitMethod};
+use crate::accel::{Accelerator, Precision, SplitMethod};
 use crate::bench::baseline::Baseline;
 use crate::bench::kernel::Kernel;
 use crate::bench::run::Row;
@@ -27,22 +27,44 @@ pub(super) fn color(kernel: Kernel) -> RGBColor {
     }
 }
 
+/// The corners of a star around the origin.
+const STAR: [[i32; 2]; 10] = [
+    [0, -7],
+    [2, -2],
+    [7, -2],
+    [3, 1],
+    [4, 6],
+    [0, 3],
+    [-4, 6],
+    [-3, 1],
+    [-7, -2],
+    [-2, -2],
+];
+
 /// Draws the mark of an accelerator.
 pub(super) fn mark(
     area: &Area,
-    method: SplitMethod,
+    accelerator: Accelerator,
     color: RGBColor,
     (x, y): (i32, i32),
 ) -> Result {
     let filled = color.filled();
-    match method {
-        SplitMethod::None => area.draw(&Cross::new((x, y), 4, color.stroke_width(2)))?,
-        SplitMethod::Middle => area.draw(&TriangleMarker::new((x, y), 6, filled))?,
-        SplitMethod::Equal => {
+    match accelerator {
+        Accelerator::Raster => {
+            let star = STAR.map(|[across, down]| (x + across, y + down));
+            area.draw(&Polygon::new(star, filled))?;
+        }
+        Accelerator::Tree(SplitMethod::None) => {
+            area.draw(&Cross::new((x, y), 4, color.stroke_width(2)))?
+        }
+        Accelerator::Tree(SplitMethod::Middle) => {
+            area.draw(&TriangleMarker::new((x, y), 6, filled))?
+        }
+        Accelerator::Tree(SplitMethod::Equal) => {
             area.draw(&Rectangle::new([(x - 4, y - 4), (x + 4, y + 4)], filled))?
         }
-        SplitMethod::Sah => area.draw(&Circle::new((x, y), 5, filled))?,
-        SplitMethod::Hlbvh => {
+        Accelerator::Tree(SplitMethod::Sah) => area.draw(&Circle::new((x, y), 5, filled))?,
+        Accelerator::Tree(SplitMethod::Hlbvh) => {
             area.draw(&Polygon::new(
                 vec![(x - 6, y), (x, y - 6), (x + 6, y), (x, y + 6)],
                 filled,
@@ -68,10 +90,11 @@ pub(super) fn draw_legend(area: &Area, rows: &[Row]) -> Result {
         y += 24;
     }
     y += 16;
-    let has_method = |method: &SplitMethod| rows.iter().any(|row| row.method == *method);
-    for method in SplitMethod::ALL.into_iter().filter(has_method) {
-        mark(area, method, RGBColor(70, 70, 70), (17, y))?;
-        area.draw_text(method.name(), &text, (34, y))?;
+    let has_row =
+        |accelerator: &Accelerator| rows.iter().any(|row| row.accelerator == *accelerator);
+    for accelerator in Accelerator::ALL.into_iter().filter(has_row) {
+        mark(area, accelerator, RGBColor(70, 70, 70), (17, y))?;
+        area.draw_text(accelerator.name(), &text, (34, y))?;
         y += 24;
     }
     y += 16;

@@ -14,7 +14,7 @@ mod scale;
 mod table;
 mod value;
 
-pub use columns::{ray_table, tree_table};
+pub use columns::{accelerator_table, ray_table};
 pub use csv::to_csv;
 pub use json::to_json;
 pub use markdown::to_markdown;

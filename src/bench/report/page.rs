@@ -1,6 +1,6 @@
 //! All results on one page of HTML.
 
-use super::columns::{ray_table, tree_table};
+use super::columns::{accelerator_table, ray_table};
 use super::html::{escaped, figure, swatch, table};
 use super::notes::notes;
 use super::plot::to_svg;
@@ -56,11 +56,12 @@ pub fn to_html(machine: &Machine, command: &str, sections: &[Section]) -> String
 
 const READING: &str = "\
 <p>Each accelerator is built, and each kernel traces rays through it, in turn, round after round. \
-Times are medians, with the fastest and the slowest run. <code>exact</code> and <code>fast</code> \
-are feimos's own kernels, which trace tiles of rays. The others trace one ray at a time through \
-the same trees: <code>exact-single</code> with exact answers, and two f32 baselines, \
-<code>moeller-trumbore</code> with the textbook quadratic formula and <code>watertight</code> with \
-pbrt's. Errors are measured against exact arithmetic on all primitives: false and missed hits, \
+Times are medians, with the fastest and the slowest run. <code>raster</code> is no tree: it sorts \
+the primitives that the view may see into bins. The other accelerators are trees over the whole \
+scene. <code>exact</code> and <code>fast</code> are feimos's own kernels, which trace tiles of \
+rays. The others trace one ray at a time through the same trees: <code>exact-single</code> with \
+exact answers, and two f32 baselines, <code>moeller-trumbore</code> with the textbook quadratic \
+formula and <code>watertight</code> with pbrt's. Errors are measured against exact arithmetic on all primitives: false and missed hits, \
 wrong primitives, and for all other hits the error of the depth in units in the last place of an \
 f32 (ulp). Tests of nodes and primitives are those of a ray that is traced alone through the whole \
 tree. SAH is the cost of the tree by the surface area heuristic, EPO the overlap of its nodes with \
@@ -93,7 +94,7 @@ fn of_scene(machine: &Machine, section: &Section) -> String {
         text += &format!("<p class=\"quiet\">{}</p>\n", escaped(&note));
     }
     text += &to_svg("Error against speed", rows);
-    text += &table(&tree_table(rows));
+    text += &table(&accelerator_table(rows));
     text += &table(&ray_table(rows, machine.mhz));
     text += &of_pictures(rows, pictures);
     text
@@ -148,12 +149,12 @@ fn different<'a>(rows: &[Row], pictures: &'a [Option<Vec<u8>>]) -> Vec<(String, 
         };
         let mut found = different.iter_mut();
         match found.find(|(kernel, _, other)| *kernel == row.kernel && *other == picture) {
-            Some((_, methods, _)) => methods.push(row.method.name()),
-            None => different.push((row.kernel, vec![row.method.name()], picture)),
+            Some((_, accelerators, _)) => accelerators.push(row.accelerator.name()),
+            None => different.push((row.kernel, vec![row.accelerator.name()], picture)),
         }
     }
-    let captioned = |(kernel, methods, picture): (Kernel, Vec<&str>, &'a [u8])| {
-        (format!("{kernel}: {}", methods.join(", ")), picture)
+    let captioned = |(kernel, accelerators, picture): (Kernel, Vec<&str>, &'a [u8])| {
+        (format!("{kernel}: {}", accelerators.join(", ")), picture)
     };
     different.into_iter().map(captioned).collect()
 }

@@ -3,7 +3,7 @@
 use super::marks::{Area, FONT, Result, color, draw_legend, mark};
 use super::pareto::front;
 use super::scale::{Scale, decade};
-use crate::accel::SplitMethod;
+use crate::accel::Accelerator;
 use crate::bench::error::Errors;
 use crate::bench::kernel::Kernel;
 use crate::bench::run::Row;
@@ -68,7 +68,7 @@ fn draw(svg: &mut String, title: &str, rows: &[Row]) -> Result {
 
 /// A row in a plot.
 struct Point {
-    method: SplitMethod,
+    accelerator: Accelerator,
     kernel: Kernel,
     speed: f64,
     error: f64,
@@ -85,7 +85,7 @@ impl Point {
         }
         let [error, high] = (quantity.of)(row.errors()?);
         Some(Point {
-            method: row.method,
+            accelerator: row.accelerator,
             kernel: row.kernel,
             speed,
             error,
@@ -140,7 +140,7 @@ fn draw_panel(area: &Area, quantity: &Quantity, points: &[Point]) -> Result {
         let place = chart.backend_coord(&at);
         mark(
             area,
-            point.method,
+            point.accelerator,
             color(point.kernel),
             (place.0 - origin.0, place.1 - origin.1),
         )?;
@@ -204,14 +204,17 @@ fn draw_front(chart: &mut Chart, points: &[Point], x: &Scale, y: &Scale) -> Resu
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bench::run::tests::row;
+    use crate::accel::SplitMethod;
+    use crate::bench::run::tests::{row, row_of};
 
     #[test]
     fn every_row_with_errors_has_its_marks() {
-        let rows: Vec<Row> = SplitMethod::ALL
-            .iter()
-            .flat_map(|method| Kernel::ALL.map(|kernel| row(*method, kernel, 1000)))
-            .collect();
+        let rows_of = |accelerator: Accelerator| {
+            let kernels = Kernel::ALL.into_iter();
+            let kernels = kernels.filter(move |kernel| kernel.suits(accelerator));
+            kernels.map(move |kernel| row_of(accelerator, kernel, 1000))
+        };
+        let rows: Vec<Row> = Accelerator::ALL.into_iter().flat_map(rows_of).collect();
         let svg = to_svg("a <b> & c", &rows);
         assert!(
             svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"),
@@ -221,6 +224,13 @@ mod tests {
         let of_color = |text: &str| svg.matches(text).count();
         // The circle of sah in this colour, in both panels.
         assert_eq!(of_color(r##"r="5" opacity="1" fill="#D55E00""##), 2);
+        // The stars of raster: two kernels in both panels, and the legend.
+        let corners = svg
+            .split("points=\"")
+            .skip(1)
+            .filter_map(|rest| rest.split('"').next());
+        let is_star = |corners: &&str| corners.split_whitespace().count() == 10;
+        assert_eq!(corners.filter(is_star).count(), 5);
         assert!(svg.contains("moeller-trumbore") && svg.contains("Pareto front"));
     }
 

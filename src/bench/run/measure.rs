@@ -1,11 +1,12 @@
 //! Measures a scene: runs all configurations in turn, and times them.
 
+use super::owned_structure::OwnedStructure;
 use super::pictures::Pictures;
-use super::plan::{Plan, sample_of};
+use super::plan::{Build, Plan, sample_of};
 use super::row::Row;
 use super::spread::Spread;
 use super::surface_points::SurfacePoints;
-use crate::accel::{Aggregate, BuildOptions, Statistics, TraversalCounts};
+use crate::accel::{Statistics, Structure, TraversalCounts};
 use crate::bench::error::{Errors, GroundTruth, SEED};
 use crate::bench::trace::{Cast, Caster, Random, TileSample, some_pixels};
 use crate::error::Result;
@@ -19,8 +20,10 @@ use std::time::Instant;
 /// The measurements of a scene.
 #[derive(Debug)]
 pub struct Measured {
-    /// One for each accelerator and kernel, in this order.
+    /// One for each accelerator and each kernel that suits it, in this order.
     pub rows: Vec<Row>,
+    /// True if the plan has `raster`, but no row does, because the view has no bins.
+    pub lacks_bins: bool,
     /// The pictures, if the plan has them.
     pub pictures: Option<Pictures>,
 }
@@ -40,8 +43,8 @@ pub struct Bench<'a> {
 }
 
 impl Bench<'_> {
-    /// Runs `plan` on the threads of the current rayon pool: loads the scene, builds every tree
-    /// over all of it, and traces the whole image by every kernel.
+    /// Runs `plan` on the threads of the current rayon pool: loads the scene, builds every
+    /// accelerator, and traces the whole image by every kernel.
     ///
     /// A round runs everything once, so that drift of the machine affects all configurations alike.
     /// Counting and comparing take time, so they have a round of their own. `progress` counts
@@ -54,16 +57,18 @@ impl Bench<'_> {
         let caster = |kernel| Caster::new(self.scene, kernel);
         let casters: Vec<Caster> = plan.kernels.iter().copied().map(caster).collect();
         let mut pictures = plan.with_pictures.then(|| Pictures::new(self.scene));
-        let mut trees = Vec::new();
+        let mut contenders = Vec::new();
         let trial = Trial {
             bench: self,
+            plan,
             casters: &casters,
             points: points.as_ref(),
             progress,
         };
         for build in &plan.builds {
-            trees.push(trial.tree(*build, pictures.as_mut())?);
+            contenders.extend(trial.run(*build, pictures.as_mut())?);
         }
+        let lacks_bins = contenders.len() < plan.builds.len();
         let options = LoadOptions {
             input_budget: self.input_budget,
             ..LoadOptions::default()
@@ -76,18 +81,19 @@ impl Bench<'_> {
                 drop(again?);
                 load_ms.extend(is_counted.then_some(ms));
             }
-            for tree in &mut trees {
-                tree.run(self.scene, &casters, is_counted, progress)?;
+            for contender in &mut contenders {
+                contender.run(self.scene, is_counted, progress)?;
             }
         }
         // The first load warmed up.
         let measured = load_ms.split_off(usize::from(load_ms.len() > 1));
         let load_ms = Spread::of(measured).expect("at least one time");
-        let rows = trees
+        let rows = contenders
             .into_iter()
-            .flat_map(|tree| tree.into_rows(self, &casters, load_ms));
+            .flat_map(|contender| contender.into_rows(self, load_ms));
         Ok(Measured {
             rows: rows.collect(),
+            lacks_bins,
             pictures,
         })
     }
@@ -96,17 +102,27 @@ impl Bench<'_> {
 /// The first round: measures everything that is the same in each run.
 struct Trial<'a> {
     bench: &'a Bench<'a>,
+    plan: &'a Plan,
     casters: &'a [Caster<'a>],
     points: Option<&'a SurfacePoints>,
     progress: Progress<'a>,
 }
 
-impl Trial<'_> {
-    fn tree(&self, options: BuildOptions, mut pictures: Option<&mut Pictures>) -> Result<Tree> {
+impl<'a> Trial<'a> {
+    /// Builds and traces once. `None` if the view has no bins.
+    fn run(
+        &self,
+        build: Build,
+        mut pictures: Option<&mut Pictures>,
+    ) -> Result<Option<Contender<'a>>> {
         let scene = self.bench.scene;
-        let aggregate = build(scene, options);
+        let Some(owned) = OwnedStructure::new(scene, build) else {
+            self.progress.advance(self.plan.steps_of(build));
+            return Ok(None);
+        };
+        let structure = owned.structure();
         self.progress.advance(1);
-        let sample = sample_of(options.method, scene, &mut Random::new(SEED + 2));
+        let sample = sample_of(build.accelerator, scene, &mut Random::new(SEED + 2));
         let own_truth = match (&sample, &self.bench.truth) {
             (Some(sample), Some(_)) => {
                 let pixels = sample.pixels.clone();
@@ -119,72 +135,92 @@ impl Trial<'_> {
             Some(sample) => sample.pixels.clone(),
             None => some_pixels(u64::MAX, &scene.film.crop, &mut Random::new(SEED)),
         };
-        if let Some(pictures) = pictures.as_deref_mut().filter(|_| sample.is_none()) {
-            pictures.add_cost(options.method, scene, &aggregate)?;
+        if let (Some(pictures), Some(aggregate), None) =
+            (pictures.as_deref_mut(), structure.tree(), &sample)
+        {
+            pictures.add_cost(build.trees.method, scene, aggregate)?;
         }
         let mut traces = Vec::new();
-        for caster in self.casters {
-            let cast = caster.cast(&aggregate, sample.as_ref())?;
+        let suits = |caster: &&Caster| caster.kernel.suits(build.accelerator);
+        for caster in self.casters.iter().filter(suits) {
+            let cast = caster.cast(structure, sample.as_ref())?;
             let checked = truth.map(|truth| truth.check(&cast));
             if let Some(pictures) = pictures.as_deref_mut() {
                 pictures.add_row(caster.kernel, &cast, checked.as_ref());
             }
+            let work = structure.tree().map(|tree| caster.work(tree, &pixels));
             traces.push(Trace {
+                caster,
                 errors: checked.map(|checked| checked.errors),
-                work: caster.work(&aggregate, &pixels),
+                work,
                 fallback_rays: caster.kernel.is_exact().then_some(cast.fallback_rays),
                 ms: Vec::new(),
             });
             self.progress.advance(1);
         }
-        Ok(Tree {
-            options,
-            statistics: aggregate.statistics(&scene.geometry),
-            overlap: self.points.map(|points| points.overlap(&aggregate)),
+        Ok(Some(Contender {
+            build,
+            size: self.size(structure),
             counted_rays: pixels.len() as u64,
             sample,
             build_ms: Vec::new(),
             traces,
-        })
+        }))
+    }
+
+    fn size(&self, structure: Structure) -> Size {
+        match structure {
+            Structure::Bins(bins) => Size::Bins(bins.bytes()),
+            Structure::Tree(aggregate) => Size::Tree {
+                statistics: aggregate.statistics(&self.bench.scene.geometry),
+                overlap: self.points.map(|points| points.overlap(aggregate)),
+            },
+        }
     }
 }
 
 /// An accelerator and its measurements so far.
-struct Tree {
-    options: BuildOptions,
+struct Contender<'a> {
+    build: Build,
     sample: Option<TileSample>,
-    statistics: Statistics,
-    overlap: Option<f64>,
+    size: Size,
     /// Rays that [`Trace::work`] counts.
     counted_rays: u64,
     build_ms: Vec<f64>,
     /// One for each kernel.
-    traces: Vec<Trace>,
+    traces: Vec<Trace<'a>>,
 }
 
-/// A kernel in a tree, and its measurements so far.
-struct Trace {
+/// The size of an accelerator.
+enum Size {
+    /// In bytes.
+    Bins(usize),
+    Tree {
+        statistics: Statistics,
+        overlap: Option<f64>,
+    },
+}
+
+/// A kernel with an accelerator, and its measurements so far.
+struct Trace<'a> {
+    caster: &'a Caster<'a>,
     errors: Option<Errors>,
-    work: TraversalCounts,
+    /// Tests in a tree.
+    work: Option<TraversalCounts>,
     fallback_rays: Option<u64>,
     ms: Vec<f64>,
 }
 
-impl Tree {
-    /// Builds, and traces by all `casters`.
-    fn run(
-        &mut self,
-        scene: &Scene,
-        casters: &[Caster],
-        is_counted: bool,
-        progress: Progress,
-    ) -> Result<()> {
-        let (aggregate, ms) = timed(|| build(scene, self.options));
+impl Contender<'_> {
+    /// Builds, and traces by all kernels.
+    fn run(&mut self, scene: &Scene, is_counted: bool, progress: Progress) -> Result<()> {
+        let (owned, ms) = timed(|| OwnedStructure::new(scene, self.build));
+        let owned = owned.expect("the trial has built it");
         self.build_ms.extend(is_counted.then_some(ms));
         progress.advance(1);
-        for (caster, trace) in casters.iter().zip(&mut self.traces) {
+        for trace in &mut self.traces {
             let (cast, ms): (Result<Cast>, f64) =
-                timed(|| caster.cast(&aggregate, self.sample.as_ref()));
+                timed(|| trace.caster.cast(owned.structure(), self.sample.as_ref()));
             drop(cast?);
             trace.ms.extend(is_counted.then_some(ms));
             progress.advance(1);
@@ -192,30 +228,37 @@ impl Tree {
         Ok(())
     }
 
-    fn into_rows(self, bench: &Bench, casters: &[Caster], load_ms: Spread) -> Vec<Row> {
+    fn into_rows(self, bench: &Bench, load_ms: Spread) -> Vec<Row> {
         let build_ms = Spread::of(self.build_ms).expect("at least one run");
         let per_ray = |count: u64| count as f64 / self.counted_rays as f64;
-        let row = |(trace, caster): (Trace, &Caster)| Row {
+        let (statistics, overlap, bytes) = match self.size {
+            Size::Bins(bytes) => (None, None, bytes),
+            Size::Tree {
+                statistics,
+                overlap,
+            } => (Some(statistics), overlap, statistics.bytes),
+        };
+        let row = |trace: Trace| Row {
             scene: bench.path.display().to_string(),
-            method: self.options.method,
-            kernel: caster.kernel,
+            accelerator: self.build.accelerator,
+            kernel: trace.caster.kernel,
             threads: rayon::current_num_threads(),
-            rays: caster.rays(self.sample.as_ref()),
+            rays: trace.caster.rays(self.sample.as_ref()),
             pixels: bench.scene.film.crop.area(),
             load_ms,
             build_ms,
             trace_ms: Spread::of(trace.ms).expect("at least one run"),
-            nodes_per_ray: per_ray(trace.work.nodes),
-            primitives_per_ray: per_ray(trace.work.primitives),
-            sah_cost: self.statistics.sah_cost,
-            overlap: self.overlap,
-            depth: self.statistics.depth,
-            bytes: self.statistics.bytes,
+            nodes_per_ray: trace.work.map(|work| per_ray(work.nodes)),
+            primitives_per_ray: trace.work.map(|work| per_ray(work.primitives)),
+            sah_cost: statistics.map(|statistics| statistics.sah_cost),
+            overlap,
+            depth: statistics.map(|statistics| statistics.depth),
+            bytes,
             input: bench.truth.as_ref().and_then(|truth| truth.input),
             errors: trace.errors,
             fallback_rays: trace.fallback_rays,
         };
-        self.traces.into_iter().zip(casters).map(row).collect()
+        self.traces.into_iter().map(row).collect()
     }
 }
 
@@ -225,9 +268,4 @@ pub fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
     let start = Instant::now();
     let result = black_box(work());
     (result, start.elapsed().as_nanos() as f64 / 1e6)
-}
-
-fn build(scene: &Scene, options: BuildOptions) -> Aggregate {
-    let anchor = scene.camera.anchor();
-    Aggregate::build(&scene.geometry, anchor, options, Progress::SILENT)
 }

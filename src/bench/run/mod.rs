@@ -2,6 +2,7 @@
 
 mod machine;
 mod measure;
+mod owned_structure;
 mod pictures;
 mod plan;
 mod row;
@@ -12,7 +13,7 @@ mod total;
 pub use machine::Machine;
 pub use measure::{Bench, Measured, timed};
 pub use pictures::{PictureFiles, Pictures};
-pub use plan::{Plan, Rounds};
+pub use plan::{Build, Plan, Rounds};
 pub use row::Row;
 pub use spread::Spread;
 pub use total::totals;

@@ -1,6 +1,6 @@
 //! The plan of a measurement.
 
-use crate::accel::{BuildOptions, SplitMethod, TILE};
+use crate::accel::{Accelerator, BuildOptions, SplitMethod, TILE};
 use crate::bench::kernel::Kernel;
 use crate::bench::trace::{Random, TileSample};
 use crate::scene::Scene;
@@ -9,13 +9,22 @@ use crate::scene::Scene;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
     /// The accelerators.
-    pub builds: Vec<BuildOptions>,
-    /// The kernels that trace each tree.
+    pub builds: Vec<Build>,
+    /// The kernels to trace with, each by the accelerators that it suits.
     pub kernels: Vec<Kernel>,
     /// The number of rounds.
     pub rounds: Rounds,
     /// Make pictures, too.
     pub with_pictures: bool,
+}
+
+/// An accelerator to build.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Build {
+    /// The accelerator.
+    pub accelerator: Accelerator,
+    /// How its trees are built; for bins, those over instances.
+    pub trees: BuildOptions,
 }
 
 /// The number of rounds.
@@ -30,8 +39,15 @@ pub struct Rounds {
 impl Plan {
     /// The number of builds and traces, including those that are not timed.
     pub fn steps(&self) -> usize {
-        let round = self.builds.len().saturating_mul(1 + self.kernels.len());
-        round.saturating_mul(1 + self.rounds.warmup + self.rounds.runs)
+        let steps = self.builds.iter().map(|build| self.steps_of(*build));
+        steps.fold(0, usize::saturating_add)
+    }
+
+    /// The number of builds and traces of one accelerator.
+    pub(super) fn steps_of(&self, build: Build) -> usize {
+        let kernels = self.kernels.iter();
+        let kernels = kernels.filter(|kernel| kernel.suits(build.accelerator));
+        (1 + kernels.count()).saturating_mul(1 + self.rounds.warmup + self.rounds.runs)
     }
 }
 
@@ -45,14 +61,15 @@ const SAMPLE_TESTS: u64 = 1 << 24;
 /// No more than one of this many tiles is chosen.
 const TILES_FOR_ONE: u64 = 8;
 
-/// The tiles that `method` is tried on; `None` for all.
+/// The tiles that `accelerator` is tried on; `None` for all.
 pub(super) fn sample_of(
-    method: SplitMethod,
+    accelerator: Accelerator,
     scene: &Scene,
     random: &mut Random,
 ) -> Option<TileSample> {
     let (rays, primitives) = (scene.film.crop.area(), scene.geometry.primitive_count());
-    if method != SplitMethod::None || rays.saturating_mul(primitives) <= MAX_TESTS {
+    let is_list = accelerator == Accelerator::Tree(SplitMethod::None);
+    if !is_list || rays.saturating_mul(primitives) <= MAX_TESTS {
         return None;
     }
     let tiles = rays / u64::from(TILE * TILE);

@@ -1,7 +1,7 @@
 //! One row of results.
 
 use super::spread::Spread;
-use crate::accel::SplitMethod;
+use crate::accel::Accelerator;
 use crate::bench::error::{Errors, InputError};
 use crate::bench::kernel::Kernel;
 
@@ -10,8 +10,8 @@ use crate::bench::kernel::Kernel;
 pub struct Row {
     /// The scene as the user named it.
     pub scene: String,
-    /// How primitives were aggregated.
-    pub method: SplitMethod,
+    /// How rays found primitives.
+    pub accelerator: Accelerator,
     /// How hits were decided.
     pub kernel: Kernel,
     /// Threads that built and traced.
@@ -22,22 +22,23 @@ pub struct Row {
     pub pixels: u64,
     /// From the scene file to geometry, in milliseconds.
     pub load_ms: Spread,
-    /// From geometry to the tree, in milliseconds.
+    /// From geometry to the tree or the bins, in milliseconds.
     pub build_ms: Spread,
     /// From rays to all channels of the image, in milliseconds.
     pub trace_ms: Spread,
     /// Mean number of node boxes that a ray tests if it is traced alone through the whole tree.
-    pub nodes_per_ray: f64,
+    /// Here and below, `None` without a tree.
+    pub nodes_per_ray: Option<f64>,
     /// Mean number of primitives that such a ray tests.
-    pub primitives_per_ray: f64,
+    pub primitives_per_ray: Option<f64>,
     /// The tree's cost by the surface area heuristic.
-    pub sah_cost: f64,
+    pub sah_cost: Option<f64>,
     /// The overlap of its nodes with surfaces of other nodes (EPO), where it is cheap to estimate:
     /// for scenes of triangles without instances.
     pub overlap: Option<f64>,
     /// Steps from the root to the deepest leaf.
-    pub depth: usize,
-    /// Bytes of the tree.
+    pub depth: Option<usize>,
+    /// Bytes of the tree or the bins.
     pub bytes: usize,
     /// How far rounding of the input moves hits; the same for all rows of a scene.
     pub input: Option<InputError>,

@@ -1,14 +1,20 @@
 //! A row for tests.
 
 use super::{Row, Spread};
-use crate::accel::SplitMethod;
+use crate::accel::{Accelerator, SplitMethod};
 use crate::bench::error::Errors;
 use crate::bench::kernel::Kernel;
 use crate::compare::{Tally, Ulps};
 
+/// The row of a tree.
+pub(crate) fn row(method: SplitMethod, kernel: Kernel, compared: u64) -> Row {
+    row_of(Accelerator::Tree(method), kernel, compared)
+}
+
 /// A row of an image of 1000 pixels, of which `compared` were compared: with a false hit, two wrong
 /// primitives, and a depth error of 3.
-pub(crate) fn row(method: SplitMethod, kernel: Kernel, compared: u64) -> Row {
+pub(crate) fn row_of(accelerator: Accelerator, kernel: Kernel, compared: u64) -> Row {
+    let has_tree = accelerator != Accelerator::Raster;
     let spread = |[min, median, max]: [f64; 3]| Spread { min, median, max };
     let mut depths = Ulps::default();
     [0, 0, 0, 3].iter().for_each(|error| depths.add(*error));
@@ -22,7 +28,7 @@ pub(crate) fn row(method: SplitMethod, kernel: Kernel, compared: u64) -> Row {
     };
     Row {
         scene: "a.pbrt".into(),
-        method,
+        accelerator,
         kernel,
         threads: 2,
         rays: 1000,
@@ -30,11 +36,11 @@ pub(crate) fn row(method: SplitMethod, kernel: Kernel, compared: u64) -> Row {
         load_ms: spread([1.0, 2.0, 3.0]),
         build_ms: spread([415.2, 461.1, 491.9]),
         trace_ms: spread([49.96, 50.0, 53.04]),
-        nodes_per_ray: 19.89,
-        primitives_per_ray: 1234.567,
-        sah_cost: 49.13,
-        overlap: Some(3.25),
-        depth: 26,
+        nodes_per_ray: has_tree.then_some(19.89),
+        primitives_per_ray: has_tree.then_some(1234.567),
+        sah_cost: has_tree.then_some(49.13),
+        overlap: has_tree.then_some(3.25),
+        depth: has_tree.then_some(26),
         bytes: 34_218_112,
         input: None,
         errors: (compared > 0).then_some(Errors { tally, of: 1000 }),

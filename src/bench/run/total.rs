@@ -12,7 +12,7 @@ pub fn totals(rows: &[Row]) -> Vec<Row> {
     let of_first_scene = rows.iter().take_while(|row| row.scene == rows[0].scene);
     let scenes = rows.chunk_by(|a, b| a.scene == b.scene).count();
     let total = |first: &Row| {
-        let alike = |row: &&Row| row.method == first.method && row.kernel == first.kernel;
+        let alike = |row: &&Row| row.accelerator == first.accelerator && row.kernel == first.kernel;
         let all: Vec<&Row> = rows.iter().filter(alike).collect();
         (all.len() == scenes && !all.iter().any(|row| row.is_sampled())).then(|| sum(&all, scenes))
     };
@@ -22,11 +22,9 @@ pub fn totals(rows: &[Row]) -> Vec<Row> {
 fn sum(rows: &[&Row], scenes: usize) -> Row {
     let first = rows[0];
     let rays = rows.iter().map(|row| row.rays).sum();
-    let per_ray = |of: fn(&Row) -> f64| {
-        rows.iter()
-            .map(|row| of(row) * row.rays as f64)
-            .sum::<f64>()
-            / rays as f64
+    let per_ray = |of: fn(&Row) -> Option<f64>| {
+        let counts = rows.iter().map(|row| Some(of(row)? * row.rays as f64));
+        counts.sum::<Option<f64>>().map(|count| count / rays as f64)
     };
     let spread = |of: fn(&Row) -> Spread| Spread {
         min: rows.iter().map(|row| of(row).min).sum(),
@@ -43,9 +41,9 @@ fn sum(rows: &[&Row], scenes: usize) -> Row {
         nodes_per_ray: per_ray(|row| row.nodes_per_ray),
         primitives_per_ray: per_ray(|row| row.primitives_per_ray),
         // Costs of different trees cannot be added.
-        sah_cost: f64::NAN,
+        sah_cost: None,
         overlap: None,
-        depth: rows.iter().map(|row| row.depth).max().unwrap_or(0),
+        depth: rows.iter().filter_map(|row| row.depth).max(),
         bytes: rows.iter().map(|row| row.bytes).sum(),
         input: None,
         errors: rows
@@ -70,9 +68,9 @@ fn merged(all: Vec<&Errors>) -> Errors {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::accel::SplitMethod;
+    use crate::accel::{Accelerator, SplitMethod};
     use crate::bench::kernel::Kernel;
-    use crate::bench::run::tests::row;
+    use crate::bench::run::tests::{row, row_of};
 
     #[test]
     fn counts_add_up_and_incomplete_rows_are_left_out() {
@@ -109,8 +107,8 @@ mod tests {
             panic!("{totals:?}")
         };
         assert_eq!(
-            (total.method, total.kernel, total.rays),
-            (SplitMethod::Sah, exact, 2000)
+            (total.accelerator, total.kernel, total.rays),
+            (Accelerator::Tree(SplitMethod::Sah), exact, 2000)
         );
         assert_eq!(total.trace_ms.median, 52.0);
         let errors = total.errors.as_ref().unwrap();
@@ -126,5 +124,16 @@ mod tests {
             (errors.tally.depths.total(), errors.tally.depths.above(0)),
             (8, 2)
         );
+    }
+
+    #[test]
+    fn totals_of_bins_have_no_figures_of_trees() {
+        let bins = |scene: &str| Row {
+            scene: scene.into(),
+            ..row_of(Accelerator::Raster, Kernel::ALL[0], 1000)
+        };
+        let totals = totals(&[bins("a"), bins("b")]);
+        assert_eq!((totals[0].depth, totals[0].nodes_per_ray), (None, None));
+        assert_eq!(totals[0].bytes, 2 * bins("a").bytes);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::sampling::TileSample;
 use super::strip::{Answer, strip, strip_of};
-use crate::accel::{Aggregate, Depth, Precision, TILE, Tiles, Tracer, TraversalCounts};
+use crate::accel::{Aggregate, Depth, Precision, Structure, TILE, Tiles, Tracer, TraversalCounts};
 use crate::bench::baseline::BaselineKernel;
 use crate::bench::kernel::Kernel;
 use crate::error::Result;
@@ -69,14 +69,18 @@ impl<'a> Caster<'a> {
     }
 
     /// Casts the rays of all pixels, or of a sample.
-    pub(crate) fn cast(&self, aggregate: &Aggregate, sample: Option<&TileSample>) -> Result<Cast> {
+    ///
+    /// # Panics
+    /// If the structure does not suit the kernel.
+    pub(crate) fn cast(&self, structure: Structure, sample: Option<&TileSample>) -> Result<Cast> {
+        let tree = || structure.tree().expect("single rays are traced in a tree");
         match (self.kernel, sample) {
-            (Kernel::Tiles(precision), None) => self.render(aggregate, precision),
+            (Kernel::Tiles(precision), None) => self.render(structure, precision),
             (Kernel::Tiles(precision), Some(sample)) => {
-                Ok(self.trace_tiles(aggregate, precision, sample))
+                Ok(self.trace_tiles(structure, precision, sample))
             }
-            (_, None) => self.trace_alone(aggregate),
-            (_, Some(sample)) => Ok(self.trace_pixels(aggregate, sample)),
+            (_, None) => self.trace_alone(tree()),
+            (_, Some(sample)) => Ok(self.trace_pixels(tree(), sample)),
         }
     }
 
@@ -118,12 +122,12 @@ impl<'a> Caster<'a> {
         Tracer::new(aggregate, &self.scene.geometry, precision)
     }
 
-    fn render(&self, aggregate: &Aggregate, precision: Precision) -> Result<Cast> {
+    fn render(&self, structure: Structure, precision: Precision) -> Result<Cast> {
         let Scene {
             camera, geometry, ..
         } = self.scene;
         let options = self.options(precision);
-        let rendering = render(camera, geometry, aggregate, &options, Progress::SILENT)?;
+        let rendering = render(camera, geometry, structure, &options, Progress::SILENT)?;
         Ok(Cast {
             found: Found::Image(rendering.image),
             fallback_rays: rendering.traced.fallbacks.rays,
@@ -141,12 +145,7 @@ impl<'a> Caster<'a> {
         }
     }
 
-    fn trace_tiles(
-        &self,
-        aggregate: &Aggregate,
-        precision: Precision,
-        sample: &TileSample,
-    ) -> Cast {
+    fn trace_tiles(&self, structure: Structure, precision: Precision, sample: &TileSample) -> Cast {
         let Scene {
             camera,
             geometry,
@@ -154,7 +153,7 @@ impl<'a> Caster<'a> {
             ..
         } = self.scene;
         let options = self.options(precision).of_tiles();
-        let tiles = Tiles::new(camera, geometry, aggregate.into(), options);
+        let tiles = Tiles::new(camera, geometry, structure, options);
         let pairs: Vec<(&[u32; 2], &[u32; 2])> = sample.tiles.iter().zip(&sample.pixels).collect();
         let answers = pairs.into_par_iter().map_init(
             || tiles.tracer(),

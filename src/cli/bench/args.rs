@@ -5,7 +5,7 @@ use crate::cli::options::input::InputArgs;
 use crate::cli::options::messages::MessageArgs;
 use crate::cli::options::values::{integer, named};
 use clap::{Args, ValueEnum};
-use feimos::accel::SplitMethod;
+use feimos::accel::Accelerator;
 use feimos::bench::Kernel;
 use std::path::PathBuf;
 
@@ -28,10 +28,11 @@ pub(crate) struct BenchArgs {
 
 #[derive(Debug, Args)]
 pub(super) struct ConfigurationArgs {
-    /// Measure these accelerators, separated by commas [default: all].
+    /// Measure these accelerators, separated by commas: raster, without a tree, by exact and fast
+    /// only; the others by all kernels [default: all].
     #[arg(long, value_name = "METHODS", value_delimiter = ',')]
-    #[arg(value_parser = named(SplitMethod::ALL, SplitMethod::name))]
-    pub(super) accel: Option<Vec<SplitMethod>>,
+    #[arg(value_parser = named(Accelerator::ALL, Accelerator::name))]
+    pub(super) accel: Option<Vec<Accelerator>>,
     /// Measure these kernels, separated by commas: exact and fast as in render, exact-single one
     /// ray at a time, and the f32 baselines moeller-trumbore and watertight [default: all].
     #[arg(long, value_name = "HOW", value_delimiter = ',')]

@@ -1,6 +1,7 @@
 //! `feimos bench`: measures scenes, one after the other, in every configuration.
 
 mod args;
+mod configurations;
 mod outputs;
 mod page;
 mod runner;
@@ -14,7 +15,7 @@ use super::process::threads::thread_pool;
 use super::terminal::failures::Failures;
 use super::terminal::reporter::Reporter;
 use super::terminal::stdout::{self, write_to_stdout};
-use feimos::bench::{Machine, Row, Section, notes, ray_table, tree_table};
+use feimos::bench::{Machine, Row, Section, accelerator_table, notes, ray_table};
 use feimos::error::{Error, Result};
 use feimos::file_id::InputFiles;
 use feimos::simd::Level;
@@ -93,11 +94,11 @@ fn print_tables(is_first: bool, machine: &Machine, title: &str, rows: &[Row]) ->
         String::new()
     };
     let notes: String = notes(rows).iter().map(|note| format!("{note}\n")).collect();
-    let (trees, rays) = (
-        tree_table(rows).aligned(),
+    let (accelerators, rays) = (
+        accelerator_table(rows).aligned(),
         ray_table(rows, machine.mhz).aligned(),
     );
     let title = terminal_text::line(title);
-    let text = format!("{machine_line}\n{title}\n\n{trees}\n{rays}{notes}");
+    let text = format!("{machine_line}\n{title}\n\n{accelerators}\n{rays}{notes}");
     write_to_stdout(Ok(text.into_bytes()))
 }

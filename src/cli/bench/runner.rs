@@ -1,15 +1,13 @@
 //! Measures one scene in every configuration.
 
 use super::args::{BenchArgs, Reference};
-use crate::cli::options::engine::build_options;
-use crate::cli::options::values::refuse_repeated;
+use super::configurations::Configurations;
 use crate::cli::terminal::progress::{Phase, ProgressBars};
 use crate::cli::terminal::reporter::Reporter;
 use crate::cli::terminal::scene_summary::report_scene;
 use crate::cli::terminal::words::counted;
-use feimos::accel::SplitMethod;
-use feimos::bench::{Bench, GroundTruth, Kernel, Measured, Plan, Rounds, has_ground_truth, timed};
-use feimos::error::Result;
+use feimos::bench::{Bench, GroundTruth, Measured, Plan, Rounds, has_ground_truth, timed};
+use feimos::error::{Error, Result};
 use feimos::file_id::InputFiles;
 use feimos::input::BudgetFactor;
 use feimos::progress::Progress;
@@ -20,8 +18,7 @@ use std::path::Path;
 
 /// The options of `bench`, checked.
 pub(super) struct Runner<'a> {
-    methods: Vec<SplitMethod>,
-    kernels: Vec<Kernel>,
+    configurations: Configurations,
     rounds: Rounds,
     reference: Reference,
     with_pictures: bool,
@@ -36,14 +33,9 @@ impl<'a> Runner<'a> {
         with_pictures: bool,
         reporter: &'a Reporter,
     ) -> Result<Runner<'a>> {
-        let methods = args.configurations.accel.clone();
-        let kernels = args.configurations.precision.clone();
-        refuse_repeated("--accel", methods.as_deref())?;
-        refuse_repeated("--precision", kernels.as_deref())?;
         let (warmup, runs) = (args.measurement.warmup, args.measurement.runs);
         Ok(Runner {
-            methods: methods.unwrap_or_else(|| SplitMethod::ALL.to_vec()),
-            kernels: kernels.unwrap_or_else(|| Kernel::ALL.to_vec()),
+            configurations: Configurations::new(&args.configurations, reporter)?,
             rounds: Rounds { warmup, runs },
             reference: args.measurement.reference,
             with_pictures,
@@ -73,12 +65,9 @@ impl<'a> Runner<'a> {
         (scene, load_ms): (Scene, f64),
     ) -> Result<(String, Measured)> {
         report_scene(&scene, self.reporter);
-        let builds = self.methods.iter();
         let plan = Plan {
-            builds: builds
-                .map(|method| build_options(*method, &scene.accelerator))
-                .collect(),
-            kernels: self.kernels.clone(),
+            builds: self.configurations.builds(&scene.accelerator),
+            kernels: self.configurations.kernels.clone(),
             rounds: self.rounds,
             with_pictures: self.with_pictures,
         };
@@ -91,7 +80,28 @@ impl<'a> Runner<'a> {
         };
         let run = |progress: Progress<'_>| bench.measure(&plan, progress);
         let measured = self.bars.during(Phase::Measuring(plan.steps()), run)?;
+        self.check_bins(path, &measured)?;
         Ok((self.title(path, &scene), measured))
+    }
+
+    /// Says so if the view has no bins.
+    ///
+    /// # Errors
+    /// There is nothing else to measure.
+    fn check_bins(&self, path: &Path, measured: &Measured) -> Result<()> {
+        if !measured.lacks_bins {
+            return Ok(());
+        }
+        let reason = "this view cannot be rasterized, because its numbers are too large or too \
+                      small";
+        if measured.rows.is_empty() {
+            let error = Error::usage(format!("{}: {reason}", path.display()));
+            return Err(error.note("choose a tree, such as --accel sah"));
+        }
+        let path = path.display();
+        self.reporter
+            .note(format_args!("{path}: raster is left out: {reason}"));
+        Ok(())
     }
 
     /// Exact answers, if the user wants them and the scene is small enough.
