@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{Way, bits_of, picture_by, scene, whole};
+use common::{Way, agreed_picture, bits_of, picture_by, scene, whole};
 use feimos::accel::{Accelerator, Precision, SplitMethod};
 use feimos::film::{ChannelName, Image, PixelBounds};
 use feimos::scene::Scene;
@@ -160,6 +160,18 @@ fn every_pixel_of_a_crop_is_right() {
                 "{}, {accelerator}, {crop:?}: {wrong:?}",
                 hard.name
             );
+        }
+    }
+}
+
+/// In `f32`, no scene causes a panic or NaN, and all accelerators agree.
+#[test]
+fn accelerators_agree_without_nan() {
+    for HardScene { name, scene, .. } in &hard_scenes() {
+        let image = agreed_picture(&scene.camera, &scene.geometry, Precision::Fast).image;
+        for channel in [ChannelName::Z, ChannelName::T] {
+            let values = image.measures(channel).unwrap().iter();
+            assert_eq!(values.filter(|value| value.is_nan()).count(), 0, "{name}");
         }
     }
 }

@@ -47,6 +47,8 @@ pub struct Bins {
 
 /// The least number of primitives in a chunk.
 const CHUNK: usize = 1 << 14;
+/// More chunks make no thread less idle.
+const MAX_CHUNKS: usize = 1 << 10;
 /// Longer lists of large primitives are sorted by several threads.
 const LONG: usize = 1 << 14;
 
@@ -133,8 +135,8 @@ impl Bins {
 /// Bins all primitives in no instance, in chunks.
 fn binned(binner: &Binner, level: Level, progress: Progress) -> Vec<BinnedChunk> {
     let count = binner.geometry.own_count();
-    // Each chunk has a number for each bin.
-    let size = CHUNK.max(binner.grid.bins());
+    // Each chunk has a number for each bin, and each bin looks into every chunk.
+    let size = CHUNK.max(binner.grid.bins()).max(count / MAX_CHUNKS);
     let bin = |buffer: &mut Vec<(u32, BinEntry)>, chunk: usize| {
         let primitives = chunk * size..count.min((chunk + 1) * size);
         progress.advance(primitives.len());
