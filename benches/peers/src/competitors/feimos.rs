@@ -3,7 +3,7 @@
 use crate::competitor::Competitor;
 use crate::picture::Picture;
 use crate::view::View;
-use feimos::accel::{Aggregate, BuildOptions, Precision, SplitMethod};
+use feimos::accel::{Accelerator, Aggregate, Bins, BuildOptions, Precision, SplitMethod, Structure};
 use feimos::film::{ChannelName, Image, PixelBounds};
 use feimos::progress::Progress;
 use feimos::render::{RenderOptions, blank_image, render_into};
@@ -40,34 +40,38 @@ const MODE_NAMES: [&str; 4] = [
     "exact, hit or miss",
 ];
 
-/// What feimos builds its tree over.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Over {
-    /// All primitives, as its peers do.
-    All,
-    /// What a ray of the view may meet: as `feimos render` does for a picture.
-    Seen,
-}
-
-/// feimos with one split method.
+/// feimos with one accelerator.
 pub(crate) struct Feimos<'a> {
     view: &'a View,
-    method: SplitMethod,
-    over: Over,
+    accelerator: Accelerator,
     level: Level,
-    aggregate: Option<Aggregate>,
+    built: Option<Built>,
     /// The image of the mode of each kind of channels: it stands already, as those of peers do.
     images: RefCell<Vec<(&'static [ChannelName], Image)>>,
 }
 
+/// A structure to trace.
+enum Built {
+    Tree(Aggregate),
+    Bins(Bins),
+}
+
+impl Built {
+    fn structure(&self) -> Structure<'_> {
+        match self {
+            Built::Tree(aggregate) => Structure::Tree(aggregate),
+            Built::Bins(bins) => Structure::Bins(bins),
+        }
+    }
+}
+
 impl Feimos<'_> {
-    pub(crate) fn new(view: &View, method: SplitMethod, over: Over, level: Level) -> Feimos<'_> {
+    pub(crate) fn new(view: &View, accelerator: Accelerator, level: Level) -> Feimos<'_> {
         Feimos {
             view,
-            method,
-            over,
+            accelerator,
             level,
-            aggregate: None,
+            built: None,
             images: RefCell::default(),
         }
     }
@@ -80,23 +84,26 @@ impl Feimos<'_> {
 
 impl Competitor for Feimos<'_> {
     fn name(&self) -> String {
-        match self.over {
-            Over::All => format!("feimos {}", self.method),
-            Over::Seen => format!("feimos {} visible", self.method),
-        }
+        format!("feimos {}", self.accelerator)
     }
 
     fn discard(&mut self) {
-        self.aggregate = None;
+        self.built = None;
     }
 
     fn build(&mut self) {
-        let options = BuildOptions::new(self.method);
         let View { shapes, camera, .. } = self.view;
-        self.aggregate = Some(match self.over {
-            Over::All => Aggregate::build(shapes, camera.anchor(), options, Progress::SILENT),
-            Over::Seen => {
-                Aggregate::build_for_view(shapes, camera, &self.window(), options, Progress::SILENT)
+        let silent = Progress::SILENT;
+        self.built = Some(match self.accelerator {
+            Accelerator::Tree(method) => {
+                let options = BuildOptions::new(method);
+                Built::Tree(Aggregate::build(shapes, camera.anchor(), options, silent))
+            }
+            Accelerator::Raster => {
+                let (window, level) = (self.window(), self.level);
+                let options = BuildOptions::new(SplitMethod::Sah);
+                let bins = Bins::new(shapes, camera, &window, options, level, silent);
+                Built::Bins(bins.expect("a view that can be rasterized"))
             }
         });
     }
@@ -119,7 +126,7 @@ impl Competitor for Feimos<'_> {
             precision,
             level: self.level,
         };
-        let aggregate = self.aggregate.as_ref().expect("built before it is traced");
+        let built = self.built.as_ref().expect("built before it is traced");
         let View { shapes, camera, .. } = self.view;
         let mut images = self.images.borrow_mut();
         let place = images
@@ -134,7 +141,7 @@ impl Competitor for Feimos<'_> {
             });
         let image = &mut images[place].1;
         let start = Instant::now();
-        render_into(image, camera, shapes, aggregate, &options, Progress::SILENT);
+        render_into(image, camera, shapes, built.structure(), &options, Progress::SILENT);
         let elapsed = start.elapsed();
         copy(image, picture);
         elapsed

@@ -8,12 +8,12 @@ mod solid;
 
 pub(crate) use embree::Device;
 
-use self::feimos::{Feimos, Over};
+use self::feimos::Feimos;
 use self::obvhs::{Obvhs, Width};
 use crate::competitor::Competitor;
 use crate::geometry::Geometry;
 use crate::view::View;
-use ::feimos::accel::SplitMethod;
+use ::feimos::accel::{Accelerator, SplitMethod};
 use ::feimos::simd::Level;
 use bvh_crate::BvhCrate;
 use embree::{Embree, Quality};
@@ -39,11 +39,11 @@ fn of_solids<'a, S: Solid + 'a>(
 ) -> Vec<Box<dyn Competitor + 'a>> {
     let embree_input = embree::input(view);
     vec![
-        Box::new(Feimos::new(view, SplitMethod::Sah, Over::All, level)),
+        Box::new(Feimos::new(view, Accelerator::Tree(SplitMethod::Sah), level)),
         Box::new(Embree::new(view, device, &embree_input, Quality::Medium)),
         Box::new(Obvhs::<S>::new(view, Width::Wide)),
-        Box::new(Feimos::new(view, SplitMethod::Sah, Over::Seen, level)),
-        Box::new(Feimos::new(view, SplitMethod::Hlbvh, Over::All, level)),
+        Box::new(Feimos::new(view, Accelerator::Raster, level)),
+        Box::new(Feimos::new(view, Accelerator::Tree(SplitMethod::Hlbvh), level)),
         Box::new(Embree::new(view, device, &embree_input, Quality::Low)),
         Box::new(Obvhs::<S>::new(view, Width::Binary)),
         Box::new(BvhCrate::<S>::new(view)),
