@@ -1,7 +1,9 @@
 //! Any bytes as a scene, rendered: every accelerator gives the picture of the plain list.
 #![no_main]
 
-use feimos::accel::{Aggregate, BuildOptions, Precision, SplitMethod};
+use feimos::accel::{
+    Accelerator, Aggregate, Bins, BuildOptions, Precision, SplitMethod, Structure,
+};
 use feimos::film::{ChannelName, PixelBounds, Samples};
 use feimos::progress::Progress;
 use feimos::render::{RenderOptions, render};
@@ -31,29 +33,38 @@ fuzz_target!(|bytes: &[u8]| -> Corpus {
     if scene.geometry.primitive_count() > MOST_PRIMITIVES {
         return Corpus::Reject;
     }
-    let plain = picture(&scene, SplitMethod::None, Level::Portable);
-    for method in [
-        SplitMethod::Middle,
-        SplitMethod::Equal,
-        SplitMethod::Sah,
-        SplitMethod::Hlbvh,
-    ] {
-        assert_eq!(picture(&scene, method, Level::detect()), plain, "{method}");
+    let list = Accelerator::Tree(SplitMethod::None);
+    let plain = picture(&scene, list, Level::Portable);
+    for accelerator in Accelerator::ALL.into_iter().filter(|other| *other != list) {
+        let found = picture(&scene, accelerator, Level::detect());
+        assert_eq!(found, plain, "{accelerator}");
     }
     Corpus::Keep
 });
 
 /// The bits of all channels.
-fn picture(scene: &Scene, method: SplitMethod, level: Level) -> Vec<u32> {
-    let aggregate = Aggregate::build(
-        &scene.geometry,
-        scene.camera.anchor(),
-        BuildOptions::new(method),
-        Progress::SILENT,
-    );
-    let [width, height] = scene.camera.resolution;
+fn picture(scene: &Scene, accelerator: Accelerator, level: Level) -> Vec<u32> {
+    let (camera, geometry) = (&scene.camera, &scene.geometry);
+    let [width, height] = camera.resolution;
+    let window = PixelBounds::of_film(width, height);
+    let (method, bins) = match accelerator {
+        Accelerator::Tree(method) => (method, None),
+        Accelerator::Raster => {
+            let build = BuildOptions::new(SplitMethod::Sah);
+            let bins = Bins::new(geometry, camera, &window, build, level, Progress::SILENT);
+            (SplitMethod::Sah, bins)
+        }
+    };
+    let tree = bins.is_none().then(|| {
+        let options = BuildOptions::new(method);
+        Aggregate::build(geometry, camera.anchor(), options, Progress::SILENT)
+    });
+    let of_bins = bins.as_ref().map(Structure::Bins);
+    let structure = of_bins
+        .or(tree.as_ref().map(Structure::Tree))
+        .expect("one of them");
     let options = RenderOptions {
-        data_window: PixelBounds::of_film(width, height),
+        data_window: window,
         channels: ChannelName::ALL
             .into_iter()
             .filter(|name| *name != ChannelName::Cost)
@@ -63,14 +74,8 @@ fn picture(scene: &Scene, method: SplitMethod, level: Level) -> Vec<u32> {
         level,
         precision: Precision::Exact,
     };
-    let rendering = render(
-        &scene.camera,
-        &scene.geometry,
-        &aggregate,
-        &options,
-        Progress::SILENT,
-    )
-    .expect("memory");
+    let rendering =
+        render(camera, geometry, structure, &options, Progress::SILENT).expect("memory");
     assert_eq!(rendering.image.validate(), Ok(()));
     let bits = |samples: &Samples| match samples {
         Samples::F32(values) => values.iter().map(|value| value.to_bits()).collect(),
