@@ -1,6 +1,5 @@
 //! Loads scenes by the names of their files.
 
-use super::accelerator::AcceleratorParameters;
 use super::bare_mesh::scene_of_mesh;
 use super::interpreter::Interpreter;
 use super::scene_text::{self, WINDOW};
@@ -50,31 +49,18 @@ pub fn parse(path: &Path, bytes: Vec<u8>, options: &LoadOptions) -> Result<Scene
     interpreter.finish()
 }
 
-/// What a scene says before `WorldBegin`, as far as names of images depend on it.
-#[derive(Debug, Clone, Default)]
-pub struct SceneOptions {
-    /// The file name in the scene's `Film`.
-    pub film_filename: Option<String>,
-    /// How the scene asks to be aggregated.
-    pub accelerator: AcceleratorParameters,
-}
-
-/// Reads a scene no further than `WorldBegin`, and no mesh. Its files may expand to `factor` times
-/// the usual limits.
-pub fn read_options(path: &Path, factor: BudgetFactor) -> Result<SceneOptions> {
+/// The file name in the scene's `Film`, if there is one. Reads a scene no further than `WorldBegin`,
+/// and no mesh. Its files may expand to `factor` times the usual limits.
+pub fn read_film_filename(path: &Path, factor: BudgetFactor) -> Result<Option<String>> {
     if is_bare_mesh(path) {
-        return Ok(SceneOptions::default());
+        return Ok(None);
     }
     let options = LoadOptions {
         input_budget: factor,
         ..LoadOptions::default()
     };
     let interpreter = Interpreter::new(path, &options, Progress::SILENT);
-    let (film_filename, accelerator) = interpreter.read_options()?;
-    Ok(SceneOptions {
-        film_filename,
-        accelerator,
-    })
+    interpreter.read_film_filename()
 }
 
 /// Whether the extension of a path, apart from `.gz`, is that of a mesh.

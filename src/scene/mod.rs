@@ -26,9 +26,7 @@ pub use cameras::{Pose, parse_poses, read_poses};
 pub use census::{Boundary, Census, Listed, ShapeCount, UnusedObject};
 pub use digest::SceneDigest;
 pub use film::Film;
-pub use load::{
-    SceneOptions, is_bare_mesh, is_top_level, load, load_listing_files, parse, read_options,
-};
+pub use load::{is_bare_mesh, is_top_level, load, load_listing_files, parse, read_film_filename};
 pub use locations::Locations;
 pub use place::Place;
 pub use source_file::{SourceFile, Span};

@@ -18,7 +18,7 @@ use feimos::film::PixelBounds;
 use feimos::geometry::{Matrix, Point};
 use feimos::input::BudgetFactor;
 use feimos::progress::Progress;
-use feimos::scene::{LoadOptions, Scene, load, read_options};
+use feimos::scene::{LoadOptions, Scene, load, read_film_filename};
 use feimos::shape::{Form, Instance, InstancedId, PrimitiveId};
 use std::path::Path;
 use tempfile::TempDir;

@@ -187,8 +187,7 @@ fn destinations(path: &Path, plan: &Plan) -> Option<Vec<Destination>> {
         if path == Path::new("-") {
             return None;
         }
-        let options = scene::read_options(path, plan.load.input_budget).ok()?;
-        options.film_filename
+        scene::read_film_filename(path, plan.load.input_budget).ok()?
     } else {
         None
     };

@@ -69,9 +69,9 @@ impl Entities {
         Ok(())
     }
 
-    /// The file name of the film, and the accelerator.
-    pub(super) fn into_names(self) -> (Option<String>, AcceleratorParameters) {
-        (self.film.filename, self.accelerator)
+    /// The file name of the film.
+    pub(super) fn into_film_filename(self) -> Option<String> {
+        self.film.filename
     }
 
     /// Camera, film and accelerator of the scene `path`. `resolution` overrides the film's.

@@ -19,7 +19,7 @@ use super::parser::{Directives, Next, Statement, Step, Text, end_of_arguments, i
 use super::scene_text::{SceneText, WINDOW};
 use super::source_file::SourceFile;
 use super::source_span::SourceSpan;
-use super::{AcceleratorParameters, LoadOptions, Scene};
+use super::{LoadOptions, Scene};
 use crate::error::Result;
 use crate::file_id::InputFiles;
 use crate::input::{TextStream, advise_beside};
@@ -67,12 +67,11 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Reads the scene no further than `WorldBegin`: the file name of its film, and its
-    /// accelerator.
-    pub(super) fn read_options(mut self) -> Result<(Option<String>, AcceleratorParameters)> {
+    /// The file name of the film. Reads the scene no further than `WorldBegin`.
+    pub(super) fn read_film_filename(mut self) -> Result<Option<String>> {
         self.stops_at_world = true;
         self.read_top_level()?;
-        Ok(self.scene.into_names())
+        Ok(self.scene.into_film_filename())
     }
 
     /// Executes the scene file.

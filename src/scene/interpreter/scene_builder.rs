@@ -14,7 +14,7 @@ use crate::scene::parser::{Directive, Entity, KEYWORDS, Legal, Statement, Text};
 use crate::scene::shapes::{self, ShapeTarget};
 use crate::scene::source_span::SourceSpan;
 use crate::scene::warnings::Warnings;
-use crate::scene::{AcceleratorParameters, LoadOptions, Scene};
+use crate::scene::{LoadOptions, Scene};
 use std::path::Path;
 
 /// A scene under construction.
@@ -260,9 +260,9 @@ impl SceneBuilder {
         Ok(number)
     }
 
-    /// The file name of the film, and the accelerator.
-    pub(super) fn into_names(self) -> (Option<String>, AcceleratorParameters) {
-        self.entities.into_names()
+    /// The file name of the film.
+    pub(super) fn into_film_filename(self) -> Option<String> {
+        self.entities.into_film_filename()
     }
 
     /// The scene of the file `path`, once all directives have been executed.
