@@ -17,6 +17,7 @@ mod exr_zip;
 mod format;
 mod image_file;
 mod in_order;
+mod interleaved;
 mod metadata;
 pub mod npy_file;
 pub mod npy_reader;

@@ -4,6 +4,8 @@
 //! components. Several fields make a structured array with a name for each. Format version 1.0
 //! (NumPy Enhancement Proposal 1), little-endian, C order.
 
+use super::in_order::{rows_of_part, write_in_order};
+use super::interleaved::interleave;
 use super::{Channel, ChannelName, Image, Samples};
 use std::io::{self, Write};
 
@@ -20,7 +22,7 @@ pub struct Field {
 ///
 /// # Errors
 /// The image lacks a channel, or writing fails.
-pub fn write(image: &Image, fields: &[Field], out: &mut impl Write) -> io::Result<()> {
+pub fn write(image: &Image, fields: &[Field], out: &mut (impl Write + Send)) -> io::Result<()> {
     let invalid = |problem: String| io::Error::new(io::ErrorKind::InvalidInput, problem);
     image.validate().map_err(invalid)?;
     let channel = |name: &ChannelName| {
@@ -30,21 +32,31 @@ pub fn write(image: &Image, fields: &[Field], out: &mut impl Write) -> io::Resul
     let names = fields.iter().flat_map(|field| &field.channels);
     let channels = names.map(channel).collect::<io::Result<Vec<&Channel>>>()?;
     out.write_all(&header(image, fields))?;
-    let mut row = Vec::new();
-    let width = image.data_window.width() as usize;
-    for first in (0..image.data_window.height() as usize).map(|y| y * width) {
-        row.clear();
-        for at in first..first + width {
-            for channel in &channels {
-                match &channel.samples {
-                    Samples::F32(values) => row.extend(values[at].to_le_bytes()),
-                    Samples::U32(values) => row.extend(values[at].to_le_bytes()),
+    let (width, height) = (
+        image.data_window.width() as usize,
+        image.data_window.height() as usize,
+    );
+    let row_bytes = channels.len() * width * size_of::<u32>();
+    let rows = rows_of_part(row_bytes);
+    let make = |index: usize, part: &mut Vec<u8>| {
+        let (first, end) = (index * rows, ((index + 1) * rows).min(height));
+        part.resize((end - first) * row_bytes, 0);
+        for (place, channel) in channels.iter().enumerate() {
+            let (place, pixels) = ([place, channels.len()], first * width..end * width);
+            match &channel.samples {
+                Samples::F32(values) => {
+                    interleave(part, place, &values[pixels], f32::to_le_bytes);
+                }
+                Samples::U32(values) => {
+                    interleave(part, place, &values[pixels], u32::to_le_bytes);
                 }
             }
         }
-        out.write_all(&row)?;
-    }
-    Ok(())
+        Ok(())
+    };
+    write_in_order(height.div_ceil(rows), make, |part: &Vec<u8>| {
+        out.write_all(part)
+    })
 }
 
 /// Everything before the samples: a Python dictionary, blanks up to a length that is a multiple of
@@ -193,6 +205,30 @@ mod tests {
         ]
         .concat();
         assert_eq!((samples.len(), &samples[12..24]), (6 * 12, &second[..]));
+    }
+
+    #[test]
+    fn parts_follow_each_other() {
+        let (width, height) = (5000, 40);
+        let samples = |factor: u32| (0..width * height).map(move |i| i * factor);
+        let channel = |name, factor| Channel {
+            name,
+            samples: Samples::U32(samples(factor).collect()),
+        };
+        let image = Image {
+            display_window: (width, height),
+            data_window: PixelBounds::of_film(width, height),
+            channels: vec![channel(ChannelName::Id, 1), channel(ChannelName::Prim, 3)],
+        };
+        let fields = [
+            field("id", &[ChannelName::Id]),
+            field("prim", &[ChannelName::Prim]),
+        ];
+        let mut file = Vec::new();
+        write(&image, &fields, &mut file).unwrap();
+        let both = samples(1).zip(samples(3)).flat_map(|(a, b)| [a, b]);
+        let expected: Vec<u8> = both.flat_map(u32::to_le_bytes).collect();
+        assert!(file.ends_with(&expected));
     }
 
     #[test]

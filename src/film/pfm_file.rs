@@ -2,6 +2,8 @@
 //!
 //! <http://www.pauldebevec.com/Research/HDR/PFM/>. A scale below 0 marks little-endian samples.
 
+use super::in_order::{rows_of_part, write_in_order};
+use super::interleaved::interleave;
 use super::{ChannelName, Image};
 use std::io::{self, Write};
 
@@ -9,7 +11,11 @@ use std::io::{self, Write};
 ///
 /// # Errors
 /// Channels are missing, integers, or not one or three; or writing fails.
-pub fn write(image: &Image, channels: &[ChannelName], out: &mut impl Write) -> io::Result<()> {
+pub fn write(
+    image: &Image,
+    channels: &[ChannelName],
+    out: &mut (impl Write + Send),
+) -> io::Result<()> {
     let invalid = |problem: String| io::Error::new(io::ErrorKind::InvalidInput, problem);
     image.validate().map_err(invalid)?;
     let samples = |name: &ChannelName| {
@@ -35,17 +41,23 @@ pub fn write(image: &Image, channels: &[ChannelName], out: &mut impl Write) -> i
         image.data_window.height() as usize,
     );
     write!(out, "{kind}\n{width} {height}\n-1.0\n")?;
-    let mut row = Vec::new();
-    for first in (0..height).rev().map(|y| y * width) {
-        row.clear();
-        row.extend((first..first + width).flat_map(|at| {
-            samples
-                .iter()
-                .flat_map(move |values| values[at].to_le_bytes())
-        }));
-        out.write_all(&row)?;
-    }
-    Ok(())
+    let row_bytes = samples.len() * width * size_of::<f32>();
+    let rows = rows_of_part(row_bytes);
+    let make = |index: usize, part: &mut Vec<u8>| {
+        let (first, end) = (index * rows, ((index + 1) * rows).min(height));
+        part.resize((end - first) * row_bytes, 0);
+        for (row, y) in part.chunks_exact_mut(row_bytes).zip(first..end) {
+            let start = (height - 1 - y) * width;
+            for (place, values) in samples.iter().enumerate() {
+                let values = &values[start..start + width];
+                interleave(row, [place, samples.len()], values, f32::to_le_bytes);
+            }
+        }
+        Ok(())
+    };
+    write_in_order(height.div_ceil(rows), make, |part: &Vec<u8>| {
+        out.write_all(part)
+    })
 }
 
 #[cfg(test)]
@@ -95,6 +107,25 @@ mod tests {
             ]
             .concat()
         );
+    }
+
+    #[test]
+    fn parts_follow_each_other_from_the_bottom() {
+        let (width, height) = (5000, 40);
+        let values = |y: u32| (0..width).map(move |x| (y * width + x) as f32);
+        let image = Image {
+            display_window: (width, height),
+            data_window: PixelBounds::of_film(width, height),
+            channels: vec![Channel {
+                name: ChannelName::Z,
+                samples: Samples::F32((0..height).flat_map(values).collect()),
+            }],
+        };
+        let mut file = Vec::new();
+        write(&image, &[ChannelName::Z], &mut file).unwrap();
+        let rows = (0..height).rev().flat_map(values);
+        let expected: Vec<u8> = rows.flat_map(f32::to_le_bytes).collect();
+        assert!(file.ends_with(&expected));
     }
 
     #[test]

@@ -11,8 +11,10 @@ mod tests;
 mod unfinished;
 mod unnamed_file;
 mod write;
+mod write_behind;
 
 pub use check::check;
 pub use target::{directory_of, target};
 pub use unfinished::{Overwrite, abandon};
 pub use write::{Out, sync_folder, write_file};
+pub use write_behind::WriteBehind;

@@ -4,13 +4,14 @@ use super::check::{creating, is_directory, writable};
 use super::permissions;
 use super::target::{directory_of, target};
 use super::unfinished::{Overwrite, Unfinished};
+use super::write_behind::WriteBehind;
 use crate::error::{Error, Result};
 use std::fs::{self, File, Metadata};
 use std::io::{self, BufWriter, Seek, Write};
 use std::path::Path;
 
 /// The file that writers write to.
-pub type Out = BufWriter<File>;
+pub type Out = BufWriter<WriteBehind>;
 
 /// Size of the buffer: a compressed scan line has some thousand bytes.
 pub(super) const BUFFER: usize = 1 << 16;
@@ -88,9 +89,9 @@ fn fill(
     replaced: Option<Metadata>,
     write: impl FnOnce(&mut Out) -> io::Result<()>,
 ) -> io::Result<File> {
-    let mut out = BufWriter::with_capacity(BUFFER, file);
+    let mut out = BufWriter::with_capacity(BUFFER, WriteBehind::new(file));
     write(&mut out)?;
-    let file = out.into_inner()?;
+    let file = out.into_inner()?.into_file();
     if let Some(replaced) = replaced {
         permissions::keep(&file, &replaced);
     }
@@ -128,9 +129,10 @@ fn write_through(path: &Path, write: impl FnOnce(&mut Out) -> io::Result<()>) ->
         .open(path)
         .map_err(|error| Error::creating(path, &error))?;
     let copy = || {
-        let mut out = BufWriter::with_capacity(BUFFER, tempfile::tempfile()?);
+        let copy = WriteBehind::unsynced(tempfile::tempfile()?);
+        let mut out = BufWriter::with_capacity(BUFFER, copy);
         write(&mut out)?;
-        let mut file = out.into_inner()?;
+        let mut file = out.into_inner()?.into_file();
         file.rewind()?;
         let size = io::copy(&mut file, &mut device)?;
         device.flush()?;

@@ -2,6 +2,7 @@
 
 use super::samples::measures;
 use crate::film::{ChannelName, Image};
+use rayon::prelude::*;
 use std::fmt;
 use std::io;
 
@@ -61,7 +62,7 @@ impl Depth16 {
                 Some(self.miss)
             }
         };
-        let numbers: Option<Vec<u16>> = z.iter().zip(a).map(number).collect();
+        let numbers: Option<Vec<u16>> = z.par_iter().zip(a).map(number).collect();
         let Some(numbers) = numbers else {
             let place = z
                 .iter()
