@@ -160,6 +160,8 @@ mod tests {
                 storage.piece(span.clone(), &mut buffer).expect("bytes"),
                 expected
             );
+            let kept = storage.kept_piece(span.clone(), vec![7]);
+            assert_eq!(kept.expect("bytes"), expected);
             assert_eq!(
                 Storage::Memory(&bytes)
                     .piece(span, &mut buffer)

@@ -1,5 +1,6 @@
 //! Input that several threads read in pieces, in any order.
 
+use std::borrow::Cow;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader};
 use std::ops::Range;
@@ -57,13 +58,7 @@ impl Storage<'_> {
         buffer: &'b mut Vec<u8>,
     ) -> io::Result<&'b [u8]> {
         match self {
-            Storage::Memory(bytes) => {
-                let ends = usize::try_from(span.start)
-                    .ok()
-                    .zip(usize::try_from(span.end).ok());
-                let piece = ends.and_then(|(start, end)| bytes.get(start..end));
-                piece.ok_or_else(|| io::ErrorKind::UnexpectedEof.into())
-            }
+            Storage::Memory(bytes) => part(bytes, span),
             Storage::File(file, _) => {
                 let size = span
                     .end
@@ -75,6 +70,29 @@ impl Storage<'_> {
             }
         }
     }
+
+    /// Like [`piece`](Storage::piece), but keeps the buffer.
+    pub(crate) fn kept_piece(
+        &self,
+        span: Range<u64>,
+        mut buffer: Vec<u8>,
+    ) -> io::Result<Cow<'_, [u8]>> {
+        match self {
+            Storage::Memory(bytes) => part(bytes, span).map(Cow::Borrowed),
+            Storage::File(..) => {
+                self.piece(span, &mut buffer)?;
+                Ok(Cow::Owned(buffer))
+            }
+        }
+    }
+}
+
+/// The bytes `span` of `bytes`.
+fn part(bytes: &[u8], span: Range<u64>) -> io::Result<&[u8]> {
+    let start = usize::try_from(span.start).ok();
+    let ends = start.zip(usize::try_from(span.end).ok());
+    let part = ends.and_then(|(start, end)| bytes.get(start..end));
+    part.ok_or_else(|| io::ErrorKind::UnexpectedEof.into())
 }
 
 /// Fills `buffer` from byte `offset` of `file` on.

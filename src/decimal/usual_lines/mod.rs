@@ -4,7 +4,7 @@
 //! length of the one before it. The digits of all numbers are converted together.
 
 use super::eight_bytes::EightBytes;
-use super::{EXACT_POWERS, WHOLE_POWERS};
+use super::{EXACT_POWERS, SAFE_DIGITS, WHOLE_POWERS};
 use crate::simd::{blanks, four_numbers};
 
 /// The integers on the first line of `text`, of up to 8 digits each, before `others` more values;
@@ -27,7 +27,7 @@ pub(crate) fn integers<const N: usize>(text: &[u8], others: usize) -> Option<([u
     Some((*four_numbers(digits)?.first_chunk()?, length))
 }
 
-/// The three numbers on the first line of `text`, which have points and up to 16 digits each,
+/// The three numbers on the first line of `text`, which have points and up to 19 digits each,
 /// before `others` more values; and the length of the line.
 ///
 /// `None` means unknown: `text` may have another form, or be too short.
@@ -63,31 +63,34 @@ fn short_reals(text: &[u8], others: usize) -> Option<([f64; 3], usize)> {
     Some((std::array::from_fn(signed), length))
 }
 
-/// Likewise, with up to 16 digits each.
+/// Likewise, with up to 19 digits each.
 #[inline(never)]
 fn long_reals(text: &[u8], others: usize) -> Option<([f64; 3], usize)> {
     let mut tokens = Tokens::in_window::<64>(text)?;
-    let mut reals = [0.0_f64; 3];
+    let mut reals = [0.0; 3];
     for real in &mut reals {
         let (sign, token) = tokens.signed();
-        let (first, places) = tokens.without_point(token)?;
-        let mantissa = match token.length.wrapping_sub(1) {
-            count @ 1..=8 => first.checked_number(count)?,
-            count @ 9..=16 => {
-                let rest = tokens.eight(token.start + 9);
-                let rest = rest.checked_number(count - 8)?;
-                first.checked_number(8)? * WHOLE_POWERS[count - 8] + rest
-            }
-            _ => return None,
-        };
-        if mantissa > 1 << f64::MANTISSA_DIGITS {
-            return None;
-        }
-        // Both numbers are exact, so the division rounds once.
-        let magnitude = mantissa as f64 / EXACT_POWERS.get(places)?;
+        let (mantissa, places) = tokens.mantissa(token)?;
+        let magnitude = quotient(mantissa, places)?;
         *real = f64::from_bits(magnitude.to_bits() | sign);
     }
     Some((reals, tokens.line_length(text, others)?))
+}
+
+/// The `f64` nearest to `mantissa` with a point before its last `places` digits, ties to even;
+/// `None` if there are more than 19 places.
+fn quotient(mantissa: u64, places: usize) -> Option<f64> {
+    let power = *EXACT_POWERS[..=SAFE_DIGITS].get(places)?;
+    if mantissa <= 1 << f64::MANTISSA_DIGITS {
+        // Both numbers are exact, so the division rounds once.
+        return Some(mantissa as f64 / power);
+    }
+    let shift = u64::BITS + mantissa.leading_zeros();
+    let (dividend, divisor) = (u128::from(mantissa) << shift, power as u128);
+    // The quotient has at least 64 bits. Its lowest one tells whether there is a rest, so it rounds
+    // as the exact quotient does. The power of two after that is exact.
+    let quotient = (dividend / divisor) | u128::from(dividend % divisor > 0);
+    Some(quotient as f64 * f64::from_bits((1023 - u64::from(shift)) << 52))
 }
 
 /// The bytes in which blanks are searched for, at most.
@@ -174,6 +177,27 @@ impl<'a> Tokens<'a> {
         }
         let joined = bytes.followed_by(self.eight(token.start + 1), point);
         Some((joined, token.length.wrapping_sub(point + 1)))
+    }
+
+    /// The number that the digits of `token` form without its point, if there are up to 19; and how
+    /// many follow the point.
+    fn mantissa(&self, token: Token) -> Option<(u64, usize)> {
+        let (first, places) = self.without_point(token)?;
+        let mut mantissa = 0;
+        let mut left = token.length.wrapping_sub(1);
+        let mut word = first;
+        let mut start = token.start + 1;
+        if !(1..=SAFE_DIGITS).contains(&left) {
+            return None;
+        }
+        while left > 0 {
+            let count = left.min(8);
+            mantissa = mantissa * WHOLE_POWERS[count] + word.checked_number(count)?;
+            left -= count;
+            start += 8;
+            word = self.eight(start);
+        }
+        Some((mantissa, places))
     }
 
     /// The length of the line, if `others` more tokens end it, and the number of tokens is right.

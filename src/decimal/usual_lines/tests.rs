@@ -1,6 +1,6 @@
 use proptest::prelude::*;
 
-use super::{integers, three_reals};
+use super::{integers, quotient, three_reals};
 
 /// Bytes after a line, as many as the readers of lines need.
 const AFTER: &str = "1 2 3 4 5 6 7 8 9 0 1 2 3 4 5 6 7 8 9 0 1 2 3 4 5 6 7 8 9 0\n\
@@ -22,6 +22,15 @@ fn usual_lines_are_read() {
             "0.123456789 1.5 1234567.123456789\n",
             0,
             [0.123456789, 1.5, 1_234_567.123_456_789],
+        ),
+        (
+            "0.12345678901234567 9.007199254740993 900719.9254740993001\n",
+            0,
+            [
+                0.12345678901234567,
+                9.007199254740993,
+                900_719.925_474_099_3,
+            ],
         ),
         ("0.5 1.5 2.5 255 x \n", 2, [0.5, 1.5, 2.5]),
         (&format!("0.5 1.5 2.5 {long}\n"), 2, [0.5, 1.5, 2.5]),
@@ -46,8 +55,7 @@ fn usual_lines_are_read() {
         "0.5 1.5 +1.2\n",
         "0.5 1.5 nan\n",
         "0.5 1.5 12345678.5\n",
-        "0.5 1.5 9.007199254740993\n",
-        "0.5 1.5 0.12345678901234567\n",
+        "0.5 1.5 0.1234567890123456789\n",
         "0.5 1.5 2.5 a_rather_long_value_of_some_other_kind_and_a_longer_one_yet\n",
     ] {
         assert_eq!(read(line, 0), None, "{line}");
@@ -96,7 +104,9 @@ fn usual_lines_of_integers_are_read() {
 fn token() -> impl Strategy<Value = String> {
     prop_oneof![
         30 => "-?[0-9]{1,3}[.][0-9]{1,7}",
-        10 => "-?0[.][0-9]{1,18}",
+        10 => "-?0[.][0-9]{1,19}",
+        10 => "-?[0-9]{0,7}[.][0-9]{9,18}",
+        1 => "(9007199254740993|4503599627370497|9007199254740995)[.][05]",
         10 => "-?[0-9]{0,9}[.][0-9]{0,12}",
         2 => "[0-9]{1,9}",
         1 => "[-+.0-9e]{0,9}",
@@ -139,5 +149,20 @@ proptest! {
                 prop_assert_eq!(Ok(*number), word.parse());
             }
         }
+    }
+
+    #[test]
+    fn quotients_are_rounded_once(
+        (mantissa, places) in prop_oneof![
+            (any::<u64>(), 0..=19_usize),
+            (0..1_u64 << 54, 0..=19_usize),
+            // Halfway between two numbers.
+            ((1_u64 << 53..1 << 54), 0..3_usize)
+                .prop_map(|(number, places)| (number * 10_u64.pow(places as u32), places)),
+        ],
+    ) {
+        let expected = format!("{mantissa}e-{places}").parse().map(f64::to_bits);
+        prop_assert_eq!(quotient(mantissa, places).map(f64::to_bits), expected.ok());
+        prop_assert_eq!(quotient(mantissa, 20), None);
     }
 }

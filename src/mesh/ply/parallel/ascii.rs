@@ -1,12 +1,12 @@
-//! Reads text files: lines of vertices, then lines of faces.
+//! Reads text files: lines of vertices, then lines of faces. Files of triangles take one pass.
 
 use std::ops::Range;
 
 use rayon::prelude::*;
 
-use super::blocks::{Block, HEAD, cut, points, zeros};
-use super::element_lines;
+use super::blocks::{Block, Cut, HEAD, points, zeros};
 use super::form::Form;
+use super::{element_lines, one_pass};
 use crate::input::Storage;
 use crate::mesh::TriangleMesh;
 
@@ -16,7 +16,10 @@ pub(super) fn read(storage: &Storage, start: u64, form: &Form, block: u64) -> Op
         return None;
     }
     let span = start..end(storage, start)?;
-    let blocks = cut(storage, span, block)?;
+    if let Some(mesh) = one_pass::read(storage, span.clone(), form, block) {
+        return Some(mesh);
+    }
+    let blocks = Cut::new(span, block).blocks(storage)?;
     if blocks
         .iter()
         .map(|block| block.tally.lines())

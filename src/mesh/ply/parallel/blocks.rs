@@ -109,46 +109,74 @@ fn count(text: &[u8], value: impl Fn(u8) -> u8) -> (usize, usize) {
     (ends + usize::from(text.last() == Some(&b'\n')), sum)
 }
 
-/// Cuts the lines of the bytes `span` into blocks of about `size` bytes.
-pub(super) fn cut(storage: &Storage, span: Range<u64>, size: u64) -> Option<Vec<Block>> {
-    let count = (span.end - span.start).div_ceil(size);
-    let blocks = (0..count)
-        .into_par_iter()
-        .map_init(Vec::new, |buffer, number| {
-            let start = span.start + number * size;
-            block(storage, &span, start..span.end.min(start + size), buffer)
-        });
-    blocks.collect()
+/// Cuts the lines of some bytes of a file into blocks of about one size.
+pub(super) struct Cut {
+    span: Range<u64>,
+    size: u64,
 }
 
-/// The lines in `all` that begin within the bytes `near`.
-fn block(
-    storage: &Storage,
-    all: &Range<u64>,
-    near: Range<u64>,
-    buffer: &mut Vec<u8>,
-) -> Option<Block> {
-    // The byte before tells whether a line begins at the first one.
-    let from = near.start.max(all.start + 1) - 1;
-    let to = all.end.min(near.end + HEAD);
-    let text = storage.piece(from..to, buffer).ok()?;
-    let line_at = |at: u64| match at {
-        at if at == all.start => Some(0),
-        at => {
-            let before = (at - 1 - from) as usize;
-            let end = text[before..]
-                .iter()
-                .position(|byte| *byte == b'\n')
-                .map(|end| before + end + 1);
-            end.or((to == all.end).then_some(text.len()))
+/// The bytes near a block.
+pub(super) struct Near {
+    /// The lines that begin here are those of the block.
+    starts: Range<u64>,
+    /// Contains these lines, and the byte before.
+    pub(super) needed: Range<u64>,
+}
+
+impl Cut {
+    /// Cuts the lines of the bytes `span` into blocks of about `size` bytes.
+    pub(super) fn new(span: Range<u64>, size: u64) -> Cut {
+        Cut { span, size }
+    }
+
+    /// The number of blocks.
+    pub(super) fn count(&self) -> u64 {
+        (self.span.end - self.span.start).div_ceil(self.size)
+    }
+
+    /// All blocks, with their lines counted.
+    pub(super) fn blocks(&self, storage: &Storage) -> Option<Vec<Block>> {
+        let blocks = (0..self.count())
+            .into_par_iter()
+            .map_init(Vec::new, |buffer, number| {
+                let near = self.near(number);
+                let text = storage.piece(near.needed.clone(), buffer).ok()?;
+                let lines = self.lines(&near, text)?;
+                let at = |offset: usize| near.needed.start + offset as u64;
+                Some(Block {
+                    span: at(lines.start)..at(lines.end),
+                    tally: Tally::of(&text[lines]),
+                })
+            });
+        blocks.collect()
+    }
+
+    /// The bytes near block `number`.
+    pub(super) fn near(&self, number: u64) -> Near {
+        let all = &self.span;
+        let start = all.start + number * self.size;
+        let end = all.end.min(start + self.size);
+        // The byte before tells whether a line begins at the first one.
+        let from = start.max(all.start + 1) - 1;
+        Near {
+            starts: start..end,
+            needed: from..all.end.min(end + HEAD),
         }
-    };
-    let lines = line_at(near.start)?..line_at(near.end)?;
-    let tally = Tally::of(&text[lines.clone()]);
-    Some(Block {
-        span: from + lines.start as u64..from + lines.end as u64,
-        tally,
-    })
+    }
+
+    /// The lines of a block in `text`, the bytes that it needs. `None` if a line is too long.
+    pub(super) fn lines(&self, near: &Near, text: &[u8]) -> Option<Range<usize>> {
+        let line_at = |at: u64| match at {
+            at if at == self.span.start => Some(0),
+            at => {
+                let before = (at - 1 - near.needed.start) as usize;
+                let end = text[before..].iter().position(|byte| *byte == b'\n');
+                let end = end.map(|end| before + end + 1);
+                end.or((near.needed.end == self.span.end).then_some(text.len()))
+            }
+        };
+        Some(line_at(near.starts.start)?..line_at(near.starts.end)?)
+    }
 }
 
 impl Block {

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::blocks::{HEAD, Tally, line_start};
 use super::element_lines::{read_faces, read_vertices};
-use super::form::Form;
+use super::form::{Form, SHORTEST_LINES};
 use crate::geometry::Point;
 use crate::input::gzip::Stream;
 use crate::mesh::ply::header::{Encoding, Header};
@@ -81,12 +81,9 @@ struct GrowingMesh<'a> {
 }
 
 impl<'a> GrowingMesh<'a> {
-    /// The bytes of the shortest lines of a vertex and of a face.
-    const SHORTEST: [usize; 2] = [6, 8];
-
     fn new(form: &'a Form, size: usize) -> GrowingMesh<'a> {
-        let vertices = Vec::with_capacity(form.vertices.min(size / Self::SHORTEST[0]));
-        let triangles = Vec::with_capacity(form.faces.min(size / Self::SHORTEST[1]));
+        let vertices = Vec::with_capacity(form.vertices.min(size / SHORTEST_LINES[0]));
+        let triangles = Vec::with_capacity(form.faces.min(size / SHORTEST_LINES[1]));
         GrowingMesh {
             form,
             vertices,

@@ -67,8 +67,8 @@ fn vertex(lines: &mut Lines, properties: &[VertexProperty]) -> Option<[f64; 3]> 
 /// anything is read.
 const MOST_CORNERS: usize = 9;
 
-/// Reads `text`, which must be lines of faces over `vertices` that make exactly as many triangles
-/// as `triangles` has room for.
+/// Reads `text`, which must be lines of faces that make exactly as many triangles as `triangles`
+/// has room for. Polygons of more than four corners need `vertices`, which may be empty otherwise.
 pub(super) fn read_faces(
     text: &[u8],
     form: &Form,
@@ -76,9 +76,10 @@ pub(super) fn read_faces(
     triangles: &mut [[u32; 3]],
 ) -> Option<()> {
     let others = usize::try_from(form.layout.trail.values).ok()?;
-    let limit = u32::try_from(vertices.len()).ok()?;
+    let limit = u32::try_from(form.vertices).ok()?;
     let exists = |corner: &u32| *corner < limit;
     let mut polygons = Polygons {
+        limit,
         vertices,
         clipper: Clipper::default(),
         cut: Vec::new(),
@@ -125,6 +126,8 @@ fn usual_face<const N: usize>(text: &[u8], others: usize) -> Option<([u32; N], &
 
 /// Reads faces of any number of corners.
 struct Polygons<'a> {
+    /// Corners are below it.
+    limit: u32,
     vertices: &'a [Point],
     clipper: Clipper<'a>,
     cut: Vec<[u32; 3]>,
@@ -135,7 +138,7 @@ impl Polygons<'_> {
     fn triangles(&mut self, lines: &mut Lines) -> Option<&[[u32; 3]]> {
         let mut corners = [0; MOST_CORNERS];
         let count = lines.small()?;
-        let limit = self.vertices.len() as u64;
+        let limit = u64::from(self.limit);
         for corner in &mut corners[..count] {
             *corner = lines.whole(limit)? as u32;
         }
@@ -144,6 +147,7 @@ impl Polygons<'_> {
             [] | [_] | [_, _] => return None,
             [a, b, c] => self.cut.push([a, b, c]),
             [a, b, c, d] => self.cut.extend([[a, b, c], [a, c, d]]),
+            _ if self.vertices.is_empty() => return None,
             ref corners => {
                 polygon::triangulate(corners, self.vertices, &mut self.clipper, &mut self.cut)
                     .ok()?;

@@ -25,6 +25,9 @@ pub(super) struct VertexProperty {
     pub(super) kind: Scalar,
 }
 
+/// The bytes of the shortest lines of a vertex and of a face, with their ends.
+pub(super) const SHORTEST_LINES: [usize; 2] = [6, 8];
+
 impl Form {
     /// The form of a file with this header, if it is the usual one.
     pub(super) fn of(header: &Header) -> Option<Form> {

@@ -12,6 +12,7 @@ mod compressed;
 mod element_lines;
 mod form;
 mod lines;
+mod one_pass;
 #[cfg(test)]
 mod tests;
 

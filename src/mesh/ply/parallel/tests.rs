@@ -4,12 +4,14 @@ mod random;
 
 use std::path::Path;
 
-use super::read_in_blocks;
+use super::form::Form;
+use super::{one_pass, read_in_blocks};
 use crate::input::Budget;
 use crate::input::Storage;
 use crate::input::gzip::{self, Stream};
+use crate::mesh::ply::header::Header;
 use crate::mesh::tests::told;
-use crate::mesh::{Loaded, ply};
+use crate::mesh::{Loaded, TriangleMesh, ply};
 
 const PATH: &str = "a.ply";
 
@@ -205,5 +207,58 @@ fn compressed_files_are_read_as_a_stream() {
             .is_none(),
             "cut off at {length}"
         );
+    }
+}
+
+/// What the reader in one pass makes of `text`.
+fn in_one_pass(text: &str, block: u64) -> Option<TriangleMesh> {
+    let header = Header::parse(Path::new(PATH), text.as_bytes()).expect("a header");
+    let form = Form::of(&header).expect("the usual form");
+    let span = header.size as u64..text.trim_end().len() as u64;
+    one_pass::read(&Storage::Memory(text.as_bytes()), span, &form, block)
+}
+
+#[test]
+fn triangles_and_quads_take_one_pass() {
+    for faces in ["3 0 1 2\n4 0 1 2 3\n3 0 2 4\n", "3 0 1 2", "4 0 1 2 4\n"] {
+        let text = two_lines(VERTICES, faces);
+        let expected = slowly(text.as_bytes());
+        for block in [1, 9, 1 << 18] {
+            let mesh = in_one_pass(&text, block).expect("triangles and quads");
+            let loaded = Loaded::new(Path::new(PATH), mesh, Vec::new());
+            assert_eq!(told(&Ok(loaded)), expected, "in blocks of {block} bytes");
+        }
+    }
+    let polygon = two_lines(VERTICES, "5 0 1 2 3 4\n3 0 1 2\n");
+    assert_eq!(in_one_pass(&polygon, 9), None);
+    let last = two_lines(VERTICES, "3 0 1 2\n5 0 1 2 3 4\n");
+    assert_eq!(in_one_pass(&last, 9), None);
+    let few = two_lines(VERTICES, "3 0 1 2\n").replace("vertex 5", "vertex 6");
+    assert_eq!(in_one_pass(&few, 9), None);
+    let many = two_lines(VERTICES, "3 0 1 2\n").replace("face 1", "face 4000000000");
+    assert_eq!(in_one_pass(&many, 9), None);
+}
+
+#[cfg(unix)]
+#[test]
+fn blocks_of_a_file_are_read_in_any_order() {
+    let vertices: String = (0..5000)
+        .map(|k| format!("{}.{k:04} 0.{k} 7 -{k}.5\n", k % 7))
+        .collect();
+    let faces: String = (0..9000)
+        .map(|k| match k % 3 {
+            0 => format!("4 3 1 2 {}\n", k / 2),
+            _ => format!("3 {} {} 0\n", k / 2, k / 3),
+        })
+        .collect();
+    let text = two_lines(&vertices, &faces);
+    let directory = tempfile::tempdir().expect("a directory");
+    let path = directory.path().join(PATH);
+    std::fs::write(&path, &text).expect("room for it");
+    let storage = Storage::open(&path).expect("a regular file");
+    let expected = slowly(text.as_bytes());
+    for block in [100, 1000, 1 << 18] {
+        let loaded = read_in_blocks(Path::new(PATH), &storage, block).expect("it is plain");
+        assert_eq!(told(&Ok(loaded)), expected, "in blocks of {block} bytes");
     }
 }
