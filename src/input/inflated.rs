@@ -9,6 +9,7 @@ use std::thread;
 use super::budget::Budget;
 use super::gzip::{bomb, damaged};
 use super::gzip_members::Members;
+use super::has_threads;
 use crate::error::Result;
 
 /// The bytes that are decompressed at a time.
@@ -89,7 +90,7 @@ impl Inflated {
 impl Blocks {
     fn of(compressed: Compressed) -> Blocks {
         let members = Arc::new(Mutex::new(Members::new(compressed)));
-        if rayon::current_num_threads() == 1 {
+        if !has_threads() {
             return Blocks::Here(members);
         }
         let (sender, receiver) = sync_channel(BLOCKS_AHEAD);

@@ -25,6 +25,11 @@ use rayon::prelude::*;
 /// The bytes that a thread reads at a time; smaller files are read by one thread.
 const PIECE: usize = 1 << 20;
 
+/// Whether the caller has a pool of several threads. Asking for their number alone would start one.
+fn has_threads() -> bool {
+    rayon::current_thread_index().is_some() && rayon::current_num_threads() > 1
+}
+
 /// Reads an input of unknown size, which may never end.
 fn read_stream(path: &Path, stream: &mut impl Read) -> Result<Vec<u8>> {
     let limit = memory::available().map_or(u64::MAX - 1, |available| available / PART_OF_MEMORY);

@@ -11,7 +11,7 @@ use super::budget::Budget;
 use super::gzip;
 use super::inflated::Inflated;
 use super::storage::read_at;
-use super::{PIECE, is_device, missing, no_file, read_stream, refuse_special};
+use super::{PIECE, has_threads, is_device, missing, no_file, read_stream, refuse_special};
 use crate::error::{Error, Result};
 
 /// The bytes that tell how a file is compressed.
@@ -30,7 +30,7 @@ enum Source {
     /// A regular file that is not compressed; likewise.
     File(File, u64),
     /// A pipe or standard input.
-    Pipe(Box<dyn Read>),
+    Pipe(Box<dyn Read + Send>),
     /// Gzip data, and whether the file was read before.
     Inflated(Inflated, bool),
 }
@@ -101,12 +101,12 @@ impl TextStream {
         })
     }
 
-    fn of_pipe(path: &Path, mut pipe: Box<dyn Read>, budget: &Budget) -> Result<TextStream> {
+    fn of_pipe(path: &Path, mut pipe: Box<dyn Read + Send>, budget: &Budget) -> Result<TextStream> {
         let mut head = Vec::new();
         let read = pipe.by_ref().take(HEAD as u64).read_to_end(&mut head);
         read.map_err(|error| Error::reading(path, &error))?;
         let is_compressed = gzip::recognises(&head);
-        let mut pipe: Box<dyn Read> = Box::new(Cursor::new(head).chain(pipe));
+        let mut pipe: Box<dyn Read + Send> = Box::new(Cursor::new(head).chain(pipe));
         let source = if is_compressed {
             // The limit of the content depends on the size.
             let bytes = read_stream(path, &mut pipe)?;
@@ -123,6 +123,15 @@ impl TextStream {
             path: Arc::from(path),
             source,
         })
+    }
+
+    /// The text that `reader` gives, as if from a pipe.
+    #[cfg(test)]
+    pub(crate) fn of_reader(path: &Path, reader: Box<dyn Read + Send>) -> TextStream {
+        TextStream {
+            path: Arc::from(path),
+            source: Source::Pipe(reader),
+        }
     }
 
     /// The file, as the user or a scene named it.
@@ -200,7 +209,7 @@ impl TextStream {
 /// many, the threads share copies and page faults.
 fn read_file(mut file: &File, at: u64, text: &mut Vec<u8>, count: usize) -> io::Result<()> {
     text.try_reserve(count)?;
-    if count > PIECE {
+    if count > PIECE && has_threads() {
         let start = text.len();
         text.resize(start + count, 0);
         let pieces = text[start..].par_chunks_mut(PIECE).enumerate();
@@ -214,3 +223,6 @@ fn read_file(mut file: &File, at: u64, text: &mut Vec<u8>, count: usize) -> io::
     file.seek(io::SeekFrom::Start(at))?;
     file.take(count as u64).read_to_end(text).map(|_| ())
 }
+
+#[cfg(test)]
+mod tests;

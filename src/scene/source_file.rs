@@ -128,6 +128,12 @@ impl SourceFile {
         self.text
     }
 
+    /// The bytes of memory that the text takes.
+    #[cfg(test)]
+    pub(super) fn capacity(&self) -> usize {
+        self.text.capacity()
+    }
+
     /// The file as the user named it, or as a scene reached it.
     pub fn path(&self) -> &Path {
         &self.path

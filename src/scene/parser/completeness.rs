@@ -1,6 +1,6 @@
 //! Tells what is certain of a text whose end is not known yet.
 
-use super::Next;
+use super::arguments::Next;
 use super::lexer::{Token, blanks, is_word};
 use crate::error::{SHOWN_BYTES, is_line_end};
 

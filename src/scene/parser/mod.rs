@@ -6,6 +6,7 @@
 //! decides what directives mean, which types and parameters exist and how many numbers make a
 //! point.
 
+mod arguments;
 mod completeness;
 mod diagnostics;
 mod directive;
@@ -19,6 +20,7 @@ mod tests;
 mod values;
 mod world;
 
+pub(super) use self::arguments::{Next, end_of_arguments, is_last};
 pub(super) use self::completeness::may_be_long;
 pub use self::directive::{Description, Directive, KEYWORDS, Legal};
 pub(super) use self::encoding::{BYTES_TO_JUDGE_BY, check as check_encoding};
@@ -30,55 +32,10 @@ pub(super) use self::world::WorldSearch;
 
 use self::completeness::{arguments_are_certain, begins_certainly, directive_is_certain};
 use self::diagnostics::Diagnostics;
-use self::lexer::{Fault, Token, blanks, word};
+use self::lexer::{Fault, Token, blanks};
 use super::source_file::SourceFile;
 use crate::error::{Error, Result, is_line_end};
 use std::borrow::Cow;
-
-/// What follows a directive.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Next {
-    /// The end of the text.
-    End,
-    /// An argument of the directive before it.
-    Argument,
-    /// Another directive, or a word that cannot be an argument.
-    Directive,
-}
-
-impl Next {
-    fn of(token: Token) -> Next {
-        match token {
-            Token::End => Next::End,
-            Token::Keyword(_) => Next::Directive,
-            Token::Word(word) if !matches!(word, b"true" | b"false") => Next::Directive,
-            _ => Next::Argument,
-        }
-    }
-}
-
-/// The end of the arguments at `start` of `file`: the next directive or the end of the text.
-pub(super) fn end_of_arguments(file: &SourceFile, start: usize) -> usize {
-    let mut rest = file.from(start);
-    loop {
-        let (token, at) = Token::next(rest);
-        // The parser reports an unclosed string, and has to see its quote.
-        let is_unclosed = matches!(token, Token::Quoted(_)) && token.length() == 1;
-        if Next::of(token) != Next::Argument || is_unclosed {
-            return file.end() - at.len() + usize::from(is_unclosed);
-        }
-        rest = &at[token.length()..];
-    }
-}
-
-/// Whether the directive at `start` of `file`, which may be incomplete, seems to be the last one.
-pub(super) fn is_last(file: &SourceFile, start: usize) -> bool {
-    let after = match word(file.from(start)) {
-        Ok((rest, _)) => file.end() - rest.len(),
-        Err(_) => return false,
-    };
-    file.is_last() && end_of_arguments(file, after) == file.end()
-}
 
 /// What a piece of a scene file has next.
 #[derive(Debug)]
