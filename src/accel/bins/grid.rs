@@ -88,7 +88,7 @@ impl BinLevel {
 
     /// The same in units, of which a bin has 256 at most.
     #[inline(always)]
-    fn within(&self, axis: usize, pixel: u32) -> u8 {
+    pub(crate) fn within(&self, axis: usize, pixel: u32) -> u8 {
         (self.offset(axis, pixel) >> self.unit(axis)) as u8
     }
 

@@ -1,7 +1,8 @@
 //! The entries that a tile may see, merged from the bins of all levels, the nearest first.
 
+use super::large_entries::LargeEntries;
 use super::segment_entries::SegmentEntries;
-use crate::accel::bins::{BinEntry, BinLevel, Bins};
+use crate::accel::bins::{BinEntry, Bins};
 use crate::accel::raster::depth_buffer::DepthBuffer;
 use crate::accel::raster::traversal::pixel_blocks_between;
 use crate::accel::tree::{BLOCK_SIZE, PrimitiveBlock};
@@ -91,7 +92,7 @@ impl<'a> TileEntries<'a> {
     /// Tests whether the nearest entry that is left is in a bin of another level than the first.
     #[inline(always)]
     fn is_large_next(&self) -> bool {
-        let Some(large) = &self.large.nearest else {
+        let Some(large) = self.large.nearest() else {
             return false;
         };
         let small = self.entries.get(self.places.start);
@@ -141,89 +142,4 @@ impl<'a> TileEntries<'a> {
             }
         }
     }
-}
-
-/// The entries of a tile in bins of all levels but the first.
-#[derive(Debug)]
-struct LargeEntries<'a> {
-    first: [u32; 2],
-    /// For each level the entries that were not taken yet, the nearest first.
-    rest: Vec<(BinLevel, &'a [BinEntry])>,
-    /// The nearest entry that the tile touches.
-    nearest: Option<BinEntry>,
-    /// The index of its list.
-    list: usize,
-}
-
-impl<'a> LargeEntries<'a> {
-    fn new(bins: &'a Bins, first: [u32; 2], pixel: [u32; 2]) -> LargeEntries<'a> {
-        let small = bins.grid.small_bins();
-        let levels = bins.grid.levels.iter().skip(1);
-        let entries = levels.filter_map(|level| {
-            let entries = &bins.large[level.bin_at(pixel) - small][..];
-            (!entries.is_empty()).then_some((*level, entries))
-        });
-        let mut large = LargeEntries {
-            first,
-            rest: entries.collect(),
-            nearest: None,
-            list: 0,
-        };
-        large.find();
-        large
-    }
-
-    /// Finds the nearest entry that the tile touches.
-    fn find(&mut self) {
-        self.nearest = None;
-        for (list, (level, rest)) in self.rest.iter_mut().enumerate() {
-            while let Some((entry, others)) = rest.split_first() {
-                let touches = pixel_blocks(entry, level, self.first) != 0;
-                let is_nearest = self
-                    .nearest
-                    .is_none_or(|nearest| entry.nearness > nearest.nearness);
-                if !touches {
-                    *rest = others;
-                    continue;
-                }
-                if is_nearest {
-                    (self.nearest, self.list) = (Some(*entry), list);
-                }
-                break;
-            }
-        }
-    }
-
-    /// Removes the nearest entry. Ends the lists if it has less nearness than `cull_nearness`.
-    fn take(&mut self, cull_nearness: f32) -> Option<(BinEntry, u32)> {
-        let entry = self.nearest.take()?;
-        if entry.nearness < cull_nearness {
-            self.rest.clear();
-            return Some((entry, 0));
-        }
-        let (level, rest) = &mut self.rest[self.list];
-        let pixel_blocks = pixel_blocks(&entry, level, self.first);
-        *rest = &rest[1..];
-        self.find();
-        Some((entry, pixel_blocks))
-    }
-}
-
-/// The blocks of pixels that an entry touches in the tile whose first pixel is `first`, block k as
-/// bit k.
-fn pixel_blocks(entry: &BinEntry, level: &BinLevel, first: [u32; 2]) -> u32 {
-    let mut ends = [[0; 2]; 2];
-    for (axis, sides) in [entry.columns, entry.rows].into_iter().enumerate() {
-        let unit = level.unit(axis);
-        // Relative to the tile, in pixels.
-        let tile = i64::from(level.offset(axis, first[axis]));
-        let low = (i64::from(sides[0]) << unit) - tile;
-        let high = ((i64::from(sides[1]) + 1) << unit) - 1 - tile;
-        let last = i64::from(TILE) - 1;
-        if low > last || high < 0 {
-            return 0;
-        }
-        ends[axis] = [low.max(0) as i32, high.min(last) as i32];
-    }
-    pixel_blocks_between(ends[0], ends[1])
 }
