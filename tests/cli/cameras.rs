@@ -46,16 +46,37 @@ fn each_camera_gives_the_image_of_a_scene_of_its_own() {
     }
 }
 
+/// A list of cameras side by side.
+fn cameras(count: u32) -> String {
+    let pose = |number: u32| {
+        let x = f64::from(number) / 50.0;
+        format!(r#"{{"lookat": [{x}, 0, -5,  0, 0, 0,  0, 1, 0]}}"#)
+    };
+    format!("[{}]", (0..count).map(pose).collect::<Vec<_>>().join(", "))
+}
+
+#[test]
+fn few_cameras_have_bins_each_and_many_share_a_tree() {
+    let folder = Folder::new()
+        .with("few.json", cameras(15))
+        .with("many.json", cameras(16));
+    for (list, accel) in [("few", "raster"), ("many", "sah")] {
+        let flags = format!("--cameras {list}.json -o {list}-{{camera}}.exr --json");
+        let lines = folder
+            .render(&format!("ball.pbrt {flags}"))
+            .succeeded()
+            .json();
+        assert!(lines.iter().all(|line| line["accel"] == accel), "{list}");
+    }
+    for camera in 1..=15 {
+        let [few, many] = ["few", "many"].map(|list| folder.bytes(&format!("{list}-{camera}.exr")));
+        assert!(few == many, "{camera}");
+    }
+}
+
 #[test]
 fn a_hundred_cameras_share_one_load_and_one_tree() {
-    let pose = |number: u32| {
-        format!(
-            r#"{{"lookat": [{}, 0, -5,  0, 0, 0,  0, 1, 0]}}"#,
-            f64::from(number) / 50.0
-        )
-    };
-    let poses = format!("[{}]", (0..100).map(pose).collect::<Vec<_>>().join(", "));
-    let folder = Folder::new().with("poses.json", poses);
+    let folder = Folder::new().with("poses.json", cameras(100));
     let run = folder
         .render("ball.pbrt --cameras poses.json -o {camera}.exr --json --manifest all.jsonl")
         .succeeded();
