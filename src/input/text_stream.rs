@@ -87,13 +87,17 @@ impl TextStream {
             .read_to_end(&mut head)
             .map_err(reading)?;
         let size = file.metadata().map_err(reading)?.len();
+        file.rewind().map_err(reading)?;
         let source = if gzip::recognises(&head) {
-            file.rewind().map_err(reading)?;
             let compressed = Box::new(BufReader::with_capacity(PIECE / 16, file));
             Source::Inflated(Inflated::new(compressed, size, budget), is_known)
         } else {
             budget.charge_text(size, is_known)?;
-            Source::File(file, 0, size)
+            match size {
+                // The kernel's files claim to be empty.
+                0 => Source::Pipe(Box::new(file)),
+                _ => Source::File(file, 0, size),
+            }
         };
         Ok(TextStream {
             path: Arc::from(path),
@@ -164,7 +168,7 @@ impl TextStream {
             }
             Source::Pipe(pipe) => {
                 pipe.take(count as u64).read_to_end(text).map_err(reading)?;
-                budget.enter_stream(&self.path, (text.len() - before) as u64);
+                budget.enter_bytes((text.len() - before) as u64);
             }
             Source::Inflated(content, is_known) => {
                 content.read(&self.path, text, count, budget)?;
