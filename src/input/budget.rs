@@ -141,14 +141,6 @@ impl Budget {
         !is_new
     }
 
-    /// Notes `size` bytes from `path` if it is standard input or a pipe: a file is counted by its
-    /// size.
-    pub(crate) fn enter_stream(&self, path: &Path, size: u64) {
-        if FileId::with_size(path).is_none_or(|(_, known)| known == 0) {
-            self.enter_bytes(size);
-        }
-    }
-
     /// Notes `size` bytes that do not come from a file.
     pub(crate) fn enter_bytes(&self, size: u64) {
         let mut account = self.account();

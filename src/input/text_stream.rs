@@ -27,8 +27,8 @@ pub(crate) struct TextStream {
 enum Source {
     /// Memory; the text up to the number is read.
     Memory(Vec<u8>, usize),
-    /// A regular file that is not compressed; likewise.
-    File(File, u64),
+    /// A regular file that is not compressed; likewise. The last number is its size.
+    File(File, u64, u64),
     /// A pipe or standard input.
     Pipe(Box<dyn Read + Send>),
     /// Gzip data, and whether the file was read before.
@@ -87,13 +87,17 @@ impl TextStream {
             .read_to_end(&mut head)
             .map_err(reading)?;
         let size = file.metadata().map_err(reading)?.len();
+        file.rewind().map_err(reading)?;
         let source = if gzip::recognises(&head) {
-            file.rewind().map_err(reading)?;
             let compressed = Box::new(BufReader::with_capacity(PIECE / 16, file));
             Source::Inflated(Inflated::new(compressed, size, budget), is_known)
         } else {
             budget.charge_text(size, is_known)?;
-            Source::File(file, 0)
+            match size {
+                // The kernel's files claim to be empty.
+                0 => Source::Pipe(Box::new(file)),
+                _ => Source::File(file, 0, size),
+            }
         };
         Ok(TextStream {
             path: Arc::from(path),
@@ -157,13 +161,14 @@ impl TextStream {
                 text.extend_from_slice(&bytes[*at..end]);
                 *at = end;
             }
-            Source::File(file, at) => {
-                read_file(file, *at, text, count).map_err(reading)?;
+            Source::File(file, at, size) => {
+                let left = usize::try_from(size.saturating_sub(*at)).unwrap_or(usize::MAX);
+                read_file(file, *at, text, count, left).map_err(reading)?;
                 *at += (text.len() - before) as u64;
             }
             Source::Pipe(pipe) => {
                 pipe.take(count as u64).read_to_end(text).map_err(reading)?;
-                budget.enter_stream(&self.path, (text.len() - before) as u64);
+                budget.enter_bytes((text.len() - before) as u64);
             }
             Source::Inflated(content, is_known) => {
                 content.read(&self.path, text, count, budget)?;
@@ -205,19 +210,38 @@ impl TextStream {
     }
 }
 
-/// Adds `count` bytes from byte `at` of `file` on to `text`, fewer only at the end. If they are
-/// many, the threads share copies and page faults.
-fn read_file(mut file: &File, at: u64, text: &mut Vec<u8>, count: usize) -> io::Result<()> {
-    text.try_reserve(count)?;
-    if count > PIECE && has_threads() {
+/// Makes room for `count` bytes more, of which `left` may follow. A long text gets addresses for
+/// three times its length, which cost no memory before they are used: moving it often would.
+fn reserve(text: &mut Vec<u8>, count: usize, left: usize) -> io::Result<()> {
+    let needed = count.min(left);
+    if text.capacity() - text.len() >= needed {
+        return Ok(());
+    }
+    let many = text.len().saturating_mul(3).clamp(needed, left);
+    let reserved = text.try_reserve_exact(many);
+    Ok(reserved.or_else(|_| text.try_reserve_exact(needed))?)
+}
+
+/// Adds `count` bytes from byte `at` of `file` on to `text`, fewer only at the end, before which
+/// `left` bytes should be. If they are many, the threads share copies and page faults.
+fn read_file(
+    mut file: &File,
+    at: u64,
+    text: &mut Vec<u8>,
+    count: usize,
+    left: usize,
+) -> io::Result<()> {
+    reserve(text, count, left)?;
+    let expected = count.min(left);
+    if expected > PIECE && has_threads() {
         let start = text.len();
-        text.resize(start + count, 0);
+        text.resize(start + expected, 0);
         let pieces = text[start..].par_chunks_mut(PIECE).enumerate();
         let read = pieces.map(|(number, piece)| read_at(file, piece, at + (number * PIECE) as u64));
         if read.collect::<io::Result<()>>().is_ok() {
             return Ok(());
         }
-        // The file ends before, or has shrunk meanwhile.
+        // The file has shrunk meanwhile.
         text.truncate(start);
     }
     file.seek(io::SeekFrom::Start(at))?;

@@ -16,6 +16,12 @@ pub(super) const WINDOW: usize = 1 << 20;
 /// windows.
 const PATIENCE: usize = 256;
 
+/// The windows that are read at a time for a long directive: enough for all threads.
+const PIECE_WINDOWS: usize = 4;
+
+/// The bytes of a long directive that are read between two looks at the memory that is left.
+const CHECKED_STEP: usize = 32 << 20;
+
 /// The text of a scene file, of which one piece at a time is in memory.
 pub(super) struct SceneText {
     stream: TextStream,
@@ -114,23 +120,31 @@ impl SceneText {
         let copy = |shared: Arc<SourceFile>| shared.from(offset).to_vec();
         let mut text = Arc::try_unwrap(old).map_or_else(copy, SourceFile::into_text);
         let first = self.start.0 - offset;
+        // A piece that was too short was parsed in vain, which must not happen too often.
+        let held = text.len().saturating_sub(first);
+        let least = if held < self.window { 0 } else { 2 * held };
+        let mut known = text.len().max(first + 1);
+        self.last_start = usize::MAX;
         let is_last = loop {
-            let known = text.len();
-            let count = self.window.max(known.saturating_sub(first));
+            let count = held.clamp(self.window, PIECE_WINDOWS * self.window);
             if !self.read(&mut text, count, budget)? {
-                self.last_start = usize::MAX;
                 break true;
             }
-            if let Some(last) = last_capital(&text, known.max(first + 1)) {
+            if let Some(last) = last_capital(&text, known) {
                 self.last_start = offset + last;
-                break false;
             }
-            let is_long = text.len() >= self.window.saturating_mul(PATIENCE);
-            if is_long || !may_be_long(&text[first.min(text.len())..]) {
-                self.last_start = usize::MAX;
+            known = text.len().max(first + 1);
+            let held = text.len().saturating_sub(first);
+            let is_worth_it = self.last_start != usize::MAX
+                || held >= PATIENCE * self.window
+                || !may_be_long(&text[first.min(text.len())..]);
+            if held >= least && is_worth_it {
                 break false;
             }
         };
+        if is_last {
+            self.last_start = usize::MAX;
+        }
         self.piece = Arc::new(SourceFile::piece(&path, offset, begin, text, is_last));
         Ok(())
     }
@@ -138,7 +152,12 @@ impl SceneText {
     /// Adds `count` bytes to `text`, fewer only at the end. Returns whether there may be more.
     fn read(&mut self, text: &mut Vec<u8>, count: usize, budget: &Budget) -> Result<bool> {
         let too_large = || "this file is too large for this machine's memory".to_owned();
-        let read = memory::check(count as u64, too_large).and_then(|()| {
+        let step = text.len() / CHECKED_STEP;
+        let checked = match (text.len() + count) / CHECKED_STEP {
+            next if next > step => memory::check(CHECKED_STEP as u64, too_large),
+            _ => Ok(()),
+        };
+        let read = checked.and_then(|()| {
             let taken = count.min(self.head.len());
             text.extend(self.head.drain(..taken));
             match count - taken {
@@ -192,18 +211,21 @@ pub(super) fn has_world(path: &Path, window: usize) -> Result<bool> {
     }
 }
 
-/// The index of the last capital letter behind a blank, from index `from` on: a directive may begin
-/// there.
+/// The index, from `from` on, of the last capital letter between a blank and a small letter: a
+/// directive may begin there, and no number.
 fn last_capital(text: &[u8], from: usize) -> Option<usize> {
     const AT_ONCE: usize = 64;
-    let is_start = |(before, byte): (&u8, &u8)| (*before <= b' ') & byte.is_ascii_uppercase();
-    let mut end = text.len();
+    let mut end = text.len().saturating_sub(1);
     while end > from {
         let start = from.max(end.saturating_sub(AT_ONCE));
-        let pairs = || text[start - 1..end - 1].iter().zip(&text[start..end]);
+        let (before, after) = (&text[start - 1..end - 1], &text[start + 1..end + 1]);
+        let bytes = || before.iter().zip(&text[start..end]).zip(after);
+        let is_start = |((before, byte), after): ((&u8, &u8), &u8)| {
+            (*before <= b' ') & byte.is_ascii_uppercase() & after.is_ascii_lowercase()
+        };
         // Without an early exit, the compiler turns the loop into vector instructions.
-        if pairs().fold(false, |found, pair| found | is_start(pair)) {
-            return pairs().rposition(is_start).map(|index| start + index);
+        if bytes().fold(false, |found, bytes| found | is_start(bytes)) {
+            return bytes().rposition(is_start).map(|index| start + index);
         }
         end = start;
     }
@@ -211,81 +233,4 @@ fn last_capital(text: &[u8], from: usize) -> Option<usize> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::scene::parser::Step;
-    use std::io::{self, Read};
-
-    /// Gives `text` again and again, so many times.
-    struct Repeated(&'static [u8], usize, usize);
-
-    impl Read for Repeated {
-        fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-            let Repeated(text, times, at) = self;
-            if *times == 0 {
-                return Ok(0);
-            }
-            let length = buffer.len().min(text.len() - *at);
-            buffer[..length].copy_from_slice(&text[*at..*at + length]);
-            *at += length;
-            if *at == text.len() {
-                (*times, *at) = (*times - 1, 0);
-            }
-            Ok(length)
-        }
-    }
-
-    /// The number of directives, and the most bytes of memory that the pieces take.
-    fn read(text: &'static [u8], times: usize, window: usize) -> (usize, usize) {
-        let (budget, path) = (Budget::default(), Path::new("a.pbrt"));
-        let stream = TextStream::of_reader(path, Box::new(Repeated(text, times, 0)));
-        let mut text = SceneText::new(stream, window, None, &budget).expect("text");
-        let (mut count, mut most) = (0, 0);
-        loop {
-            let piece = Arc::clone(text.piece());
-            most = most.max(piece.capacity() + text.spare.capacity());
-            let mut directives = text.directives(&piece);
-            loop {
-                match directives.step() {
-                    Step::Directive(_) => count += 1,
-                    Step::NeedsMore => break,
-                    Step::End => return (count, most),
-                    Step::Error(error) => panic!("{error}"),
-                }
-            }
-            let position = directives.into_position();
-            drop(piece);
-            text.advance(position, &budget).expect("text");
-        }
-    }
-
-    #[test]
-    fn memory_does_not_grow_with_the_text() {
-        const WINDOW: usize = 1 << 13;
-        for (text, directives) in [
-            (
-                &b"Translate 1 2 3\nShape \"sphere\" \"float radius\" [0.125]\n"[..],
-                2,
-            ),
-            (b"Identity Rotate 1 2 3 4 ", 2),
-            (b"# A comment\r\n", 0),
-            (b"\t\r\n", 0),
-            (b"Texture \"a\" \"b\" \"c\" # A comment\n", 1),
-        ] {
-            let times = (300 * WINDOW).div_ceil(text.len());
-            let (count, most) = read(text, times, WINDOW);
-            assert_eq!(count, directives * times);
-            assert!(most <= 8 * WINDOW, "{most}");
-        }
-    }
-
-    #[test]
-    fn a_long_directive_takes_memory_in_proportion() {
-        const WINDOW: usize = 1 << 10;
-        let long = format!("Shape \"a\" \"float b\" [{}]\n", "1.5 ".repeat(100_000));
-        let text: &'static [u8] = Box::leak(long.into_bytes().into_boxed_slice());
-        let (count, most) = read(text, 10, WINDOW);
-        assert_eq!(count, 10);
-        assert!(most <= 5 * text.len(), "{most}");
-    }
-}
+mod tests;

@@ -184,11 +184,26 @@ pub const KEYWORDS: [&str; COUNT] = {
     keywords
 };
 
+/// Where the keywords of each capital letter begin, from `A` on, and where those of `Z` end.
+const FIRST: [usize; 27] = {
+    let mut first = [COUNT; 27];
+    let mut number = COUNT;
+    let mut letter = 26;
+    while letter > 0 {
+        letter -= 1;
+        while number > 0 && KEYWORDS[number - 1].as_bytes()[0] >= b'A' + letter as u8 {
+            number -= 1;
+        }
+        first[letter] = number;
+    }
+    first
+};
+
 /// The index in [`KEYWORDS`] of the keyword `word`.
 pub(super) fn number(word: &[u8]) -> Option<usize> {
-    KEYWORDS
-        .binary_search_by(|keyword| keyword.as_bytes().cmp(word))
-        .ok()
+    let letter = word.first().filter(|byte| byte.is_ascii_uppercase())? - b'A';
+    let mut numbers = FIRST[usize::from(letter)]..FIRST[usize::from(letter) + 1];
+    numbers.find(|number| KEYWORDS[*number].as_bytes() == word)
 }
 
 #[cfg(test)]
@@ -201,6 +216,10 @@ mod tests {
         for (index, keyword) in KEYWORDS.iter().enumerate() {
             assert_eq!(number(keyword.as_bytes()), Some(index));
         }
-        assert_eq!(number(b"shape"), None);
+        for word in [
+            "shape", "", "S", "Shapes", "Zoo", "Apple", "\u{e4}", "[", "0",
+        ] {
+            assert_eq!(number(word.as_bytes()), None, "{word}");
+        }
     }
 }

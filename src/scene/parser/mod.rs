@@ -37,6 +37,9 @@ use super::source_file::SourceFile;
 use crate::error::{Error, Result, is_line_end};
 use std::borrow::Cow;
 
+/// The bytes that blanks and comments before a directive seldom exceed.
+const NEAR: usize = 256;
+
 /// What a piece of a scene file has next.
 #[derive(Debug)]
 pub(super) enum Step<'a> {
@@ -131,7 +134,9 @@ impl<'a> Directives<'a> {
         if let Some(error) = self.unreadable.take() {
             return Step::Error(error);
         }
-        if self.last_start < self.file.end() && self.offset() >= self.last_start {
+        // Most directives are far from the last one.
+        let near = self.last_start.saturating_sub(NEAR);
+        if self.file.end() - self.rest.len() >= near && self.offset() >= self.last_start {
             return Step::NeedsMore;
         }
         let (rest, previous) = (self.rest, self.previous.clone());
