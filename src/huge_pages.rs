@@ -91,9 +91,13 @@ fn is_large(layout: Layout) -> bool {
     layout.size() >= HUGE_PAGE && layout.align() <= ALIGNMENT
 }
 
-/// The bytes of the mapping for `size` bytes.
+/// The bytes of the mapping for `size` bytes: whole huge pages if that takes little more.
 fn rounded(size: usize) -> usize {
-    size.next_multiple_of(PAGE)
+    let whole = size.next_multiple_of(HUGE_PAGE);
+    match whole - size <= size / 8 {
+        true => whole,
+        false => size.next_multiple_of(PAGE),
+    }
 }
 
 /// A new mapping of `size` bytes, rounded up, that is zero; null if the system refuses it.
