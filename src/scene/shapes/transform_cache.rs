@@ -3,11 +3,15 @@
 use crate::geometry::Matrix;
 use crate::shape::Geometry;
 use std::collections::HashMap;
+use twox_hash::XxHash3_128;
 
 /// Finds matrices by their bits.
 #[derive(Debug, Default)]
 pub(crate) struct TransformCache {
-    number_of: HashMap<[u64; 12], u32>,
+    /// The number of the first matrix with each hash of its bits. A later one with the same hash is
+    /// stored again for each shape, so even a scene made for that takes no more than its file.
+    number_of: HashMap<u64, u32>,
+    count: usize,
     last: Option<(Matrix, u32)>,
 }
 
@@ -22,18 +26,32 @@ impl TransformCache {
         {
             return *number;
         }
-        let number = *self
-            .number_of
-            .entry(matrix.bits())
-            .or_insert_with(|| geometry.add_transform(*matrix));
+        let first = self.number_of.get(&hash_of(matrix)).copied();
+        let number = match first {
+            Some(first) if geometry.transform(first).bits() == matrix.bits() => first,
+            _ => {
+                let number = geometry.add_transform(*matrix);
+                self.number_of.entry(hash_of(matrix)).or_insert(number);
+                self.count += 1;
+                number
+            }
+        };
         self.last = Some((*matrix, number));
         number
     }
 
     /// The number of transforms.
     pub(crate) fn len(&self) -> usize {
-        self.number_of.len()
+        self.count
     }
+}
+
+fn hash_of(matrix: &Matrix) -> u64 {
+    let mut bytes = [0; 96];
+    for (number, to) in matrix.bits().iter().zip(bytes.chunks_exact_mut(8)) {
+        to.copy_from_slice(&number.to_ne_bytes());
+    }
+    XxHash3_128::oneshot(&bytes) as u64
 }
 
 #[cfg(test)]

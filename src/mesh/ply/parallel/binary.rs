@@ -88,9 +88,9 @@ impl Records<'_> {
                 .ok()?;
             let (places, _) = places.as_chunks_mut();
             // A copy keeps what `read` captures in registers.
-            let read = read;
+            let read_values = read;
             for (record, places) in bytes.chunks_exact(self.stride).zip(places) {
-                *places = read(record)?;
+                *places = read_values(record)?;
             }
             Some(())
         })?;
