@@ -52,7 +52,7 @@ impl Segment<'_> {
                     }
                 }
                 (Rows::U32(rows), ChannelName::Id) => {
-                    part.put_hits(rows, |hit| geometry.shape_number(hit))
+                    part.put_hits(rows, |hit| numbers.of_shape(hit))
                 }
                 (Rows::U32(rows), ChannelName::Instance) => {
                     part.put_hits(rows, |hit| {

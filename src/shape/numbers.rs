@@ -9,6 +9,8 @@ pub struct Numbers<'a> {
     /// The triangles of the last mesh, and the number of the first.
     mesh: Range<u32>,
     first_number: u32,
+    /// The number of its shape.
+    shape: u32,
 }
 
 impl<'a> Numbers<'a> {
@@ -18,20 +20,41 @@ impl<'a> Numbers<'a> {
             geometry,
             mesh: 0..0,
             first_number: 0,
+            shape: 0,
         }
     }
 
     /// Like [`Geometry::image_number`].
     #[inline]
     pub fn of(&mut self, placed: InstancedId) -> u32 {
+        match self.index_in_mesh(placed) {
+            Some(index) => self.first_number + index,
+            None => self.of_another(placed),
+        }
+    }
+
+    /// Like [`Geometry::shape_number`].
+    #[inline]
+    pub fn of_shape(&mut self, placed: InstancedId) -> u32 {
+        match self.index_in_mesh(placed) {
+            Some(_) => self.shape,
+            None => {
+                self.of_another(placed);
+                self.geometry.shape_number(placed)
+            }
+        }
+    }
+
+    /// The index of a triangle in the last mesh, if it belongs to it.
+    #[inline]
+    fn index_in_mesh(&self, placed: InstancedId) -> Option<u32> {
         // The index of a triangle is always below the bits of a quadric, except at the end of the
         // last mesh.
         let primitive = placed.primitive();
         let index = primitive.to_bits();
-        if !self.mesh.contains(&index) || primitive.is_quadric() || placed.instance().is_some() {
-            return self.of_another(placed);
-        }
-        self.first_number + (index - self.mesh.start)
+        let is_there =
+            self.mesh.contains(&index) && !primitive.is_quadric() && placed.instance().is_none();
+        is_there.then(|| index - self.mesh.start)
     }
 
     fn of_another(&mut self, placed: InstancedId) -> u32 {
@@ -40,6 +63,7 @@ impl<'a> Numbers<'a> {
         if placed.instance().is_none() && !primitive.is_quadric() {
             self.mesh = self.geometry.mesh_around(primitive.to_bits());
             self.first_number = number - (primitive.to_bits() - self.mesh.start);
+            self.shape = self.geometry.shape_number(placed);
         }
         number
     }
@@ -84,6 +108,9 @@ mod tests {
                 let mut numbers = Numbers::new(&geometry);
                 assert_eq!(u64::from(numbers.of(*a)), geometry.number(*a) + 1);
                 assert_eq!(u64::from(numbers.of(*b)), geometry.number(*b) + 1);
+                let mut numbers = Numbers::new(&geometry);
+                assert_eq!(numbers.of_shape(*a), geometry.shape_number(*a));
+                assert_eq!(numbers.of_shape(*b), geometry.shape_number(*b));
             }
         }
     }
