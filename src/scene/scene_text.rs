@@ -123,7 +123,7 @@ impl SceneText {
         // A piece that was too short was parsed in vain, which must not happen too often.
         let held = text.len().saturating_sub(first);
         let least = if held < self.window { 0 } else { 2 * held };
-        let mut known = text.len().max(first + 1);
+        let (mut known, mut next_look) = (text.len().max(first + 1), least);
         self.last_start = usize::MAX;
         let is_last = loop {
             let count = held.clamp(self.window, PIECE_WINDOWS * self.window);
@@ -135,9 +135,12 @@ impl SceneText {
             }
             known = text.len().max(first + 1);
             let held = text.len().saturating_sub(first);
-            let is_worth_it = self.last_start != usize::MAX
-                || held >= PATIENCE * self.window
-                || !may_be_long(&text[first.min(text.len())..]);
+            let mut is_worth_it = self.last_start != usize::MAX;
+            if !is_worth_it && held >= next_look {
+                next_look = 2 * held;
+                let start = &text[first.min(text.len())..];
+                is_worth_it = held >= PATIENCE * self.window || !may_be_long(start);
+            }
             if held >= least && is_worth_it {
                 break false;
             }

@@ -62,9 +62,14 @@ pub(in crate::scene) fn may_be_long(text: &[u8]) -> bool {
         Some((Token::Keyword(_), _)) => true,
         Some((Token::Word(word), _)) => word[0].is_ascii_uppercase(),
         Some(_) => false,
-        // Blanks and comments are dropped line by line.
-        None => !has_line_end(text),
+        // Blanks are dropped, and comments line by line.
+        None => !has_line_end(text) && !is_blank(text),
     }
+}
+
+/// Whether the text has neither a token nor a comment.
+pub(super) fn is_blank(text: &[u8]) -> bool {
+    blanks(text).is_ok_and(|(rest, ())| rest.is_empty()) && !text.contains(&b'#')
 }
 
 /// Whether the word before `after` ends, whatever follows. A number may go on behind a `#`, in its

@@ -30,7 +30,7 @@ pub use self::statement::{
 pub(super) use self::values::number_in;
 pub(super) use self::world::WorldSearch;
 
-use self::completeness::{arguments_are_certain, begins_certainly, directive_is_certain};
+use self::completeness::{arguments_are_certain, begins_certainly, directive_is_certain, is_blank};
 use self::diagnostics::Diagnostics;
 use self::lexer::{Fault, Token, blanks};
 use super::source_file::SourceFile;
@@ -193,12 +193,18 @@ impl<'a> Directives<'a> {
     }
 }
 
-/// The bytes of `gap`, which has no token, from the start of its last line on.
+/// The number of bytes of `gap`, which has no token, from the start of a last comment on.
 fn last_line(gap: &[u8]) -> usize {
     // The line end may be the first half of CR LF.
     let whole = gap.strip_suffix(b"\r").unwrap_or(gap);
-    let last = whole.iter().rposition(is_line_end);
-    gap.len() - last.map_or(0, |last| last + 1)
+    let last = whole
+        .iter()
+        .rposition(is_line_end)
+        .map_or(0, |last| last + 1);
+    match is_blank(&whole[last..]) {
+        true => gap.len() - whole.len(),
+        false => gap.len() - last,
+    }
 }
 
 impl<'a> Iterator for Directives<'a> {

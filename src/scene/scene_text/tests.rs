@@ -58,6 +58,7 @@ fn memory_does_not_grow_with_the_text() {
         (b"Identity Rotate 1 2 3 4 ", 2),
         (b"# A comment\r\n", 0),
         (b"\t\r\n", 0),
+        (b" ", 0),
         (b"Texture \"a\" \"b\" \"c\" # A comment\n", 1),
     ] {
         let times = (300 * WINDOW).div_ceil(text.len());
