@@ -5,6 +5,9 @@
 //! on come directly from the system: they begin at a huge page, and it is advised to use huge
 //! pages. They are never cleared a second time, so the threads that fill an array also touch it
 //! first. When an array grows, its pages move without being copied.
+//!
+//! A few mappings that are freed are kept for the next arrays: otherwise each picture of many would
+//! have the system clear the same pages again.
 #![allow(unsafe_code)]
 
 use rustix::mm::{Advice, MapFlags, MremapFlags, ProtFlags};
@@ -13,6 +16,7 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::ffi::c_void;
 use std::ptr::{copy_nonoverlapping, null_mut};
 
+mod spare;
 #[cfg(test)]
 mod tests;
 
@@ -39,7 +43,7 @@ pub struct HugePageAllocator;
 unsafe impl GlobalAlloc for HugePageAllocator {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         if is_large(layout) {
-            return map(layout.size());
+            return spare::take(rounded(layout.size())).unwrap_or_else(|| map(layout.size()));
         }
         // SAFETY: the caller promises a size above 0.
         unsafe { System.alloc(layout) }
@@ -59,7 +63,7 @@ unsafe impl GlobalAlloc for HugePageAllocator {
         // whole mapping if the layout is large, and memory of `System` otherwise.
         unsafe {
             match is_large(layout) {
-                true => unmap(memory, rounded(layout.size())),
+                true => spare::keep(memory, rounded(layout.size())),
                 false => System.dealloc(memory, layout),
             }
         }

@@ -146,3 +146,31 @@ fn threads_allocate_at_once() {
         }
     });
 }
+
+#[test]
+fn kept_memory_is_given_out_once() {
+    let sizes = [2, 3, 5, 2, 9, 3, 4].map(|pages: usize| layout(pages * HUGE_PAGE, 8));
+    let mut held: Vec<(*mut u8, Layout, u8)> = Vec::new();
+    for round in 0..60u8 {
+        let layout = sizes[usize::from(round) % sizes.len()];
+        // SAFETY: the memory is as large as the layout, and freed with it.
+        unsafe {
+            let memory = HugePageAllocator.alloc(layout);
+            memory.write_bytes(round, layout.size());
+            held.push((memory, layout, round));
+            if round % 3 != 0 {
+                let place = usize::from(round) * 7 % held.len();
+                let (memory, layout, written) = held.swap_remove(place);
+                assert!(places(layout.size()).all(|place| *memory.add(place) == written));
+                HugePageAllocator.dealloc(memory, layout);
+            }
+        }
+    }
+    for (memory, layout, written) in held {
+        // SAFETY: as before.
+        unsafe {
+            assert!(places(layout.size()).all(|place| *memory.add(place) == written));
+            HugePageAllocator.dealloc(memory, layout);
+        }
+    }
+}
