@@ -1,5 +1,6 @@
 //! The command line.
 
+use crate::processes::SceneName;
 use crate::views::ViewName;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use feimos::simd::Level;
@@ -26,6 +27,15 @@ pub(crate) enum Command {
     },
     /// Time and memory of feimos per phase as meshes grow; print a table in Markdown
     Scale(ScaleOptions),
+    /// Whole processes from a scene file to depths: feimos, Embree and a z-buffer rasterizer
+    Picture(PictureOptions),
+    /// A program around Embree: reads a scene, builds a tree of low quality, traces packets
+    Embree(ProgramOptions),
+    /// A z-buffer rasterizer in single precision, without a tree: reads a scene, draws it
+    Zbuffer(ProgramOptions),
+    /// Write a scene of `picture`, and print where it is as JSON
+    #[command(hide = true)]
+    Scene(SceneOptions),
     /// One row of `scale`, in this process, as JSON
     #[command(hide = true)]
     Phases(PhaseOptions),
@@ -142,4 +152,67 @@ pub(crate) struct PhaseOptions {
     /// Threads
     #[arg(long)]
     pub(crate) threads: usize,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ProgramOptions {
+    /// A scene as `picture` writes it: one ASCII or binary PLY mesh, or spheres
+    pub(crate) scene: PathBuf,
+    /// Threads
+    #[arg(long)]
+    pub(crate) threads: usize,
+    /// A list of cameras to use instead of the scene's own: JSON, poses by `lookat`
+    #[arg(long)]
+    pub(crate) cameras: Option<PathBuf>,
+    /// The instruction set that loops are limited to
+    #[arg(long)]
+    pub(crate) isa: Option<Isa>,
+    /// Count pixels that differ from these depths, in an .npy file; {camera} stands for the camera
+    #[arg(long)]
+    pub(crate) compare: Option<String>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct PictureOptions {
+    /// What to render: views as for `compare`, millions of triangles as in 16m, cameras around the
+    /// dragon as in 20cameras
+    #[arg(long, value_delimiter = ',', default_value = "a,b", value_parser = SceneName::parse)]
+    pub(crate) views: Vec<SceneName>,
+    /// Render everything that there is
+    #[arg(long, conflicts_with = "views")]
+    pub(crate) all: bool,
+    /// Numbers of threads
+    #[arg(long, value_delimiter = ',', default_value = "1,2")]
+    pub(crate) threads: Vec<usize>,
+    /// Rounds that count; each program runs once a round
+    #[arg(long, default_value_t = 15, value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) runs: u32,
+    /// Rounds before those that count
+    #[arg(long, default_value_t = 1)]
+    pub(crate) warmup: u32,
+    /// A feimos program; may be repeated [default: built from the sources beside this package]
+    #[arg(long)]
+    pub(crate) feimos: Vec<PathBuf>,
+    /// Flags for one more run of each feimos program, such as "--accel sah"; may be repeated
+    #[arg(long, allow_hyphen_values = true)]
+    pub(crate) flags: Vec<String>,
+    /// The instruction set that feimos is limited to [default: the best there is]
+    #[arg(long, value_parser = level)]
+    pub(crate) simd: Option<Level>,
+    /// The instruction set that Embree and the rasterizer are limited to
+    #[arg(long)]
+    pub(crate) isa: Option<Isa>,
+    /// Where scenes and images are written, and removed again [default: the system's folder for
+    /// temporary files]
+    #[arg(long)]
+    pub(crate) folder: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct SceneOptions {
+    /// As for `picture`
+    #[arg(value_parser = SceneName::parse)]
+    pub(crate) name: SceneName,
+    /// The folder
+    pub(crate) folder: PathBuf,
 }

@@ -11,6 +11,8 @@ mod grid;
 mod memory;
 mod picture;
 mod ply;
+mod processes;
+mod programs;
 mod random;
 mod rounds;
 mod scale;
@@ -29,8 +31,12 @@ type Result<T> = std::result::Result<T, Box<dyn std::error::Error + Send + Sync>
 fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Compare(options) => compare::run(&options),
-        Command::Generate { triangles, output } => ply::generate(triangles, &output),
+        Command::Generate { triangles, output } => ply::generate(triangles, &output).map(drop),
         Command::Scale(options) => scale::run(&options),
+        Command::Picture(options) => processes::run(&options),
+        Command::Embree(options) => programs::run_embree(&options),
+        Command::Zbuffer(options) => programs::run_zbuffer(&options),
+        Command::Scene(options) => processes::write_scene(&options),
         Command::Phases(options) => scale::print_phases(&options),
     };
     match done {

@@ -1,7 +1,7 @@
 //! The competitors.
 
 mod bvh_crate;
-mod embree;
+pub(crate) mod embree;
 mod feimos;
 mod obvhs;
 mod solid;

@@ -7,7 +7,8 @@ use feimos::progress::Progress;
 use feimos::scene::{LoadOptions, load};
 use std::path::{Path, PathBuf};
 
-fn path_of(name: &str) -> PathBuf {
+/// A file of the folder `scenes`.
+pub(crate) fn path_of(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../../scenes")
         .join(name)

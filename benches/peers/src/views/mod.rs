@@ -7,6 +7,9 @@ mod spheres;
 mod terrain;
 mod wall;
 
+pub(crate) use dragon::path_of;
+pub(crate) use place::camera;
+
 use crate::Result;
 use crate::view::View;
 use clap::ValueEnum;
@@ -46,6 +49,18 @@ impl ViewName {
             ViewName::Orthographic => "Orthographic",
             ViewName::Thumbnail => "Thumbnail",
             ViewName::Film => "Film",
+        }
+    }
+
+    /// Whether the mesh is that of `scenes/dragon.pbrt`, moved as there.
+    pub(crate) fn is_of_dragon(self) -> bool {
+        match self {
+            ViewName::A
+            | ViewName::B
+            | ViewName::Orthographic
+            | ViewName::Thumbnail
+            | ViewName::Film => true,
+            ViewName::Spheres | ViewName::Wall | ViewName::Terrain | ViewName::Interior => false,
         }
     }
 

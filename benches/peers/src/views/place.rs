@@ -4,7 +4,7 @@ use feimos::camera::{Camera, Projection, ScreenWindow};
 use feimos::geometry::{Point, Transform, Vector};
 
 /// A perspective camera with y upwards; `fov` in degrees across the shorter side of the film.
-pub(super) fn camera(eye: Point, look: Point, fov: f64, resolution: [u32; 2]) -> Camera {
+pub(crate) fn camera(eye: Point, look: Point, fov: f64, resolution: [u32; 2]) -> Camera {
     let up = Vector::new(0.0, 1.0, 0.0);
     let camera_from_world =
         Transform::look_at(eye, look, up).expect("no view here looks straight up or down");

@@ -4,13 +4,12 @@
 mod packet;
 mod rtcore;
 
-pub(crate) use rtcore::{Device, Quality};
+pub(crate) use packet::{Packets, Question};
+pub(crate) use rtcore::{Device, Input, Quality, Scene};
 
 use crate::competitor::Competitor;
 use crate::picture::Picture;
 use crate::view::View;
-use packet::{Packets, Question};
-use rtcore::{Input, Scene};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 

@@ -9,23 +9,25 @@ const SIDE: usize = 4;
 
 /// What is asked of Embree.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Question {
+pub(crate) enum Question {
     /// Depth and primitive.
     ClosestHit,
+    /// Depth; primitives are left as they are.
+    Depth,
     /// Hit or miss; depths are left as they are.
     AnyHit,
 }
 
 /// Who fills bands.
-pub(super) struct Packets<'a> {
-    pub(super) scene: &'a Scene,
-    pub(super) rays: &'a CameraRays,
-    pub(super) question: Question,
+pub(crate) struct Packets<'a> {
+    pub(crate) scene: &'a Scene,
+    pub(crate) rays: &'a CameraRays,
+    pub(crate) question: Question,
 }
 
 impl Packets<'_> {
     /// Packet by packet, down before to the right.
-    pub(super) fn fill(&self, mut band: Band) {
+    pub(crate) fn fill(&self, mut band: Band) {
         // What varies is set for every packet.
         let mut packet = Packet::new(self.rays.common(), self.rays.common());
         for x0 in (0..band.width).step_by(SIDE) {
@@ -63,6 +65,10 @@ impl Packets<'_> {
                 let (depths, primitives) = packet.closest_hits(self.scene);
                 put(band.depths, band.width, depths, x0, row);
                 put(band.primitives, band.width, &primitives, x0, row);
+            }
+            Question::Depth => {
+                let (depths, _) = packet.closest_hits(self.scene);
+                put(band.depths, band.width, depths, x0, row);
             }
             Question::AnyHit => {
                 let hits = packet.any_hits(self.scene).map(|t| u32::from(t < 0.0));

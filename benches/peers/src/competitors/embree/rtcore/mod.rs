@@ -9,5 +9,4 @@ mod scene;
 
 pub(crate) use device::Device;
 pub(super) use packet::{LANES, Packet};
-pub(super) use scene::Scene;
-pub(crate) use scene::{Input, Quality};
+pub(crate) use scene::{Input, Quality, Scene};
