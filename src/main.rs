@@ -9,5 +9,7 @@ use std::process::ExitCode;
 static ALLOCATOR: feimos::huge_pages::HugePageAllocator = feimos::huge_pages::HugePageAllocator;
 
 fn main() -> ExitCode {
+    #[cfg(target_os = "linux")]
+    feimos::huge_pages::prepare();
     cli::run()
 }

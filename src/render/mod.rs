@@ -16,7 +16,7 @@ use crate::progress::Progress;
 use crate::shape::Geometry;
 use rayon::prelude::*;
 use segment::Segment;
-use segments::Segments;
+use segments::{RowOfTiles, rows_of_tiles};
 use single_rays::SingleRays;
 use surface_tile::SurfaceTile;
 
@@ -90,7 +90,7 @@ pub fn render_into<'a>(
             options,
             progress,
         };
-        renderer.fill_all(&tiles, Segments::new(channels, &options.data_window))
+        renderer.fill_all(&tiles, rows_of_tiles(channels, &options.data_window))
     });
     let by_cost = costs.into_iter().find_map(|channel| {
         let Samples::U32(costs) = &mut channel.samples else {
@@ -125,9 +125,12 @@ struct Renderer<'a> {
 impl Renderer<'_> {
     /// Traces the tiles of all segments, on all threads. Each thread takes the next segment when
     /// it has finished one, so that all end together.
-    fn fill_all(&self, tiles: &Tiles, segments: Segments) -> Traced {
+    fn fill_all(&self, tiles: &Tiles, rows: Vec<RowOfTiles>) -> Traced {
         let fill = |tracer: &mut TileTracer, segment| self.fill(tracer, segment);
-        let traced = segments.par_bridge().map_init(|| tiles.tracer(), fill);
+        let segments = rows
+            .into_par_iter()
+            .flat_map(|row| row.segments().into_par_iter());
+        let traced = segments.map_init(|| tiles.tracer(), fill);
         traced.reduce(Traced::default, Traced::plus)
     }
 

@@ -1,4 +1,5 @@
-//! Cuts an image into segments, which threads fill independently.
+//! Cuts an image into segments, which threads fill independently: first into rows of tiles, then,
+//! on all threads, each row into segments.
 
 use super::segment::{Rows, Segment};
 use crate::accel::TILE;
@@ -8,109 +9,105 @@ use std::mem;
 /// Columns of a segment: enough to keep a thread busy, few enough for threads to end together.
 const WIDTH: u32 = 8 * TILE;
 
-/// Cuts an image into segments, one at a time as threads ask for them: row of tiles by row of
-/// tiles, from the left.
-pub(super) struct Segments<'a> {
+/// The segments of one row of tiles, from the left.
+pub(super) struct RowOfTiles<'a> {
+    /// The pixels of the row.
     window: PixelBounds,
-    /// The first pixel of the next segment.
-    next: [u32; 2],
-    channels: Vec<(ChannelName, Uncut<'a>)>,
+    channels: Vec<(ChannelName, Lines<'a>)>,
 }
 
-/// The samples of a channel that belong to no segment yet.
-enum Uncut<'a> {
-    F32(UncutRows<'a, f32>),
-    U32(UncutRows<'a, u32>),
+/// The samples of a channel in consecutive lines of the image.
+enum Lines<'a> {
+    F32(&'a mut [f32]),
+    U32(&'a mut [u32]),
 }
 
-struct UncutRows<'a, T> {
-    /// The rest of each row in the current row of tiles.
-    row_of_tiles: Vec<&'a mut [T]>,
-    /// All rows below.
-    below: &'a mut [T],
-}
-
-impl<'a> Segments<'a> {
-    /// The segments of `channels`, which hold the pixels of `window`.
-    pub(super) fn new(channels: Vec<&'a mut Channel>, window: &PixelBounds) -> Segments<'a> {
-        let uncut = |channel: &'a mut Channel| {
-            let samples = match &mut channel.samples {
-                Samples::F32(values) => Uncut::F32(UncutRows::new(values)),
-                Samples::U32(values) => Uncut::U32(UncutRows::new(values)),
-            };
-            (channel.name, samples)
-        };
-        Segments {
-            window: *window,
-            next: [window.x0, window.y0],
-            channels: channels.into_iter().map(uncut).collect(),
+impl<'a> Lines<'a> {
+    /// Cuts the first `count` samples off.
+    fn cut(&mut self, count: usize) -> Lines<'a> {
+        match self {
+            Lines::F32(samples) => Lines::F32(cut(samples, count)),
+            Lines::U32(samples) => Lines::U32(cut(samples, count)),
         }
     }
 }
 
-impl<'a> Iterator for Segments<'a> {
-    type Item = Segment<'a>;
+/// Cuts the first `count` samples off.
+fn cut<'a, T>(samples: &mut &'a mut [T], count: usize) -> &'a mut [T] {
+    let (first, rest) = mem::take(samples).split_at_mut(count);
+    *samples = rest;
+    first
+}
 
-    fn next(&mut self) -> Option<Segment<'a>> {
-        let (window, [x0, y0]) = (self.window, self.next);
-        if y0 >= window.y1 {
-            return None;
+/// The rows of tiles of `channels`, which hold the pixels of `window`, from the top.
+pub(super) fn rows_of_tiles<'a>(
+    channels: Vec<&'a mut Channel>,
+    window: &PixelBounds,
+) -> Vec<RowOfTiles<'a>> {
+    let lines = |channel: &'a mut Channel| {
+        let samples = match &mut channel.samples {
+            Samples::F32(values) => Lines::F32(values),
+            Samples::U32(values) => Lines::U32(values),
+        };
+        (channel.name, samples)
+    };
+    let mut rest: Vec<_> = channels.into_iter().map(lines).collect();
+    let row = |[y0, y1]: [u32; 2]| {
+        let window = PixelBounds { y0, y1, ..*window };
+        let count = window.area() as usize;
+        let cut = |(name, lines): &mut (ChannelName, Lines<'a>)| (*name, lines.cut(count));
+        RowOfTiles {
+            window,
+            channels: rest.iter_mut().map(cut).collect(),
         }
-        let x1 = (x0 / WIDTH * WIDTH + WIDTH).min(window.x1);
-        let y1 = (y0 / TILE * TILE + TILE).min(window.y1);
-        if x0 == window.x0 {
-            let (count, width) = ((y1 - y0) as usize, window.width() as usize);
-            for (_, samples) in &mut self.channels {
-                match samples {
-                    Uncut::F32(rows) => rows.begin(count, width),
-                    Uncut::U32(rows) => rows.begin(count, width),
-                }
+    };
+    parts(window.y0, window.y1, TILE).map(row).collect()
+}
+
+/// Cuts the range from `low` to `high` at the multiples of `step`.
+fn parts(low: u32, high: u32, step: u32) -> impl Iterator<Item = [u32; 2]> {
+    (low / step * step..high)
+        .step_by(step as usize)
+        .map(move |at| [at.max(low), at.saturating_add(step).min(high)])
+}
+
+impl<'a> RowOfTiles<'a> {
+    /// Cuts the row into segments.
+    pub(super) fn segments(self) -> Vec<Segment<'a>> {
+        let columns = || parts(self.window.x0, self.window.x1, WIDTH);
+        let segment = |[x0, x1]: [u32; 2]| Segment {
+            bounds: PixelBounds {
+                x0,
+                x1,
+                ..self.window
+            },
+            channels: Vec::with_capacity(self.channels.len()),
+        };
+        let mut segments: Vec<Segment> = columns().map(segment).collect();
+        let width = self.window.width() as usize;
+        for (name, lines) in self.channels {
+            match lines {
+                Lines::F32(lines) => divide(name, lines, width, &mut segments, Rows::F32),
+                Lines::U32(lines) => divide(name, lines, width, &mut segments, Rows::U32),
             }
         }
-        let width = (x1 - x0) as usize;
-        let cut = |(name, samples): &mut (ChannelName, Uncut<'a>)| {
-            let rows = match samples {
-                Uncut::F32(rows) => Rows::F32(rows.cut(width)),
-                Uncut::U32(rows) => Rows::U32(rows.cut(width)),
-            };
-            (*name, rows)
-        };
-        self.next = if x1 < window.x1 {
-            [x1, y0]
-        } else {
-            [window.x0, y1]
-        };
-        Some(Segment {
-            bounds: PixelBounds { x0, x1, y0, y1 },
-            channels: self.channels.iter_mut().map(cut).collect(),
-        })
+        segments
     }
 }
 
-impl<'a, T> UncutRows<'a, T> {
-    fn new(samples: &'a mut [T]) -> UncutRows<'a, T> {
-        UncutRows {
-            row_of_tiles: Vec::new(),
-            below: samples,
-        }
-    }
-
-    /// Begins the next row of tiles, which has `count` rows of `width` samples.
-    fn begin(&mut self, count: usize, width: usize) {
-        let (rows, below) = mem::take(&mut self.below).split_at_mut(count * width);
-        self.row_of_tiles.clear();
-        self.row_of_tiles.extend(rows.chunks_mut(width));
-        self.below = below;
-    }
-
-    /// Cuts the next `width` columns off.
-    fn cut(&mut self, width: usize) -> Vec<&'a mut [T]> {
-        let cut = |row: &mut &'a mut [T]| {
-            let (columns, rest) = mem::take(row).split_at_mut(width);
-            *row = rest;
-            columns
-        };
-        self.row_of_tiles.iter_mut().map(cut).collect()
+/// Gives each segment its part of every line, which `rows_of` wraps.
+fn divide<'a, T>(
+    name: ChannelName,
+    lines: &'a mut [T],
+    width: usize,
+    segments: &mut [Segment<'a>],
+    rows_of: fn(Vec<&'a mut [T]>) -> Rows<'a>,
+) {
+    let mut lines: Vec<&'a mut [T]> = lines.chunks_mut(width).collect();
+    for segment in segments {
+        let width = segment.bounds.width() as usize;
+        let rows = lines.iter_mut().map(|line| cut(line, width)).collect();
+        segment.channels.push((name, rows_of(rows)));
     }
 }
 
@@ -133,7 +130,8 @@ mod tests {
             ),
         ]
         .map(|(name, samples)| Channel { name, samples });
-        for segment in Segments::new(channels.iter_mut().collect(), &window) {
+        let rows = rows_of_tiles(channels.iter_mut().collect(), &window);
+        for segment in rows.into_iter().flat_map(RowOfTiles::segments) {
             let PixelBounds { x0, x1, y0, y1 } = segment.bounds;
             assert_eq!((x0 / WIDTH, y0 / TILE), ((x1 - 1) / WIDTH, (y1 - 1) / TILE));
             for (_, rows) in segment.channels {
