@@ -6,7 +6,7 @@ use crate::error::{Diagnostic, Error, SourceLocation};
 use std::sync::Arc;
 
 /// A span that remembers its file. Its line and column are only counted when they are shown. It
-/// holds the piece of the text that it is in; [`SourceSpan::kept`] does not.
+/// holds the piece of the text that it is in; a kept one does not.
 #[derive(Debug, Clone)]
 pub struct SourceSpan {
     file: Arc<SourceFile>,
