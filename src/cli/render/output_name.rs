@@ -157,7 +157,7 @@ mod tests {
     fn templates_are_filled_in() {
         assert_eq!(
             name(Some("out/{stem}-{accel}.png"), "a/b.pbrt", None),
-            "out/b-sah.png"
+            "out/b-auto.png"
         );
         assert_eq!(
             name(Some("{stem}.exr"), "a/dragon.ply.gz", None),
