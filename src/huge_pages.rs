@@ -10,12 +10,13 @@
 //! have the system clear the same pages again.
 #![allow(unsafe_code)]
 
-use rustix::mm::{Advice, MapFlags, MremapFlags, ProtFlags};
-use rustix::mm::{madvise, mmap_anonymous, mremap, mremap_fixed, munmap};
+use self::mapping::{map_anywhere, unmap};
+use rustix::mm::{Advice, MremapFlags, madvise, mremap, mremap_fixed};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::ffi::c_void;
 use std::ptr::{copy_nonoverlapping, null_mut};
 
+mod mapping;
 mod spare;
 #[cfg(test)]
 mod tests;
@@ -133,25 +134,6 @@ fn map(size: usize) -> *mut u8 {
         let _ = madvise(start.cast(), size, Advice::LinuxHugepage);
     }
     start
-}
-
-fn map_anywhere(size: usize) -> Option<*mut u8> {
-    let access = ProtFlags::READ | ProtFlags::WRITE;
-    // SAFETY: without a fixed address, a new mapping changes no existing one.
-    let mapped = unsafe { mmap_anonymous(null_mut(), size, access, MapFlags::PRIVATE) };
-    mapped.ok().map(<*mut c_void>::cast)
-}
-
-/// Unmaps `size` bytes from `start`, if any.
-///
-/// # Safety
-/// They are mapped by [`map_anywhere`], and nothing refers to them.
-unsafe fn unmap(start: *mut u8, size: usize) {
-    if size > 0 {
-        // SAFETY: the caller promises that nothing refers to this memory. The call fails only if
-        // the process has too many mappings. Then the memory is lost, which is safe.
-        let _ = unsafe { munmap(start.cast(), size) };
-    }
 }
 
 /// Resizes a mapping and returns where it is then. If it cannot grow, it stays as it is, and the

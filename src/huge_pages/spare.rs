@@ -2,7 +2,7 @@
 
 #![allow(unsafe_code)]
 
-use super::unmap;
+use super::mapping::unmap;
 use std::sync::Mutex;
 
 /// Mappings that are kept, and their bytes in sum. More would be memory that a phase pays for
