@@ -9,8 +9,7 @@ use crate::simd::Level;
 pub struct RenderOptions {
     /// The pixels to render: within the film, and not empty.
     pub data_window: PixelBounds,
-    /// The channels to render. `cost` is the cost in the given aggregate, which should then be
-    /// built over the whole scene, not only over the visible part.
+    /// The channels to render. `cost` is the cost in the given tree; bins leave it at 0.
     pub channels: Vec<ChannelName>,
     /// How hits are decided and rounded.
     pub precision: Precision,

@@ -106,15 +106,15 @@ impl<'a> Projector<'a> {
             lanes[0][k] = if is_known { column as f32 } else { f32::NAN };
             lanes[1][k] = if is_known { row as f32 } else { f32::NAN };
             lanes[2][k] = nearness as f32;
-            let side = if is_behind { Self::BEHIND } else { Self::FRONT };
-            lanes[3][k] = if is_known { side } else { Self::UNKNOWN };
+            let side = if is_behind {
+                FilmPoint::BEHIND
+            } else {
+                FilmPoint::FRONT
+            };
+            lanes[3][k] = if is_known { side } else { FilmPoint::UNKNOWN };
         }
         std::array::from_fn(|k| FilmPoint([0, 1, 2, 3].map(|lane: usize| lanes[lane][k])))
     }
-
-    const FRONT: f32 = FilmPoint::FRONT;
-    const BEHIND: f32 = FilmPoint::BEHIND;
-    const UNKNOWN: f32 = FilmPoint::UNKNOWN;
 }
 
 /// Projects all of `vertices`, on all threads.

@@ -26,12 +26,13 @@ impl TransformCache {
         {
             return *number;
         }
-        let first = self.number_of.get(&hash_of(matrix)).copied();
+        let hash = hash_of(matrix);
+        let first = self.number_of.get(&hash).copied();
         let number = match first {
             Some(first) if geometry.transform(first).bits() == matrix.bits() => first,
             _ => {
                 let number = geometry.add_transform(*matrix);
-                self.number_of.entry(hash_of(matrix)).or_insert(number);
+                self.number_of.entry(hash).or_insert(number);
                 self.count += 1;
                 number
             }

@@ -27,7 +27,7 @@ impl Content {
         }
     }
 
-    /// Returns true if the content depends on the whole aggregate, not only on its visible part.
+    /// Returns true if the content is about rays in a tree.
     pub(crate) fn needs_tree(&self) -> bool {
         self.channels().contains(&ChannelName::Cost)
     }
