@@ -6,6 +6,9 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Not, Sub};
 /// The number of lanes, the same at every level.
 pub(crate) const LANES: usize = 16;
 
+/// The number of entries of a table that lanes pick from.
+pub(crate) const TABLE: usize = 32;
+
 /// The instruction set of one level. A value proves that the machine has it.
 pub(crate) trait Lanes: Copy + Debug {
     /// Sixteen `f32`.
@@ -19,6 +22,8 @@ pub(crate) trait Lanes: Copy + Debug {
     fn load(self, from: &[f32; LANES]) -> Self::F;
     fn splat_wide(self, x: f64) -> Self::D;
     fn load_wide(self, from: &[f64; LANES]) -> Self::D;
+    /// The numbers of `table` at `places`, which are taken modulo [`TABLE`].
+    fn pick_wide(self, table: &[f64; TABLE], places: &[u8; LANES]) -> Self::D;
     /// Prefetches a value that will soon be read, if the level can.
     fn prefetch<T>(self, what: &T);
 }

@@ -17,7 +17,7 @@ mod unrolled;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
-pub(crate) use lanes::{F32s, F64s, LANES, Lanes, Mask, SimdKernel};
+pub(crate) use lanes::{F32s, F64s, LANES, Lanes, Mask, SimdKernel, TABLE};
 pub use level::Level;
 pub(crate) use text::{blanks, four_numbers};
 

@@ -1,6 +1,6 @@
 //! Lanes as plain arrays: for machines without another level, and as a baseline for tests.
 
-use super::lanes::{F32s, F64s, LANES, Lanes, Mask};
+use super::lanes::{F32s, F64s, LANES, Lanes, Mask, TABLE};
 use super::unrolled::unrolled;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Not, Sub};
 
@@ -39,6 +39,10 @@ impl Lanes for Portable {
     #[inline(always)]
     fn load_wide(self, from: &[f64; LANES]) -> D {
         D(*from)
+    }
+    #[inline(always)]
+    fn pick_wide(self, table: &[f64; TABLE], places: &[u8; LANES]) -> D {
+        D(unrolled!(16, K => table[usize::from(places[K]) % TABLE]))
     }
     #[inline(always)]
     fn prefetch<T>(self, _what: &T) {}

@@ -5,10 +5,12 @@
 //! contents. Primitives are tested exactly where they are: each is transformed to the world by
 //! itself (rule R4).
 
+mod object_blocks;
 mod object_tree;
 mod outline;
 mod placement;
 
+pub(super) use self::object_blocks::ObjectBlocks;
 pub(super) use self::object_tree::ObjectTree;
 pub(super) use self::placement::Placement;
 

@@ -1,5 +1,6 @@
 //! The tree of an object, in the object's own space.
 
+use super::object_blocks::ObjectBlocks;
 use super::outline::{Outline, TermBounds};
 use super::placement::Placement;
 use crate::accel::builder::{self, BuildOptions, BuildPrimitive};
@@ -18,6 +19,8 @@ pub(crate) struct ObjectTree {
     pub(crate) tree: BinaryTree<PrimitiveId>,
     /// The same tree for tiles.
     pub(crate) wide: WideTree<Run>,
+    /// The blocks of the wide tree, for tiles.
+    pub(crate) blocks: ObjectBlocks,
     terms: TermBounds,
 }
 
@@ -52,9 +55,11 @@ impl ObjectTree {
         let primitives: Vec<BuildPrimitive> = placed.into_iter().flatten().collect();
         progress.advance(all.len() - primitives.len());
         let tree = builder::build(primitives, options, progress, PrimitiveId::from_bits);
+        let wide = collapse(&tree);
         ObjectTree {
             space,
-            wide: collapse(&tree),
+            blocks: ObjectBlocks::new(&wide.blocks, &tree.order, object),
+            wide,
             tree,
             terms: outline.terms,
         }
@@ -67,7 +72,7 @@ impl ObjectTree {
 
     /// The memory of the trees in bytes.
     pub(super) fn bytes(&self) -> usize {
-        self.tree.bytes() + self.wide.bytes()
+        self.tree.bytes() + self.wide.bytes() + self.blocks.bytes()
     }
 }
 

@@ -22,16 +22,24 @@ pub(crate) struct Placement {
     pub(crate) world_from_instance: Matrix,
     /// Widens boxes in the world, as the module head derives it. Infinite if unknown.
     pub(crate) slack: [f64; 3],
+    /// No step of the transform of any vertex overflows.
+    pub(crate) is_finite: bool,
 }
+
+/// Sums of terms below this do not overflow, with all their roundings.
+const FINITE: f64 = 1e300;
 
 /// Exceeds the loss of a few operations by underflow.
 const UNDERFLOW: f64 = f64::from_bits(1 << 10);
 
 impl Placement {
     pub(super) fn new(world_from_instance: &Matrix, terms: &TermBounds) -> Placement {
+        let mut is_finite = terms.in_file < FINITE;
         let slack = world_from_instance.rows.each_ref().map(|row| {
             let linear = |factors: [f64; 3]| (0..3).map(|j| row[j].abs() * factors[j]).sum::<f64>();
-            let rounding = 64.0 * U * (linear(terms.in_instance) + row[3].abs());
+            let most = linear(terms.in_instance) + row[3].abs();
+            is_finite &= most < FINITE;
+            let rounding = 64.0 * U * most;
             let slack = rounding + UNDERFLOW * (1.0 + terms.in_file + linear([1.0; 3]));
             if slack < f64::INFINITY {
                 slack
@@ -42,6 +50,7 @@ impl Placement {
         Placement {
             world_from_instance: *world_from_instance,
             slack,
+            is_finite,
         }
     }
 

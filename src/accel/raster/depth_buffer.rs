@@ -7,6 +7,7 @@ use crate::shape::InstancedId;
 use crate::simd::LANES;
 
 /// Pixels are stored in blocks of 4 x 4, so that a block fits into SIMD lanes.
+pub(super) const BLOCK_SIDE: u32 = 4;
 pub(super) const PIXEL_BLOCKS: usize = (TILE * TILE) as usize / LANES;
 
 /// A pixel of a tile: four bits for its block, four for its lane.
@@ -141,6 +142,18 @@ impl DepthBuffer {
             slot if slot & SEARCHED != 0 => PixelHit::Searched((slot & !SEARCHED) as usize),
             slot => PixelHit::Triangle(slot as usize),
         }
+    }
+
+    /// The index of the triangle that all pixels of a block see, if it is the same.
+    #[inline(always)]
+    pub(super) fn only_triangle(&self, block: usize) -> Option<usize> {
+        let slots = &self.slots[block];
+        let first = slots[0].to_bits();
+        let differ = slots
+            .iter()
+            .fold(0, |bits, slot| bits | (slot.to_bits() ^ first));
+        let is_triangle = first & SEARCHED == 0;
+        (differ == 0 && is_triangle).then_some(first as usize)
     }
 
     /// The primitive that a pixel has hit so far.

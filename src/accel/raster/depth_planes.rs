@@ -18,6 +18,7 @@
 
 use super::setup::{TrianglesF64, cross, dot, row_times};
 use crate::accel::view::{CameraView, TileFrame};
+use crate::geometry::Point;
 use crate::shape::{InstancedId, PrimitiveId, Triangle};
 use crate::simd::{F32s, F64s, LANES, Lanes};
 
@@ -111,6 +112,13 @@ impl DepthPlanes {
         to.put(lane, triangle);
     }
 
+    /// Adds a primitive without a plane. The error of its depths is unknown.
+    pub(super) fn push_unknown(&mut self, primitive: InstancedId) {
+        // A triangle without area is seen edge-on by every ray.
+        let nowhere = Triangle([Point::default(); 3]);
+        self.push(primitive, &nowhere);
+    }
+
     #[inline(always)]
     pub(super) fn primitive(&self, index: usize) -> InstancedId {
         self.groups[index / LANES].primitives[index % LANES]
@@ -121,7 +129,12 @@ impl DepthPlanes {
     pub(super) fn plane(&self, index: usize) -> DepthPlane {
         let (group, lane) = (&self.groups[index / LANES], index % LANES);
         DepthPlane {
-            nearness: [0, 1, 2].map(|k| group.nearness[k][lane]),
+            // Not by `map`, which is compiled to a loop with calls.
+            nearness: [
+                group.nearness[0][lane],
+                group.nearness[1][lane],
+                group.nearness[2][lane],
+            ],
             error: group.error[lane],
         }
     }

@@ -5,7 +5,7 @@
 //! rasterized like all others.
 
 use super::tile::{Tile, TileBuffers};
-use super::traversal::{FilmFromTree, HiZ, project};
+use super::traversal::{HiZ, PrefetchQueue, TileFromTree, TileTree};
 use crate::accel::tree::PrimitiveBlock;
 use crate::shape::{InstancedId, Pose, Primitive, PrimitiveId};
 use crate::simd::Lanes;
@@ -20,16 +20,14 @@ pub(super) fn rasterize_instances<S: Lanes, const EXACT: bool>(tile: &mut Tile, 
     tile.buffers.stack.start();
     while cull_nearness < f32::INFINITY {
         let TileBuffers { stack, pixels, .. } = &mut *tile.buffers;
-        let Some(child) = stack.pop(simd, pixels) else {
+        let Some(child) = stack.pop(simd, pixels, hi_z) else {
             return;
         };
         if child.blocks == 0 {
-            let nodes = tile.instances.nodes;
-            let node = &nodes[child.first as usize];
-            stack.push(simd, &tile.frame, nodes, node, pixels, cull_nearness);
+            stack.push(simd, &tile.instances.tree, child.first, cull_nearness);
             continue;
         }
-        for run in &trees.wide.blocks[child.first as usize..][..child.blocks as usize] {
+        for run in &tile.instances.tree.blocks[child.first as usize..][..child.blocks as usize] {
             for instance in run.of(&trees.tree.order) {
                 let instance = *instance as usize;
                 cull_nearness = rasterize_instance::<S, EXACT>(
@@ -59,30 +57,34 @@ fn rasterize_instance<S: Lanes, const EXACT: bool>(
     let geometry = tile.fallback.geometry;
     let object = tile.instances.trees.object(geometry, instance);
     let placement = object.placement(&geometry.instances()[instance]);
-    let film = FilmFromTree::of_object(tile.frame.view, &object.space, &placement);
+    let tree = TileTree {
+        from_tree: TileFromTree::of_object(&tile.frame, &object.space, &placement),
+        nodes: &object.wide.nodes,
+        blocks: &object.blocks,
+    };
     let mut pose = geometry.pose(instance);
     let sibling = InstancedId::in_instance(instance, PrimitiveId::FIRST);
     tile.buffers.object_stack.start();
+    let mut queue = PrefetchQueue::default();
     while cull_nearness < f32::INFINITY {
         let TileBuffers {
             object_stack,
             pixels,
             ..
         } = &mut *tile.buffers;
-        let Some(child) = object_stack.pop(simd, pixels) else {
+        let Some(next) = queue.next(simd, &tree, object_stack, pixels, hi_z, cull_nearness) else {
             break;
         };
-        if child.blocks == 0 {
-            let nodes = &object.wide.nodes;
-            let node = project(simd, &film, &nodes[child.first as usize]);
-            object_stack.push(simd, &tile.frame, nodes, &node, pixels, cull_nearness);
-            continue;
+        let in_lanes = object.blocks.first_triangle(next);
+        let in_lanes = in_lanes.filter(|_| placement.is_finite);
+        match in_lanes.map(|triangle| pose.world_from_mesh(triangle)) {
+            Some(world_from_mesh) if world_from_mesh.is_finite() => {
+                object.blocks.place(simd, next, world_from_mesh, block);
+            }
+            _ => fill(block, object.blocks.primitives(next), &mut pose),
         }
-        for run in &object.wide.blocks[child.first as usize..][..child.blocks as usize] {
-            fill(block, run.of(&object.tree.order), &mut pose);
-            tile.rasterize_block::<S, EXACT>(simd, cull_nearness, block, sibling);
-            cull_nearness = hi_z.refresh(simd, &mut tile.buffers.pixels);
-        }
+        tile.rasterize_block::<S, EXACT>(simd, cull_nearness, block, sibling);
+        cull_nearness = hi_z.refresh(simd, &mut tile.buffers.pixels);
     }
     cull_nearness
 }

@@ -4,17 +4,17 @@ use super::bins::TileEntries;
 use super::depth_buffer::{DepthBuffer, TilePixel};
 use super::exact_fallback::{Coincidences, Fallback, Unresolved};
 use super::fronts::Fronts;
-use super::rasterize::{PrimitiveBatch, Rasterizer, Rule, TriangleSource};
+use super::rasterize::{PrimitiveBatch, Rasterizer, Rule, TileSphere, TriangleSource};
 use super::resolve::WantedDepths;
 use super::setup::{
     CornersF64, Coverage, EdgePlanes, Footprint, QuadricBounds, Setup, TrianglesF64,
 };
 use super::traced_tile::TracedTile;
-use super::traversal::{HiZ, ProjectedNode, TileStack, ViewTree};
+use super::traversal::{HiZ, TileStack, TileTree};
 use crate::accel::ExactFallbacks;
 use crate::accel::instance::InstanceTrees;
 use crate::accel::ray::Ties;
-use crate::accel::tree::PrimitiveBlock;
+use crate::accel::tree::{PrimitiveBlock, Run};
 use crate::accel::view::TileFrame;
 use crate::shape::InstancedId;
 use crate::simd::{LANES, Lanes};
@@ -49,15 +49,14 @@ impl TileBuffers {
 
 /// The structure in which a tile finds the primitives in no instance.
 pub(super) enum World<'a> {
-    Tree(ViewTree<'a>),
+    Tree(TileTree<'a, [PrimitiveBlock]>),
     Bins(TileEntries<'a>),
 }
 
-/// The trees over the instances as a view sees them.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct ViewInstances<'a> {
-    /// The nodes of the tree over all instances.
-    pub(super) nodes: &'a [ProjectedNode],
+/// The trees over the instances as a tile sees them.
+pub(super) struct TileInstances<'a> {
+    /// The tree over all instances.
+    pub(super) tree: TileTree<'a, [Run]>,
     pub(super) trees: &'a InstanceTrees,
 }
 
@@ -65,7 +64,7 @@ pub(super) struct ViewInstances<'a> {
 pub(super) struct Tile<'a> {
     pub(super) frame: TileFrame<'a>,
     pub(super) world: World<'a>,
-    pub(super) instances: ViewInstances<'a>,
+    pub(super) instances: TileInstances<'a>,
     pub(super) fallback: Fallback<'a>,
     pub(super) wanted: WantedDepths,
     pub(super) buffers: &'a mut TileBuffers,
@@ -100,8 +99,7 @@ impl Tile<'_> {
             }
         }
         if block.quadrics() != 0 {
-            let hi_z = HiZ::of(self.frame.view, EXACT);
-            self.add_quadrics(simd, cull_nearness, block, batch, hi_z);
+            self.add_quadrics::<S, EXACT>(simd, cull_nearness, block, batch);
         }
         self.decide_unresolved();
     }
@@ -115,26 +113,8 @@ impl Tile<'_> {
         batch: PrimitiveBatch,
         source: TriangleSource,
     ) {
-        let view = self.frame.view;
-        let rule = Rule {
-            is_perspective: view.is_perspective,
-            surely_nearer: view.surely_nearer(),
-            hits_only: self.fallback.hits_only,
-        };
-        let TileBuffers {
-            pixels,
-            planes,
-            unresolved,
-            ..
-        } = &mut *self.buffers;
-        let mut rasterizer = Rasterizer {
-            batch,
-            source,
-            geometry: self.fallback.geometry,
-            rule,
-            pixels,
-            unresolved,
-        };
+        let (frame, fallback) = (&self.frame, &self.fallback);
+        let (mut rasterizer, planes) = self.buffers.rasterizer(frame, fallback, batch, source);
         rasterizer.rasterize::<S, EXACT>(simd, planes, lanes);
     }
 
@@ -161,23 +141,36 @@ impl Tile<'_> {
         }
     }
 
-    /// Leaves the quadrics of a block unresolved wherever they may be seen.
+    /// Rasterizes spheres, and leaves other quadrics of a block unresolved wherever they may be
+    /// seen.
     #[inline(always)]
-    fn add_quadrics<S: Lanes>(
+    fn add_quadrics<S: Lanes, const EXACT: bool>(
         &mut self,
         simd: S,
         cull_nearness: f32,
         block: &PrimitiveBlock,
         batch: PrimitiveBatch,
-        hi_z: HiZ,
     ) {
+        let hi_z = HiZ::of(self.frame.view, EXACT);
         let bounds = QuadricBounds::of(simd, &self.frame, block, cull_nearness);
         let mut lanes = bounds.lanes;
         while lanes != 0 {
             let lane = lanes.trailing_zeros() as usize;
             lanes &= lanes - 1;
             let footprint = bounds.footprints.of(lane);
-            self.buffers.add_unresolved(hi_z, footprint, batch.of(lane));
+            let is_sphere = EXACT && block.spheres >> lane & 1 != 0;
+            let sphere = is_sphere.then(|| TileSphere::of(&self.frame, block, lane));
+            match sphere.flatten() {
+                // In front of the eye as a whole.
+                Some(sphere) if footprint.nearest < f32::INFINITY => {
+                    let (frame, source) = (&self.frame, TriangleSource::Geometry);
+                    let (mut rasterizer, _) =
+                        self.buffers
+                            .rasterizer(frame, &self.fallback, batch, source);
+                    rasterizer.rasterize_sphere(simd, frame, &sphere, lane, footprint, hi_z);
+                }
+                _ => self.buffers.add_unresolved(hi_z, footprint, batch.of(lane)),
+            }
         }
     }
 
@@ -198,6 +191,31 @@ impl Tile<'_> {
 }
 
 impl TileBuffers {
+    /// A rasterizer into the depth buffer, and the triangles that are set up.
+    #[inline(always)]
+    fn rasterizer<'a>(
+        &'a mut self,
+        frame: &TileFrame,
+        fallback: &Fallback<'a>,
+        batch: PrimitiveBatch<'a>,
+        source: TriangleSource<'a>,
+    ) -> (Rasterizer<'a>, &'a EdgePlanes) {
+        let rule = Rule {
+            is_perspective: frame.view.is_perspective,
+            surely_nearer: frame.view.surely_nearer(),
+            hits_only: fallback.hits_only,
+        };
+        let rasterizer = Rasterizer {
+            batch,
+            source,
+            geometry: fallback.geometry,
+            rule,
+            pixels: &mut self.pixels,
+            unresolved: &mut self.unresolved,
+        };
+        (rasterizer, &self.planes)
+    }
+
     /// Leaves a primitive unresolved at the pixels of its footprint that may see it.
     fn add_unresolved(&mut self, hi_z: HiZ, footprint: Footprint, primitive: InstancedId) {
         for row in footprint.rows[0]..=footprint.rows[1] {

@@ -41,7 +41,7 @@ struct Aligned(#[allow(dead_code)] u8);
 fn run<S: Lanes, const EXACT: bool>(mut tile: Tile, simd: S) {
     std::hint::black_box(&mut Aligned(0));
     rasterize_world::<S, EXACT>(&mut tile, simd);
-    if !tile.instances.nodes.is_empty() {
+    if !tile.instances.tree.nodes.is_empty() {
         rasterize_instances::<S, EXACT>(&mut tile, simd);
     }
     let Tile {
@@ -72,7 +72,7 @@ fn rasterize_world<S: Lanes, const EXACT: bool>(tile: &mut Tile, simd: S) {
         let TileBuffers { stack, pixels, .. } = &mut *tile.buffers;
         let block = match &mut tile.world {
             World::Tree(tree) => {
-                let next = queue.next(simd, &tile.frame, tree, stack, pixels, cull_nearness);
+                let next = queue.next(simd, tree, stack, pixels, hi_z, cull_nearness);
                 let blocks = tree.blocks;
                 next.map(|block| &blocks[block])
             }

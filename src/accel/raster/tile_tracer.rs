@@ -3,18 +3,16 @@
 use super::bins::{SegmentEntries, TileEntries};
 use super::exact_fallback::Fallback;
 use super::resolve::WantedDepths;
-use super::tile::{Tile, TileBuffers, ViewInstances, World};
+use super::tile::{Tile, TileBuffers, TileInstances, World};
 use super::tile_kernel::{ExactTile, FastTile};
 use super::traced_tile::TracedTile;
-use super::traversal::{FilmFromTree, ProjectNodes, ProjectedNode, ViewTree};
-use crate::accel::tree::WideNode;
+use super::traversal::{TileFromTree, TileTree};
 use crate::accel::view::{CameraView, TILE, TileFrame};
 use crate::accel::{ExactFallbacks, Precision, Structure, Tracer};
 use crate::camera::Camera;
 use crate::film::PixelBounds;
 use crate::shape::Geometry;
 use crate::simd::Level;
-use rayon::prelude::*;
 
 /// Options of a [`Tiles`].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,21 +38,7 @@ pub struct Tiles<'a> {
     structure: Structure<'a>,
     options: TileOptions,
     /// `None` if the view cannot be rasterized: then rays are traced one by one.
-    view: Option<ProjectedView>,
-}
-
-fn project_all(nodes: &[WideNode], view: &CameraView, level: Level) -> Vec<ProjectedNode> {
-    let film = FilmFromTree::of_world(view);
-    let project = |nodes| level.run(ProjectNodes { film, nodes });
-    nodes.par_chunks(256).flat_map_iter(project).collect()
-}
-
-/// A view and the world's trees projected onto its film.
-struct ProjectedView {
-    view: CameraView,
-    nodes: Vec<ProjectedNode>,
-    /// The nodes of the tree over the instances.
-    instances: Vec<ProjectedNode>,
+    view: Option<CameraView>,
 }
 
 impl<'a> Tiles<'a> {
@@ -72,14 +56,6 @@ impl<'a> Tiles<'a> {
         let is_for_view = space.anchor() == camera.anchor();
         let view = CameraView::new(camera, space)
             .filter(|_| is_for_view || options.precision == Precision::Exact);
-        let project = |view: &CameraView, nodes| project_all(nodes, view, options.level);
-        let view = view.map(|view| ProjectedView {
-            nodes: structure
-                .tree()
-                .map_or_else(Vec::new, |aggregate| project(&view, &aggregate.wide.nodes)),
-            instances: project(&view, &structure.instances().wide.nodes),
-            view,
-        });
         Tiles {
             camera,
             geometry,
@@ -170,7 +146,7 @@ impl TileTracer<'_> {
         }
     }
 
-    fn rasterize(&mut self, projected: &ProjectedView, first: [u32; 2], window: &PixelBounds) {
+    fn rasterize(&mut self, view: &CameraView, first: [u32; 2], window: &PixelBounds) {
         let Tiles {
             camera,
             geometry,
@@ -178,15 +154,17 @@ impl TileTracer<'_> {
             options,
             ..
         } = *self.tiles;
-        let view = &projected.view;
         let [columns, rows] = part_of(first, window);
         self.buffers.pixels.clear(view.least_nearness());
         self.buffers.pixels.keep_only(columns, rows);
         self.buffers.coincidences.fronts.clear();
+        let frame = TileFrame::new(view, first);
+        let from_tree = TileFromTree::of_world(&frame);
         let world = match structure {
-            Structure::Tree(aggregate) => World::Tree(ViewTree {
-                nodes: &projected.nodes,
-                blocks: &aggregate.wide.blocks,
+            Structure::Tree(aggregate) => World::Tree(TileTree {
+                from_tree,
+                nodes: &aggregate.wide.nodes,
+                blocks: &aggregate.wide.blocks[..],
             }),
             Structure::Bins(bins) => {
                 let pixel = [first[0] + columns[0], first[1] + rows[0]];
@@ -201,10 +179,14 @@ impl TileTracer<'_> {
             }
         };
         let tile = Tile {
-            frame: TileFrame::new(view, first),
+            frame,
             world,
-            instances: ViewInstances {
-                nodes: &projected.instances,
+            instances: TileInstances {
+                tree: TileTree {
+                    from_tree,
+                    nodes: &structure.instances().wide.nodes,
+                    blocks: &structure.instances().wide.blocks[..],
+                },
                 trees: structure.instances(),
             },
             fallback: Fallback {

@@ -1,6 +1,6 @@
 //! The result of a tile: depths and hits, row by row.
 
-use super::depth_buffer::TilePixel;
+use super::depth_buffer::{BLOCK_SIDE, TilePixel};
 use crate::accel::Depth;
 use crate::accel::view::TILE;
 use crate::shape::{InstancedId, PrimitiveId};
@@ -89,6 +89,17 @@ impl TracedTile {
     pub(super) fn put_hit(&mut self, column: u32, row: u32, primitive: InstancedId) {
         self.hits[row as usize] |= 1 << column;
         self.primitives[place(column, row)] = primitive;
+    }
+
+    /// Stores one hit for all pixels of a block.
+    #[inline(always)]
+    pub(super) fn put_block(&mut self, block: usize, primitive: InstancedId) {
+        let first = TilePixel::of(block, 0);
+        for row in first.row()..first.row() + BLOCK_SIDE {
+            self.hits[row as usize] |= 0xf << first.column();
+            let to = place(first.column(), row);
+            self.primitives[to..to + BLOCK_SIDE as usize].fill(primitive);
+        }
     }
 
     /// Stores the depths of a block of 4 x 4 pixels.

@@ -2,7 +2,7 @@
 
 use super::bounding_ellipsoid::BoundingEllipsoid;
 use super::wide::Run;
-use crate::shape::{Geometry, Primitive, PrimitiveId, Quadric, Triangle};
+use crate::shape::{Form, Geometry, Primitive, PrimitiveId, Quadric, Triangle};
 use crate::simd::LANES;
 use rayon::prelude::*;
 
@@ -26,6 +26,9 @@ pub(crate) struct PrimitiveBlock {
     pub(crate) count: u32,
     /// Lanes that hold a triangle, lane k as bit k.
     pub(crate) triangles: u32,
+    /// Lanes that hold a whole sphere, lane k as bit k. Its shape matrix is the square of the
+    /// radius times the identity, but for 2^-20 of that.
+    pub(crate) spheres: u32,
 }
 
 /// The number of primitives that a block holds.
@@ -40,6 +43,7 @@ impl PrimitiveBlock {
             primitives: [PrimitiveId::triangle(0); LANES],
             count: 0,
             triangles: 0,
+            spheres: 0,
         }
     }
 
@@ -50,7 +54,7 @@ impl PrimitiveBlock {
 
     /// Removes all primitives.
     pub(crate) fn clear(&mut self) {
-        (self.count, self.triangles) = (0, 0);
+        (self.count, self.triangles, self.spheres) = (0, 0, 0);
     }
 
     /// Adds a primitive with the geometry `surface`. The block must not be full.
@@ -88,12 +92,22 @@ impl PrimitiveBlock {
 
     fn put_quadric(&mut self, lane: usize, quadric: &Quadric) {
         let BoundingEllipsoid { centre, shape } = BoundingEllipsoid::of(quadric);
+        let is_whole = quadric.form == Form::Sphere(None);
+        self.spheres |= u32::from(is_whole && is_round(&shape)) << lane;
         for axis in 0..3 {
             self.corner[axis][lane] = centre[axis];
             self.edges[0][axis][lane] = shape[axis];
             self.edges[1][axis][lane] = shape[3 + axis];
         }
     }
+}
+
+/// Tests whether an ellipsoid of this shape matrix is as good as a sphere.
+fn is_round(shape: &[f32; 6]) -> bool {
+    let [x, y, z, mixed @ ..] = *shape;
+    let allowed = x * (1.0 / (1 << 22) as f32);
+    let is_small = |number: f32| number.abs() <= allowed;
+    is_small(y - x) && is_small(z - x) && mixed.into_iter().all(is_small)
 }
 
 /// The blocks of runs of up to [`BLOCK_SIZE`] primitives that belong to no instance.

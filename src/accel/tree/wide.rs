@@ -41,12 +41,6 @@ impl<B> WideTree<B> {
 }
 
 impl WideNode {
-    /// Lanes that have a child, lane k as bit k.
-    pub(crate) fn used(&self) -> u32 {
-        let is_used = |lane: usize| u32::from(self.low[0][lane] <= self.high[0][lane]);
-        (0..LANES).fold(0, |used, lane| used | is_used(lane) << lane)
-    }
-
     /// A node whose children have these boxes and no contents yet.
     pub(super) fn over(boxes: impl Iterator<Item = Box32>) -> WideNode {
         let Box32 { low, high } = Box32::EMPTY;

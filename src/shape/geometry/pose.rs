@@ -45,6 +45,18 @@ impl<'a> Pose<'a> {
     /// Triangle `index` of the object.
     #[inline]
     pub(super) fn triangle(&mut self, index: usize) -> Triangle {
+        let world_from_mesh = *self.world_from_mesh(index);
+        Triangle(
+            self.object
+                .triangle(index)
+                .0
+                .map(|vertex| world_from_mesh.apply(vertex)),
+        )
+    }
+
+    /// The transform of the mesh of triangle `index` of the object to the world.
+    #[inline]
+    pub(crate) fn world_from_mesh(&mut self, index: usize) -> &Matrix {
         let triangle = index as u32;
         if !self.mesh.contains(&triangle) {
             self.mesh = self.object.mesh_around(triangle);
@@ -52,11 +64,6 @@ impl<'a> Pose<'a> {
                 .world_from_instance
                 .times(self.object.transform_of_mesh(triangle));
         }
-        Triangle(
-            self.object
-                .triangle(index)
-                .0
-                .map(|vertex| self.world_from_mesh.apply(vertex)),
-        )
+        &self.world_from_mesh
     }
 }

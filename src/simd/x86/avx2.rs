@@ -1,12 +1,12 @@
 //! AVX2 and FMA: sixteen `f32` fill two registers; a truth value sets all bits of its lane.
 
 use super::level::level;
-use crate::simd::lanes::{F32s, F64s, LANES, Lanes, Mask, SimdKernel};
+use crate::simd::lanes::{F32s, F64s, LANES, Lanes, Mask, SimdKernel, TABLE};
 use crate::simd::unrolled::unrolled;
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Not, Sub};
 
-level!(Avx2, "avx2,fma", ["avx2", "fma"], 2 x 8, 4 wide, __m256, __m256d, __m256);
+level!(Avx2, "avx2,fma,popcnt", ["avx2", "fma", "popcnt"], 2 x 8, 4 wide, __m256, __m256d, __m256);
 
 /// Operations on one register.
 mod ops {
@@ -30,6 +30,10 @@ mod ops {
         load(from: &[f32; 8]) -> __m256 = unsafe { _mm256_loadu_ps(from.as_ptr()) };
         // SAFETY: the pointer is to four numbers.
         load_wide(from: &[f64; 4]) -> __m256d = unsafe { _mm256_loadu_pd(from.as_ptr()) };
+        pick_wide(table: &[f64; TABLE], places: &[u8; 4]) -> __m256d = {
+            let [a, b, c, d] = places.map(|place| table[usize::from(place) % TABLE]);
+            _mm256_set_pd(d, c, b, a)
+        };
         // SAFETY: the pointer is to eight numbers.
         store(a: __m256, to: &mut [f32; 8]) -> () = unsafe { _mm256_storeu_ps(to.as_mut_ptr(), a) };
         // SAFETY: the pointer is to four numbers.

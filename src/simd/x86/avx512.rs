@@ -1,15 +1,15 @@
 //! AVX-512: sixteen `f32` fill one register; truth values are bits of a mask.
 
 use super::level::level;
-use crate::simd::lanes::{F32s, F64s, LANES, Lanes, Mask, SimdKernel};
+use crate::simd::lanes::{F32s, F64s, LANES, Lanes, Mask, SimdKernel, TABLE};
 use crate::simd::unrolled::unrolled;
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Not, Sub};
 
 level!(
     Avx512,
-    "avx2,fma,avx512f,avx512dq,avx512bw,avx512vl",
-    ["avx2", "fma", "avx512f", "avx512dq", "avx512bw", "avx512vl"],
+    "avx2,fma,popcnt,avx512f,avx512dq,avx512bw,avx512vl",
+    ["avx2", "fma", "popcnt", "avx512f", "avx512dq", "avx512bw", "avx512vl"],
     1 x 16, 2 wide, __m512, __m512d, __mmask16
 );
 
@@ -35,6 +35,14 @@ mod ops {
         load(from: &[f32; 16]) -> __m512 = unsafe { _mm512_loadu_ps(from.as_ptr()) };
         // SAFETY: the pointer is to eight numbers.
         load_wide(from: &[f64; 8]) -> __m512d = unsafe { _mm512_loadu_pd(from.as_ptr()) };
+        pick_wide(table: &[f64; TABLE], places: &[u8; 8]) -> __m512d = {
+            let (parts, _) = table.as_chunks::<8>();
+            let [a, b, c, d] = [0, 1, 2, 3].map(|k| load_wide(&parts[k]));
+            let places = _mm512_cvtepu8_epi64(_mm_cvtsi64_si128(i64::from_le_bytes(*places)));
+            let is_upper = _mm512_test_epi64_mask(places, _mm512_set1_epi64(16));
+            let lower = _mm512_permutex2var_pd(a, places, b);
+            _mm512_mask_blend_pd(is_upper, lower, _mm512_permutex2var_pd(c, places, d))
+        };
         // SAFETY: the pointer is to sixteen numbers.
         store(a: __m512, to: &mut [f32; 16]) -> () = unsafe {
             _mm512_storeu_ps(to.as_mut_ptr(), a)

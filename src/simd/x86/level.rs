@@ -74,6 +74,11 @@ macro_rules! level {
                 registers!(D, $wide, K => ops::load_wide(&parts[K]))
             }
             #[inline(always)]
+            fn pick_wide(self, table: &[f64; TABLE], places: &[u8; LANES]) -> D {
+                let (parts, _) = places.as_chunks::<{ $w / 2 }>();
+                registers!(D, $wide, K => ops::pick_wide(table, &parts[K]))
+            }
+            #[inline(always)]
             fn prefetch<T>(self, what: &T) {
                 let start: *const T = what;
                 for offset in (0..size_of::<T>()).step_by(64) {

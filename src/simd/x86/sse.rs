@@ -1,7 +1,7 @@
 //! SSE 4.1: sixteen `f32` fill four registers; a truth value sets all bits of its lane.
 
 use super::level::level;
-use crate::simd::lanes::{F32s, F64s, LANES, Lanes, Mask, SimdKernel};
+use crate::simd::lanes::{F32s, F64s, LANES, Lanes, Mask, SimdKernel, TABLE};
 use crate::simd::unrolled::unrolled;
 use std::arch::x86_64::*;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Not, Sub};
@@ -30,6 +30,10 @@ mod ops {
         load(from: &[f32; 4]) -> __m128 = unsafe { _mm_loadu_ps(from.as_ptr()) };
         // SAFETY: the pointer is to two numbers.
         load_wide(from: &[f64; 2]) -> __m128d = unsafe { _mm_loadu_pd(from.as_ptr()) };
+        pick_wide(table: &[f64; TABLE], places: &[u8; 2]) -> __m128d = {
+            let [lower, upper] = places.map(|place| table[usize::from(place) % TABLE]);
+            _mm_set_pd(upper, lower)
+        };
         // SAFETY: the pointer is to four numbers.
         store(a: __m128, to: &mut [f32; 4]) -> () = unsafe { _mm_storeu_ps(to.as_mut_ptr(), a) };
         // SAFETY: the pointer is to two numbers.

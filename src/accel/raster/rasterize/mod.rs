@@ -3,8 +3,10 @@
 mod large;
 mod rasterizer;
 mod small;
+mod sphere;
 
 pub(super) use self::rasterizer::{PrimitiveBatch, Rasterizer, Rule, TriangleSource};
+pub(super) use self::sphere::TileSphere;
 
 use super::setup::EdgePlanes;
 use crate::simd::Lanes;

@@ -23,6 +23,9 @@ pub(super) struct BlockPlanes {
     pub(super) searched: u32,
 }
 
+/// All pixels of a block.
+const ALL: u32 = (1 << LANES) - 1;
+
 /// Larger errors are useless in `f64`; relative, in an orthographic view in units of depth.
 const MAX_ERROR: f32 = 1024.0;
 
@@ -47,6 +50,17 @@ impl BlockPlanes {
     ) -> u32 {
         let mut hit = 0;
         self.searched = 0;
+        if lanes == ALL
+            && let Some(index) = pixels.only_triangle(block)
+        {
+            let plane = pixels.planes.plane(index);
+            for k in 0..3 {
+                self.nearness[k] = [plane.nearness[k]; LANES];
+            }
+            self.error = [plane.error; LANES];
+            traced.put_block(block, pixels.planes.primitive(index));
+            return lanes;
+        }
         while lanes != 0 {
             let lane = lanes.trailing_zeros() as usize;
             lanes &= lanes - 1;

@@ -10,6 +10,7 @@ use super::exact_fallback::Fallback;
 use super::traced_tile::TracedTile;
 use crate::accel::view::TileFrame;
 use crate::accel::{ExactFallbacks, Precision};
+use crate::shape::PrimitiveId;
 use crate::simd::{F32s, LANES, Lanes, Mask};
 
 /// The depths that the user wants.
@@ -67,7 +68,7 @@ pub(super) fn resolve<S: Lanes>(
         traced.put_depths(block, &z, &distance);
     }
     if with_depth {
-        unsure.prefetch_corners(simd, fallback, pixels);
+        unsure.prefetch_places(simd, fallback, pixels);
         unsure.resolve(frame.first, fallback, pixels, traced, fallbacks);
     }
 }
@@ -106,8 +107,14 @@ impl UnsurePixels {
             lanes &= lanes - 1;
             self.pixels[self.count] = pixel;
             self.count += 1;
-            if let Some(index) = triangle_at(pixels, pixel) {
-                simd.prefetch(fallback.geometry.corners_of(index));
+            match own_primitive_at(pixels, pixel) {
+                Some(primitive) if primitive.is_quadric() => {
+                    simd.prefetch(fallback.geometry.radius_of_quadric(primitive.index()));
+                }
+                Some(primitive) => {
+                    simd.prefetch(fallback.geometry.corners_of(primitive.index()));
+                }
+                None => {}
             }
         }
     }
@@ -136,25 +143,31 @@ impl UnsurePixels {
         }
     }
 
+    /// Prefetches what the primitives refer to, which have arrived themselves.
     #[inline(always)]
-    fn prefetch_corners<S: Lanes>(&self, simd: S, fallback: &Fallback, pixels: &DepthBuffer) {
+    fn prefetch_places<S: Lanes>(&self, simd: S, fallback: &Fallback, pixels: &DepthBuffer) {
         for pixel in self.pixels() {
-            if let Some(index) = triangle_at(pixels, pixel) {
-                for vertex in fallback.geometry.corners_of(index) {
-                    simd.prefetch(fallback.geometry.vertex(*vertex));
-                }
+            let Some(primitive) = own_primitive_at(pixels, pixel) else {
+                continue;
+            };
+            if primitive.is_quadric() {
+                simd.prefetch(fallback.geometry.transform_of_quadric(primitive.index()));
+                continue;
+            }
+            for vertex in fallback.geometry.corners_of(primitive.index()) {
+                simd.prefetch(fallback.geometry.vertex(*vertex));
             }
         }
     }
 }
 
-/// The triangle that a pixel sees, if it belongs to no instance.
+/// The rasterized primitive that a pixel sees, if it belongs to no instance.
 #[inline(always)]
-fn triangle_at(pixels: &DepthBuffer, pixel: TilePixel) -> Option<usize> {
+fn own_primitive_at(pixels: &DepthBuffer, pixel: TilePixel) -> Option<PrimitiveId> {
     let PixelHit::Triangle(index) = pixels.hit(pixel) else {
         return None;
     };
     let primitive = pixels.planes.primitive(index);
     let is_alone = primitive.instance().is_none();
-    is_alone.then(|| primitive.primitive().index())
+    is_alone.then(|| primitive.primitive())
 }

@@ -1,6 +1,6 @@
 //! Hierarchical Z: how near something must be for a block of pixels, or the tile, to see it.
 
-use crate::accel::raster::depth_buffer::DepthBuffer;
+use crate::accel::raster::depth_buffer::{BLOCK_SIDE, DepthBuffer};
 use crate::accel::view::CameraView;
 use crate::simd::{F32s, Lanes};
 
@@ -29,6 +29,12 @@ impl HiZ {
         best * self.factor - self.difference
     }
 
+    /// The same for the pixels of a block.
+    #[inline(always)]
+    pub(crate) fn cull_nearness_of<S: Lanes>(&self, simd: S, best: S::F) -> S::F {
+        best * simd.splat(self.factor) - simd.splat(self.difference)
+    }
+
     /// Updates the blocks that changed, and returns the nearness below which no pixel of the tile
     /// sees anything.
     #[inline(always)]
@@ -45,7 +51,7 @@ impl HiZ {
     }
 }
 
-/// Blocks of pixels between two columns or rows, by the index of the first and the last block.
+/// Cells of a 4 x 4 grid between two columns or rows, by the index of the first and the last.
 const COLUMNS: [[u32; 4]; 4] = ranges(0x1111, 1);
 const ROWS: [[u32; 4]; 4] = ranges(0x000f, 4);
 
@@ -69,6 +75,13 @@ const fn ranges(one: u32, step: u32) -> [[u32; 4]; 4] {
 /// The blocks of pixels from the first to the last column and row, block k as bit k.
 #[inline(always)]
 pub(crate) fn pixel_blocks_between(columns: [i32; 2], rows: [i32; 2]) -> u32 {
-    let index = |pixel: i32| (pixel as usize >> 2) & 3;
+    let block = |pixel: i32| pixel as u32 / BLOCK_SIDE;
+    four_by_four(columns.map(block), rows.map(block))
+}
+
+/// The cells of a 4 x 4 grid from the first to the last column and row, cell k as bit k.
+#[inline(always)]
+pub(super) fn four_by_four(columns: [u32; 2], rows: [u32; 2]) -> u32 {
+    let index = |place: u32| place as usize & 3;
     COLUMNS[index(columns[0])][index(columns[1])] & ROWS[index(rows[0])][index(rows[1])]
 }

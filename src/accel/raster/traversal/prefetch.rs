@@ -1,17 +1,49 @@
 //! The prefetch queue: while one block is rasterized, the next ones arrive from memory.
 
-use super::projected_node::ProjectedNode;
+use super::hi_z::HiZ;
 use super::stack::TileStack;
+use super::tile_from_tree::TileFromTree;
+use crate::accel::instance::ObjectBlocks;
 use crate::accel::raster::depth_buffer::DepthBuffer;
-use crate::accel::tree::PrimitiveBlock;
-use crate::accel::view::TileFrame;
+use crate::accel::tree::{PrimitiveBlock, WideNode};
 use crate::simd::Lanes;
 
-/// The world's tree as a view sees it.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct ViewTree<'a> {
-    pub(crate) nodes: &'a [ProjectedNode],
-    pub(crate) blocks: &'a [PrimitiveBlock],
+/// A tree as a tile sees it, over blocks of the type `B`.
+pub(crate) struct TileTree<'a, B: ?Sized> {
+    pub(crate) from_tree: TileFromTree,
+    pub(crate) nodes: &'a [WideNode],
+    pub(crate) blocks: &'a B,
+}
+
+/// Blocks that can be prefetched.
+pub(crate) trait Blocks {
+    /// Prefetches block `index`.
+    fn prefetch<S: Lanes>(&self, simd: S, index: usize);
+
+    /// Prefetches what the block refers to. It has arrived itself.
+    fn prefetch_contents<S: Lanes>(&self, simd: S, index: usize);
+}
+
+impl Blocks for [PrimitiveBlock] {
+    #[inline(always)]
+    fn prefetch<S: Lanes>(&self, simd: S, index: usize) {
+        simd.prefetch(&self[index]);
+    }
+
+    #[inline(always)]
+    fn prefetch_contents<S: Lanes>(&self, _simd: S, _index: usize) {}
+}
+
+impl Blocks for ObjectBlocks {
+    #[inline(always)]
+    fn prefetch<S: Lanes>(&self, simd: S, index: usize) {
+        ObjectBlocks::prefetch(self, simd, index);
+    }
+
+    #[inline(always)]
+    fn prefetch_contents<S: Lanes>(&self, simd: S, index: usize) {
+        self.prefetch_corners(simd, index);
+    }
 }
 
 /// The next blocks in the order of traversal.
@@ -30,32 +62,37 @@ impl PrefetchQueue {
     /// Blocks in the queue, a power of two. Smaller stalls on memory; larger rasterizes blocks that
     /// a nearer one would have culled.
     const DEPTH: usize = 4;
+    /// The blocks of the queue that have arrived before the last is asked for.
+    const ARRIVED: usize = 2;
 
     /// The next block that some pixel may see. Continues the traversal until the queue is full.
     #[inline(always)]
-    pub(crate) fn next<S: Lanes>(
+    pub(crate) fn next<S: Lanes, B: Blocks + ?Sized>(
         &mut self,
         simd: S,
-        frame: &TileFrame,
-        tree: &ViewTree,
+        tree: &TileTree<B>,
         stack: &mut TileStack,
         pixels: &DepthBuffer,
+        hi_z: HiZ,
         cull_nearness: f32,
     ) -> Option<usize> {
         while self.count < PrefetchQueue::DEPTH {
             if self.next_block < self.end_block {
-                let block = self.next_block;
+                tree.blocks.prefetch(simd, self.next_block as usize);
+                self.push(self.next_block);
                 self.next_block += 1;
-                simd.prefetch(&tree.blocks[block as usize]);
-                self.push(block);
+                if self.count >= PrefetchQueue::ARRIVED {
+                    let place = self.first + self.count - PrefetchQueue::ARRIVED;
+                    let arrived = self.coming[place % PrefetchQueue::DEPTH];
+                    tree.blocks.prefetch_contents(simd, arrived as usize);
+                }
                 continue;
             }
-            let Some(child) = stack.pop(simd, pixels) else {
+            let Some(child) = stack.pop(simd, pixels, hi_z) else {
                 break;
             };
             if child.blocks == 0 {
-                let node = &tree.nodes[child.first as usize];
-                stack.push(simd, frame, tree.nodes, node, pixels, cull_nearness);
+                stack.push(simd, tree, child.first, cull_nearness);
             } else {
                 self.next_block = child.first;
                 self.end_block = child.first + child.blocks;
