@@ -196,17 +196,20 @@ impl ObjectBlocks {
         let corners = usize::from(stored.corners);
         let table = |axis: usize| {
             let first = stored.first + axis * corners;
-            let table = self.coordinates[first..].first_chunk();
+            let table: Option<&[f64; TABLE]> = self.coordinates[first..].first_chunk();
             table.expect("some numbers follow the last")
         };
-        let tables: [&[f64; TABLE]; 3] = [table(0), table(1), table(2)];
+        let tables = [table(0), table(1), table(2)];
         let mut placed = [[simd.splat_wide(0.0); 3]; 3];
         for corner in 0..3 {
             let places = &stored.places[corner];
-            let [x, y, z] = tables.map(|table| simd.pick_wide(table, places));
+            let x = simd.pick_wide(tables[0], places);
+            let y = simd.pick_wide(tables[1], places);
+            let z = simd.pick_wide(tables[2], places);
             for axis in 0..3 {
-                let [a, b, c, d] = world_from_mesh.rows[axis].map(|entry| simd.splat_wide(entry));
-                placed[corner][axis] = ((a * x + b * y) + c * z) + d;
+                let [a, b, c, d] = world_from_mesh.rows[axis];
+                let across = simd.splat_wide(a) * x + simd.splat_wide(b) * y;
+                placed[corner][axis] = (across + simd.splat_wide(c) * z) + simd.splat_wide(d);
             }
         }
         for axis in 0..3 {

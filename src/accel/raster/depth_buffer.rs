@@ -22,7 +22,7 @@ impl TilePixel {
     }
 
     #[inline]
-    pub(super) fn of(block: usize, lane: usize) -> TilePixel {
+    pub(super) const fn of(block: usize, lane: usize) -> TilePixel {
         TilePixel((block << 4 | lane) as u8)
     }
 
@@ -37,24 +37,38 @@ impl TilePixel {
     }
 
     #[inline]
-    pub(super) fn column(self) -> u32 {
-        u32::from(self.0 >> 4 & 3) << 2 | u32::from(self.0 & 3)
+    pub(super) const fn column(self) -> u32 {
+        let block = self.0 >> 4 & 3;
+        ((block << 2) | (self.0 & 3)) as u32
     }
 
     #[inline]
-    pub(super) fn row(self) -> u32 {
-        u32::from(self.0 >> 6) << 2 | u32::from(self.0 >> 2 & 3)
+    pub(super) const fn row(self) -> u32 {
+        let block = self.0 >> 6;
+        ((block << 2) | (self.0 >> 2 & 3)) as u32
     }
 }
 
-/// Columns of the pixels of a block, relative to its first.
-pub(super) const LANE_COLUMNS: [f32; LANES] = [
-    0.0, 1.0, 2.0, 3.0, 0.0, 1.0, 2.0, 3.0, 0.0, 1.0, 2.0, 3.0, 0.0, 1.0, 2.0, 3.0,
-];
-/// Rows of the pixels of a block, relative to its first.
-pub(super) const LANE_ROWS: [f32; LANES] = [
-    0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 2.0, 2.0, 2.0, 2.0, 3.0, 3.0, 3.0, 3.0,
-];
+/// The columns of the pixels of each block.
+pub(super) static COLUMNS: [[f32; LANES]; PIXEL_BLOCKS] = coordinates(true);
+/// The rows of the pixels of each block.
+pub(super) static ROWS: [[f32; LANES]; PIXEL_BLOCKS] = coordinates(false);
+
+const fn coordinates(of_columns: bool) -> [[f32; LANES]; PIXEL_BLOCKS] {
+    let mut coordinates = [[0.0; LANES]; PIXEL_BLOCKS];
+    let mut block = 0;
+    while block < PIXEL_BLOCKS {
+        let mut lane = 0;
+        while lane < LANES {
+            let pixel = TilePixel::of(block, lane);
+            let (column, row) = (pixel.column(), pixel.row());
+            coordinates[block][lane] = if of_columns { column } else { row } as f32;
+            lane += 1;
+        }
+        block += 1;
+    }
+    coordinates
+}
 
 /// A [`PixelHit`] as a number: [`NOTHING`], the index of a depth plane, or the index of a hit with
 /// the bit [`SEARCHED`].
@@ -191,11 +205,9 @@ mod tests {
                 let pixel = TilePixel::at(column, row);
                 assert_eq!((pixel.column(), pixel.row()), (column, row));
                 assert_eq!(TilePixel::of(pixel.block(), pixel.lane()), pixel);
-                let (x, y) = (
-                    LANE_COLUMNS[pixel.lane()] as u32,
-                    LANE_ROWS[pixel.lane()] as u32,
-                );
-                assert_eq!((column & 3, row & 3), (x, y));
+                let (block, lane) = (pixel.block(), pixel.lane());
+                let (x, y) = (COLUMNS[block][lane], ROWS[block][lane]);
+                assert_eq!((column, row), (x as u32, y as u32));
             }
         }
     }

@@ -1,7 +1,7 @@
 //! One triangle against sixteen pixels at once.
 
 use super::rasterizer::{Rasterizer, Rule};
-use crate::accel::raster::depth_buffer::{LANE_COLUMNS, LANE_ROWS, Slot, TilePixel};
+use crate::accel::raster::depth_buffer::{COLUMNS, ROWS, Slot, TilePixel};
 use crate::accel::raster::exact_fallback::Unresolved;
 use crate::accel::raster::setup::{EdgePlanes, PixelFunction};
 use crate::accel::raster::traversal::pixel_blocks_between;
@@ -22,6 +22,9 @@ struct Broadcast<S: Lanes> {
     error: S::F,
     minus_error: S::F,
     infinity: S::F,
+    /// Column and row of the first pixel of the footprint.
+    origin: [S::F; 2],
+    /// The last ones, relative to the first.
     last: [S::F; 2],
 }
 
@@ -53,13 +56,12 @@ impl Rasterizer<'_> {
         }
         let slot = self.next_slot();
         let triangle = Broadcast::of(simd, planes, lane, &self.rule, self.batch.of(lane), slot);
-        let origin = planes.first(lane);
         let slots = simd.splat(f32::from_bits(slot));
         let mut is_visible = false;
         while blocks != 0 {
             let block = blocks.trailing_zeros() as usize;
             blocks &= blocks - 1;
-            let samples = triangle.samples::<EXACT>(simd, block, origin);
+            let samples = triangle.samples::<EXACT>(simd, block);
             let best = simd.load(&self.pixels.nearness[block]);
             // A computed nearness that counts as it is must not exceed the bound that trees use.
             let nearness = match (self.rule.hits_only, EXACT) {
@@ -168,6 +170,7 @@ impl<S: Lanes> Broadcast<S> {
         let [first, second, third] = &planes.edges;
         let [factor, addend] = rule.surely_nearer;
         let last = planes.last(lane);
+        let [column, row] = planes.first(lane);
         Broadcast {
             primitive,
             slot,
@@ -182,20 +185,16 @@ impl<S: Lanes> Broadcast<S> {
             error: simd.splat(planes.edge_error[lane]),
             minus_error: simd.splat(-planes.edge_error[lane]),
             infinity: simd.splat(f32::INFINITY),
+            origin: [simd.splat(column as f32), simd.splat(row as f32)],
             last: [simd.splat(last[0]), simd.splat(last[1])],
         }
     }
 
-    /// The triangle at the pixels of a block. `origin` is the first pixel of its footprint.
+    /// The triangle at the pixels of a block.
     #[inline(always)]
-    fn samples<const EXACT: bool>(&self, simd: S, block: usize, origin: [u32; 2]) -> Samples<S> {
-        let first = TilePixel::of(block, 0);
-        let offset = [
-            first.column() as i32 - origin[0] as i32,
-            first.row() as i32 - origin[1] as i32,
-        ];
-        let x = simd.load(&LANE_COLUMNS) + simd.splat(offset[0] as f32);
-        let y = simd.load(&LANE_ROWS) + simd.splat(offset[1] as f32);
+    fn samples<const EXACT: bool>(&self, simd: S, block: usize) -> Samples<S> {
+        let x = simd.load(&COLUMNS[block]) - self.origin[0];
+        let y = simd.load(&ROWS[block]) - self.origin[1];
         let [a, b, c] = &self.edges;
         let edge = a.at::<EXACT>(x, y).min(b.at::<EXACT>(x, y));
         Samples {

@@ -20,7 +20,7 @@
 //! and c, are below 2^-18 of it, so it is within the tolerance of 0.9 * 2^-16.
 
 use super::rasterizer::Rasterizer;
-use crate::accel::raster::depth_buffer::{LANE_COLUMNS, LANE_ROWS, TilePixel};
+use crate::accel::raster::depth_buffer::{COLUMNS, ROWS, TilePixel};
 use crate::accel::raster::exact_fallback::Unresolved;
 use crate::accel::raster::setup::Footprint;
 use crate::accel::raster::traversal::{HiZ, pixel_blocks_between};
@@ -51,7 +51,11 @@ impl TileSphere {
     #[inline(always)]
     pub(crate) fn of(frame: &TileFrame, block: &PrimitiveBlock, lane: usize) -> Option<TileSphere> {
         let eye = frame.eye();
-        let centre = [0, 1, 2].map(|axis| block.corner[axis][lane] - eye[axis]);
+        let centre = [
+            block.corner[0][lane] - eye.x,
+            block.corner[1][lane] - eye.y,
+            block.corner[2][lane] - eye.z,
+        ];
         let square = f64::from(block.edges[0][0][lane]);
         let far = centre[0] * centre[0] + centre[1] * centre[1] + centre[2] * centre[2];
         let product = far - square;
@@ -62,7 +66,8 @@ impl TileSphere {
         }
         let [start, ..] = frame.world_from_tile;
         let size = start[0].abs() + start[1].abs() + start[2].abs();
-        let off: f64 = frame.view.ray_rounding.iter().map(|x| f64::from(*x)).sum();
+        let [x, y, z] = frame.view.ray_rounding;
+        let off = f64::from(x) + f64::from(y) + f64::from(z);
         Some(TileSphere {
             centre,
             product,
@@ -102,7 +107,8 @@ impl Rasterizer<'_> {
         let mut blocks = pixel_blocks_between(footprint.columns, footprint.rows) & !hidden;
         let slot = self.next_slot();
         let slots = simd.splat(f32::from_bits(slot));
-        let [factor, addend] = self.rule.surely_nearer.map(|x| simd.splat(x));
+        let [factor, addend] = self.rule.surely_nearer;
+        let (factor, addend) = (simd.splat(factor), simd.splat(addend));
         let mut is_visible = false;
         while blocks != 0 {
             let block = blocks.trailing_zeros() as usize;
@@ -144,9 +150,8 @@ impl Rasterizer<'_> {
 impl TileSphere {
     #[inline(always)]
     fn samples<S: Lanes>(&self, simd: S, frame: &TileFrame, block: usize) -> Samples<S> {
-        let first = TilePixel::of(block, 0);
-        let x = (simd.load(&LANE_COLUMNS) + simd.splat(first.column() as f32)).widen();
-        let y = (simd.load(&LANE_ROWS) + simd.splat(first.row() as f32)).widen();
+        let (x, y) = (simd.load(&COLUMNS[block]), simd.load(&ROWS[block]));
+        let (x, y) = (x.widen(), y.widen());
         let nothing = simd.splat_wide(0.0);
         let [start, per_column, per_row] = &frame.world_from_tile;
         let (mut a, mut b) = (nothing, nothing);
@@ -159,8 +164,8 @@ impl TileSphere {
         }
         let square = b * b;
         let under_root = square - a * simd.splat_wide(self.product);
-        let [least, per_a] = self.error.map(|x| simd.splat_wide(x));
-        let error = a.fused_or_not(per_a, least);
+        let [least, per_a] = self.error;
+        let error = a.fused_or_not(simd.splat_wide(per_a), simd.splat_wide(least));
         let zero = simd.splat(0.0);
         let is_hit = (under_root - error).narrow().above(zero);
         let is_missed = (nothing - under_root - error).narrow().above(zero);

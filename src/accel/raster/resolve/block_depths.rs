@@ -1,8 +1,6 @@
 //! The depths of a block of pixels, from the depth planes of the triangles that they see.
 
-use crate::accel::raster::depth_buffer::{
-    DepthBuffer, LANE_COLUMNS, LANE_ROWS, PixelHit, TilePixel,
-};
+use crate::accel::raster::depth_buffer::{COLUMNS, DepthBuffer, PixelHit, ROWS, TilePixel};
 use crate::accel::raster::traced_tile::TracedTile;
 use crate::accel::view::TileFrame;
 use crate::simd::{F32s, F64s, LANES, Lanes, Mask};
@@ -62,7 +60,8 @@ impl BlockPlanes {
             return lanes;
         }
         while lanes != 0 {
-            let lane = lanes.trailing_zeros() as usize;
+            // The mask spares bounds checks.
+            let lane = lanes.trailing_zeros() as usize & (LANES - 1);
             lanes &= lanes - 1;
             let pixel = TilePixel::of(block, lane);
             let primitive = match pixels.hit(pixel) {
@@ -95,9 +94,8 @@ impl BlockPlanes {
         block: usize,
         lengths: Option<S::D>,
     ) -> BlockDepths<S> {
-        let first = TilePixel::of(block, 0);
-        let x = (simd.load(&LANE_COLUMNS) + simd.splat(first.column() as f32)).widen();
-        let y = (simd.load(&LANE_ROWS) + simd.splat(first.row() as f32)).widen();
+        let (x, y) = (simd.load(&COLUMNS[block]), simd.load(&ROWS[block]));
+        let (x, y) = (x.widen(), y.widen());
         let [first, per_column, per_row] = &self.nearness;
         let nearness =
             simd.load_wide(per_column) * x + simd.load_wide(per_row) * y + simd.load_wide(first);
