@@ -10,3 +10,6 @@ pub(super) use self::hi_z::{HiZ, pixel_blocks_between};
 pub(super) use self::prefetch::{PrefetchQueue, TileTree};
 pub(super) use self::stack::TileStack;
 pub(super) use self::tile_from_tree::TileFromTree;
+
+#[cfg(test)]
+mod tests;
