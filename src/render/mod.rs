@@ -3,26 +3,31 @@
 mod blank_image;
 mod options;
 mod segment;
+mod segment_totals;
 mod segments;
 mod single_rays;
 mod surface_tile;
+mod trace_times;
 mod traced;
 
 use crate::accel::{Precision, Structure, TILE, TileTracer, Tiles};
 use crate::camera::Camera;
 use crate::error::Result;
-use crate::film::{ChannelName, Image, PixelBounds, Samples};
+use crate::film::{Channel, ChannelName, Image, PixelBounds, Samples};
 use crate::progress::Progress;
 use crate::shape::Geometry;
 use rayon::prelude::*;
 use segment::Segment;
-use segments::{RowOfTiles, rows_of_tiles};
+use segment_totals::SegmentTotals;
+use segments::rows_of_tiles;
 use single_rays::SingleRays;
+use std::time::Instant;
 use surface_tile::SurfaceTile;
 
 pub(crate) use blank_image::allocate;
 pub use blank_image::blank_image;
 pub use options::RenderOptions;
+pub use trace_times::TraceTimes;
 pub use traced::Traced;
 
 /// An image and the totals over its rays.
@@ -49,8 +54,11 @@ pub fn render<'a>(
     progress: Progress,
 ) -> Result<Rendering> {
     let structure = structure.into();
+    let start = Instant::now();
     let mut image = blank_image(camera, options)?;
-    let traced = render_into(&mut image, camera, geometry, structure, options, progress);
+    let allocated = start.elapsed();
+    let mut traced = render_into(&mut image, camera, geometry, structure, options, progress);
+    traced.times.prepare += allocated;
     Ok(Rendering { image, traced })
 }
 
@@ -83,15 +91,20 @@ pub fn render_into<'a>(
     };
     // Single rays count hits as well: if only costs are requested, no tile is rasterized.
     let by_tiles = (!channels.is_empty() || costs.is_empty()).then(|| {
+        let start = Instant::now();
         let tiles = Tiles::new(camera, geometry, structure, options.of_tiles());
+        let prepare = start.elapsed();
         let renderer = Renderer {
             camera,
             geometry,
             options,
             progress,
         };
-        renderer.fill_all(&tiles, rows_of_tiles(channels, &options.data_window))
+        let mut traced = renderer.fill_all(&tiles, channels);
+        traced.times.prepare = prepare;
+        traced
     });
+    let start = Instant::now();
     let by_cost = costs.into_iter().find_map(|channel| {
         let Samples::U32(costs) = &mut channel.samples else {
             return None;
@@ -108,9 +121,16 @@ pub fn render_into<'a>(
         _ => single_rays(options.precision, Progress::SILENT)
             .and_then(|single_rays| single_rays.count().counts),
     };
+    let single_rays = start.elapsed();
+    let traced = by_tiles.or(by_cost).unwrap_or_default();
+    let times = TraceTimes {
+        single_rays,
+        ..traced.times
+    };
     Traced {
         counts,
-        ..by_tiles.or(by_cost).unwrap_or_default()
+        times,
+        ..traced
     }
 }
 
@@ -125,17 +145,27 @@ struct Renderer<'a> {
 impl Renderer<'_> {
     /// Traces the tiles of all segments, on all threads. Each thread takes the next segment when
     /// it has finished one, so that all end together.
-    fn fill_all(&self, tiles: &Tiles, rows: Vec<RowOfTiles>) -> Traced {
+    fn fill_all(&self, tiles: &Tiles, channels: Vec<&mut Channel>) -> Traced {
+        let start = Instant::now();
+        let rows = rows_of_tiles(channels, &self.options.data_window);
         let fill = |tracer: &mut TileTracer, segment| self.fill(tracer, segment);
         let segments = rows
             .into_par_iter()
             .flat_map(|row| row.segments().into_par_iter());
-        let traced = segments.map_init(|| tiles.tracer(), fill);
-        traced.reduce(Traced::default, Traced::plus)
+        let totals = segments.map_init(|| tiles.tracer(), fill);
+        let traced = |totals: SegmentTotals| Traced {
+            hits: totals.hits,
+            counts: None,
+            fallbacks: totals.fallbacks,
+            times: TraceTimes::of_tiles(start, &totals, rayon::current_num_threads()),
+        };
+        let totals = totals.reduce_with(SegmentTotals::plus);
+        totals.map_or_else(Traced::default, traced)
     }
 
     /// Traces the tiles of a segment into its channels.
-    fn fill(&self, tracer: &mut TileTracer, mut segment: Segment) -> Traced {
+    fn fill(&self, tracer: &mut TileTracer, mut segment: Segment) -> SegmentTotals {
+        let begin = Instant::now();
         let PixelBounds { x0, x1, y0, y1 } = segment.bounds;
         let before = tracer.fallbacks();
         let first_row = y0 / TILE * TILE;
@@ -155,10 +185,6 @@ impl Renderer<'_> {
             segment.put(traced, surface.as_ref(), first, columns, self.geometry);
         }
         self.progress.advance(segment.bounds.area() as usize);
-        Traced {
-            hits,
-            counts: None,
-            fallbacks: tracer.fallbacks().since(&before),
-        }
+        SegmentTotals::since(begin, hits, tracer.fallbacks().since(&before))
     }
 }
