@@ -9,6 +9,7 @@ mod single_rays;
 mod surface_tile;
 mod trace_times;
 mod traced;
+mod tracers;
 
 use crate::accel::{Precision, Structure, TILE, TileTracer, Tiles};
 use crate::camera::Camera;
@@ -23,6 +24,7 @@ use segments::rows_of_tiles;
 use single_rays::SingleRays;
 use std::time::Instant;
 use surface_tile::SurfaceTile;
+use tracers::Tracers;
 
 pub(crate) use blank_image::allocate;
 pub use blank_image::blank_image;
@@ -143,23 +145,23 @@ struct Renderer<'a> {
 }
 
 impl Renderer<'_> {
-    /// Traces the tiles of all segments, on all threads. Each thread takes the next segment when
-    /// it has finished one, so that all end together.
+    /// Traces the tiles of all rows, on all threads. A thread that has nothing to do takes half of
+    /// another's row, so that all end together.
     fn fill_all(&self, tiles: &Tiles, channels: Vec<&mut Channel>) -> Traced {
         let start = Instant::now();
         let rows = rows_of_tiles(channels, &self.options.data_window);
-        let fill = |tracer: &mut TileTracer, segment| self.fill(tracer, segment);
+        let tracers = Tracers::new(tiles);
         let segments = rows
             .into_par_iter()
-            .flat_map(|row| row.segments().into_par_iter());
-        let totals = segments.map_init(|| tiles.tracer(), fill);
+            .flat_map(|row| rayon::iter::split(row.segment(), Segment::split));
+        let fill = |segment| tracers.with(|tracer| self.fill(tracer, segment));
+        let totals = segments.map(fill).reduce_with(SegmentTotals::plus);
         let traced = |totals: SegmentTotals| Traced {
             hits: totals.hits,
             counts: None,
             fallbacks: totals.fallbacks,
             times: TraceTimes::of_tiles(start, &totals, rayon::current_num_threads()),
         };
-        let totals = totals.reduce_with(SegmentTotals::plus);
         totals.map_or_else(Traced::default, traced)
     }
 
