@@ -93,18 +93,13 @@ pub fn render_into<'a>(
     };
     // Single rays count hits as well: if only costs are requested, no tile is rasterized.
     let by_tiles = (!channels.is_empty() || costs.is_empty()).then(|| {
-        let start = Instant::now();
-        let tiles = Tiles::new(camera, geometry, structure, options.of_tiles());
-        let prepare = start.elapsed();
         let renderer = Renderer {
             camera,
             geometry,
             options,
             progress,
         };
-        let mut traced = renderer.fill_all(&tiles, channels);
-        traced.times.prepare = prepare;
-        traced
+        renderer.trace_tiles(structure, channels)
     });
     let start = Instant::now();
     let by_cost = costs.into_iter().find_map(|channel| {
@@ -123,17 +118,10 @@ pub fn render_into<'a>(
         _ => single_rays(options.precision, Progress::SILENT)
             .and_then(|single_rays| single_rays.count().counts),
     };
-    let single_rays = start.elapsed();
-    let traced = by_tiles.or(by_cost).unwrap_or_default();
-    let times = TraceTimes {
-        single_rays,
-        ..traced.times
-    };
-    Traced {
-        counts,
-        times,
-        ..traced
-    }
+    let mut traced = by_tiles.or(by_cost).unwrap_or_default();
+    traced.times.single_rays = start.elapsed();
+    traced.counts = counts;
+    traced
 }
 
 /// Renders tiles into segments.
@@ -145,6 +133,17 @@ struct Renderer<'a> {
 }
 
 impl Renderer<'_> {
+    /// Traces all tiles through `structure` into the channels.
+    fn trace_tiles(&self, structure: Structure, channels: Vec<&mut Channel>) -> Traced {
+        let start = Instant::now();
+        let options = self.options.of_tiles();
+        let tiles = Tiles::new(self.camera, self.geometry, structure, options);
+        let prepare = start.elapsed();
+        let mut traced = self.fill_all(&tiles, channels);
+        traced.times.prepare = prepare;
+        traced
+    }
+
     /// Traces the tiles of all rows, on all threads. A thread that has nothing to do takes half of
     /// another's row, so that all end together.
     fn fill_all(&self, tiles: &Tiles, channels: Vec<&mut Channel>) -> Traced {

@@ -46,16 +46,14 @@ impl Value {
             Value::Real(value, _) => one(value.map(|value| value.to_string())),
             Value::Pixels(pixels) => one(pixels.map(|(count, _)| count.to_string())),
             Value::Spread(spread) => {
-                let ends: [(&str, fn(&Spread) -> f64); 3] = [
-                    ("min", |spread| spread.min),
-                    ("median", |spread| spread.median),
-                    ("max", |spread| spread.max),
-                ];
-                let ends = ends.map(|(end, of)| {
-                    let value = spread.as_ref().map(|spread| of(spread).to_string());
-                    cell(format!("{key}_{end}"), value)
-                });
-                ends.to_vec()
+                let cell = |end: &str, value: Option<f64>| {
+                    cell(format!("{key}_{end}"), value.map(|value| value.to_string()))
+                };
+                vec![
+                    cell("min", spread.map(|spread| spread.min)),
+                    cell("median", spread.map(|spread| spread.median)),
+                    cell("max", spread.map(|spread| spread.max)),
+                ]
             }
             Value::Input(input) => {
                 let [ulp, pixels] = [
