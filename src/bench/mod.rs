@@ -16,6 +16,6 @@ pub use report::{
     to_markdown, to_svg,
 };
 pub use run::{
-    Bench, Build, Machine, Measured, PictureFiles, Pictures, Plan, Rounds, Row, Spread, timed,
-    totals,
+    Bench, Build, Machine, Measured, PictureFiles, Pictures, Plan, Rounds, Row, Spread, TraceParts,
+    timed, totals,
 };

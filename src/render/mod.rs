@@ -3,26 +3,33 @@
 mod blank_image;
 mod options;
 mod segment;
+mod segment_totals;
 mod segments;
 mod single_rays;
 mod surface_tile;
+mod trace_times;
 mod traced;
+mod tracers;
 
 use crate::accel::{Precision, Structure, TILE, TileTracer, Tiles};
 use crate::camera::Camera;
 use crate::error::Result;
-use crate::film::{ChannelName, Image, PixelBounds, Samples};
+use crate::film::{Channel, ChannelName, Image, PixelBounds, Samples};
 use crate::progress::Progress;
 use crate::shape::Geometry;
 use rayon::prelude::*;
 use segment::Segment;
-use segments::{RowOfTiles, rows_of_tiles};
+use segment_totals::SegmentTotals;
+use segments::rows_of_tiles;
 use single_rays::SingleRays;
+use std::time::Instant;
 use surface_tile::SurfaceTile;
+use tracers::Tracers;
 
 pub(crate) use blank_image::allocate;
 pub use blank_image::blank_image;
 pub use options::RenderOptions;
+pub use trace_times::TraceTimes;
 pub use traced::Traced;
 
 /// An image and the totals over its rays.
@@ -49,8 +56,11 @@ pub fn render<'a>(
     progress: Progress,
 ) -> Result<Rendering> {
     let structure = structure.into();
+    let start = Instant::now();
     let mut image = blank_image(camera, options)?;
-    let traced = render_into(&mut image, camera, geometry, structure, options, progress);
+    let allocated = start.elapsed();
+    let mut traced = render_into(&mut image, camera, geometry, structure, options, progress);
+    traced.times.prepare += allocated;
     Ok(Rendering { image, traced })
 }
 
@@ -83,15 +93,15 @@ pub fn render_into<'a>(
     };
     // Single rays count hits as well: if only costs are requested, no tile is rasterized.
     let by_tiles = (!channels.is_empty() || costs.is_empty()).then(|| {
-        let tiles = Tiles::new(camera, geometry, structure, options.of_tiles());
         let renderer = Renderer {
             camera,
             geometry,
             options,
             progress,
         };
-        renderer.fill_all(&tiles, rows_of_tiles(channels, &options.data_window))
+        renderer.trace_tiles(structure, channels)
     });
+    let start = Instant::now();
     let by_cost = costs.into_iter().find_map(|channel| {
         let Samples::U32(costs) = &mut channel.samples else {
             return None;
@@ -108,10 +118,10 @@ pub fn render_into<'a>(
         _ => single_rays(options.precision, Progress::SILENT)
             .and_then(|single_rays| single_rays.count().counts),
     };
-    Traced {
-        counts,
-        ..by_tiles.or(by_cost).unwrap_or_default()
-    }
+    let mut traced = by_tiles.or(by_cost).unwrap_or_default();
+    traced.times.single_rays = start.elapsed();
+    traced.counts = counts;
+    traced
 }
 
 /// Renders tiles into segments.
@@ -123,19 +133,40 @@ struct Renderer<'a> {
 }
 
 impl Renderer<'_> {
-    /// Traces the tiles of all segments, on all threads. Each thread takes the next segment when
-    /// it has finished one, so that all end together.
-    fn fill_all(&self, tiles: &Tiles, rows: Vec<RowOfTiles>) -> Traced {
-        let fill = |tracer: &mut TileTracer, segment| self.fill(tracer, segment);
+    /// Traces all tiles through `structure` into the channels.
+    fn trace_tiles(&self, structure: Structure, channels: Vec<&mut Channel>) -> Traced {
+        let start = Instant::now();
+        let options = self.options.of_tiles();
+        let tiles = Tiles::new(self.camera, self.geometry, structure, options);
+        let prepare = start.elapsed();
+        let mut traced = self.fill_all(&tiles, channels);
+        traced.times.prepare = prepare;
+        traced
+    }
+
+    /// Traces the tiles of all rows, on all threads. A thread that has nothing to do takes half of
+    /// another's row, so that all end together.
+    fn fill_all(&self, tiles: &Tiles, channels: Vec<&mut Channel>) -> Traced {
+        let start = Instant::now();
+        let rows = rows_of_tiles(channels, &self.options.data_window);
+        let tracers = Tracers::new(tiles);
         let segments = rows
             .into_par_iter()
-            .flat_map(|row| row.segments().into_par_iter());
-        let traced = segments.map_init(|| tiles.tracer(), fill);
-        traced.reduce(Traced::default, Traced::plus)
+            .flat_map(|row| rayon::iter::split(row.segment(), Segment::split));
+        let fill = |segment| tracers.with(|tracer| self.fill(tracer, segment));
+        let totals = segments.map(fill).reduce_with(SegmentTotals::plus);
+        let traced = |totals: SegmentTotals| Traced {
+            hits: totals.hits,
+            counts: None,
+            fallbacks: totals.fallbacks,
+            times: TraceTimes::of_tiles(start, &totals, rayon::current_num_threads()),
+        };
+        totals.map_or_else(Traced::default, traced)
     }
 
     /// Traces the tiles of a segment into its channels.
-    fn fill(&self, tracer: &mut TileTracer, mut segment: Segment) -> Traced {
+    fn fill(&self, tracer: &mut TileTracer, mut segment: Segment) -> SegmentTotals {
+        let begin = Instant::now();
         let PixelBounds { x0, x1, y0, y1 } = segment.bounds;
         let before = tracer.fallbacks();
         let first_row = y0 / TILE * TILE;
@@ -155,10 +186,6 @@ impl Renderer<'_> {
             segment.put(traced, surface.as_ref(), first, columns, self.geometry);
         }
         self.progress.advance(segment.bounds.area() as usize);
-        Traced {
-            hits,
-            counts: None,
-            fallbacks: tracer.fallbacks().since(&before),
-        }
+        SegmentTotals::since(begin, hits, tracer.fallbacks().since(&before))
     }
 }

@@ -1,15 +1,16 @@
-//! Cuts an image into segments, which threads fill independently: first into rows of tiles, then,
-//! on all threads, each row into segments.
+//! Cuts an image into segments, which threads fill independently: first into rows of tiles, then a
+//! row into halves, and these again, as often as there are threads to take them.
 
 use super::segment::{Rows, Segment};
 use crate::accel::TILE;
 use crate::film::{Channel, ChannelName, PixelBounds, Samples};
 use std::mem;
 
-/// Columns of a segment: enough to keep a thread busy, few enough for threads to end together.
+/// Columns of the narrowest segment: enough to keep a thread busy, few enough for threads to end
+/// together.
 const WIDTH: u32 = 8 * TILE;
 
-/// The segments of one row of tiles, from the left.
+/// One row of tiles.
 pub(super) struct RowOfTiles<'a> {
     /// The pixels of the row.
     window: PixelBounds,
@@ -72,42 +73,50 @@ fn parts(low: u32, high: u32, step: u32) -> impl Iterator<Item = [u32; 2]> {
 }
 
 impl<'a> RowOfTiles<'a> {
-    /// Cuts the row into segments.
-    pub(super) fn segments(self) -> Vec<Segment<'a>> {
-        let columns = || parts(self.window.x0, self.window.x1, WIDTH);
-        let segment = |[x0, x1]: [u32; 2]| Segment {
-            bounds: PixelBounds {
-                x0,
-                x1,
-                ..self.window
-            },
-            channels: Vec::with_capacity(self.channels.len()),
-        };
-        let mut segments: Vec<Segment> = columns().map(segment).collect();
+    /// The row as one segment.
+    pub(super) fn segment(self) -> Segment<'a> {
         let width = self.window.width() as usize;
-        for (name, lines) in self.channels {
-            match lines {
-                Lines::F32(lines) => divide(name, lines, width, &mut segments, Rows::F32),
-                Lines::U32(lines) => divide(name, lines, width, &mut segments, Rows::U32),
-            }
+        let rows = |(name, lines)| match lines {
+            Lines::F32(lines) => (name, Rows::F32(lines.chunks_mut(width).collect())),
+            Lines::U32(lines) => (name, Rows::U32(lines.chunks_mut(width).collect())),
+        };
+        Segment {
+            bounds: self.window,
+            channels: self.channels.into_iter().map(rows).collect(),
         }
-        segments
     }
 }
 
-/// Gives each segment its part of every line, which `rows_of` wraps.
-fn divide<'a, T>(
-    name: ChannelName,
-    lines: &'a mut [T],
-    width: usize,
-    segments: &mut [Segment<'a>],
-    rows_of: fn(Vec<&'a mut [T]>) -> Rows<'a>,
-) {
-    let mut lines: Vec<&'a mut [T]> = lines.chunks_mut(width).collect();
-    for segment in segments {
-        let width = segment.bounds.width() as usize;
-        let rows = lines.iter_mut().map(|line| cut(line, width)).collect();
-        segment.channels.push((name, rows_of(rows)));
+impl<'a> Segment<'a> {
+    /// Cuts the segment into two of about the same width, unless it is narrow.
+    pub(super) fn split(mut self) -> (Segment<'a>, Option<Segment<'a>>) {
+        let PixelBounds { x0, x1, .. } = self.bounds;
+        let first = x0 / WIDTH;
+        let middle = (first + (x1.div_ceil(WIDTH) - first) / 2) * WIDTH;
+        if middle <= x0 {
+            return (self, None);
+        }
+        let width = (middle - x0) as usize;
+        let cut = |(name, rows): &mut (ChannelName, Rows<'a>)| (*name, rows.cut(width));
+        let left = Segment {
+            bounds: PixelBounds {
+                x1: middle,
+                ..self.bounds
+            },
+            channels: self.channels.iter_mut().map(cut).collect(),
+        };
+        self.bounds.x0 = middle;
+        (left, Some(self))
+    }
+}
+
+impl<'a> Rows<'a> {
+    /// Cuts the first `width` samples off each row.
+    fn cut(&mut self, width: usize) -> Rows<'a> {
+        match self {
+            Rows::F32(rows) => Rows::F32(rows.iter_mut().map(|row| cut(row, width)).collect()),
+            Rows::U32(rows) => Rows::U32(rows.iter_mut().map(|row| cut(row, width)).collect()),
+        }
     }
 }
 
@@ -131,8 +140,14 @@ mod tests {
         ]
         .map(|(name, samples)| Channel { name, samples });
         let rows = rows_of_tiles(channels.iter_mut().collect(), &window);
-        for segment in rows.into_iter().flat_map(RowOfTiles::segments) {
+        let mut segments: Vec<Segment> = rows.into_iter().map(RowOfTiles::segment).collect();
+        while let Some(segment) = segments.pop() {
+            let (segment, rest) = segment.split();
             let PixelBounds { x0, x1, y0, y1 } = segment.bounds;
+            if let Some(rest) = rest {
+                segments.extend([segment, rest]);
+                continue;
+            }
             assert_eq!((x0 / WIDTH, y0 / TILE), ((x1 - 1) / WIDTH, (y1 - 1) / TILE));
             for (_, rows) in segment.channels {
                 let places = |y: u32| (x0..x1).map(move |x| place(x, y) + 1);

@@ -57,6 +57,7 @@ impl SingleRays<'_> {
             hits,
             counts: Some(sum),
             fallbacks: tracer.fallbacks(),
+            ..Traced::default()
         }
     }
 }

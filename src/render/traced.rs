@@ -1,5 +1,6 @@
 //! The outcome of rendering: hits, traversal counts and exact fallbacks.
 
+use super::trace_times::TraceTimes;
 use crate::accel::{ExactFallbacks, TraversalCounts};
 
 /// Totals over the rays of an image.
@@ -11,10 +12,12 @@ pub struct Traced {
     pub counts: Option<TraversalCounts>,
     /// The number of exact fallbacks.
     pub fallbacks: ExactFallbacks,
+    /// The time that each part took.
+    pub times: TraceTimes,
 }
 
 impl Traced {
-    /// The sum of both totals.
+    /// The sum of both totals, with the times of the first.
     pub(super) fn plus(mut self, other: Traced) -> Traced {
         self.hits += other.hits;
         self.fallbacks += other.fallbacks;

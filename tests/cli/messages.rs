@@ -149,8 +149,8 @@ fn json_has_the_documented_keys_in_their_order() {
         .render("ball.pbrt --json --accel sah")
         .succeeded();
     let documented = "scene output accel precision threads simd width height rays hits shapes \
-                      triangles spheres instances primitives ms load build trace write total bvh \
-                      nodes leaves depth sah_cost bytes bins exact unsure_tests comparisons roundings \
+                      triangles spheres instances primitives ms load build trace write total \
+                      trace_ms prepare divide tiles join single_rays idle bvh nodes leaves depth sah_cost bytes bins exact unsure_tests comparisons roundings \
                       fallback_rays peak_bytes";
     let line = String::from_utf8(run.stdout.clone()).unwrap();
     assert_eq!(

@@ -29,6 +29,8 @@ pub(crate) enum Command {
     Scale(ScaleOptions),
     /// Whole processes from a scene file to depths: feimos, Embree and a z-buffer rasterizer
     Picture(PictureOptions),
+    /// How feimos and Embree gain from threads; print a table in Markdown for each view
+    Scaling(ScalingOptions),
     /// A program around Embree: reads a scene, builds a tree of low quality, traces packets
     Embree(ProgramOptions),
     /// A z-buffer rasterizer in single precision, without a tree: reads a scene, draws it
@@ -200,6 +202,39 @@ pub(crate) struct PictureOptions {
     #[arg(long, value_parser = level)]
     pub(crate) simd: Option<Level>,
     /// The instruction set that Embree and the rasterizer are limited to
+    #[arg(long)]
+    pub(crate) isa: Option<Isa>,
+    /// Where scenes and images are written, and removed again [default: the system's folder for
+    /// temporary files]
+    #[arg(long)]
+    pub(crate) folder: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ScalingOptions {
+    /// What to render
+    #[arg(long, value_delimiter = ',', default_value = "a,b,b4k")]
+    pub(crate) views: Vec<ViewName>,
+    /// Numbers of threads; without 1 and 2, nothing is predicted
+    #[arg(long, value_delimiter = ',', default_value = "1,2,4,8,16")]
+    #[arg(value_parser = clap::value_parser!(u16).range(1..))]
+    pub(crate) threads: Vec<u16>,
+    /// How feimos finds primitives
+    #[arg(long, value_delimiter = ',', default_value = "auto,sah")]
+    pub(crate) accel: Vec<String>,
+    /// Rounds that count; everything runs once a round
+    #[arg(long, default_value_t = 15, value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) runs: u32,
+    /// Rounds before those that count
+    #[arg(long, default_value_t = 1)]
+    pub(crate) warmup: u32,
+    /// The feimos program [default: built from the sources beside this package]
+    #[arg(long)]
+    pub(crate) feimos: Option<PathBuf>,
+    /// The instruction set that feimos is limited to [default: the best there is]
+    #[arg(long, value_parser = level)]
+    pub(crate) simd: Option<Level>,
+    /// The instruction set that Embree is limited to
     #[arg(long)]
     pub(crate) isa: Option<Isa>,
     /// Where scenes and images are written, and removed again [default: the system's folder for

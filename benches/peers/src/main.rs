@@ -34,6 +34,7 @@ fn main() -> ExitCode {
         Command::Generate { triangles, output } => ply::generate(triangles, &output).map(drop),
         Command::Scale(options) => scale::run(&options),
         Command::Picture(options) => processes::run(&options),
+        Command::Scaling(options) => processes::run_scaling(&options),
         Command::Embree(options) => programs::run_embree(&options),
         Command::Zbuffer(options) => programs::run_zbuffer(&options),
         Command::Scene(options) => processes::write_scene(&options),

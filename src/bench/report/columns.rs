@@ -3,7 +3,7 @@
 use super::table::TextTable;
 use super::value::{Value, mean, rate, small};
 use crate::bench::error::Errors;
-use crate::bench::run::Row;
+use crate::bench::run::{Row, Spread, TraceParts};
 
 /// A column of results.
 pub(super) struct Column {
@@ -46,7 +46,7 @@ const fn shown(
 }
 
 /// All columns in order. Values take a row and the machine's clock in MHz, if it is known.
-pub(super) const COLUMNS: [Column; 28] = {
+pub(super) const COLUMNS: [Column; 34] = {
     use Table::{Accelerators, Both, Rays};
     use Value::{Confidence, Count, Input, Name, Real};
     [
@@ -58,17 +58,25 @@ pub(super) const COLUMNS: [Column; 28] = {
             Name(row.kernel.to_string())
         }),
         hidden("threads", |row, _| Count(Some(row.threads as u64))),
+        hidden("simd", |row, _| Name(row.simd.name().to_owned())),
         hidden("rays", |row, _| Count(Some(row.rays))),
         hidden("pixels", |row, _| Count(Some(row.pixels))),
         shown("load_ms", Accelerators, "load ms", |row, _| {
-            Value::Spread(row.load_ms)
+            Value::Spread(Some(row.load_ms))
         }),
         shown("build_ms", Accelerators, "build ms", |row, _| {
-            Value::Spread(row.build_ms)
+            Value::Spread(Some(row.build_ms))
         }),
         shown("trace_ms", Rays, "trace ms", |row, _| {
-            Value::Spread(row.trace_ms)
+            Value::Spread(Some(row.trace_ms))
         }),
+        hidden("trace_prepare_ms", |row, _| {
+            part(row, |parts| parts.prepare)
+        }),
+        hidden("trace_divide_ms", |row, _| part(row, |parts| parts.divide)),
+        hidden("trace_tiles_ms", |row, _| part(row, |parts| parts.tiles)),
+        hidden("trace_join_ms", |row, _| part(row, |parts| parts.join)),
+        hidden("trace_idle_ms", |row, _| part(row, |parts| parts.idle)),
         shown("mrays_per_s", Rays, "Mrays/s", |row, _| {
             Real(Some(row.mrays_per_s()), rate)
         }),
@@ -132,6 +140,10 @@ pub(super) const COLUMNS: [Column; 28] = {
         }),
     ]
 };
+
+fn part(row: &Row, part: fn(&TraceParts) -> Spread) -> Value {
+    Value::Spread(row.trace_parts.as_ref().map(part))
+}
 
 fn pixels(row: &Row, count: fn(&Errors) -> u64) -> Value {
     Value::Pixels(row.errors().map(|errors| {

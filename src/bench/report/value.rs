@@ -11,7 +11,7 @@ pub(super) enum Value {
     Count(Option<u64>),
     /// A measurement and its text format.
     Real(Option<f64>, fn(f64) -> String),
-    Spread(Spread),
+    Spread(Option<Spread>),
     /// A count of pixels, and the confidence interval of its share if they are a sample.
     Pixels(Option<(u64, Option<[f64; 2]>)>),
     Input(Option<InputError>),
@@ -26,7 +26,7 @@ impl Value {
             Value::Name(name) => Some(name.clone()),
             Value::Count(count) => count.map(grouped),
             Value::Real(value, format) => value.map(format),
-            Value::Spread(spread) => Some(spread.to_string()),
+            Value::Spread(spread) => spread.map(|spread| spread.to_string()),
             Value::Pixels(pixels) => pixels.map(|(count, interval)| match interval {
                 Some([_, high]) => format!("{} (<{:.2}%)", grouped(count), 100.0 * high),
                 None => grouped(count),
@@ -45,12 +45,15 @@ impl Value {
             Value::Count(count) => one(count.map(|count| count.to_string())),
             Value::Real(value, _) => one(value.map(|value| value.to_string())),
             Value::Pixels(pixels) => one(pixels.map(|(count, _)| count.to_string())),
-            Value::Spread(Spread { min, median, max }) => {
-                let ends = [("min", min), ("median", median), ("max", max)];
-                let cell = |(end, value): (&str, &f64)| {
-                    cell(format!("{key}_{end}"), Some(value.to_string()))
+            Value::Spread(spread) => {
+                let cell = |end: &str, value: Option<f64>| {
+                    cell(format!("{key}_{end}"), value.map(|value| value.to_string()))
                 };
-                ends.map(cell).to_vec()
+                vec![
+                    cell("min", spread.map(|spread| spread.min)),
+                    cell("median", spread.map(|spread| spread.median)),
+                    cell("max", spread.map(|spread| spread.max)),
+                ]
             }
             Value::Input(input) => {
                 let [ulp, pixels] = [

@@ -6,13 +6,16 @@ use super::plan::{Build, Plan, sample_of};
 use super::row::Row;
 use super::spread::Spread;
 use super::surface_points::SurfacePoints;
+use super::trace_parts::TraceParts;
 use crate::accel::{Statistics, Structure, TraversalCounts};
 use crate::bench::error::{Errors, GroundTruth, SEED};
 use crate::bench::trace::{Cast, Caster, Random, TileSample, some_pixels};
 use crate::error::Result;
 use crate::input::BudgetFactor;
 use crate::progress::Progress;
+use crate::render::TraceTimes;
 use crate::scene::{self, LoadOptions, Scene};
+use crate::simd::Level;
 use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
@@ -54,7 +57,7 @@ impl Bench<'_> {
     /// The image does not fit into memory, or the scene cannot be read again.
     pub fn measure(&self, plan: &Plan, progress: Progress) -> Result<Measured> {
         let points = SurfacePoints::of(&self.scene.geometry, &mut Random::new(SEED));
-        let caster = |kernel| Caster::new(self.scene, kernel);
+        let caster = |kernel| Caster::new(self.scene, kernel, plan.level);
         let casters: Vec<Caster> = plan.kernels.iter().copied().map(caster).collect();
         let mut pictures = plan.with_pictures.then(|| Pictures::new(self.scene));
         let mut contenders = Vec::new();
@@ -116,7 +119,7 @@ impl<'a> Trial<'a> {
         mut pictures: Option<&mut Pictures>,
     ) -> Result<Option<Contender<'a>>> {
         let scene = self.bench.scene;
-        let Some(owned) = OwnedStructure::new(scene, build) else {
+        let Some(owned) = OwnedStructure::new(scene, build, self.plan.level) else {
             self.progress.advance(self.plan.steps_of(build));
             return Ok(None);
         };
@@ -138,7 +141,7 @@ impl<'a> Trial<'a> {
         if let (Some(pictures), Some(aggregate), None) =
             (pictures.as_deref_mut(), structure.tree(), &sample)
         {
-            pictures.add_cost(build.trees.method, scene, aggregate)?;
+            pictures.add_cost(build.trees.method, scene, aggregate, self.plan.level)?;
         }
         let mut traces = Vec::new();
         let suits = |caster: &&Caster| caster.kernel.suits(build.accelerator);
@@ -155,11 +158,13 @@ impl<'a> Trial<'a> {
                 work,
                 fallback_rays: caster.kernel.is_exact().then_some(cast.fallback_rays),
                 ms: Vec::new(),
+                times: Vec::new(),
             });
             self.progress.advance(1);
         }
         Ok(Some(Contender {
             build,
+            level: self.plan.level,
             size: self.size(structure),
             counted_rays: pixels.len() as u64,
             sample,
@@ -182,6 +187,7 @@ impl<'a> Trial<'a> {
 /// An accelerator and its measurements so far.
 struct Contender<'a> {
     build: Build,
+    level: Level,
     sample: Option<TileSample>,
     size: Size,
     /// Rays that [`Trace::work`] counts.
@@ -209,20 +215,25 @@ struct Trace<'a> {
     work: Option<TraversalCounts>,
     fallback_rays: Option<u64>,
     ms: Vec<f64>,
+    /// The parts of `ms`, if the kernel has them.
+    times: Vec<TraceTimes>,
 }
 
 impl Contender<'_> {
     /// Builds, and traces by all kernels.
     fn run(&mut self, scene: &Scene, is_counted: bool, progress: Progress) -> Result<()> {
-        let (owned, ms) = timed(|| OwnedStructure::new(scene, self.build));
+        let (owned, ms) = timed(|| OwnedStructure::new(scene, self.build, self.level));
         let owned = owned.expect("the trial has built it");
         self.build_ms.extend(is_counted.then_some(ms));
         progress.advance(1);
         for trace in &mut self.traces {
             let (cast, ms): (Result<Cast>, f64) =
                 timed(|| trace.caster.cast(owned.structure(), self.sample.as_ref()));
-            drop(cast?);
-            trace.ms.extend(is_counted.then_some(ms));
+            let times = cast?.times;
+            if is_counted {
+                trace.ms.push(ms);
+                trace.times.extend(times);
+            }
             progress.advance(1);
         }
         Ok(())
@@ -243,11 +254,13 @@ impl Contender<'_> {
             accelerator: self.build.accelerator,
             kernel: trace.caster.kernel,
             threads: rayon::current_num_threads(),
+            simd: self.level,
             rays: trace.caster.rays(self.sample.as_ref()),
             pixels: bench.scene.film.crop.area(),
             load_ms,
             build_ms,
             trace_ms: Spread::of(trace.ms).expect("at least one run"),
+            trace_parts: TraceParts::of(&trace.times),
             nodes_per_ray: trace.work.map(|work| per_ray(work.nodes)),
             primitives_per_ray: trace.work.map(|work| per_ray(work.primitives)),
             sah_cost: statistics.map(|statistics| statistics.sah_cost),

@@ -9,6 +9,7 @@ mod row;
 mod spread;
 mod surface_points;
 mod total;
+mod trace_parts;
 
 pub use machine::Machine;
 pub use measure::{Bench, Measured, timed};
@@ -17,6 +18,7 @@ pub use plan::{Build, Plan, Rounds};
 pub use row::Row;
 pub use spread::Spread;
 pub use total::totals;
+pub use trace_parts::TraceParts;
 
 #[cfg(test)]
 pub(super) mod tests;

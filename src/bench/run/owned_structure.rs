@@ -14,7 +14,7 @@ pub(super) enum OwnedStructure {
 
 impl OwnedStructure {
     /// Builds a tree over the whole scene, or the bins of its view. `None` if the view has no bins.
-    pub(super) fn new(scene: &Scene, build: Build) -> Option<OwnedStructure> {
+    pub(super) fn new(scene: &Scene, build: Build, level: Level) -> Option<OwnedStructure> {
         let Scene {
             camera,
             geometry,
@@ -24,7 +24,6 @@ impl OwnedStructure {
         let silent = Progress::SILENT;
         match build.accelerator {
             Accelerator::Raster => {
-                let level = Level::detect();
                 let bins = Bins::new(geometry, camera, &film.crop, build.trees, level, silent)?;
                 Some(OwnedStructure::Bins(Box::new(bins)))
             }

@@ -63,6 +63,7 @@ impl Pictures {
         method: SplitMethod,
         scene: &Scene,
         aggregate: &Aggregate,
+        level: Level,
     ) -> Result<()> {
         let options = RenderOptions {
             data_window: self.window,
@@ -70,7 +71,7 @@ impl Pictures {
             precision: Precision::Exact,
             miss: f32::INFINITY,
             counted: false,
-            level: Level::detect(),
+            level,
         };
         let Scene {
             camera, geometry, ..

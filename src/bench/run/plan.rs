@@ -4,6 +4,7 @@ use crate::accel::{Accelerator, BuildOptions, SplitMethod, TILE};
 use crate::bench::kernel::Kernel;
 use crate::bench::trace::{Random, TileSample};
 use crate::scene::Scene;
+use crate::simd::Level;
 
 /// The builds and kernels to run on a scene, and how often.
 #[derive(Debug, Clone, PartialEq)]
@@ -12,6 +13,8 @@ pub struct Plan {
     pub builds: Vec<Build>,
     /// The kernels to trace with, each by the accelerators that it suits.
     pub kernels: Vec<Kernel>,
+    /// The instruction set of the kernels.
+    pub level: Level,
     /// The number of rounds.
     pub rounds: Rounds,
     /// Make pictures, too.

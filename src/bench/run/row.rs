@@ -1,9 +1,11 @@
 //! One row of results.
 
 use super::spread::Spread;
+use super::trace_parts::TraceParts;
 use crate::accel::Accelerator;
 use crate::bench::error::{Errors, InputError};
 use crate::bench::kernel::Kernel;
+use crate::simd::Level;
 
 /// The measurements of one accelerator with one kernel on one scene.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,6 +18,8 @@ pub struct Row {
     pub kernel: Kernel,
     /// Threads that built and traced.
     pub threads: usize,
+    /// The instruction set of the kernels.
+    pub simd: Level,
     /// Rays of one run.
     pub rays: u64,
     /// Pixels of the image: more than rays if only some tiles are traced.
@@ -26,6 +30,8 @@ pub struct Row {
     pub build_ms: Spread,
     /// From rays to all channels of the image, in milliseconds.
     pub trace_ms: Spread,
+    /// The parts of `trace_ms`; `None` if rays are traced one by one, or are a sample.
+    pub trace_parts: Option<TraceParts>,
     /// Mean number of node boxes that a ray tests if it is traced alone through the whole tree.
     /// Here and below, `None` without a tree.
     pub nodes_per_ray: Option<f64>,

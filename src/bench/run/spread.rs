@@ -27,6 +27,15 @@ impl Spread {
         };
         Some(Spread { min, median, max })
     }
+
+    /// The sum of both minima, both medians and both maxima.
+    pub(super) fn plus(self, other: Spread) -> Spread {
+        Spread {
+            min: self.min + other.min,
+            median: self.median + other.median,
+            max: self.max + other.max,
+        }
+    }
 }
 
 /// `median (min-max)` with the same decimals: three digits of the median, but no more than two

@@ -1,10 +1,11 @@
 //! A row for tests.
 
-use super::{Row, Spread};
+use super::{Row, Spread, TraceParts};
 use crate::accel::{Accelerator, SplitMethod};
 use crate::bench::error::Errors;
 use crate::bench::kernel::Kernel;
 use crate::compare::{Tally, Ulps};
+use crate::simd::Level;
 
 /// The row of a tree.
 pub(crate) fn row(method: SplitMethod, kernel: Kernel, compared: u64) -> Row {
@@ -31,11 +32,19 @@ pub(crate) fn row_of(accelerator: Accelerator, kernel: Kernel, compared: u64) ->
         accelerator,
         kernel,
         threads: 2,
+        simd: Level::Portable,
         rays: 1000,
         pixels: 1000,
         load_ms: spread([1.0, 2.0, 3.0]),
         build_ms: spread([415.2, 461.1, 491.9]),
         trace_ms: spread([49.96, 50.0, 53.04]),
+        trace_parts: (!kernel.needs_tree()).then_some(TraceParts {
+            prepare: spread([1.0, 2.0, 3.0]),
+            divide: spread([0.1, 0.2, 0.3]),
+            tiles: spread([40.0, 45.0, 50.0]),
+            join: spread([0.01, 0.02, 0.03]),
+            idle: spread([0.0, 1.0, 2.0]),
+        }),
         nodes_per_ray: has_tree.then_some(19.89),
         primitives_per_ray: has_tree.then_some(1234.567),
         sah_cost: has_tree.then_some(49.13),

@@ -31,6 +31,7 @@ fn sum(rows: &[&Row], scenes: usize) -> Row {
         median: rows.iter().map(|row| of(row).median).sum(),
         max: rows.iter().map(|row| of(row).max).sum(),
     };
+    let parts = rows.iter().map(|row| row.trace_parts);
     Row {
         scene: format!("all {scenes} scenes"),
         rays,
@@ -38,6 +39,7 @@ fn sum(rows: &[&Row], scenes: usize) -> Row {
         load_ms: spread(|row| row.load_ms),
         build_ms: spread(|row| row.build_ms),
         trace_ms: spread(|row| row.trace_ms),
+        trace_parts: parts.reduce(|sum, parts| Some(sum?.plus(parts?))).flatten(),
         nodes_per_ray: per_ray(|row| row.nodes_per_ray),
         primitives_per_ray: per_ray(|row| row.primitives_per_ray),
         // Costs of different trees cannot be added.

@@ -9,7 +9,7 @@ use crate::error::Result;
 use crate::film::{ChannelName, Image, Samples};
 use crate::geometry::Ray;
 use crate::progress::Progress;
-use crate::render::{RenderOptions, blank_image, render};
+use crate::render::{RenderOptions, TraceTimes, blank_image, render};
 use crate::scene::Scene;
 use crate::shape::InstancedId;
 use crate::simd::Level;
@@ -19,6 +19,7 @@ use rayon::prelude::*;
 pub(crate) struct Caster<'a> {
     scene: &'a Scene,
     pub(crate) kernel: Kernel,
+    level: Level,
     /// The geometry of a baseline kernel.
     baseline: Option<BaselineKernel<'a>>,
 }
@@ -28,6 +29,8 @@ pub(crate) struct Cast {
     found: Found,
     /// Rays that needed exact fallbacks.
     pub(crate) fallback_rays: u64,
+    /// The times of its parts, if tiles were traced into an image.
+    pub(crate) times: Option<TraceTimes>,
 }
 
 enum Found {
@@ -56,7 +59,7 @@ impl Cast {
 }
 
 impl<'a> Caster<'a> {
-    pub(crate) fn new(scene: &'a Scene, kernel: Kernel) -> Caster<'a> {
+    pub(crate) fn new(scene: &'a Scene, kernel: Kernel, level: Level) -> Caster<'a> {
         let baseline = match kernel {
             Kernel::Baseline(baseline) => Some(BaselineKernel::new(baseline, &scene.geometry)),
             Kernel::Tiles(_) | Kernel::ExactSingle => None,
@@ -64,6 +67,7 @@ impl<'a> Caster<'a> {
         Caster {
             scene,
             kernel,
+            level,
             baseline,
         }
     }
@@ -131,6 +135,7 @@ impl<'a> Caster<'a> {
         Ok(Cast {
             found: Found::Image(rendering.image),
             fallback_rays: rendering.traced.fallbacks.rays,
+            times: Some(rendering.traced.times),
         })
     }
 
@@ -141,7 +146,7 @@ impl<'a> Caster<'a> {
             precision,
             miss: f32::INFINITY,
             counted: false,
-            level: Level::detect(),
+            level: self.level,
         }
     }
 
@@ -236,6 +241,7 @@ impl<'a> Caster<'a> {
         Ok(Cast {
             found: Found::Image(image),
             fallback_rays,
+            times: None,
         })
     }
 
@@ -257,5 +263,6 @@ fn sampled(answers: Vec<(Option<Answer>, u64)>) -> Cast {
     Cast {
         found: Found::Sample(answers.into_iter().map(|(answer, _)| answer).collect()),
         fallback_rays,
+        times: None,
     }
 }

@@ -1,6 +1,6 @@
 //! Options of `bench` as typed.
 
-use crate::cli::options::engine::ThreadArgs;
+use crate::cli::options::engine::{SimdArgs, ThreadArgs};
 use crate::cli::options::input::InputArgs;
 use crate::cli::options::messages::MessageArgs;
 use crate::cli::options::values::{integer, named};
@@ -38,6 +38,8 @@ pub(super) struct ConfigurationArgs {
     #[arg(long, value_name = "HOW", value_delimiter = ',')]
     #[arg(value_parser = named(Kernel::ALL, Kernel::name))]
     pub(super) precision: Option<Vec<Kernel>>,
+    #[command(flatten)]
+    pub(super) simd: SimdArgs,
     #[command(flatten)]
     pub(super) threads: ThreadArgs,
 }

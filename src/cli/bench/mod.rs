@@ -18,7 +18,6 @@ use super::terminal::stdout::{self, write_to_stdout};
 use feimos::bench::{Machine, Row, Section, accelerator_table, notes, ray_table};
 use feimos::error::{Error, Result};
 use feimos::file_id::InputFiles;
-use feimos::simd::Level;
 use feimos::terminal_text;
 use outputs::Outputs;
 use runner::Runner;
@@ -41,7 +40,7 @@ fn measure_all(
     mut outputs: Outputs,
     reporter: &Reporter,
 ) -> Result<u8> {
-    let machine = Machine::detect(Level::detect().name());
+    let machine = Machine::detect(args.configurations.simd.level.name());
     let (mut rows, mut sections) = (Vec::new(), Vec::new());
     let (mut failures, mut code) = (Failures::default(), 0);
     let mut printed = Ok(());

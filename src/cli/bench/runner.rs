@@ -13,12 +13,14 @@ use feimos::input::BudgetFactor;
 use feimos::progress::Progress;
 use feimos::reference::MAX_PRIMITIVES;
 use feimos::scene::{self, LoadOptions, Scene};
+use feimos::simd::Level;
 use indicatif::HumanCount;
 use std::path::Path;
 
 /// The options of `bench`, checked.
 pub(super) struct Runner<'a> {
     configurations: Configurations,
+    level: Level,
     rounds: Rounds,
     reference: Reference,
     with_pictures: bool,
@@ -36,6 +38,7 @@ impl<'a> Runner<'a> {
         let (warmup, runs) = (args.measurement.warmup, args.measurement.runs);
         Ok(Runner {
             configurations: Configurations::new(&args.configurations, reporter)?,
+            level: args.configurations.simd.level,
             rounds: Rounds { warmup, runs },
             reference: args.measurement.reference,
             with_pictures,
@@ -68,6 +71,7 @@ impl<'a> Runner<'a> {
         let plan = Plan {
             builds: self.configurations.builds(&scene.accelerator),
             kernels: self.configurations.kernels.clone(),
+            level: self.level,
             rounds: self.rounds,
             with_pictures: self.with_pictures,
         };

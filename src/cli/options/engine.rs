@@ -21,10 +21,8 @@ pub(crate) struct EngineArgs {
     #[arg(long, value_name = "HOW", default_value = "exact")]
     #[arg(value_parser = named(Precision::ALL, Precision::name))]
     pub(crate) precision: Precision,
-    /// Choose the instruction set of the kernels: auto (the widest of this machine), avx512, avx2,
-    /// sse4.1 or portable. All give the same images.
-    #[arg(long, value_name = "SET", default_value = "auto", value_parser = simd)]
-    pub(crate) simd: Level,
+    #[command(flatten)]
+    pub(crate) simd: SimdArgs,
     #[command(flatten)]
     pub(crate) threads: ThreadArgs,
 }
@@ -78,6 +76,14 @@ impl FromStr for AcceleratorChoice {
             name => name.parse().map(AcceleratorChoice::Fixed),
         }
     }
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct SimdArgs {
+    /// Choose the instruction set of the kernels: auto (the widest of this machine), avx512, avx2,
+    /// sse4.1 or portable. All give the same images.
+    #[arg(long = "simd", value_name = "SET", default_value = "auto", value_parser = simd)]
+    pub(crate) level: Level,
 }
 
 #[derive(Debug, Args)]

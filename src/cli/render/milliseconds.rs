@@ -1,7 +1,8 @@
 //! Wall-clock times of the phases of an image.
 
+use feimos::render::TraceTimes;
 use serde::Serialize;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// Times in milliseconds, in thousandths: more digits would be noise.
 #[derive(Debug, Clone, Copy, Default, Serialize)]
@@ -17,6 +18,31 @@ pub(super) struct Milliseconds {
     pub(super) total: f64,
 }
 
+/// Times of the parts of a trace in milliseconds. Field names are keys of JSON.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub(super) struct TraceMilliseconds {
+    prepare: f64,
+    divide: f64,
+    tiles: f64,
+    join: f64,
+    single_rays: f64,
+    /// Summed over all threads.
+    idle: f64,
+}
+
+impl TraceMilliseconds {
+    pub(super) fn new(times: TraceTimes) -> TraceMilliseconds {
+        TraceMilliseconds {
+            prepare: milliseconds(times.prepare),
+            divide: milliseconds(times.divide),
+            tiles: milliseconds(times.tiles),
+            join: milliseconds(times.join),
+            single_rays: milliseconds(times.single_rays),
+            idle: milliseconds(times.idle),
+        }
+    }
+}
+
 /// Runs `work` and measures its milliseconds.
 pub(super) fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
     let start = Instant::now();
@@ -25,5 +51,9 @@ pub(super) fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
 }
 
 pub(super) fn milliseconds_since(start: Instant) -> f64 {
-    (start.elapsed().as_secs_f64() * 1e6).round() / 1e3
+    milliseconds(start.elapsed())
+}
+
+fn milliseconds(time: Duration) -> f64 {
+    (time.as_secs_f64() * 1e6).round() / 1e3
 }

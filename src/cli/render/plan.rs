@@ -68,7 +68,7 @@ impl Plan {
             load,
             accel: args.engine.accel,
             precision: args.engine.precision,
-            simd: args.engine.simd,
+            simd: args.engine.simd.level,
             stats: args.report.stats,
             poses,
             skip_existing: args.batch.skip_existing,

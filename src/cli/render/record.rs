@@ -1,7 +1,7 @@
 //! The record of a finished image: what `--json` and the manifest hold.
 
 use super::built::BuiltSize;
-use super::milliseconds::Milliseconds;
+use super::milliseconds::{Milliseconds, TraceMilliseconds};
 use super::scene::{LoadedScene, Viewpoint};
 use crate::cli::files::destination::Destination;
 use feimos::accel::{Accelerator, ExactFallbacks, Precision, Statistics};
@@ -47,6 +47,8 @@ pub(super) struct Record {
     /// Primitives, counted once in every instance.
     primitives: u64,
     ms: Milliseconds,
+    /// The parts of `ms.trace`.
+    trace_ms: TraceMilliseconds,
     /// The size of the tree, if there is one.
     bvh: Option<Bvh>,
     /// The size of the bins, if there are any.
@@ -142,6 +144,7 @@ impl Record {
             instances: geometry.instances().len(),
             primitives: geometry.primitive_count(),
             ms: finished.ms,
+            trace_ms: TraceMilliseconds::new(traced.times),
             bvh,
             bins,
             exact: (finished.precision == Precision::Exact).then_some(fallbacks),

@@ -3,15 +3,18 @@
 mod child;
 mod program;
 mod rows;
+mod scaling;
 mod scene_file;
 mod scene_name;
 
+pub(crate) use scaling::run as run_scaling;
 pub(crate) use scene_name::SceneName;
 
 use crate::args::{PictureOptions, SceneOptions};
-use crate::rounds::alternate;
+use crate::rounds::{Series, alternate};
 use crate::{Result, memory, table};
-use program::{Program, Setting};
+use child::Ended;
+use program::{Program, Run, Setting};
 use rows::Row;
 use scene_file::SceneFile;
 use std::path::{Path, PathBuf};
@@ -25,12 +28,7 @@ const NEEDED: u64 = 160;
 /// Prints a table for each scene and number of threads.
 pub(crate) fn run(options: &PictureOptions) -> Result<()> {
     let programs = programs(options)?;
-    let mut folder = tempfile::Builder::new();
-    folder.prefix("feimos-peers-");
-    let folder = match &options.folder {
-        Some(parent) => folder.tempdir_in(parent)?,
-        None => folder.tempdir()?,
-    };
+    let folder = temporary_folder(options.folder.as_deref())?;
     let names = if options.all {
         SceneName::all()
     } else {
@@ -42,23 +40,39 @@ pub(crate) fn run(options: &PictureOptions) -> Result<()> {
             eprintln!("peers: {name} is left out: only {available} bytes of memory are free");
             continue;
         }
-        // By a process of its own: what this one takes would count as the memory of programs.
-        let mut writer = Command::new(std::env::current_exe()?);
-        writer.arg("scene").arg(name.to_string()).arg(folder.path());
-        let scene: SceneFile = serde_json::from_slice(&child::run(&mut writer)?.output)?;
+        let scene = write_by_child(name, folder.path())?;
         for &threads in &options.threads {
             let setting = Setting {
                 scene: &scene,
                 threads,
-                options,
+                simd: options.simd,
+                isa: options.isa,
                 images: &folder.path().join("images"),
             };
-            println!("### {}, {}\n", name.title(), heading(setting));
-            println!("{}", rows::table(&rows(name, &programs, setting)?));
+            println!("### {}, {}\n", name.title(), heading(setting, options.runs));
+            println!("{}", rows::table(&rows(name, &programs, setting, options)?));
         }
         scene.remove()?;
     }
     Ok(())
+}
+
+/// A new folder in `parent`, or in the system's folder for temporary files.
+fn temporary_folder(parent: Option<&Path>) -> Result<tempfile::TempDir> {
+    let mut folder = tempfile::Builder::new();
+    folder.prefix("feimos-peers-");
+    Ok(match parent {
+        Some(parent) => folder.tempdir_in(parent)?,
+        None => folder.tempdir()?,
+    })
+}
+
+/// Writes a scene by a process of its own: what this one takes would count as the memory of
+/// programs.
+fn write_by_child(name: SceneName, folder: &Path) -> Result<SceneFile> {
+    let mut writer = Command::new(std::env::current_exe()?);
+    writer.arg("scene").arg(name.to_string()).arg(folder);
+    Ok(serde_json::from_slice(&child::run(&mut writer)?.output)?)
 }
 
 /// Writes a scene and prints where it is, as JSON.
@@ -106,7 +120,7 @@ fn build_feimos() -> Result<PathBuf> {
         .ok_or_else(|| "cargo builds no program".into())
 }
 
-fn heading(setting: Setting) -> String {
+fn heading(setting: Setting, runs: u32) -> String {
     let threads = match setting.threads {
         1 => "one thread".to_owned(),
         threads => format!("{threads} threads"),
@@ -117,32 +131,57 @@ fn heading(setting: Setting) -> String {
         kind,
         ..
     } = setting.scene;
-    let (primitives, runs) = (table::grouped(*primitives), setting.options.runs);
+    let primitives = table::grouped(*primitives);
     format!("{threads}: {width} x {height} pixels, {primitives} {kind}, {runs} rounds")
 }
 
-fn rows(name: SceneName, programs: &[Program], setting: Setting) -> Result<Vec<Row>> {
+fn rows(
+    name: SceneName,
+    programs: &[Program],
+    setting: Setting,
+    options: &PictureOptions,
+) -> Result<Vec<Row>> {
     let is_able = |program: &&Program| **program != Program::Rasterizer || !name.has_only_spheres();
     let programs: Vec<&Program> = programs.iter().filter(is_able).collect();
     clear(setting.images)?;
     programs[0].render_exact(setting)?;
     let agreements = programs.iter().map(|program| program.agreement(setting));
     let agreements: Vec<_> = agreements.collect::<Result<_>>()?;
-    let (warmup, runs) = (setting.options.warmup, setting.options.runs);
-    let mut measured = vec![Vec::new(); programs.len()];
+    let rounds = [options.warmup, options.runs];
+    let measured = measure(programs.len(), rounds, |row| {
+        clear(setting.images)?;
+        programs[row].run(setting)
+    })?;
+    let rows = programs.into_iter().zip(measured).zip(agreements);
+    let row = |((program, (total, runs)), agreement): ((&Program, _), _)| Row {
+        program: program.clone(),
+        total,
+        runs,
+        agreement,
+    };
+    Ok(rows.map(row).collect())
+}
+
+/// Runs all `rows` once a round, after rounds of warmup. Returns whole processes and what they
+/// report.
+fn measure(
+    rows: usize,
+    [warmup, runs]: [u32; 2],
+    mut run: impl FnMut(usize) -> Result<(Ended, Run)>,
+) -> Result<Vec<(Series, Vec<Run>)>> {
+    let mut measured = vec![Vec::new(); rows];
     let mut failure = None;
-    let totals = alternate(programs.len(), warmup, runs, |row| {
-        let run = || {
-            clear(setting.images)?;
-            programs[row].run(setting)
-        };
-        match run() {
+    let totals = alternate(rows, warmup, runs, |row| {
+        if failure.is_some() {
+            return Duration::ZERO;
+        }
+        match run(row) {
             Ok((ended, run)) => {
                 measured[row].push(run);
                 ended.wall
             }
             Err(error) => {
-                failure.get_or_insert(error);
+                failure = Some(error);
                 Duration::ZERO
             }
         }
@@ -150,15 +189,9 @@ fn rows(name: SceneName, programs: &[Program], setting: Setting) -> Result<Vec<R
     if let Some(error) = failure {
         return Err(error);
     }
-    let rows = programs.into_iter().zip(totals).zip(measured);
-    let rows = rows.zip(agreements);
-    let row = |(((program, total), mut runs), agreement): (((&Program, _), Vec<_>), _)| Row {
-        program: program.clone(),
-        total,
-        runs: runs.split_off(warmup as usize),
-        agreement,
-    };
-    Ok(rows.map(row).collect())
+    let measured = measured.into_iter();
+    let measured = measured.map(|mut runs| runs.split_off(warmup as usize));
+    Ok(totals.into_iter().zip(measured).collect())
 }
 
 /// Images of earlier runs are removed before the clock starts.

@@ -3,8 +3,9 @@
 use super::child::{self, Ended};
 use super::scene_file::SceneFile;
 use crate::Result;
-use crate::args::PictureOptions;
+use crate::args::Isa;
 use crate::programs::{Agreement, Report};
+use feimos::simd::Level;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -22,7 +23,10 @@ pub(super) enum Program {
 pub(super) struct Setting<'a> {
     pub(super) scene: &'a SceneFile,
     pub(super) threads: usize,
-    pub(super) options: &'a PictureOptions,
+    /// The instruction set that feimos is limited to.
+    pub(super) simd: Option<Level>,
+    /// The instruction set that peers are limited to.
+    pub(super) isa: Option<Isa>,
     /// An empty folder for images.
     pub(super) images: &'a Path,
 }
@@ -126,7 +130,7 @@ fn feimos(path: &Path, flags: &[String], extension: &str, setting: Setting) -> C
     if let Some(list) = &setting.scene.cameras {
         command.arg("--cameras").arg(list);
     }
-    if let Some(level) = setting.options.simd {
+    if let Some(level) = setting.simd {
         command.args(["--simd", level.name()]);
     }
     command.args(flags);
@@ -141,7 +145,7 @@ fn peer(name: &str, setting: Setting) -> Result<Command> {
     if let Some(list) = &setting.scene.cameras {
         command.arg("--cameras").arg(list);
     }
-    if let Some(isa) = setting.options.isa {
+    if let Some(isa) = setting.isa {
         command.args(["--isa", isa.name()]);
     }
     Ok(command)

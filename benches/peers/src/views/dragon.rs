@@ -14,10 +14,10 @@ pub(crate) fn path_of(name: &str) -> PathBuf {
         .join(name)
 }
 
-/// The scene in a file, on a square film of `side` pixels instead of its own where that is said.
-pub(super) fn of_file(name: &str, side: Option<u32>) -> Result<View> {
+/// The scene in a file, on a film of `resolution` instead of its own if there is one.
+pub(super) fn of_file(name: &str, resolution: Option<[u32; 2]>) -> Result<View> {
     let options = LoadOptions {
-        resolution: side.map(|side| [side, side]),
+        resolution,
         ..LoadOptions::default()
     };
     let scene = load(&path_of(name), &options, Progress::SILENT)?;

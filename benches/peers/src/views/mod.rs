@@ -21,6 +21,8 @@ pub(crate) enum ViewName {
     A,
     /// scenes/dragon-close.pbrt
     B,
+    /// scenes/dragon-close.pbrt on 3840 x 2160 pixels
+    B4k,
     /// A million small spheres
     Spheres,
     /// One huge triangle in front of a million
@@ -42,6 +44,7 @@ impl ViewName {
         match self {
             ViewName::A => "A",
             ViewName::B => "B",
+            ViewName::B4k => "B4K",
             ViewName::Spheres => "Spheres",
             ViewName::Wall => "Wall",
             ViewName::Terrain => "Terrain",
@@ -57,6 +60,7 @@ impl ViewName {
         match self {
             ViewName::A
             | ViewName::B
+            | ViewName::B4k
             | ViewName::Orthographic
             | ViewName::Thumbnail
             | ViewName::Film => true,
@@ -68,13 +72,14 @@ impl ViewName {
         match self {
             ViewName::A => dragon::of_file("dragon.pbrt", None),
             ViewName::B => dragon::of_file("dragon-close.pbrt", None),
+            ViewName::B4k => dragon::of_file("dragon-close.pbrt", Some([3840, 2160])),
             ViewName::Spheres => spheres::view(),
             ViewName::Wall => wall::view(),
             ViewName::Terrain => terrain::view(),
             ViewName::Interior => interior::view(),
             ViewName::Orthographic => dragon::orthographic(),
-            ViewName::Thumbnail => dragon::of_file("dragon.pbrt", Some(64)),
-            ViewName::Film => dragon::of_file("dragon.pbrt", Some(8192)),
+            ViewName::Thumbnail => dragon::of_file("dragon.pbrt", Some([64, 64])),
+            ViewName::Film => dragon::of_file("dragon.pbrt", Some([8192, 8192])),
         }
     }
 }
