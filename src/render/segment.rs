@@ -1,7 +1,7 @@
 //! A segment of an image, which one thread fills from tiles.
 
 use super::surface_tile::SurfaceTile;
-use crate::accel::TracedTile;
+use crate::accel::{TILE, TracedTile};
 use crate::film::{ChannelName, PixelBounds};
 use crate::shape::{Geometry, InstancedId, Numbers};
 
@@ -65,6 +65,9 @@ impl Segment<'_> {
     }
 }
 
+/// The samples of a row of a tile.
+type FullRow = [f32; TILE as usize];
+
 /// The part of a tile that belongs to a segment.
 struct TilePart<'a> {
     tile: &'a TracedTile,
@@ -86,7 +89,15 @@ impl TilePart<'_> {
     fn put_depths(&self, rows: &mut [&mut [f32]], of_row: impl Fn(&TracedTile, u32) -> &[f32]) {
         let [first, end] = self.columns.map(|x| (x - self.first[0]) as usize);
         for (y, to) in self.rows(rows) {
-            to.copy_from_slice(&of_row(self.tile, y)[first..end]);
+            let from = &of_row(self.tile, y)[first..end];
+            // Most rows are as wide as the tile: a copy of known size takes no call.
+            match (
+                <&mut FullRow>::try_from(&mut *to),
+                <&FullRow>::try_from(from),
+            ) {
+                (Ok(to), Ok(from)) => *to = *from,
+                _ => to.copy_from_slice(from),
+            }
         }
     }
 
