@@ -81,7 +81,9 @@ impl Treelets<'_> {
             return treelets;
         }
         let mut treelets = Vec::new();
-        let mut list = Vec::new();
+        // All at once, so that memory answers many requests together.
+        let places = curve.iter().map(|place| place.index());
+        let mut list: Vec<_> = places.map(|place| self.primitives[place]).collect();
         // The later parts of all cuts, no more than a code has bits.
         let mut waiting = Vec::new();
         let mut next = Some(0..curve.len());
@@ -92,13 +94,11 @@ impl Treelets<'_> {
                 next = Some(run.start..middle);
                 continue;
             }
-            let places = curve[run.clone()].iter();
-            list.clear();
-            list.extend(places.map(|place| self.primitives[place.index()]));
-            treelets.push(self.top_down.build(&mut list, first + run.start));
-            for (place, primitive) in order[run].iter_mut().zip(&list) {
-                *place = primitive.bits();
-            }
+            let list = &mut list[run.clone()];
+            treelets.push(self.top_down.build(list, first + run.start));
+        }
+        for (place, primitive) in order.iter_mut().zip(&list) {
+            *place = primitive.bits();
         }
         treelets
     }

@@ -3,7 +3,9 @@
 use crate::competitor::Competitor;
 use crate::picture::Picture;
 use crate::view::View;
-use feimos::accel::{Accelerator, Aggregate, Bins, BuildOptions, Precision, SplitMethod, Structure};
+use feimos::accel::{
+    Accelerator, Aggregate, Bins, BuildOptions, Precision, SplitMethod, Structure,
+};
 use feimos::film::{ChannelName, Image, PixelBounds};
 use feimos::progress::Progress;
 use feimos::render::{RenderOptions, blank_image, render_into};
@@ -141,7 +143,14 @@ impl Competitor for Feimos<'_> {
             });
         let image = &mut images[place].1;
         let start = Instant::now();
-        render_into(image, camera, shapes, built.structure(), &options, Progress::SILENT);
+        render_into(
+            image,
+            camera,
+            shapes,
+            built.structure(),
+            &options,
+            Progress::SILENT,
+        );
         let elapsed = start.elapsed();
         copy(image, picture);
         elapsed

@@ -39,11 +39,19 @@ fn of_solids<'a, S: Solid + 'a>(
 ) -> Vec<Box<dyn Competitor + 'a>> {
     let embree_input = embree::input(view);
     vec![
-        Box::new(Feimos::new(view, Accelerator::Tree(SplitMethod::Sah), level)),
+        Box::new(Feimos::new(
+            view,
+            Accelerator::Tree(SplitMethod::Sah),
+            level,
+        )),
         Box::new(Embree::new(view, device, &embree_input, Quality::Medium)),
         Box::new(Obvhs::<S>::new(view, Width::Wide)),
         Box::new(Feimos::new(view, Accelerator::Raster, level)),
-        Box::new(Feimos::new(view, Accelerator::Tree(SplitMethod::Hlbvh), level)),
+        Box::new(Feimos::new(
+            view,
+            Accelerator::Tree(SplitMethod::Hlbvh),
+            level,
+        )),
         Box::new(Embree::new(view, device, &embree_input, Quality::Low)),
         Box::new(Obvhs::<S>::new(view, Width::Binary)),
         Box::new(BvhCrate::<S>::new(view)),
