@@ -11,10 +11,12 @@ pub(super) fn partition(
     primitives: &mut [BuildPrimitive],
     is_left: impl Fn(&BuildPrimitive) -> bool + Sync,
 ) -> usize {
-    match primitives.len() {
-        ..=SHORT => partition_words::<{ SHORT / 64 }>(primitives, &is_left),
-        ..=CHUNK => partition_words::<{ CHUNK / 64 }>(primitives, &is_left),
-        _ => partition_chunks(primitives, &is_left),
+    if primitives.len() <= SHORT {
+        partition_words::<{ SHORT / 64 }>(primitives, &is_left)
+    } else if primitives.len() <= CHUNK {
+        partition_words::<{ CHUNK / 64 }>(primitives, &is_left)
+    } else {
+        partition_chunks(primitives, &is_left)
     }
 }
 

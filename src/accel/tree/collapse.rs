@@ -207,3 +207,75 @@ fn join(top: Collapse, parts: &[Collapse]) -> WideTree<Run> {
         blocks: runs,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::accel::space::Box32;
+
+    /// Appends a balanced tree over `leaves` runs of sixteen items from `first` on, depth first.
+    fn balanced(first: u32, leaves: u32, below: &mut Vec<Children>) -> Node {
+        if leaves == 1 {
+            let bounds = Box32 {
+                low: [first as f32; 3],
+                high: [first as f32 + 16.0; 3],
+            };
+            return Node::leaf(bounds, first, 16);
+        }
+        let place = below.len();
+        below.push(Children::PLACEHOLDER);
+        let left = balanced(first, leaves / 2, below);
+        let right = balanced(first + leaves / 2 * 16, leaves - leaves / 2, below);
+        below[place] = Children::new(&left, &right);
+        Node::inner(left.bounds.union(&right.bounds), place as u32)
+    }
+
+    /// The runs below a node, whose box must lie within `bounds`. Counts nodes.
+    fn runs_below(tree: &WideTree<Run>, node: u32, bounds: &Box32, nodes: &mut usize) -> Vec<Run> {
+        *nodes += 1;
+        let node = &tree.nodes[node as usize];
+        let mut runs = Vec::new();
+        for lane in (0..LANES).filter(|lane| node.used() >> lane & 1 == 1) {
+            let child_bounds = Box32 {
+                low: [0, 1, 2].map(|axis| node.low[axis][lane]),
+                high: [0, 1, 2].map(|axis| node.high[axis][lane]),
+            };
+            assert!(bounds.contains(&child_bounds));
+            let Child { first, blocks } = node.children[lane];
+            if blocks == 0 {
+                runs.extend(runs_below(tree, first, &child_bounds, nodes));
+                continue;
+            }
+            for run in &tree.blocks[first as usize..][..blocks as usize] {
+                let reach = [run.first, run.first + run.count].map(|x| x as f32);
+                assert!(child_bounds.low[0] <= reach[0] && reach[1] <= child_bounds.high[0]);
+                runs.push(*run);
+            }
+        }
+        runs
+    }
+
+    #[test]
+    fn a_tree_in_parts_holds_every_run_once() {
+        for leaves in [1, 2, 17, PART_RUNS, PART_RUNS + 1, 5 * PART_RUNS + 3] {
+            let mut below = Vec::new();
+            let root = balanced(0, leaves, &mut below);
+            let order = vec![(); leaves as usize * 16];
+            let binary = BinaryTree {
+                root: Some(root),
+                below,
+                order,
+            };
+            let tree = collapse(&binary);
+            let mut nodes = 0;
+            let mut runs = runs_below(&tree, 0, &root.bounds, &mut nodes);
+            assert_eq!(nodes, tree.nodes.len(), "every node has one parent");
+            runs.sort_by_key(|run| run.first);
+            let expected = (0..leaves).map(|leaf| Run {
+                first: leaf * 16,
+                count: 16,
+            });
+            assert!(runs.into_iter().eq(expected), "{leaves} leaves");
+        }
+    }
+}
