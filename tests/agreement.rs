@@ -204,7 +204,8 @@ proptest! {
 
 #[test]
 fn trees_do_not_depend_on_the_number_of_threads() {
-    let grid: Vec<[Corner; 3]> = (0..20_000)
+    // Enough for threads to share every part of a build.
+    let grid: Vec<[Corner; 3]> = (0..50_000)
         .map(|k| {
             [
                 [k % 100, k / 100 % 100, k / 10_000],

@@ -25,10 +25,17 @@ use args::{Arguments, Command};
 use clap::Parser;
 use std::process::ExitCode;
 
+/// As in the program `feimos`. Embree asks for huge pages itself.
+#[cfg(target_os = "linux")]
+#[global_allocator]
+static ALLOCATOR: feimos::huge_pages::HugePageAllocator = feimos::huge_pages::HugePageAllocator;
+
 /// What can go wrong here only ends the program: a sentence is enough.
 type Result<T> = std::result::Result<T, Box<dyn std::error::Error + Send + Sync>>;
 
 fn main() -> ExitCode {
+    #[cfg(target_os = "linux")]
+    feimos::huge_pages::prepare();
     let done = match Arguments::parse().command {
         Command::Compare(options) => compare::run(&options),
         Command::Generate { triangles, output } => ply::generate(triangles, &output).map(drop),

@@ -15,8 +15,8 @@ fn bins_for(count: usize) -> usize {
 }
 
 /// Longer lists are split by the plane that is best for a sample.
-const LONG: usize = 4 * SAMPLE;
-const SAMPLE: usize = 1 << 10;
+const LONG: usize = 2 * SAMPLE;
+const SAMPLE: usize = 1 << 9;
 
 /// One primitive from each of [`SAMPLE`] equal parts of the list. Its place varies from part to
 /// part, because lists have patterns, such as the rows of a grid.

@@ -16,11 +16,12 @@ use super::top_down::TopDown;
 use crate::accel::SplitMethod;
 use crate::accel::tree::{Node, Subtree};
 use crate::progress::Progress;
-use rayon::prelude::*;
-use std::ops::Range;
 
 /// The largest number of leaves in a treelet, unless its primitives share one code.
 const TREELET_LEAVES: usize = 16;
+
+/// Two threads share longer parts of the curve. The tree does not depend on this.
+const PARALLEL: usize = 1 << 13;
 
 /// The largest depth of the tree above the treelets.
 const MAX_UPPER_DEPTH: u32 = 40;
@@ -42,51 +43,76 @@ pub(super) fn build(
         progress,
     };
     let curve = along_curve(primitives);
-    let runs = runs(&curve, TREELET_LEAVES * leaf_size.0);
     let mut order = vec![0; primitives.len()];
-    let treelet = |(run, order): (&Range<usize>, &mut [u32])| {
-        let places = curve[run.clone()].iter();
-        let mut list: Vec<_> = places.map(|place| primitives[place.index()]).collect();
-        let treelet = top_down.build(&mut list, run.start);
-        for (place, primitive) in order.iter_mut().zip(&list) {
-            *place = primitive.bits();
-        }
-        treelet
+    let treelets = Treelets {
+        primitives,
+        top_down,
+        longest: TREELET_LEAVES * leaf_size.0,
     };
-    let parts = runs.par_iter().zip(split_into(&mut order, &runs));
-    let treelets = parts.map(treelet).collect();
+    let treelets = treelets.build(&curve, &mut order, 0);
+    drop(curve);
     (join_by_sah(treelets), order)
 }
 
-/// Splits `list` at `runs`, which cover all of it.
-fn split_into<'a, T>(mut list: &'a mut [T], runs: &[Range<usize>]) -> Vec<&'a mut [T]> {
-    let part = |run: &Range<usize>| {
-        list.split_off_mut(..run.len())
-            .expect("runs cover the list")
-    };
-    runs.iter().map(part).collect()
+/// Builds the treelets.
+struct Treelets<'a> {
+    primitives: &'a [BuildPrimitive],
+    top_down: TopDown<'a>,
+    /// The largest number of primitives in a treelet, unless they share one code.
+    longest: usize,
 }
 
-/// Cuts the curve into runs of up to `longest` codes, each time where the highest bit changes in
-/// which they differ. Runs of a single code may be longer.
-fn runs(curve: &[CurvePlace], longest: usize) -> Vec<Range<usize>> {
-    let mut runs = Vec::new();
-    // The later parts of all cuts, no more than a code has bits.
-    let mut waiting = Vec::new();
-    let mut next = Some(0..curve.len());
-    while let Some(run) = next.take().or_else(|| waiting.pop()) {
-        let codes = &curve[run.clone()];
-        let differing = codes[0].code() ^ codes[codes.len() - 1].code();
-        if codes.len() <= longest || differing == 0 {
-            runs.push(run);
-            continue;
+impl Treelets<'_> {
+    /// The treelets of a part of the curve, which begins at index `first`. Writes the bits of its
+    /// primitives to `order`, in the order of the leaves.
+    ///
+    /// Recursion goes no deeper than a code has bits.
+    fn build(&self, curve: &[CurvePlace], order: &mut [u32], first: usize) -> Vec<Subtree> {
+        if curve.len() > PARALLEL
+            && let Some(middle) = self.cut(curve)
+        {
+            let (left, right) = curve.split_at(middle);
+            let (left_order, right_order) = order.split_at_mut(middle);
+            let (mut treelets, right) = rayon::join(
+                || self.build(left, left_order, first),
+                || self.build(right, right_order, first + middle),
+            );
+            treelets.extend(right);
+            return treelets;
+        }
+        let mut treelets = Vec::new();
+        // All at once, so that memory answers many requests together.
+        let places = curve.iter().map(|place| place.index());
+        let mut list: Vec<_> = places.map(|place| self.primitives[place]).collect();
+        // The later parts of all cuts, no more than a code has bits.
+        let mut waiting = Vec::new();
+        let mut next = Some(0..curve.len());
+        while let Some(run) = next.take().or_else(|| waiting.pop()) {
+            if let Some(len) = self.cut(&curve[run.clone()]) {
+                let middle = run.start + len;
+                waiting.push(middle..run.end);
+                next = Some(run.start..middle);
+                continue;
+            }
+            let list = &mut list[run.clone()];
+            treelets.push(self.top_down.build(list, first + run.start));
+        }
+        for (place, primitive) in order.iter_mut().zip(&list) {
+            *place = primitive.bits();
+        }
+        treelets
+    }
+
+    /// The length of the first part of a run that is too long: up to where the highest bit changes
+    /// in which its codes differ. `None` if the run is a treelet.
+    fn cut(&self, run: &[CurvePlace]) -> Option<usize> {
+        let differing = run.first()?.code() ^ run.last()?.code();
+        if run.len() <= self.longest || differing == 0 {
+            return None;
         }
         let bit = differing.ilog2();
-        let middle = run.start + codes.partition_point(|place| place.code() >> bit & 1 == 0);
-        waiting.push(middle..run.end);
-        next = Some(run.start..middle);
+        Some(run.partition_point(|place| place.code() >> bit & 1 == 0))
     }
-    runs
 }
 
 /// Builds the tree above the treelets and joins it with them.

@@ -1,6 +1,6 @@
 //! Partitions lists of primitives, in parallel and reproducibly.
 
-use super::build_primitive::{BuildPrimitive, CHUNK, PARALLEL};
+use super::build_primitive::{BuildPrimitive, CHUNK};
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -11,29 +11,94 @@ pub(super) fn partition(
     primitives: &mut [BuildPrimitive],
     is_left: impl Fn(&BuildPrimitive) -> bool + Sync,
 ) -> usize {
-    if primitives.len() < PARALLEL {
-        return partition_serially(primitives, &is_left);
+    if primitives.len() <= SHORT {
+        partition_words::<{ SHORT / 64 }>(primitives, &is_left)
+    } else if primitives.len() <= CHUNK {
+        partition_words::<{ CHUNK / 64 }>(primitives, &is_left)
+    } else {
+        partition_chunks(primitives, &is_left)
     }
+}
+
+/// Lists up to this length need few words.
+const SHORT: usize = 256;
+
+fn partition_chunks(
+    primitives: &mut [BuildPrimitive],
+    is_left: &(impl Fn(&BuildPrimitive) -> bool + Sync),
+) -> usize {
     let chunks = primitives.par_chunks_mut(CHUNK);
-    let left_counts = chunks.map(|chunk| partition_serially(chunk, &is_left));
+    let left_counts = chunks.map(|chunk| partition_words::<{ CHUNK / 64 }>(chunk, is_left));
     let left_counts: Vec<usize> = left_counts.collect();
     exchange(primitives, &left_counts);
     left_counts.iter().sum()
 }
 
-/// Partitions without a branch on `is_left`, which would be unpredictable.
+/// Notes on which side each primitive belongs, and then exchanges those on the wrong one. No branch
+/// depends on `is_left`, which would be unpredictable, and no primitive moves twice.
 #[inline]
-fn partition_serially(
+fn partition_words<const WORDS: usize>(
     primitives: &mut [BuildPrimitive],
     is_left: &impl Fn(&BuildPrimitive) -> bool,
 ) -> usize {
-    let mut left = 0;
-    for place in 0..primitives.len() {
-        let goes_left = is_left(&primitives[place]);
-        primitives.swap(left, place);
-        left += usize::from(goes_left);
+    // Primitive k of a word as bit k.
+    let mut words = [0; WORDS];
+    let words = &mut words[..primitives.len().div_ceil(64)];
+    let mut count = 0;
+    for (word, primitives) in words.iter_mut().zip(primitives.chunks(64)) {
+        for (bit, primitive) in primitives.iter().enumerate() {
+            *word |= u64::from(is_left(primitive)) << bit;
+        }
+        count += word.count_ones() as usize;
     }
-    left
+    // From here on, bits stand for primitives on the wrong side.
+    let (middle, before_middle) = (count / 64, (1 << (count % 64)) - 1);
+    for word in &mut words[..middle] {
+        *word = !*word;
+    }
+    let mut bits = 0;
+    if let Some(word) = words.get_mut(middle) {
+        *word ^= before_middle;
+        bits = *word & !before_middle;
+    }
+    let mut wrong_on_the_right = Ones {
+        words,
+        word: middle,
+        bits,
+    };
+    let mut wrong_on_the_left = Ones {
+        words,
+        word: 0,
+        bits: words.first().copied().unwrap_or(0),
+    };
+    // There are as many on the left.
+    while let Some((right, left)) = wrong_on_the_right.next().zip(wrong_on_the_left.next()) {
+        (primitives[left], primitives[right]) = (primitives[right], primitives[left]);
+    }
+    count
+}
+
+/// The places of the bits that are 1.
+struct Ones<'a> {
+    words: &'a [u64],
+    word: usize,
+    /// Those of the current word that are left.
+    bits: u64,
+}
+
+impl Iterator for Ones<'_> {
+    type Item = usize;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<usize> {
+        while self.bits == 0 {
+            self.word += 1;
+            self.bits = *self.words.get(self.word)?;
+        }
+        let place = self.word * 64 + self.bits.trailing_zeros() as usize;
+        self.bits &= self.bits - 1;
+        Some(place)
+    }
 }
 
 /// Joins partitioned chunks, each with `left_counts` primitives on its left: those in the wrong
@@ -114,7 +179,7 @@ mod tests {
 
     #[test]
     fn partitions_do_not_depend_on_the_number_of_threads() {
-        for len in [0, 1, 100, PARALLEL, 3 * PARALLEL + 17] {
+        for len in [0, 1, 63, 64, 100, SHORT, SHORT + 1, CHUNK, 9 * CHUNK + 17] {
             for share in [0.0, 0.01, 0.5, 0.9, 3.0] {
                 let limit = share * u32::MAX as f32;
                 let is_left = |primitive: &BuildPrimitive| primitive.centre_along(0) < 2.0 * limit;

@@ -21,7 +21,8 @@ pub(super) fn sort_by_digits<T: Copy + Send + Sync>(
         items.sort_by_key(|item| key(*item));
         return items;
     }
-    let mut sorted = items.clone();
+    // Threads share the first touch of its memory.
+    let mut sorted: Vec<T> = items.par_iter().copied().collect();
     let digit_bits = bits.div_ceil(bits.div_ceil(DIGIT_BITS));
     for shift in (0..bits).step_by(digit_bits as usize) {
         sort_by_digit(&items, &mut sorted, |item| {

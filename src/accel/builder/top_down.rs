@@ -7,7 +7,7 @@ use crate::accel::tree::{Children, Node, Subtree};
 use crate::progress::Progress;
 
 /// Two threads share longer lists. The tree does not depend on this.
-const PARALLEL_SUBTREE: usize = 1 << 12;
+const PARALLEL_SUBTREE: usize = 1 << 10;
 
 /// Builds trees of a bounded depth.
 pub(super) struct TopDown<'a> {
@@ -36,8 +36,8 @@ impl TopDown<'_> {
             );
             return Branch::fork(left, right);
         }
-        let mut below = Vec::new();
         let count = primitives.len();
+        let mut below = Vec::with_capacity(self.splitter.leaf_size.leaves(count));
         let root = self.node(primitives, first, depth, &mut below);
         self.progress.advance(count);
         Branch::Part(Subtree { root, below })

@@ -3,6 +3,7 @@
 mod binary;
 mod bounding_ellipsoid;
 mod collapse;
+mod measure;
 mod node;
 mod primitive_block;
 mod wide;

@@ -41,6 +41,23 @@ impl<B> WideTree<B> {
 }
 
 impl WideNode {
+    /// Lanes that have a child, lane k as bit k.
+    pub(super) fn used(&self) -> u32 {
+        let is_used = |lane: usize| u32::from(self.low[0][lane] <= self.high[0][lane]);
+        (0..LANES).fold(0, |used, lane| used | is_used(lane) << lane)
+    }
+
+    /// The same node in a list where nodes and blocks have moved back.
+    pub(super) fn shifted(&self, nodes: u32, blocks: u32) -> WideNode {
+        let mut shifted = self.clone();
+        let used = self.used();
+        for lane in (0..LANES).filter(|lane| used >> lane & 1 == 1) {
+            let child = &mut shifted.children[lane];
+            child.first += if child.blocks > 0 { blocks } else { nodes };
+        }
+        shifted
+    }
+
     /// A node whose children have these boxes and no contents yet.
     pub(crate) fn over(boxes: impl Iterator<Item = Box32>) -> WideNode {
         let Box32 { low, high } = Box32::EMPTY;
