@@ -1,6 +1,6 @@
 //! A search that ends with the first hit it finds.
 
-use super::traversal::Search;
+use super::search::Search;
 use crate::accel::hit::Hit;
 use crate::shape::InstancedId;
 
@@ -35,6 +35,10 @@ impl<S: Search> Search for AnyHit<S> {
 
     fn has_hit(&self) -> bool {
         self.search.has_hit()
+    }
+
+    fn is_exact(&self) -> bool {
+        self.search.is_exact()
     }
 
     fn into_hit(self) -> Option<Hit> {

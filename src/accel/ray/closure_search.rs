@@ -1,6 +1,6 @@
 //! The nearest hit of a ray by an intersection test that the caller supplies.
 
-use super::traversal::Search;
+use super::search::Search;
 use crate::accel::hit::Hit;
 use crate::accel::space::SlabRay;
 use crate::exact::Bracket;
@@ -48,6 +48,10 @@ impl<F: FnMut(InstancedId) -> Option<f32>> Search for ClosureSearch<'_, F> {
     #[inline]
     fn has_hit(&self) -> bool {
         self.best.is_some()
+    }
+
+    fn is_exact(&self) -> bool {
+        false
     }
 
     fn into_hit(self) -> Option<Hit> {

@@ -1,6 +1,6 @@
 //! The nearest hit of a ray, computed in `f32`.
 
-use super::traversal::Search;
+use super::search::Search;
 use crate::accel::hit::Hit;
 use crate::accel::space::{AnchorSpace, SingleRay, SlabRay};
 use crate::exact::Bracket;
@@ -101,6 +101,10 @@ impl Search for FastSearch<'_> {
     #[inline]
     fn has_hit(&self) -> bool {
         self.best.is_some()
+    }
+
+    fn is_exact(&self) -> bool {
+        false
     }
 
     fn into_hit(self) -> Option<Hit> {

@@ -48,7 +48,7 @@ impl WideNode {
     }
 
     /// A node whose children have these boxes and no contents yet.
-    pub(super) fn over(boxes: impl Iterator<Item = Box32>) -> WideNode {
+    pub(crate) fn over(boxes: impl Iterator<Item = Box32>) -> WideNode {
         let Box32 { low, high } = Box32::EMPTY;
         let mut node = WideNode {
             low: low.map(|x| [x; LANES]),
