@@ -5,17 +5,17 @@ use crate::accel::hit::Hit;
 use crate::shape::InstancedId;
 
 /// Ends a search with its first hit. Which one that is depends on the tree.
-pub(crate) struct AnyHit<S> {
-    search: S,
+pub(crate) struct AnyHit<'a, S> {
+    search: &'a mut S,
 }
 
-impl<S: Search> AnyHit<S> {
-    pub(crate) fn new(search: S) -> AnyHit<S> {
+impl<S: Search> AnyHit<'_, S> {
+    pub(crate) fn new(search: &mut S) -> AnyHit<'_, S> {
         AnyHit { search }
     }
 }
 
-impl<S: Search> Search for AnyHit<S> {
+impl<S: Search> Search for AnyHit<'_, S> {
     #[inline]
     fn test(&mut self, primitive: InstancedId) {
         if !self.search.has_hit() {
@@ -41,7 +41,7 @@ impl<S: Search> Search for AnyHit<S> {
         self.search.is_exact()
     }
 
-    fn into_hit(self) -> Option<Hit> {
-        self.search.into_hit()
+    fn hit(&self) -> Option<Hit> {
+        self.search.hit()
     }
 }

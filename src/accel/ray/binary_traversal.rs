@@ -2,7 +2,7 @@
 
 use super::search::Search;
 use crate::accel::Aggregate;
-use crate::accel::hit::{Hit, TraversalCounts};
+use crate::accel::hit::TraversalCounts;
 use crate::accel::instance::{ObjectTree, Placement};
 use crate::accel::space::{AnchorSpace, Corners, SlabRay};
 use crate::accel::tree::{BinaryTree, Children, MAX_DEPTH, PackedNode};
@@ -43,14 +43,14 @@ pub(crate) fn traverse<const COUNTED: bool, S: Search>(
     aggregate: &Aggregate,
     geometry: &Geometry,
     slab: &SlabRay,
-    mut search: S,
+    search: &mut S,
     stacks: &mut BinaryStacks,
     counts: &mut TraversalCounts,
-) -> Option<Hit> {
+) {
     let BinaryStacks { world, object } = stacks;
     let mut traversal = Traversal::<COUNTED, S> {
         slab,
-        search: &mut search,
+        search,
         counts,
     };
     let enter = |corners: &Corners| slab.enter(corners);
@@ -73,7 +73,6 @@ pub(crate) fn traverse<const COUNTED: bool, S: Search>(
             );
         }
     });
-    search.into_hit()
 }
 
 /// The traversal of one ray.

@@ -54,7 +54,7 @@ impl<F: FnMut(InstancedId) -> Option<f32>> Search for ClosureSearch<'_, F> {
         false
     }
 
-    fn into_hit(self) -> Option<Hit> {
+    fn hit(&self) -> Option<Hit> {
         self.best.map(|(t, primitive)| Hit {
             primitive,
             t: Bracket::exactly(t.into()),

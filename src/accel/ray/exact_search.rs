@@ -65,8 +65,8 @@ impl Search for ExactSearch<'_> {
         true
     }
 
-    fn into_hit(self) -> Option<Hit> {
-        self.nearest.into_hit()
+    fn hit(&self) -> Option<Hit> {
+        self.nearest.hit()
     }
 }
 

@@ -107,7 +107,7 @@ impl Search for FastSearch<'_> {
         false
     }
 
-    fn into_hit(self) -> Option<Hit> {
+    fn hit(&self) -> Option<Hit> {
         let t_of = |t| Bracket::exactly(self.ray.unscaled(t));
         self.best.map(|(t, primitive)| Hit {
             primitive,

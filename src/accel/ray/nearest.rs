@@ -152,9 +152,10 @@ impl<'a> Nearest<'a> {
         }
     }
 
-    pub(crate) fn into_hit(self) -> Option<Hit> {
+    /// The best hit.
+    pub(crate) fn hit(&self) -> Option<Hit> {
         let is_hard = self.fallbacks.is_any();
-        self.best.map(|best| Hit {
+        self.best.as_ref().map(|best| Hit {
             primitive: best.primitive,
             t: best.t,
             is_hard,

@@ -19,7 +19,5 @@ pub(crate) trait Search {
     fn is_exact(&self) -> bool;
 
     /// The best hit among all tested primitives.
-    fn into_hit(self) -> Option<Hit>
-    where
-        Self: Sized;
+    fn hit(&self) -> Option<Hit>;
 }

@@ -97,9 +97,10 @@ impl<'a> Tracer<'a> {
             return None;
         }
         let slab = self.aggregate.space.ray(ray);
-        let search = ClosureSearch::new(&slab, intersect);
+        let mut search = ClosureSearch::new(&slab, intersect);
         let (aggregate, geometry, stacks) = (self.aggregate, self.geometry, self.stacks.binary());
-        traverse::<COUNTED, _>(aggregate, geometry, &slab, search, stacks, counts)
+        traverse::<COUNTED, _>(aggregate, geometry, &slab, &mut search, stacks, counts);
+        search.hit()
     }
 
     /// The depth of the `hit` of `ray`.
@@ -130,14 +131,15 @@ impl<'a> Tracer<'a> {
         match self.precision {
             Precision::Exact => {
                 let mut fallbacks = ExactFallbacks::default();
-                let search = ExactSearch::new(geometry, ray, &slab, &mut self.ties, &mut fallbacks);
-                let hit = trees.traverse(traversal, search);
+                let ties = &mut self.ties;
+                let mut search = ExactSearch::new(geometry, ray, &slab, ties, &mut fallbacks);
+                let hit = trees.traverse(traversal, &mut search);
                 self.fallbacks.add_ray(fallbacks);
                 hit
             }
             Precision::Fast => {
-                let search = FastSearch::new(geometry, &aggregate.space, ray, &slab);
-                trees.traverse(traversal, search)
+                let mut search = FastSearch::new(geometry, &aggregate.space, ray, &slab);
+                trees.traverse(traversal, &mut search)
             }
         }
     }
@@ -165,10 +167,10 @@ struct Trees<'a> {
 
 impl Trees<'_> {
     #[inline]
-    fn traverse<S: Search>(self, traversal: &mut Traversal, search: S) -> Option<Hit> {
+    fn traverse<S: Search>(self, traversal: &mut Traversal, search: &mut S) -> Option<Hit> {
         match traversal {
             Traversal::Closest => self.traverse_wide(search),
-            Traversal::Any => self.traverse_wide(AnyHit::new(search)),
+            Traversal::Any => self.traverse_wide(&mut AnyHit::new(search)),
             Traversal::Counted(counts) => {
                 let stacks = self.stacks.binary();
                 traverse::<true, _>(
@@ -178,20 +180,20 @@ impl Trees<'_> {
                     search,
                     stacks,
                     counts,
-                )
+                );
             }
         }
+        search.hit()
     }
 
-    fn traverse_wide<S: Search>(self, mut search: S) -> Option<Hit> {
+    fn traverse_wide(self, search: &mut dyn Search) {
         self.level.run(WideTraversal {
             aggregate: self.aggregate,
             geometry: self.geometry,
             ray: self.ray,
             slab: self.slab,
             stacks: &mut self.stacks.wide,
-            search: &mut search,
+            search,
         });
-        search.into_hit()
     }
 }

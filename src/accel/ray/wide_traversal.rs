@@ -42,7 +42,7 @@ impl SimdKernel for WideTraversal<'_> {
         let mut blocks = WorldLeaves {
             blocks: &self.aggregate.wide.blocks,
             ray: NarrowRay::new(self.ray),
-            slab: self.slab,
+            t_per_scaled_t: self.slab.t_per_scaled_t(),
             may_leave_out: self.search.is_exact(),
         };
         let nodes = &self.aggregate.wide.nodes;
@@ -107,7 +107,7 @@ fn visit<S: Lanes>(
 struct WorldLeaves<'a> {
     blocks: &'a [PrimitiveBlock],
     ray: NarrowRay,
-    slab: &'a SlabRay,
+    t_per_scaled_t: f64,
     /// Primitives that are surely missed need not be tested.
     may_leave_out: bool,
 }
@@ -115,7 +115,7 @@ struct WorldLeaves<'a> {
 impl<S: Lanes> Leaves<S> for WorldLeaves<'_> {
     #[inline(always)]
     fn visit(&mut self, simd: S, leaf: Child, near: f32, search: &mut dyn Search) {
-        let start = self.ray.point_at(self.slab.unscaled(near));
+        let start = self.ray.point_at(f64::from(near) * self.t_per_scaled_t);
         for block in &self.blocks[leaf.first as usize..][..leaf.blocks as usize] {
             let mut lanes = (1u32 << block.count) - 1;
             if self.may_leave_out && block.triangles != 0 {

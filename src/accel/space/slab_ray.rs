@@ -107,10 +107,10 @@ impl SlabRay {
         (near <= far + f32::MIN_POSITIVE).then_some(near)
     }
 
-    /// The `t` of a scaled one, up to a rounding; 0 if nothing is culled.
+    /// The ray's `t` per scaled one; 0 if nothing is culled.
     #[inline]
-    pub(crate) fn unscaled(&self, t: f32) -> f64 {
-        f64::from(t) / self.scaled_t_per_t
+    pub(crate) fn t_per_scaled_t(&self) -> f64 {
+        1.0 / self.scaled_t_per_t
     }
 
     /// `t` in scaled units, rounded like entries: boxes of points up to `t` are not entered later.
