@@ -41,6 +41,12 @@ impl InstancedId {
         (self.instance != NO_INSTANCE).then_some(self.instance as usize)
     }
 
+    /// Tests whether it is a triangle by itself.
+    #[inline(always)]
+    pub(crate) fn is_own_triangle(self) -> bool {
+        self.instance == NO_INSTANCE && !self.primitive.is_quadric()
+    }
+
     /// The primitive in its store: that of the object, if it is in an instance.
     #[inline(always)]
     pub fn primitive(self) -> PrimitiveId {

@@ -3,8 +3,10 @@
 #![allow(dead_code, unused_imports)]
 
 mod images;
+mod single_rays;
 
 pub(crate) use images::{assert_same, bits_of, judged, rendered};
+use single_rays::assert_single_rays_agree;
 
 use feimos::accel::{
     Accelerator, Aggregate, Bins, BuildOptions, Precision, SplitMethod, Structure,
@@ -148,6 +150,10 @@ pub(crate) fn picture_by(
             ..options
         };
         let hits = render(camera, geometry, structure, &options, Progress::SILENT).unwrap();
+        if let Some(aggregate) = &aggregate {
+            let (image, way) = (&rendering.image, (precision, way.level));
+            assert_single_rays_agree(camera, geometry, aggregate, way, &window, image);
+        }
         let hit = |image: &Image| bits_of(image, ChannelName::A);
         assert_eq!(
             hit(&rendering.image),

@@ -148,7 +148,7 @@ impl Fallback<'_> {
             }
         }
         let wins = nearest.test(primitive, surface);
-        let hit = nearest.into_hit();
+        let hit = nearest.hit();
         fallbacks.add_ray(counted);
         let mut hit = hit.filter(|_| wins)?;
         let width = hit.t.high - hit.t.low;
@@ -174,7 +174,7 @@ impl Fallback<'_> {
         let slab = self.space.ray(ray);
         let mut search = FastSearch::new(self.geometry, self.space, ray, &slab);
         search.test(primitive);
-        let hit = search.into_hit()?;
+        let hit = search.hit()?;
         let nearness = self.view.nearness(hit.t.low);
         let best = pixels.nearness[pixel.block()][pixel.lane()];
         let comes_first = || {

@@ -74,10 +74,10 @@ impl<'a> Tiles<'a> {
     pub fn tracer(&'a self) -> TileTracer<'a> {
         TileTracer {
             tiles: self,
-            single: self
-                .structure
-                .tree()
-                .map(|aggregate| Tracer::new(aggregate, self.geometry, self.options.precision)),
+            single: self.structure.tree().map(|aggregate| {
+                Tracer::new(aggregate, self.geometry, self.options.precision)
+                    .with_level(self.options.level)
+            }),
             buffers: TileBuffers::new(),
             segment: SegmentEntries::new(),
             traced: TracedTile::new(),

@@ -1,21 +1,21 @@
 //! A search that ends with the first hit it finds.
 
-use super::traversal::Search;
+use super::search::Search;
 use crate::accel::hit::Hit;
 use crate::shape::InstancedId;
 
 /// Ends a search with its first hit. Which one that is depends on the tree.
-pub(crate) struct AnyHit<S> {
-    search: S,
+pub(crate) struct AnyHit<'a, S> {
+    search: &'a mut S,
 }
 
-impl<S: Search> AnyHit<S> {
-    pub(crate) fn new(search: S) -> AnyHit<S> {
+impl<S: Search> AnyHit<'_, S> {
+    pub(crate) fn new(search: &mut S) -> AnyHit<'_, S> {
         AnyHit { search }
     }
 }
 
-impl<S: Search> Search for AnyHit<S> {
+impl<S: Search> Search for AnyHit<'_, S> {
     #[inline]
     fn test(&mut self, primitive: InstancedId) {
         if !self.search.has_hit() {
@@ -37,7 +37,11 @@ impl<S: Search> Search for AnyHit<S> {
         self.search.has_hit()
     }
 
-    fn into_hit(self) -> Option<Hit> {
-        self.search.into_hit()
+    fn is_exact(&self) -> bool {
+        self.search.is_exact()
+    }
+
+    fn hit(&self) -> Option<Hit> {
+        self.search.hit()
     }
 }

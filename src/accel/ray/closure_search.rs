@@ -1,6 +1,6 @@
 //! The nearest hit of a ray by an intersection test that the caller supplies.
 
-use super::traversal::Search;
+use super::search::Search;
 use crate::accel::hit::Hit;
 use crate::accel::space::SlabRay;
 use crate::exact::Bracket;
@@ -50,7 +50,11 @@ impl<F: FnMut(InstancedId) -> Option<f32>> Search for ClosureSearch<'_, F> {
         self.best.is_some()
     }
 
-    fn into_hit(self) -> Option<Hit> {
+    fn is_exact(&self) -> bool {
+        false
+    }
+
+    fn hit(&self) -> Option<Hit> {
         self.best.map(|(t, primitive)| Hit {
             primitive,
             t: Bracket::exactly(t.into()),

@@ -1,8 +1,8 @@
 //! The nearest hit of a ray, decided exactly, with the limit that culls nodes.
 
 use super::nearest::Nearest;
+use super::search::Search;
 use super::ties::Ties;
-use super::traversal::Search;
 use crate::accel::hit::{ExactFallbacks, Hit};
 use crate::accel::space::SlabRay;
 use crate::geometry::Ray;
@@ -38,12 +38,15 @@ impl<'a> ExactSearch<'a> {
 impl Search for ExactSearch<'_> {
     #[inline]
     fn test(&mut self, primitive: InstancedId) {
-        let Some(surface) = self.geometry.surface_in_tree(primitive) else {
-            return;
+        let is_better = if primitive.is_own_triangle() {
+            let triangle = self.geometry.triangle(primitive.primitive().index());
+            self.nearest.test_triangle(primitive, &triangle)
+        } else {
+            self.geometry
+                .surface_in_tree(primitive)
+                .is_some_and(|surface| self.nearest.test(primitive, &surface))
         };
-        if self.nearest.test(primitive, &surface)
-            && let Some(t) = self.nearest.best_t()
-        {
+        if is_better && let Some(t) = self.nearest.best_t() {
             self.limit = self.slab.scaled_limit(t.high);
         }
     }
@@ -58,8 +61,12 @@ impl Search for ExactSearch<'_> {
         self.nearest.best_t().is_some()
     }
 
-    fn into_hit(self) -> Option<Hit> {
-        self.nearest.into_hit()
+    fn is_exact(&self) -> bool {
+        true
+    }
+
+    fn hit(&self) -> Option<Hit> {
+        self.nearest.hit()
     }
 }
 

@@ -1,6 +1,6 @@
 //! The nearest hit of a ray, computed in `f32`.
 
-use super::traversal::Search;
+use super::search::Search;
 use crate::accel::hit::Hit;
 use crate::accel::space::{AnchorSpace, SingleRay, SlabRay};
 use crate::exact::Bracket;
@@ -103,7 +103,11 @@ impl Search for FastSearch<'_> {
         self.best.is_some()
     }
 
-    fn into_hit(self) -> Option<Hit> {
+    fn is_exact(&self) -> bool {
+        false
+    }
+
+    fn hit(&self) -> Option<Hit> {
         let t_of = |t| Bracket::exactly(self.ray.unscaled(t));
         self.best.map(|(t, primitive)| Hit {
             primitive,

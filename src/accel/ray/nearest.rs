@@ -4,7 +4,9 @@ use super::ties::Ties;
 use crate::accel::hit::{ExactFallbacks, Hit};
 use crate::exact::{Bracket, Root};
 use crate::geometry::Ray;
-use crate::shape::{Coincidence, FilterRay, FilterResult, Geometry, InstancedId, Primitive};
+use crate::shape::{
+    Coincidence, FilterRay, FilterResult, Geometry, InstancedId, Primitive, Triangle,
+};
 use std::cmp::Ordering;
 
 /// The best hit so far of a ray among the primitives that were tested.
@@ -23,8 +25,8 @@ pub(crate) struct Nearest<'a> {
 struct Candidate {
     primitive: InstancedId,
     t: Bracket,
-    /// The exact `t`, once it has been computed.
-    root: Option<Root>,
+    /// The exact `t`, once it has been computed. It is rare and large.
+    root: Option<Box<Root>>,
 }
 
 impl<'a> Nearest<'a> {
@@ -61,14 +63,32 @@ impl<'a> Nearest<'a> {
     /// Tests a primitive that can be hit. Returns whether it is now the best hit.
     #[inline]
     pub(crate) fn test(&mut self, primitive: InstancedId, surface: &Primitive) -> bool {
-        match surface.filter(&self.ray) {
+        self.decide(primitive, surface.filter(&self.ray), || *surface)
+    }
+
+    /// Like [`Nearest::test`], for a triangle.
+    #[inline]
+    pub(crate) fn test_triangle(&mut self, primitive: InstancedId, triangle: &Triangle) -> bool {
+        let result = triangle.filter(&self.ray);
+        self.decide(primitive, result, || Primitive::Triangle(*triangle))
+    }
+
+    /// Takes the result of the filter, or else tests the primitive exactly.
+    #[inline]
+    fn decide(
+        &mut self,
+        primitive: InstancedId,
+        result: FilterResult,
+        surface: impl FnOnce() -> Primitive,
+    ) -> bool {
+        match result {
             FilterResult::Miss => false,
             FilterResult::Hit(t) => self.offer(Candidate {
                 primitive,
                 t,
                 root: None,
             }),
-            FilterResult::Unsure => self.test_exactly(primitive, surface),
+            FilterResult::Unsure => self.test_exactly(primitive, &surface()),
         }
     }
 
@@ -96,7 +116,7 @@ impl<'a> Nearest<'a> {
             self.offer(Candidate {
                 primitive,
                 t: root.bracket(),
-                root: Some(root),
+                root: Some(Box::new(root)),
             })
         })
     }
@@ -132,9 +152,10 @@ impl<'a> Nearest<'a> {
         }
     }
 
-    pub(crate) fn into_hit(self) -> Option<Hit> {
+    /// The best hit.
+    pub(crate) fn hit(&self) -> Option<Hit> {
         let is_hard = self.fallbacks.is_any();
-        self.best.map(|best| Hit {
+        self.best.as_ref().map(|best| Hit {
             primitive: best.primitive,
             t: best.t,
             is_hard,
@@ -145,6 +166,6 @@ impl<'a> Nearest<'a> {
 impl Candidate {
     fn root(&mut self, geometry: &Geometry, ray: &Ray) -> &Root {
         self.root
-            .get_or_insert_with(|| geometry.surface(self.primitive).exact_t(ray))
+            .get_or_insert_with(|| Box::new(geometry.surface(self.primitive).exact_t(ray)))
     }
 }

@@ -1,25 +1,43 @@
 //! Traces single rays through an aggregate.
 
 use super::any_hit::AnyHit;
+use super::binary_traversal::{BinaryStacks, traverse};
 use super::closure_search::ClosureSearch;
 use super::exact_search::ExactSearch;
 use super::fast_search::FastSearch;
+use super::search::Search;
 use super::ties::Ties;
-use super::traversal::{RayStacks, Search, traverse};
+use super::wide_traversal::{WideStacks, WideTraversal};
 use crate::accel::hit::{ExactFallbacks, Hit, TraversalCounts};
 use crate::accel::space::SlabRay;
 use crate::accel::{Aggregate, Depth, Precision};
 use crate::geometry::Ray;
 use crate::shape::{Geometry, InstancedId};
+use crate::simd::Level;
 
 /// Traces rays, one after the other. Each thread needs its own.
 pub struct Tracer<'a> {
     aggregate: &'a Aggregate,
     geometry: &'a Geometry,
     precision: Precision,
-    stacks: RayStacks,
+    level: Level,
+    stacks: Stacks,
     ties: Ties,
     fallbacks: ExactFallbacks,
+}
+
+/// The stacks of both traversals; those of the binary trees once rays are counted.
+#[derive(Default)]
+struct Stacks {
+    binary: Option<Box<BinaryStacks>>,
+    wide: WideStacks,
+}
+
+impl Stacks {
+    fn binary(&mut self) -> &mut BinaryStacks {
+        self.binary
+            .get_or_insert_with(|| Box::new(BinaryStacks::new()))
+    }
 }
 
 impl<'a> Tracer<'a> {
@@ -33,34 +51,42 @@ impl<'a> Tracer<'a> {
             aggregate,
             geometry,
             precision,
-            stacks: RayStacks::new(),
+            level: Level::detect(),
+            stacks: Stacks::default(),
             ties: Ties::default(),
             fallbacks: ExactFallbacks::default(),
         }
     }
 
+    /// The same tracer with the instructions of `level` instead of the best that the machine has.
+    /// Hits do not depend on them.
+    pub fn with_level(self, level: Level) -> Tracer<'a> {
+        Tracer { level, ..self }
+    }
+
     /// The nearest hit of `ray`. At equal `t` the primitive that comes first in the file wins (rule
     /// E3).
     pub fn closest_hit(&mut self, ray: &Ray) -> Option<Hit> {
-        self.trace::<false, false>(ray, &mut TraversalCounts::default())
+        self.trace(ray, &mut Traversal::Closest)
     }
 
     /// Any hit of `ray`. Which one it is depends on the tree.
     pub fn any_hit(&mut self, ray: &Ray) -> Option<Hit> {
-        self.trace::<false, true>(ray, &mut TraversalCounts::default())
+        self.trace(ray, &mut Traversal::Any)
     }
 
     /// Like [`Tracer::closest_hit`], and adds the nodes and primitives that were tested to
-    /// `counts`.
+    /// `counts`. The ray traverses the binary tree, which costs are defined by.
     pub fn closest_hit_counted(&mut self, ray: &Ray, counts: &mut TraversalCounts) -> Option<Hit> {
-        self.trace::<true, false>(ray, counts)
+        self.trace(ray, &mut Traversal::Counted(counts))
     }
 
     /// The nearest hit of `ray`, where `intersect` returns the `t` at which the ray hits a
     /// primitive.
     ///
     /// At equal `t` the first primitive that is tested wins, so the result may depend on the tree.
-    /// Adds the nodes and primitives that were tested to `counts`.
+    /// The ray traverses the binary tree. Adds the nodes and primitives that were tested to
+    /// `counts`.
     pub fn closest_hit_by<const COUNTED: bool>(
         &mut self,
         ray: &Ray,
@@ -71,9 +97,10 @@ impl<'a> Tracer<'a> {
             return None;
         }
         let slab = self.aggregate.space.ray(ray);
-        let search = ClosureSearch::new(&slab, intersect);
-        let (aggregate, geometry, stacks) = (self.aggregate, self.geometry, &mut self.stacks);
-        traverse::<COUNTED, _>(aggregate, geometry, &slab, search, stacks, counts)
+        let mut search = ClosureSearch::new(&slab, intersect);
+        let (aggregate, geometry, stacks) = (self.aggregate, self.geometry, self.stacks.binary());
+        traverse::<COUNTED, _>(aggregate, geometry, &slab, &mut search, stacks, counts);
+        search.hit()
     }
 
     /// The depth of the `hit` of `ray`.
@@ -87,47 +114,86 @@ impl<'a> Tracer<'a> {
     }
 
     #[inline]
-    fn trace<const COUNTED: bool, const ANY: bool>(
-        &mut self,
-        ray: &Ray,
-        counts: &mut TraversalCounts,
-    ) -> Option<Hit> {
+    fn trace(&mut self, ray: &Ray, traversal: &mut Traversal) -> Option<Hit> {
         if !ray.can_hit() {
             return None;
         }
-        let (aggregate, geometry, stacks) = (self.aggregate, self.geometry, &mut self.stacks);
+        let (aggregate, geometry) = (self.aggregate, self.geometry);
         let slab = aggregate.space.ray(ray);
+        let trees = Trees {
+            aggregate,
+            geometry,
+            level: self.level,
+            ray,
+            slab: &slab,
+            stacks: &mut self.stacks,
+        };
         match self.precision {
             Precision::Exact => {
                 let mut fallbacks = ExactFallbacks::default();
-                let search = ExactSearch::new(geometry, ray, &slab, &mut self.ties, &mut fallbacks);
-                let hit =
-                    run::<COUNTED, ANY, _>(aggregate, geometry, &slab, search, stacks, counts);
+                let ties = &mut self.ties;
+                let mut search = ExactSearch::new(geometry, ray, &slab, ties, &mut fallbacks);
+                let hit = trees.traverse(traversal, &mut search);
                 self.fallbacks.add_ray(fallbacks);
                 hit
             }
             Precision::Fast => {
-                let search = FastSearch::new(geometry, &aggregate.space, ray, &slab);
-                run::<COUNTED, ANY, _>(aggregate, geometry, &slab, search, stacks, counts)
+                let mut search = FastSearch::new(geometry, &aggregate.space, ray, &slab);
+                trees.traverse(traversal, &mut search)
             }
         }
     }
 }
 
-/// Runs a search through the trees, to its end or to its first hit.
-#[inline]
-fn run<const COUNTED: bool, const ANY: bool, S: Search>(
-    aggregate: &Aggregate,
-    geometry: &Geometry,
-    slab: &SlabRay,
-    search: S,
-    stacks: &mut RayStacks,
-    counts: &mut TraversalCounts,
-) -> Option<Hit> {
-    if ANY {
-        let search = AnyHit::new(search);
-        traverse::<COUNTED, _>(aggregate, geometry, slab, search, stacks, counts)
-    } else {
-        traverse::<COUNTED, _>(aggregate, geometry, slab, search, stacks, counts)
+/// How a ray traverses the trees.
+enum Traversal<'c> {
+    /// The wide trees, to the end.
+    Closest,
+    /// The wide trees, to the first hit.
+    Any,
+    /// The binary trees, to the end. Adds the tests.
+    Counted(&'c mut TraversalCounts),
+}
+
+/// The trees and a ray.
+struct Trees<'a> {
+    aggregate: &'a Aggregate,
+    geometry: &'a Geometry,
+    level: Level,
+    ray: &'a Ray,
+    slab: &'a SlabRay,
+    stacks: &'a mut Stacks,
+}
+
+impl Trees<'_> {
+    #[inline]
+    fn traverse<S: Search>(self, traversal: &mut Traversal, search: &mut S) -> Option<Hit> {
+        match traversal {
+            Traversal::Closest => self.traverse_wide(search),
+            Traversal::Any => self.traverse_wide(&mut AnyHit::new(search)),
+            Traversal::Counted(counts) => {
+                let stacks = self.stacks.binary();
+                traverse::<true, _>(
+                    self.aggregate,
+                    self.geometry,
+                    self.slab,
+                    search,
+                    stacks,
+                    counts,
+                );
+            }
+        }
+        search.hit()
+    }
+
+    fn traverse_wide(self, search: &mut dyn Search) {
+        self.level.run(WideTraversal {
+            aggregate: self.aggregate,
+            geometry: self.geometry,
+            ray: self.ray,
+            slab: self.slab,
+            stacks: &mut self.stacks.wide,
+            search,
+        });
     }
 }

@@ -18,14 +18,14 @@ const GROW: f32 = 1.0 + 8.0 * (f32::EPSILON / 2.0);
 pub(crate) struct SlabRay {
     /// The corner on whose face the ray enters a slab: the low one (0), or the high one (1) if the
     /// ray runs towards lower coordinates.
-    near_corner: [usize; 3],
+    pub(crate) near_corner: [usize; 3],
     /// oh of the proof in [`super::anchor_space`], or ol if the ray runs towards lower coordinates.
-    near_origin: [f32; 3],
+    pub(crate) near_origin: [f32; 3],
     /// The other end of the bracket.
-    far_origin: [f32; 3],
+    pub(crate) far_origin: [f32; 3],
     /// The reciprocal of D, rounded down in magnitude, or up for `far_inverse`.
-    near_inverse: [f32; 3],
-    far_inverse: [f32; 3],
+    pub(crate) near_inverse: [f32; 3],
+    pub(crate) far_inverse: [f32; 3],
     /// Scaled units of `t`, in anchor space with the scaled direction, per unit of the ray's `t`.
     scaled_t_per_t: f64,
 }
@@ -105,6 +105,12 @@ impl SlabRay {
         // compiler: with a plain comparison, tracing the dragon from nearby took 1.23 times as
         // long.
         (near <= far + f32::MIN_POSITIVE).then_some(near)
+    }
+
+    /// The ray's `t` per scaled one; 0 if nothing is culled.
+    #[inline]
+    pub(crate) fn t_per_scaled_t(&self) -> f64 {
+        1.0 / self.scaled_t_per_t
     }
 
     /// `t` in scaled units, rounded like entries: boxes of points up to `t` are not entered later.

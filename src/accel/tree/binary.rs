@@ -1,4 +1,4 @@
-//! The binary tree that the builder produces and single rays traverse.
+//! The binary tree that the builder produces and counted rays traverse.
 
 use super::node::{Children, Node};
 

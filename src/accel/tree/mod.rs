@@ -12,5 +12,7 @@ pub(super) use self::binary::{BinaryTree, MAX_DEPTH};
 pub(super) use self::bounding_ellipsoid::SHAPE_ENTRIES;
 pub(super) use self::collapse::collapse;
 pub(super) use self::node::{Children, Node, PackedNode, Subtree};
-pub(super) use self::primitive_block::{BLOCK_SIZE, PrimitiveBlock, primitive_blocks};
+pub(super) use self::primitive_block::{
+    BLOCK_SIZE, PrimitiveBlock, TriangleLanes, primitive_blocks,
+};
 pub(super) use self::wide::{Child, Run, WideNode, WideTree};

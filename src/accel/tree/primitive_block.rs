@@ -3,7 +3,7 @@
 use super::bounding_ellipsoid::BoundingEllipsoid;
 use super::wide::Run;
 use crate::shape::{Form, Geometry, Primitive, PrimitiveId, Quadric, Triangle};
-use crate::simd::LANES;
+use crate::simd::{LANES, Lanes};
 use rayon::prelude::*;
 
 /// Up to sixteen primitives of a leaf, in world space.
@@ -31,6 +31,14 @@ pub(crate) struct PrimitiveBlock {
     pub(crate) spheres: u32,
 }
 
+/// The triangles of a block in lanes: see [`PrimitiveBlock`]. Other lanes have no meaning.
+pub(crate) struct TriangleLanes<S: Lanes> {
+    /// The first corners.
+    pub(crate) first: [S::D; 3],
+    /// The edges from the first corners to the second, and to the third.
+    pub(crate) edges: [[S::F; 3]; 2],
+}
+
 /// The number of primitives that a block holds.
 pub(crate) const BLOCK_SIZE: usize = LANES;
 
@@ -50,6 +58,17 @@ impl PrimitiveBlock {
     /// Lanes that hold a quadric, lane k as bit k.
     pub(crate) fn quadrics(&self) -> u32 {
         ((1 << self.count) - 1) & !self.triangles
+    }
+
+    /// Loads the triangles.
+    #[inline(always)]
+    pub(crate) fn triangle_lanes<S: Lanes>(&self, simd: S) -> TriangleLanes<S> {
+        let [x, y, z] = &self.corner;
+        let edge = |[x, y, z]: &[[f32; LANES]; 3]| [simd.load(x), simd.load(y), simd.load(z)];
+        TriangleLanes {
+            first: [simd.load_wide(x), simd.load_wide(y), simd.load_wide(z)],
+            edges: [edge(&self.edges[0]), edge(&self.edges[1])],
+        }
     }
 
     /// Removes all primitives.

@@ -1,4 +1,4 @@
-//! The tree that tiles traverse: sixteen children per node, whatever the split method.
+//! The tree that tiles and single rays traverse: sixteen children per node, whatever the split method.
 
 use crate::accel::space::Box32;
 use crate::simd::LANES;

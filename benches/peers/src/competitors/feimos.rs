@@ -2,9 +2,10 @@
 
 use crate::competitor::Competitor;
 use crate::picture::Picture;
+use crate::single_rays;
 use crate::view::View;
 use feimos::accel::{
-    Accelerator, Aggregate, Bins, BuildOptions, Precision, SplitMethod, Structure,
+    Accelerator, Aggregate, Bins, BuildOptions, Precision, SplitMethod, Structure, Tracer,
 };
 use feimos::film::{ChannelName, Image, PixelBounds};
 use feimos::progress::Progress;
@@ -28,18 +29,19 @@ const ALL: &[ChannelName] = &[
 /// Hit or miss.
 const HITS: &[ChannelName] = &[ChannelName::A];
 
-/// The ways to trace, and their names.
+/// The ways to trace tiles, and their names; the last name is that of single rays, which need a tree.
 const MODES: [(Precision, &[ChannelName]); 4] = [
     (Precision::Exact, SAME),
     (Precision::Fast, SAME),
     (Precision::Exact, ALL),
     (Precision::Exact, HITS),
 ];
-const MODE_NAMES: [&str; 4] = [
+const MODE_NAMES: [&str; 5] = [
     "exact",
     "fast",
     "exact, five channels",
     "exact, hit or miss",
+    "exact, single rays",
 ];
 
 /// feimos with one accelerator.
@@ -78,6 +80,17 @@ impl Feimos<'_> {
         }
     }
 
+    /// Traces one ray after the other through a tree.
+    fn trace_single_rays(&self, aggregate: &Aggregate, picture: &mut Picture) -> Duration {
+        let (View { shapes, camera, .. }, level) = (self.view, self.level);
+        let start = Instant::now();
+        picture.fill_bands(|band| {
+            let tracer = Tracer::new(aggregate, shapes, Precision::Exact).with_level(level);
+            single_rays::fill_exactly(camera, shapes, tracer, band)
+        });
+        start.elapsed()
+    }
+
     fn window(&self) -> PixelBounds {
         let [width, height] = self.view.camera.resolution;
         PixelBounds::of_film(width, height)
@@ -111,7 +124,10 @@ impl Competitor for Feimos<'_> {
     }
 
     fn modes(&self) -> &[&'static str] {
-        &MODE_NAMES
+        match self.accelerator {
+            Accelerator::Tree(_) => &MODE_NAMES,
+            Accelerator::Raster => &MODE_NAMES[..MODES.len()],
+        }
     }
 
     fn makes_its_own_picture(&self) -> bool {
@@ -119,7 +135,13 @@ impl Competitor for Feimos<'_> {
     }
 
     fn trace(&self, mode: usize, picture: &mut Picture) -> Duration {
-        let (precision, channels) = MODES[mode];
+        let built = self.built.as_ref().expect("built before it is traced");
+        let Some((precision, channels)) = MODES.get(mode).copied() else {
+            let Built::Tree(aggregate) = built else {
+                unreachable!("bins have no mode for single rays")
+            };
+            return self.trace_single_rays(aggregate, picture);
+        };
         let options = RenderOptions {
             data_window: self.window(),
             channels: channels.to_vec(),
@@ -128,7 +150,6 @@ impl Competitor for Feimos<'_> {
             precision,
             level: self.level,
         };
-        let built = self.built.as_ref().expect("built before it is traced");
         let View { shapes, camera, .. } = self.view;
         let mut images = self.images.borrow_mut();
         let place = images

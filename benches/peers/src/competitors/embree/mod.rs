@@ -1,4 +1,4 @@
-//! Embree 3: robust, 16 rays at a time, 4 by 4 pixels, coherent; all in Embree's favour where there was a choice: it
+//! Embree 3: robust, coherent, 16 rays at a time, 4 by 4 pixels, or one after the other; all in Embree's favour where there was a choice: it
 //! reads arrays in place instead of copying them, and rays are computed, which is quicker than reading them.
 
 mod packet;
@@ -9,12 +9,24 @@ pub(crate) use rtcore::{Device, Input, Quality, Scene};
 
 use crate::competitor::Competitor;
 use crate::picture::Picture;
+use crate::single_rays;
 use crate::view::View;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-const MODES: [Question; 2] = [Question::ClosestHit, Question::AnyHit];
-const MODE_NAMES: [&str; 2] = ["packets", "packets, hit or miss"];
+const MODES: [Mode; 3] = [
+    Mode::Packets(Question::ClosestHit),
+    Mode::Packets(Question::AnyHit),
+    Mode::SingleRays,
+];
+const MODE_NAMES: [&str; 3] = ["packets", "packets, hit or miss", "single rays"];
+
+/// How rays are traced.
+enum Mode {
+    Packets(Question),
+    /// One ray after the other: depth and primitive.
+    SingleRays,
+}
 
 /// Embree with one build quality.
 pub(crate) struct Embree<'a> {
@@ -67,14 +79,20 @@ impl Competitor for Embree<'_> {
     fn trace(&self, mode: usize, picture: &mut Picture) -> Duration {
         let scene = self.scene.as_ref().expect("built before it is traced");
         let start = Instant::now();
-        picture.fill_bands(|band| {
-            Packets {
-                scene,
-                rays: &self.view.rays,
-                question: MODES[mode],
+        let rays = &self.view.rays;
+        match MODES[mode] {
+            Mode::Packets(question) => picture.fill_bands(|band| {
+                Packets {
+                    scene,
+                    rays,
+                    question,
+                }
+                .fill(band)
+            }),
+            Mode::SingleRays => {
+                single_rays::trace(rays, picture, |ray| rtcore::closest_hit(scene, ray))
             }
-            .fill(band)
-        });
+        }
         start.elapsed()
     }
 }

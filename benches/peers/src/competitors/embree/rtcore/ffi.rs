@@ -68,6 +68,35 @@ pub(super) struct RTCRayHit16 {
     pub(super) hit: RTCHit16,
 }
 
+#[repr(C, align(16))]
+pub(super) struct RTCRay {
+    pub(super) org: [f32; 3],
+    pub(super) tnear: f32,
+    pub(super) dir: [f32; 3],
+    pub(super) time: f32,
+    pub(super) tfar: f32,
+    pub(super) mask: c_uint,
+    pub(super) id: c_uint,
+    pub(super) flags: c_uint,
+}
+
+#[repr(C, align(16))]
+pub(super) struct RTCHit {
+    pub(super) ng: [f32; 3],
+    pub(super) u: f32,
+    pub(super) v: f32,
+    pub(super) prim_id: c_uint,
+    pub(super) geom_id: c_uint,
+    pub(super) inst_id: [c_uint; 1],
+}
+
+#[repr(C)]
+pub(super) struct RTCRayHit {
+    pub(super) ray: RTCRay,
+    pub(super) hit: RTCHit,
+}
+
+const _: () = assert!(size_of::<RTCRay>() == 48 && size_of::<RTCRayHit>() == 80);
 const _: () = assert!(size_of::<RTCRay16>() == 12 * 64 && size_of::<RTCRayHit16>() == 20 * 64);
 
 #[link(name = "embree3")]
@@ -96,6 +125,11 @@ unsafe extern "C" {
     pub(super) fn rtcSetSceneBuildQuality(scene: RTCScene, quality: c_uint);
     pub(super) fn rtcAttachGeometry(scene: RTCScene, geometry: RTCGeometry) -> c_uint;
     pub(super) fn rtcCommitScene(scene: RTCScene);
+    pub(super) fn rtcIntersect1(
+        scene: RTCScene,
+        context: *mut RTCIntersectContext,
+        ray_hit: *mut RTCRayHit,
+    );
     pub(super) fn rtcIntersect16(
         valid: *const c_int,
         scene: RTCScene,

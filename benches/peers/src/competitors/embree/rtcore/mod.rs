@@ -5,8 +5,10 @@
 mod device;
 mod ffi;
 mod packet;
+mod ray;
 mod scene;
 
 pub(crate) use device::Device;
 pub(super) use packet::{LANES, Packet};
+pub(super) use ray::closest_hit;
 pub(crate) use scene::{Input, Quality, Scene};

@@ -1,28 +1,12 @@
-//! The traversal of the binary trees by one ray.
+//! The traversal of the binary trees by one ray, which costs and baseline kernels are defined by.
 
+use super::search::Search;
 use crate::accel::Aggregate;
-
-use crate::accel::hit::{Hit, TraversalCounts};
+use crate::accel::hit::TraversalCounts;
 use crate::accel::instance::{ObjectTree, Placement};
-
 use crate::accel::space::{AnchorSpace, Corners, SlabRay};
 use crate::accel::tree::{BinaryTree, Children, MAX_DEPTH, PackedNode};
 use crate::shape::{Geometry, InstancedId};
-
-/// A search for a hit: tests the primitives that a ray may hit, and limits how far it has to go.
-pub(crate) trait Search {
-    /// Tests a primitive.
-    fn test(&mut self, primitive: InstancedId);
-
-    /// In the units of the slab test. A box that is entered later cannot contain a better hit.
-    fn limit(&self) -> f32;
-
-    /// Tests whether any tested primitive is hit.
-    fn has_hit(&self) -> bool;
-
-    /// The best hit among all tested primitives.
-    fn into_hit(self) -> Option<Hit>;
-}
 
 /// A child to visit, which the ray enters at `near`.
 #[derive(Clone, Copy)]
@@ -33,22 +17,22 @@ struct Pending {
 }
 
 /// The children to visit, farthest first: up to one for each level of the tree.
-pub(crate) struct RayStack {
+pub(crate) struct BinaryStack {
     pending: [Pending; MAX_DEPTH + 1],
     len: usize,
 }
 
 /// The stacks for the world's trees and for an object's tree.
-pub(crate) struct RayStacks {
-    world: RayStack,
-    object: RayStack,
+pub(crate) struct BinaryStacks {
+    world: BinaryStack,
+    object: BinaryStack,
 }
 
-impl RayStacks {
-    pub(crate) fn new() -> RayStacks {
-        RayStacks {
-            world: RayStack::new(),
-            object: RayStack::new(),
+impl BinaryStacks {
+    pub(crate) fn new() -> BinaryStacks {
+        BinaryStacks {
+            world: BinaryStack::new(),
+            object: BinaryStack::new(),
         }
     }
 }
@@ -59,14 +43,14 @@ pub(crate) fn traverse<const COUNTED: bool, S: Search>(
     aggregate: &Aggregate,
     geometry: &Geometry,
     slab: &SlabRay,
-    mut search: S,
-    stacks: &mut RayStacks,
+    search: &mut S,
+    stacks: &mut BinaryStacks,
     counts: &mut TraversalCounts,
-) -> Option<Hit> {
-    let RayStacks { world, object } = stacks;
+) {
+    let BinaryStacks { world, object } = stacks;
     let mut traversal = Traversal::<COUNTED, S> {
         slab,
-        search: &mut search,
+        search,
         counts,
     };
     let enter = |corners: &Corners| slab.enter(corners);
@@ -89,7 +73,6 @@ pub(crate) fn traverse<const COUNTED: bool, S: Search>(
             );
         }
     });
-    search.into_hit()
 }
 
 /// The traversal of one ray.
@@ -107,7 +90,7 @@ impl<const COUNTED: bool, S: Search> Traversal<'_, COUNTED, S> {
         &mut self,
         tree: &BinaryTree<T>,
         enter: impl Fn(&Corners) -> Option<f32>,
-        stack: &mut RayStack,
+        stack: &mut BinaryStack,
         mut visit: impl FnMut(&mut Self, &[T]),
     ) {
         let Some(root) = tree.root.as_ref() else {
@@ -143,7 +126,7 @@ impl<const COUNTED: bool, S: Search> Traversal<'_, COUNTED, S> {
         space: &AnchorSpace,
         geometry: &Geometry,
         instance: usize,
-        stack: &mut RayStack,
+        stack: &mut BinaryStack,
     ) {
         let placement: Placement = object.placement(&geometry.instances()[instance]);
         let slab = self.slab;
@@ -183,7 +166,7 @@ fn nearer_child(
     children: &Children,
     enter: impl Fn(&Corners) -> Option<f32>,
     limit: f32,
-    stack: &mut RayStack,
+    stack: &mut BinaryStack,
 ) -> Option<(u32, u32)> {
     let [left, right] = &children.0;
     let enter = |node: &PackedNode| enter(&node.corners).filter(|near| *near <= limit);
@@ -210,14 +193,14 @@ fn nearer_child(
     }
 }
 
-impl RayStack {
-    fn new() -> RayStack {
+impl BinaryStack {
+    fn new() -> BinaryStack {
         let none = Pending {
             near: 0.0,
             first: 0,
             count: 0,
         };
-        RayStack {
+        BinaryStack {
             pending: [none; MAX_DEPTH + 1],
             len: 0,
         }
