@@ -5,11 +5,13 @@ mod node_footprints;
 mod prefetch;
 mod stack;
 mod tile_from_tree;
+mod tile_tree;
 
 pub(super) use self::hi_z::{HiZ, pixel_blocks_between};
-pub(super) use self::prefetch::{PrefetchQueue, TileTree};
+pub(super) use self::prefetch::PrefetchQueue;
 pub(super) use self::stack::TileStack;
 pub(super) use self::tile_from_tree::TileFromTree;
+pub(super) use self::tile_tree::TileTree;
 
 #[cfg(test)]
 mod tests;

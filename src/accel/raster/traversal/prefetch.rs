@@ -2,18 +2,11 @@
 
 use super::hi_z::HiZ;
 use super::stack::TileStack;
-use super::tile_from_tree::TileFromTree;
+use super::tile_tree::TileTree;
 use crate::accel::instance::ObjectBlocks;
 use crate::accel::raster::depth_buffer::DepthBuffer;
-use crate::accel::tree::{PrimitiveBlock, WideNode};
+use crate::accel::tree::PrimitiveBlock;
 use crate::simd::Lanes;
-
-/// A tree as a tile sees it, over blocks of the type `B`.
-pub(crate) struct TileTree<'a, B: ?Sized> {
-    pub(crate) from_tree: TileFromTree,
-    pub(crate) nodes: &'a [WideNode],
-    pub(crate) blocks: &'a B,
-}
 
 /// Blocks that can be prefetched.
 pub(crate) trait Blocks {

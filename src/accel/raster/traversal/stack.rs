@@ -2,7 +2,7 @@
 
 use super::hi_z::{HiZ, four_by_four, pixel_blocks_between};
 use super::node_footprints::NodeFootprints;
-use super::prefetch::TileTree;
+use super::tile_tree::TileTree;
 use crate::accel::raster::depth_buffer::{BLOCK_SIDE, DepthBuffer};
 use crate::accel::tree::Child;
 use crate::accel::view::TILE;
