@@ -256,18 +256,6 @@ impl Geometry {
         }
     }
 
-    /// The radius of quadric `index`, which lies beside the number of its transform.
-    #[inline]
-    pub(crate) fn radius_of_quadric(&self, index: usize) -> &f64 {
-        &self.quadrics[index].radius
-    }
-
-    /// The transform of quadric `index`.
-    #[inline]
-    pub(crate) fn transform_of_quadric(&self, index: usize) -> &Matrix {
-        self.transform(self.quadrics[index].transform)
-    }
-
     /// The transform of this number.
     #[inline]
     pub fn transform(&self, number: u32) -> &Matrix {
