@@ -182,3 +182,40 @@ fn sizes_that_halve_repeatedly() {
     let towards_the_eye = (0..1000).map(|k| triangle(-4.0 + 4.0 * 0.5f64.powi(k)));
     assert!(hits(&mesh(towards_the_eye)) >= IN_TRIANGLE);
 }
+
+/// How near triangles are that cross the eye's plane is unknown, and bins hold more of them than are
+/// tested at once. All must be tested before others are left out for being farther than a hit.
+#[test]
+fn no_triangle_of_unknown_nearness_is_left_out() {
+    let triangles = [
+        [[0, 0, 0], [0, 0, 1], [0, -1, 0]],
+        [[0, 0, 0], [0, -3, 0], [0, 0, 1]],
+        [[0, 0, 0], [0, 0, -1], [0, -1, 0]],
+        [[1, -2, -1], [-2, 0, 4], [0, 0, -2]],
+        [[0, 0, 0], [0, 0, -1], [1, 0, 0]],
+        [[0, 0, 0], [0, 0, -1], [1, 0, 0]],
+        [[-1, -2, 0], [0, 0, -2], [0, 0, 0]],
+        [[0, 0, -2], [0, 0, 0], [0, 1, 0]],
+        [[-1, 0, -1], [0, 0, 0], [0, 1, 0]],
+        [[2, 1, 0], [0, 0, -1], [0, 0, 0]],
+        [[0, 0, 0], [0, 0, 1], [0, -1, 0]],
+        [[0, 1, 0], [0, 0, -1], [0, 0, 0]],
+        [[0, 0, 0], [0, -1, 0], [0, 0, 1]],
+        [[0, 0, 0], [0, 0, -1], [0, -1, 0]],
+        [[0, 0, 0], [0, -3, 0], [0, 0, 1]],
+        [[0, 2, 0], [0, 0, 0], [0, 0, 1]],
+        [[-2, 0, -3], [1, 0, 0], [0, 0, 0]],
+        [[0, 0, 0], [0, 2, -3], [0, 0, 1]],
+        [[1, -2, -1], [2, 1, -1], [-3, 0, 0]],
+    ];
+    let corner = |corner: [i32; 3]| Point::from(corner.map(f64::from));
+    let geometry = mesh(triangles.map(|triangle| triangle.map(corner)));
+    let eye = Point::new(0.0, -1.0, -1.0);
+    let look_at = Transform::look_at(eye, Point::default(), Vector::new(0.0, 1.0, 0.0)).unwrap();
+    let camera = Camera {
+        world_from_camera: look_at.inverse,
+        resolution: [1, 1],
+        ..camera()
+    };
+    agreed_picture(&camera, &geometry, Precision::Exact);
+}

@@ -34,14 +34,13 @@ impl Slices {
     fn over(entries: &[BinEntry]) -> Slices {
         let (mut least, mut most) = (f32::INFINITY, f32::NEG_INFINITY);
         for entry in entries {
-            // Infinite ones go to the first slice.
             if entry.nearness < f32::INFINITY {
                 least = least.min(entry.nearness);
                 most = most.max(entry.nearness);
             }
         }
         let range = most - least;
-        let per_nearness = SLICES as f32 / range;
+        let per_nearness = (SLICES - 1) as f32 / range;
         let is_usable = range > 0.0 && per_nearness.is_finite();
         Slices {
             most,
@@ -51,9 +50,13 @@ impl Slices {
 
     #[inline(always)]
     fn of(&self, nearness: f32) -> usize {
-        // Negative for infinite nearness: the conversion saturates.
+        // The first slice is for those alone whose nearness is unknown: entries that follow a
+        // hidden one must not be nearer than all.
+        if nearness == f32::INFINITY {
+            return 0;
+        }
         let slice = (self.most - nearness) * self.per_nearness;
-        (slice as usize).min(SLICES - 1)
+        1 + (slice as usize).min(SLICES - 2)
     }
 }
 
