@@ -3,8 +3,8 @@
 //! A box of the object has the range l to h on axis j, in the object's anchor space. Relative to
 //! the origin of the ray, and in the units of the world's anchor space, it is in the range from
 //! sum_j min(P_kj l, P_kj h) + B_k to the same with maxima, where P is the transform between the
-//! two spaces and B the place of the object's anchor. Which of l and h has the minimum is decided by
-//! the sign of P_kj.
+//! two spaces and B the place of the object's anchor. Which of l and h has the minimum is decided
+//! by the sign of P_kj.
 //!
 //! # Bounds
 //!
@@ -19,8 +19,8 @@
 //! the anchor, and whose faces are rounded again relative to the origin. That is less than 6 u T_k.
 //! What remains of the entry is the same rounding for both, which is monotone.
 //!
-//! So every face is moved outward by 16 u T_k, the errors of `f64`, and a tiny number for underflow.
-//! An overflow makes this infinite, and faces infinite or NaN, which cut nothing off.
+//! So every face is moved outward by 16 u T_k, the errors of `f64`, and a tiny number for
+//! underflow. An overflow makes this infinite, and faces infinite or NaN, which cut nothing off.
 
 use super::box_test::{BoxTest, Entered, Slabs};
 use crate::accel::instance::Placement;

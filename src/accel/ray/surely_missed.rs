@@ -28,11 +28,12 @@
 //!
 //! 128 U E M (R + E) + 16 E M d,
 //!
-//! which leaves room for terms in U^2, for the roundings of the bound, and for M, R and E, which are
-//! the largest of rounded numbers. Fused products have fewer roundings. Underflow loses up to 2^-150
-//! with each rounding, multiplied by what follows: a tiny number is added to R, to E, and to the
-//! bound. Overflow is out of the question where R + E is below 2^48, since M is up to 2^24 at most;
-//! farther triangles are never left out. Comparisons with NaN fail, which leaves out nothing either.
+//! which leaves room for terms in U^2, for the roundings of the bound, and for M, R and E, which
+//! are the largest of rounded numbers. Fused products have fewer roundings. Underflow loses up to
+//! 2^-150 with each rounding, multiplied by what follows: a tiny number is added to R, to E, and to
+//! the bound. Overflow is out of the question where R + E is below 2^48, since M is up to 2^24 at
+//! most; farther triangles are never left out. Comparisons with NaN fail, which leaves out nothing
+//! either.
 
 use super::narrow_ray::{NarrowRay, PointOnRay};
 use crate::accel::tree::TriangleLanes;
