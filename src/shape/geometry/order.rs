@@ -62,6 +62,18 @@ impl Geometry {
         }
     }
 
+    /// The radius of quadric `index`, which lies beside the number of its transform.
+    #[inline]
+    pub(crate) fn radius_of_quadric(&self, index: usize) -> &f64 {
+        &self.quadrics[index].radius
+    }
+
+    /// The transform of quadric `index`.
+    #[inline]
+    pub(crate) fn transform_of_quadric(&self, index: usize) -> &Matrix {
+        self.transform(self.quadrics[index].transform)
+    }
+
     /// The triangles of the mesh of a triangle.
     pub(crate) fn mesh_around(&self, triangle: u32) -> Range<u32> {
         let mesh = self

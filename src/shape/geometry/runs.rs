@@ -1,6 +1,5 @@
 //! How meshes and quadrics are stored and numbered.
 
-use super::Geometry;
 use std::fmt;
 
 /// The triangles of one shape, with consecutive primitive numbers.
@@ -41,20 +40,6 @@ pub(super) struct StoredQuadric {
     pub(super) radius: f64,
     pub(super) transform: u32,
     pub(super) shape: u32,
-}
-
-impl Geometry {
-    /// The radius of quadric `index`, which lies beside the number of its transform.
-    #[inline]
-    pub(crate) fn radius_of_quadric(&self, index: usize) -> &f64 {
-        &self.quadrics[index].radius
-    }
-
-    /// The transform of quadric `index`.
-    #[inline]
-    pub(crate) fn transform_of_quadric(&self, index: usize) -> &crate::geometry::Matrix {
-        self.transform(self.quadrics[index].transform)
-    }
 }
 
 /// A scene contains more items of a kind than 32-bit numbers can count.
