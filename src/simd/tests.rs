@@ -55,7 +55,14 @@ impl SimdKernel for Everything<'_> {
             c.narrow(),
         ];
         let wide = a.widen();
+        let mut table = [0.0; TABLE];
+        let mut places = [0; LANES];
+        for k in 0..TABLE {
+            table[k] = f64::from(k as u32) + self.2[k % LANES] * 1e-3;
+            places[k % LANES] = (7 * k + 5 * (k / LANES)) as u8;
+        }
         let doubles = [
+            simd.pick_wide(&table, &places),
             wide,
             wide + c,
             wide - c,
