@@ -19,11 +19,12 @@ struct Scene {
     first: [u32; 2],
 }
 
-fn camera(eye: [f64; 3], is_perspective: bool) -> Camera {
+/// A camera at `eye` that looks at `target`, with an angle of view of `degrees` in a perspective.
+pub(super) fn camera(eye: Point, target: Point, is_perspective: bool, degrees: f64) -> Camera {
     let up = Vector::new(0.1, 1.0, 0.2);
-    let look_at = Transform::look_at(Point::from(eye), Point::new(0.1, 0.2, 0.3), up).unwrap();
+    let look_at = Transform::look_at(eye, target, up).unwrap();
     let (projection, size) = if is_perspective {
-        (Projection::perspective(40.0), 1.0)
+        (Projection::perspective(degrees), 1.0)
     } else {
         (Projection::Orthographic, 3.0)
     };
@@ -60,7 +61,9 @@ fn scene() -> impl Strategy<Value = Scene> {
         triangles,
     )
         .prop_map(|(eye, is_perspective, tile, triangles)| {
-            let (camera, first) = (camera(eye, is_perspective), tile.map(|k| 16 * k));
+            let target = Point::new(0.1, 0.2, 0.3);
+            let camera = camera(Point::from(eye), target, is_perspective, 40.0);
+            let first = tile.map(|k| 16 * k);
             let place = |(pixel, depth, size, corners): ([u32; 2], f64, i32, [[f64; 3]; 3])| {
                 let ray = camera.ray(first[0] + pixel[0], first[1] + pixel[1]);
                 let centre = ray.origin + ray.direction * depth;

@@ -2,11 +2,12 @@
 
 use super::node_footprints::NodeFootprints;
 use super::tile_from_tree::TileFromTree;
+use crate::accel::raster::tests::camera;
 use crate::accel::space::{AnchorSpace, Box32};
 use crate::accel::tree::WideNode;
 use crate::accel::view::{CameraView, TILE, TileFrame};
-use crate::camera::{Camera, Projection, ScreenWindow};
-use crate::geometry::{Point, Transform, Vector};
+use crate::camera::Camera;
+use crate::geometry::{Bounds, Point, Vector};
 use crate::simd::{LANES, Lanes, Level, SimdKernel};
 use proptest::prelude::*;
 
@@ -37,33 +38,11 @@ fn scene() -> impl Strategy<Value = Scene> {
         prop::collection::vec(place, 1..=LANES),
     )
         .prop_map(|(eye, is_perspective, anchor, tile, boxes)| Scene {
-            camera: camera(eye, is_perspective),
+            camera: camera(eye.into(), Point::new(3.0, 0.2, 0.3), is_perspective, 70.0),
             anchor,
             first: tile.map(|k| TILE * k),
             boxes,
         })
-}
-
-fn camera(eye: [f64; 3], is_perspective: bool) -> Camera {
-    let up = Vector::new(0.1, 1.0, 0.2);
-    let look_at = Transform::look_at(Point::from(eye), Point::new(3.0, 0.2, 0.3), up).unwrap();
-    let (projection, size) = if is_perspective {
-        (Projection::perspective(70.0), 1.0)
-    } else {
-        (Projection::Orthographic, 3.0)
-    };
-    let screen_window = ScreenWindow {
-        x0: -size,
-        x1: size,
-        y0: -size,
-        y1: size,
-    };
-    Camera {
-        world_from_camera: look_at.inverse,
-        projection,
-        screen_window,
-        resolution: [256, 256],
-    }
 }
 
 struct Check<'a>(&'a Scene);
@@ -88,7 +67,7 @@ impl SimdKernel for Check<'_> {
         let tile = TileFromTree::of_world(&frame);
         let bounds: Vec<_> = boxes
             .iter()
-            .map(|(centre, half)| crate::geometry::Bounds {
+            .map(|(centre, half)| Bounds {
                 low: Point::from([0, 1, 2].map(|k| centre[k] - half[k])),
                 high: Point::from([0, 1, 2].map(|k| centre[k] + half[k])),
             })
