@@ -52,6 +52,14 @@ impl Approximation {
         self * self
     }
 
+    /// The larger one of two numbers: it differs from the larger value by at most the larger error.
+    pub fn at_least(self, other: Approximation) -> Approximation {
+        Approximation {
+            value: self.value.max(other.value),
+            error: self.error.max(other.error),
+        }
+    }
+
     /// The absolute value.
     pub fn abs(self) -> Approximation {
         Approximation {

@@ -61,14 +61,16 @@ impl HitDetails {
 fn normal(surface: &Primitive, ray: &Ray, t: f64) -> Option<Vector> {
     match surface {
         Primitive::Triangle(triangle) => normal_of_triangle(triangle, ray),
-        Primitive::Quadric(quadric) => {
-            let normal = quadric.normal_at(ray, t);
-            Some(if normal.dot(ray.direction) > 0.0 {
-                -normal
-            } else {
-                normal
-            })
-        }
+        Primitive::Quadric(quadric) => Some(towards_eye(quadric.normal_at(ray, t), ray)),
+        Primitive::Segment(segment) => Some(towards_eye(segment.normal(ray), ray)),
+    }
+}
+
+fn towards_eye(normal: Vector, ray: &Ray) -> Vector {
+    if normal.dot(ray.direction) > 0.0 {
+        -normal
+    } else {
+        normal
     }
 }
 

@@ -17,7 +17,7 @@ pub enum Margin {
         /// Distance on the film from the pixel's centre to the nearest edge, in pixels.
         on_film: Option<f64>,
     },
-    /// On a quadric: a sphere, a cylinder or a disk.
+    /// On a quadric, or on a curve, which has no clearance.
     Quadric {
         /// [`crate::shape::Quadric::clearance`].
         clearance: Option<f64>,
@@ -36,6 +36,7 @@ impl Margin {
                 let clearance = quadric.clearance(ray);
                 Margin::Quadric { clearance }
             }
+            Primitive::Segment(_) => Margin::Quadric { clearance: None },
         }
     }
 

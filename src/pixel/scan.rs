@@ -95,7 +95,7 @@ impl Scan {
                 });
         let unmeasured = if is_miss {
             all(geometry)
-                .filter(|(placed, _)| placed.primitive().is_quadric())
+                .filter(|(placed, _)| !placed.primitive().is_triangle())
                 .count()
         } else {
             0
@@ -119,9 +119,9 @@ fn all(geometry: &Geometry) -> impl ParallelIterator<Item = (InstancedId, Primit
         .map(PrimitiveId::triangle);
     let own = triangles
         .chain(
-            (0..geometry.quadric_count())
+            (0..geometry.curved_count())
                 .into_par_iter()
-                .map(PrimitiveId::quadric),
+                .map(geometry.curved_ids()),
         )
         .map(InstancedId::alone);
     let instances = (0..geometry.instances().len()).into_par_iter();

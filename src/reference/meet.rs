@@ -1,5 +1,6 @@
 //! Exact intersection of a ray with a primitive (rules E1, E2, E5 and E6).
 
+use super::segment::meet_segment;
 use crate::exact::{Dyadic, ExactVector, Root};
 use crate::geometry::{Matrix, Ray};
 use crate::shape::{Cut, Disk, Form, Primitive, Quadric, Sector, Triangle};
@@ -10,6 +11,7 @@ pub(super) fn intersect(surface: &Primitive, ray: &Ray) -> Option<Root> {
     match surface {
         Primitive::Triangle(triangle) => meet_triangle(triangle, ray),
         Primitive::Quadric(quadric) => meet_quadric(quadric, ray),
+        Primitive::Segment(segment) => meet_segment(segment, ray),
     }
 }
 

@@ -12,6 +12,7 @@
 mod beam;
 mod meet;
 mod pixels;
+mod segment;
 
 pub use pixels::{MAX_PRIMITIVES, answers, candidates};
 

@@ -9,7 +9,7 @@ use crate::exact::Bracket;
 use crate::film::PixelBounds;
 use crate::geometry::{Bounds, Point};
 use crate::progress::Progress;
-use crate::shape::{Form, Geometry, InstancedId, Primitive, Quadric};
+use crate::shape::{Form, Geometry, InstancedId, Primitive, Quadric, Segment};
 use rayon::prelude::*;
 
 /// The largest number of primitives in a scene, with those of an object once for each instance. The
@@ -178,6 +178,7 @@ fn bounds_of(surface: &Primitive) -> Bounds {
     match surface {
         Primitive::Triangle(triangle) => Bounds::of(triangle.0),
         Primitive::Quadric(quadric) => bounds_of_quadric(quadric),
+        Primitive::Segment(segment) => bounds_of_segment(segment),
     }
 }
 
@@ -210,5 +211,26 @@ fn bounds_of_quadric(
     Bounds {
         low: corner(-1.0),
         high: corner(1.0),
+    }
+}
+
+/// The box around both ends in the world, wider by the half width times the absolute entries of the
+/// matrix. A factor covers all roundings.
+fn bounds_of_segment(segment: &Segment) -> Bounds {
+    let [a, b] = segment.ends;
+    let [first, last] = segment.half_widths;
+    let ranges = segment.world_from_object.rows.map(|m| {
+        let at = |p: Point| m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3];
+        let farthest = |k: usize| a[k].abs().max(b[k].abs()) + first.max(last);
+        let terms = (0..3).map(|k| m[k].abs() * farthest(k)).sum::<f64>() + m[3].abs();
+        let reach = (m[0].abs() + m[1].abs() + m[2].abs()) * first.max(last)
+            + terms * 16.0 * f64::EPSILON
+            + f64::MIN_POSITIVE;
+        [at(a).min(at(b)) - reach, at(a).max(at(b)) + reach]
+    });
+    let corner = |end: usize| Point::new(ranges[0][end], ranges[1][end], ranges[2][end]);
+    Bounds {
+        low: corner(0),
+        high: corner(1),
     }
 }

@@ -26,6 +26,7 @@ impl Primitive {
         match self {
             Primitive::Triangle(_) => true,
             Primitive::Quadric(quadric) => matches!(quadric.form, Form::Disk(_)),
+            Primitive::Segment(_) => false,
         }
     }
 
@@ -96,6 +97,7 @@ impl Primitive {
                     from_fn(|k| middle[k] + y[k]),
                 ]
             }
+            Primitive::Segment(_) => unreachable!("no plane holds a strip that faces every ray"),
         }
     }
 
@@ -107,6 +109,7 @@ impl Primitive {
                 let middle = middle.plus(&z.times(&Dyadic::from(quadric.height())));
                 [middle.clone(), middle.plus(&x), middle.plus(&y)]
             }
+            Primitive::Segment(_) => unreachable!("no plane holds a strip that faces every ray"),
         }
     }
 }

@@ -22,9 +22,9 @@ impl Geometry {
             .into_par_iter()
             .map(PrimitiveId::triangle);
         let own = triangles.chain(
-            (0..self.quadric_count())
+            (0..self.curved_count())
                 .into_par_iter()
-                .map(PrimitiveId::quadric),
+                .map(self.curved_ids()),
         );
         let surfaces = own
             .map(|primitive| self.own_surface(primitive))

@@ -44,7 +44,7 @@ impl InstancedId {
     /// Tests whether it is a triangle by itself.
     #[inline(always)]
     pub(crate) fn is_own_triangle(self) -> bool {
-        self.instance == NO_INSTANCE && !self.primitive.is_quadric()
+        self.instance == NO_INSTANCE && self.primitive.is_triangle()
     }
 
     /// The primitive in its store: that of the object, if it is in an instance.

@@ -13,6 +13,7 @@ mod numbers;
 mod primitive;
 mod primitive_id;
 mod quadric;
+mod segment;
 mod surface_point;
 mod triangle;
 pub(crate) mod vector32;
@@ -20,14 +21,18 @@ pub(crate) mod vector32;
 pub use coincidence::Coincidence;
 pub use filter_ray::FilterRay;
 pub use filter_result::FilterResult;
-pub use geometry::{CapacityError, CornerUv, Geometry, Instance, NonFiniteCounts, Pose};
+pub use geometry::{
+    CapacityError, CornerUv, CurvePiece, CurvePoint, Geometry, Instance, NonFiniteCounts, Pose,
+};
 pub use instanced_id::InstancedId;
 pub use numbers::Numbers;
 pub use primitive::Primitive;
-pub use primitive_id::PrimitiveId;
+pub use primitive_id::{PrimitiveId, PrimitiveKind};
 pub use quadric::{Cut, Disk, Form, Quadric, Sector};
+pub use segment::Segment;
 pub use surface_point::{SurfacePoint, SurfacePoints, SurfaceWants};
 pub use triangle::Triangle;
 
 pub(crate) use quadric::{Ellipsoid, SingleQuadric};
+pub(crate) use segment::{PlacedAxis, SingleSegment};
 pub(crate) use triangle::intersect_single;

@@ -48,19 +48,19 @@ impl<'a> Numbers<'a> {
     /// The index of a triangle in the last mesh, if it belongs to it.
     #[inline]
     fn index_in_mesh(&self, placed: InstancedId) -> Option<u32> {
-        // The index of a triangle is always below the bits of a quadric, except at the end of the
+        // The index of a triangle is always below the bits of other kinds, except at the end of the
         // last mesh.
         let primitive = placed.primitive();
         let index = primitive.to_bits();
         let is_there =
-            self.mesh.contains(&index) && !primitive.is_quadric() && placed.instance().is_none();
+            self.mesh.contains(&index) && primitive.is_triangle() && placed.instance().is_none();
         is_there.then(|| index - self.mesh.start)
     }
 
     fn of_another(&mut self, placed: InstancedId) -> u32 {
         let number = self.geometry.image_number(placed);
         let primitive = placed.primitive();
-        if placed.instance().is_none() && !primitive.is_quadric() {
+        if placed.instance().is_none() && primitive.is_triangle() {
             self.mesh = self.geometry.mesh_around(primitive.to_bits());
             self.first_number = number - (primitive.to_bits() - self.mesh.start);
             self.shape = self.geometry.shape_number(placed);

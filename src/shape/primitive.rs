@@ -1,6 +1,6 @@
 //! A primitive with its geometry in the world.
 
-use super::{FilterRay, FilterResult, Form, Quadric, Triangle};
+use super::{FilterRay, FilterResult, Form, Quadric, Segment, Triangle};
 use crate::exact::{Bracket, Root};
 use crate::geometry::{Bounds, Ray};
 
@@ -11,6 +11,8 @@ pub enum Primitive {
     Triangle(Triangle),
     /// A sphere, a cylinder or a disk, or a part of one.
     Quadric(Quadric),
+    /// A piece of a curve.
+    Segment(Segment),
 }
 
 impl Primitive {
@@ -20,6 +22,7 @@ impl Primitive {
         match self {
             Primitive::Triangle(triangle) => triangle.filter(ray),
             Primitive::Quadric(quadric) => quadric.filter(ray),
+            Primitive::Segment(segment) => segment.filter(ray),
         }
     }
 
@@ -29,6 +32,7 @@ impl Primitive {
         match self {
             Primitive::Triangle(triangle) => triangle.exact(ray),
             Primitive::Quadric(quadric) => quadric.exact(ray),
+            Primitive::Segment(segment) => segment.exact(ray),
         }
     }
 
@@ -36,7 +40,7 @@ impl Primitive {
     pub fn t_of_hit(&self, ray: &FilterRay) -> Option<Bracket> {
         match self {
             Primitive::Triangle(triangle) => triangle.t_of_hit(ray),
-            Primitive::Quadric(quadric) => match quadric.filter(ray) {
+            Primitive::Quadric(_) | Primitive::Segment(_) => match self.filter(ray) {
                 FilterResult::Hit(t) => Some(t),
                 _ => None,
             },
@@ -47,15 +51,18 @@ impl Primitive {
     pub fn exact_t(&self, ray: &Ray) -> Root {
         match self {
             Primitive::Triangle(triangle) => triangle.exact_t(ray),
-            Primitive::Quadric(quadric) => quadric.exact(ray).expect("the ray is known to meet it"),
+            Primitive::Quadric(_) | Primitive::Segment(_) => {
+                self.exact(ray).expect("the ray is known to meet it")
+            }
         }
     }
 
-    /// Whether any ray can hit it (rules E1, E2, E5 and E6).
+    /// Whether any ray can hit it (rules E1, E2, E5, E6 and E11).
     pub fn can_be_hit(&self) -> bool {
         match self {
             Primitive::Triangle(triangle) => triangle.can_be_hit(),
             Primitive::Quadric(quadric) => quadric.can_be_hit(),
+            Primitive::Segment(segment) => segment.can_be_hit(),
         }
     }
 
@@ -63,6 +70,7 @@ impl Primitive {
     pub fn coincides_with(&self, other: &Primitive) -> bool {
         match (self, other) {
             (Primitive::Quadric(a), Primitive::Quadric(b)) => a == b,
+            (Primitive::Segment(a), Primitive::Segment(b)) => a == b,
             (Primitive::Triangle(a), Primitive::Triangle(b)) => a.coincides_with(b),
             _ => false,
         }
@@ -77,6 +85,7 @@ impl Primitive {
                 Form::Cylinder(_) => "cylinder",
                 Form::Disk(_) => "disk",
             },
+            Primitive::Segment(_) => "curve",
         }
     }
 
@@ -85,6 +94,7 @@ impl Primitive {
         match self {
             Primitive::Triangle(triangle) => triangle.bounds(),
             Primitive::Quadric(quadric) => quadric.bounds(),
+            Primitive::Segment(segment) => segment.bounds(),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The surface at the point where a ray meets it.
 
 use super::quadric::UnitSpace;
-use super::{FilterRay, Geometry, InstancedId, Primitive, Quadric, Triangle};
+use super::{FilterRay, Geometry, InstancedId, Primitive, Quadric, Segment, Triangle};
 use crate::exact::Bracket;
 use crate::geometry::{Point, Ray, Vector};
 
@@ -22,6 +22,9 @@ pub struct SurfacePoint {
     /// as defined, mapped to the world by the transposed inverse of the instance's transform: there
     /// both show the same side as before.
     ///
+    /// A curve has the normal of pbrt's `flat` and `cylinder` curves, of the straight segment that is
+    /// hit.
+    ///
     /// Triangles of `loopsubdiv` are turned round once more, to the side of the vertex normals that
     /// pbrt gives them, and so is what is not a sphere where the radius is below 0 (rule E7).
     ///
@@ -31,7 +34,8 @@ pub struct SurfacePoint {
     pub point: Point,
     /// u and v, as in pbrt-v3. For a triangle, the mean of those at the corners, which are (0, 0),
     /// (1, 0) and (1, 1) if its mesh has none; for a quadric from 0 to 1, except v of a disk with a
-    /// negative radius.
+    /// negative radius. On a curve u is the position along one of its Bezier pieces, and v goes from
+    /// one side to the other.
     pub uv: [f64; 2],
 }
 
@@ -78,6 +82,7 @@ impl<'a> SurfacePoints<'a> {
         match surface {
             Primitive::Triangle(triangle) => self.of_triangle(placed, &triangle, ray),
             Primitive::Quadric(quadric) => self.of_quadric(placed, &quadric, ray),
+            Primitive::Segment(segment) => self.of_segment(placed, &segment, ray),
         }
     }
 
@@ -127,6 +132,40 @@ impl<'a> SurfacePoints<'a> {
             }
             if wants.uv {
                 found.uv = space.uv(point);
+            }
+        }
+        found
+    }
+
+    fn of_segment(&self, placed: InstancedId, segment: &Segment, ray: &Ray) -> SurfacePoint {
+        let mut found = SurfacePoint::default();
+        if self.wants.point {
+            let t = Primitive::Segment(*segment).t_of_hit(&FilterRay::new(ray));
+            let t = t.filter(is_narrow).map(middle);
+            let exact = || segment.exact(ray).map(|t| middle(t.bracket()));
+            let start = || {
+                let d = ray.direction;
+                let [start, _] = segment.ends;
+                (segment.world_from_object.apply(start) - ray.origin).dot(d) / d.dot(d)
+            };
+            let t = t.or_else(exact).unwrap_or_else(start);
+            found.point = ray.origin + ray.direction * t;
+        }
+        if self.wants.normal || self.wants.uv {
+            let place = segment.place_at(ray);
+            let piece = self.geometry.curve_piece_of(placed);
+            if self.wants.normal {
+                let normal = match piece {
+                    Some(piece) if piece.is_round => segment.round_normal(ray, place.across),
+                    _ => segment.normal(ray),
+                };
+                let is_turned = self.geometry.turns_normal_of(placed);
+                found.normal = if is_turned { -normal } else { normal };
+            }
+            if self.wants.uv {
+                let index = placed.primitive().index() as u32;
+                let u = piece.map_or(place.along, |piece| piece.u_at(index, place.along));
+                found.uv = [u, place.across];
             }
         }
         found

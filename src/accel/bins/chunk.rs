@@ -68,7 +68,7 @@ pub(super) struct Binner<'a> {
     pub(super) grid: &'a BinGrid,
 }
 
-/// Bins consecutive primitives; triangles come before quadrics. `buffer` is scratch space.
+/// Bins consecutive primitives; triangles come before quadrics, and these before segments. `buffer` is scratch space.
 pub(super) struct BinChunk<'a, 'b> {
     pub(super) binner: &'b Binner<'a>,
     pub(super) primitives: Range<usize>,
@@ -100,9 +100,10 @@ impl SimdKernel for BinChunk<'_, '_> {
                 &mut found,
             );
         }
+        let id = binner.geometry.curved_ids();
         for place in start.max(triangles)..end {
-            let quadric = place - triangles;
-            found.add(PrimitiveId::quadric(quadric), binner.quadric(quadric));
+            let primitive = id(place - triangles);
+            found.add(primitive, binner.curved(primitive));
         }
         let FoundPrimitives {
             never_hit, seen, ..
@@ -202,12 +203,12 @@ impl Binner<'_> {
     }
 
     #[inline(always)]
-    fn quadric(&self, index: usize) -> Found {
-        let quadric = self.geometry.quadric(index);
-        if !quadric.can_be_hit() {
+    fn curved(&self, primitive: PrimitiveId) -> Found {
+        let surface = self.geometry.own_surface(primitive);
+        if !surface.can_be_hit() {
             return Found::NeverHit;
         }
-        Found::new(self.footprint_of_box(&quadric.bounds()))
+        Found::new(self.footprint_of_box(&surface.bounds()))
     }
 
     /// The footprint of everything in `bounds`.

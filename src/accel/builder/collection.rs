@@ -3,7 +3,7 @@
 use super::build_primitive::BuildPrimitive;
 use super::triangle_boxes::{GROUP, boxes_of_triangles};
 use crate::accel::space::AnchorSpace;
-use crate::shape::{Geometry, PrimitiveId};
+use crate::shape::Geometry;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -19,18 +19,17 @@ pub(crate) struct Collected {
 pub(crate) fn collect(geometry: &Geometry, space: &AnchorSpace) -> Collected {
     let never_hit = AtomicUsize::new(0);
     let mut primitives = all_triangles(geometry, space, &never_hit);
-    let quadric = |index| {
-        let quadric = geometry.quadric(index);
-        if !quadric.can_be_hit() {
+    let id = geometry.curved_ids();
+    let curved = |place| {
+        let primitive = id(place);
+        let surface = geometry.own_surface(primitive);
+        if !surface.can_be_hit() {
             never_hit.fetch_add(1, Ordering::Relaxed);
             return BuildPrimitive::DEAD;
         }
-        BuildPrimitive::new(
-            &space.enclose(&quadric.bounds()),
-            PrimitiveId::quadric(index).to_bits(),
-        )
+        BuildPrimitive::new(&space.enclose(&surface.bounds()), primitive.to_bits())
     };
-    primitives.par_extend((0..geometry.quadric_count()).into_par_iter().map(quadric));
+    primitives.par_extend((0..geometry.curved_count()).into_par_iter().map(curved));
     let never_hit = never_hit.into_inner();
     if never_hit > 0 {
         remove_dead(&mut primitives);

@@ -43,7 +43,7 @@ pub(super) fn build<T>(
     if primitives.is_empty() {
         return BinaryTree::EMPTY;
     }
-    let leaf_size = LeafSize(options.max_leaf.clamp(1, PrimitiveId::MAX_COUNT));
+    let leaf_size = LeafSize(options.max_leaf.clamp(1, PrimitiveId::MOST_TRIANGLES));
     let max_depth = MAX_DEPTH as u32;
     let (Subtree { root, below }, order) = match options.method {
         SplitMethod::Hlbvh => hlbvh::build(&primitives, leaf_size, max_depth, progress),

@@ -9,12 +9,13 @@ use rayon::prelude::*;
 /// The space around `anchor` for the boxes of `geometry`, whose instances lie within `instances`.
 pub(crate) fn space_around(geometry: &Geometry, instances: &Bounds, anchor: Point) -> AnchorSpace {
     let vertices = union_of(geometry.vertices().par_chunks(CHUNK).map(finite_bounds));
-    let quadric = |index| {
-        let bounds = geometry.quadric(index).bounds();
+    let id = geometry.curved_ids();
+    let curved = |place| {
+        let bounds = geometry.own_surface(id(place)).bounds();
         finite_bounds(&[bounds.low, bounds.high])
     };
-    let quadrics = union_of((0..geometry.quadric_count()).into_par_iter().map(quadric));
-    let bounds = vertices.union(quadrics).union(*instances);
+    let curved = union_of((0..geometry.curved_count()).into_par_iter().map(curved));
+    let bounds = vertices.union(curved).union(*instances);
     AnchorSpace::new(anchor, reach(&bounds, anchor))
 }
 

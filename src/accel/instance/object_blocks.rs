@@ -89,13 +89,13 @@ impl StoredBlock {
             count: primitives.len() as u8,
         };
         block.primitives[..primitives.len()].copy_from_slice(primitives);
-        if primitives[0].is_quadric() {
+        if !primitives[0].is_triangle() {
             return block;
         }
         let mut distinct = Distinct::new();
         let mesh = object.mesh_around(primitives[0].index() as u32);
         for (lane, primitive) in primitives.iter().enumerate() {
-            if primitive.is_quadric() || !mesh.contains(&(primitive.index() as u32)) {
+            if !primitive.is_triangle() || !mesh.contains(&(primitive.index() as u32)) {
                 return block;
             }
             let corners = object.corners_of(primitive.index());

@@ -105,6 +105,7 @@ impl Outline {
                 (extent, *object.transform_of_mesh(primitive.index() as u32))
             }
             Primitive::Quadric(quadric) => (quadric.extent()?, quadric.world_from_object),
+            Primitive::Segment(segment) => (segment.extent()?, segment.world_from_object),
         };
         instance_from_file.is_finite().then_some(())?;
         let sum =

@@ -98,7 +98,7 @@ fn fill(block: &mut PrimitiveBlock, primitives: &[PrimitiveId], pose: &mut Pose)
         let is_there = match &surface {
             // Triangles without area are left to the ray tests.
             Primitive::Triangle(triangle) => triangle.0.iter().all(|corner| corner.is_finite()),
-            Primitive::Quadric(quadric) => quadric.can_be_hit(),
+            Primitive::Quadric(_) | Primitive::Segment(_) => surface.can_be_hit(),
         };
         if is_there {
             block.push(*primitive, &surface);

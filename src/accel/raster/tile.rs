@@ -98,7 +98,7 @@ impl Tile<'_> {
                 self.refine::<S, EXACT>(simd, unresolved, batch);
             }
         }
-        if block.quadrics() != 0 {
+        if block.curved() != 0 {
             self.add_quadrics::<S, EXACT>(simd, cull_nearness, block, batch);
         }
         self.decide_unresolved();

@@ -5,7 +5,9 @@ use crate::accel::hit::Hit;
 use crate::accel::space::{AnchorSpace, SingleRay, SlabRay};
 use crate::exact::Bracket;
 use crate::geometry::{Point, Ray};
-use crate::shape::{Geometry, InstancedId, Primitive, SingleQuadric, intersect_single};
+use crate::shape::{
+    Geometry, InstancedId, Primitive, SingleQuadric, SingleSegment, intersect_single,
+};
 
 /// The best hit so far of a ray among the primitives that were tested, in `f32` relative to the
 /// anchor.
@@ -55,6 +57,10 @@ impl<'a> FastSearch<'a> {
                 let from_centre =
                     from_origin(&quadric.world_from_object.column(3).into()).map(|x| -x);
                 SingleQuadric::new(quadric, self.space.units()).intersect(from_centre, direction)
+            }
+            Primitive::Segment(segment) => {
+                let from_middle = from_origin(&SingleSegment::middle(segment)).map(|x| -x);
+                SingleSegment::new(segment, self.space.units()).intersect(from_middle, direction)
             }
             Primitive::Triangle(triangle) => intersect_single(
                 triangle.0.each_ref().map(from_origin),

@@ -50,6 +50,7 @@ impl Ties {
                 }
             }
             (Primitive::Quadric(p), Primitive::Quadric(q)) => p.coincidence(&q),
+            (Primitive::Segment(p), Primitive::Segment(q)) if p == q => Coincidence::SameHit,
             _ => Coincidence::None,
         }
     }

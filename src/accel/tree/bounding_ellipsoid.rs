@@ -1,11 +1,12 @@
-//! Ellipsoids around quadrics: what the rasterizer knows of a sphere, a cylinder or a disk.
+//! Ellipsoids around quadrics and segments of curves: what the rasterizer knows of a sphere, a
+//! cylinder, a disk or a hair.
 //!
 //! A sphere of radius r under the matrix M, around c, is {c + r M q, |q| = 1}. A linear function
 //! k . x has values on it from k . c - sqrt(k S k) to k . c + sqrt(k S k), with the shape matrix
 //! S = r^2 M M^T. An ellipsoid along the axes has D^2 between M and M^T, where D is the diagonal
 //! matrix of its semi-axes.
 
-use crate::shape::{Ellipsoid, Form, Quadric};
+use crate::shape::{Ellipsoid, Form, PlacedAxis, Quadric, Segment};
 
 /// An ellipsoid that encloses a quadric; for a sphere its own.
 pub(super) struct BoundingEllipsoid {
@@ -49,6 +50,38 @@ impl BoundingEllipsoid {
                 [0, 1, 2].map(|k| rows[k][3] + height * rows[k][2])
             }
         };
+        BoundingEllipsoid::new(centre, shape)
+    }
+
+    /// An ellipsoid around the balls along the axis of a segment.
+    ///
+    /// With g half the axis and B the shape matrix of a ball, a linear function k . x reaches
+    /// |k . g| + sqrt(k B k) from the middle. As (a + b)^2 <= (1 + e) a^2 + (1 + 1/e) b^2 for any
+    /// e > 0, S = (1 + e) g g^T + (1 + 1/e) B reaches as far.
+    pub(super) fn of_segment(segment: &Segment) -> BoundingEllipsoid {
+        let PlacedAxis {
+            middle,
+            half,
+            terms,
+        } = segment.placed_axis();
+        let rows = &segment.world_from_object.rows;
+        let square = segment.widest() * segment.widest();
+        let ball = SHAPE_ENTRIES
+            .map(|[i, j]| square * (0..3).map(|k| rows[i][k] * rows[j][k]).sum::<f64>());
+        let length = half[0] * half[0] + half[1] * half[1] + half[2] * half[2];
+        let size = ball[0] + ball[1] + ball[2];
+        let e = (size / length).sqrt();
+        // Anything else is not a number, or as long as it is wide.
+        let e = if e > 1e-6 && e < 1.0 { e } else { 1.0 };
+        let mut shape = [0.0; 6];
+        for (entry, [i, j]) in SHAPE_ENTRIES.into_iter().enumerate() {
+            shape[entry] = (1.0 + e) * (half[i] * half[j]) + (1.0 + 1.0 / e) * ball[entry];
+        }
+        widen(&mut shape, terms.map(|terms| 2.0 * ROUNDING * terms));
+        BoundingEllipsoid::new(middle, shape)
+    }
+
+    fn new(centre: [f64; 3], shape: [f64; 6]) -> BoundingEllipsoid {
         let fits = shape[..3].iter().all(|x| (LEAST..LARGEST).contains(x));
         let shape = if fits {
             shape.map(|x| x as f32)

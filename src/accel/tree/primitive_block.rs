@@ -2,7 +2,7 @@
 
 use super::bounding_ellipsoid::BoundingEllipsoid;
 use super::wide::Run;
-use crate::shape::{Form, Geometry, Primitive, PrimitiveId, Quadric, Triangle};
+use crate::shape::{Form, Geometry, Primitive, PrimitiveId, Triangle};
 use crate::simd::{LANES, Lanes};
 use rayon::prelude::*;
 
@@ -12,7 +12,7 @@ use rayon::prelude::*;
 /// error is 2^-24 of their own length, whatever the size of the scene: on the film, that is a small
 /// part of the triangle itself.
 ///
-/// For a quadric, `corner` and `edges` hold its [`BoundingEllipsoid`].
+/// For a quadric or a segment, `corner` and `edges` hold its [`BoundingEllipsoid`].
 #[derive(Debug, Clone, PartialEq)]
 #[repr(align(64))]
 pub(crate) struct PrimitiveBlock {
@@ -29,6 +29,8 @@ pub(crate) struct PrimitiveBlock {
     /// Lanes that hold a whole sphere, lane k as bit k. Its shape matrix is the square of the
     /// radius times the identity, but for 2^-20 of that.
     pub(crate) spheres: u32,
+    /// Lanes that hold a segment of a curve, lane k as bit k.
+    pub(crate) segments: u32,
 }
 
 /// The triangles of a block in lanes: see [`PrimitiveBlock`]. Other lanes have no meaning.
@@ -52,11 +54,12 @@ impl PrimitiveBlock {
             count: 0,
             triangles: 0,
             spheres: 0,
+            segments: 0,
         }
     }
 
-    /// Lanes that hold a quadric, lane k as bit k.
-    pub(crate) fn quadrics(&self) -> u32 {
+    /// Lanes that hold a quadric or a segment, lane k as bit k.
+    pub(crate) fn curved(&self) -> u32 {
         ((1 << self.count) - 1) & !self.triangles
     }
 
@@ -73,7 +76,8 @@ impl PrimitiveBlock {
 
     /// Removes all primitives.
     pub(crate) fn clear(&mut self) {
-        (self.count, self.triangles, self.spheres) = (0, 0, 0);
+        (self.count, self.triangles) = (0, 0);
+        (self.spheres, self.segments) = (0, 0);
     }
 
     /// Adds a primitive with the geometry `surface`. The block must not be full.
@@ -83,7 +87,16 @@ impl PrimitiveBlock {
             Primitive::Triangle(triangle) => self.push_triangle(primitive, triangle),
             Primitive::Quadric(quadric) => {
                 let lane = self.next_lane(primitive);
-                self.put_quadric(lane, quadric);
+                let ellipsoid = BoundingEllipsoid::of(quadric);
+                let is_whole = quadric.form == Form::Sphere(None);
+                let is_sphere = is_whole && is_round(&ellipsoid.shape);
+                self.spheres |= u32::from(is_sphere) << lane;
+                self.put_ellipsoid(lane, &ellipsoid);
+            }
+            Primitive::Segment(segment) => {
+                let lane = self.next_lane(primitive);
+                self.segments |= 1 << lane;
+                self.put_ellipsoid(lane, &BoundingEllipsoid::of_segment(segment));
             }
         }
     }
@@ -109,10 +122,8 @@ impl PrimitiveBlock {
         }
     }
 
-    fn put_quadric(&mut self, lane: usize, quadric: &Quadric) {
-        let BoundingEllipsoid { centre, shape } = BoundingEllipsoid::of(quadric);
-        let is_whole = quadric.form == Form::Sphere(None);
-        self.spheres |= u32::from(is_whole && is_round(&shape)) << lane;
+    fn put_ellipsoid(&mut self, lane: usize, ellipsoid: &BoundingEllipsoid) {
+        let BoundingEllipsoid { centre, shape } = ellipsoid;
         for axis in 0..3 {
             self.corner[axis][lane] = centre[axis];
             self.edges[0][axis][lane] = shape[axis];

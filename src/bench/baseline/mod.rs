@@ -4,12 +4,13 @@
 mod moeller_trumbore;
 mod quadric;
 mod ray32;
+mod segment;
 mod watertight;
 
 use crate::accel::{Depth, Tracer, TraversalCounts};
 use crate::geometry::{Point, Ray};
 use crate::shape::vector32::dot;
-use crate::shape::{Geometry, InstancedId, Primitive, Triangle};
+use crate::shape::{Geometry, InstancedId, Primitive, PrimitiveKind, Triangle};
 use quadric::{Quadratic, Quadric32};
 use ray32::{Corners, Ray32};
 use rayon::prelude::*;
@@ -75,12 +76,13 @@ impl<'a> BaselineKernel<'a> {
     fn intersect(&self, ray: &Ray32, placed: InstancedId) -> Option<f32> {
         let primitive = placed.primitive();
         let index = primitive.index();
-        match (placed.instance(), primitive.is_quadric()) {
-            (None, false) => self.hit_triangle(ray, &self.triangles[index]),
-            (None, true) => self.hit_quadric(ray, &self.quadrics[index]),
-            (Some(_), _) => match self.geometry.surface(placed) {
+        match (placed.instance(), primitive.kind()) {
+            (None, PrimitiveKind::Triangle) => self.hit_triangle(ray, &self.triangles[index]),
+            (None, PrimitiveKind::Quadric) => self.hit_quadric(ray, &self.quadrics[index]),
+            _ => match self.geometry.surface(placed) {
                 Primitive::Triangle(triangle) => self.hit_triangle(ray, &corners(&triangle)),
                 Primitive::Quadric(quadric) => self.hit_quadric(ray, &Quadric32::new(&quadric)),
+                Primitive::Segment(segment) => segment::intersect(ray, &segment),
             },
         }
     }

@@ -15,7 +15,7 @@ pub(super) struct SurfacePoints(Vec<(PrimitiveId, Point)>);
 impl SurfacePoints {
     /// Chooses the points. `None` if the scene has quadrics or instances, or no finite area.
     pub(super) fn of(geometry: &Geometry, random: &mut Random) -> Option<SurfacePoints> {
-        if geometry.quadric_count() > 0 || !geometry.instances().is_empty() {
+        if geometry.curved_count() > 0 || !geometry.instances().is_empty() {
             return None;
         }
         let area = |index| {

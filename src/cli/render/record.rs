@@ -43,6 +43,8 @@ pub(super) struct Record {
     triangles: usize,
     /// Stored quadrics: spheres, cylinders and disks.
     spheres: usize,
+    /// Stored segments of curves.
+    segments: usize,
     instances: usize,
     /// Primitives, counted once in every instance.
     primitives: u64,
@@ -141,6 +143,7 @@ impl Record {
             shapes: loaded.scene.shape_count,
             triangles: geometry.stored_triangles(),
             spheres: geometry.stored_quadrics(),
+            segments: geometry.stored_segments(),
             instances: geometry.instances().len(),
             primitives: geometry.primitive_count(),
             ms: finished.ms,

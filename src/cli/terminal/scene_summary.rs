@@ -31,6 +31,8 @@ pub(crate) struct StoredGeometry {
     triangles: usize,
     /// Quadrics: spheres, cylinders and disks.
     spheres: usize,
+    /// Segments of curves.
+    segments: usize,
     objects: usize,
     instances: usize,
     /// Primitives, counted once in every instance.
@@ -42,6 +44,7 @@ impl StoredGeometry {
         StoredGeometry {
             triangles: geometry.stored_triangles(),
             spheres: geometry.stored_quadrics(),
+            segments: geometry.stored_segments(),
             objects: geometry.objects().len(),
             instances: geometry.instances().len(),
             primitives: geometry.primitive_count(),
@@ -56,6 +59,10 @@ impl Display for StoredGeometry {
             0 => {}
             1 => f.write_str(", 1 sphere, cylinder or disk")?,
             count => write!(f, ", {} spheres, cylinders and disks", HumanCount(count))?,
+        }
+        if self.segments > 0 {
+            let segments = counted(self.segments as u64, "segment");
+            write!(f, ", {segments} of curves")?;
         }
         if self.instances == 0 {
             return Ok(());

@@ -13,6 +13,26 @@ pub(super) struct Attributes {
     /// Coordinates of the triangles of some meshes, one mesh after the other.
     uv: Vec<CornerUv>,
     uv_runs: Vec<UvRun>,
+    /// The Bezier pieces of curves, in the order of their segments.
+    curve_pieces: Vec<CurvePiece>,
+}
+
+/// The segments of one Bezier piece of a curve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct CurvePiece {
+    /// The index of the first one.
+    pub first_segment: u32,
+    /// Their number.
+    pub count: u32,
+    /// Whether the curve is shaded like a cylinder.
+    pub is_round: bool,
+}
+
+impl CurvePiece {
+    /// pbrt's u on a segment, `along` its axis from 0 to 1.
+    pub(crate) fn u_at(&self, segment: u32, along: f64) -> f64 {
+        (f64::from(segment - self.first_segment) + along) / f64::from(self.count)
+    }
 }
 
 /// The coordinates of one mesh.
@@ -29,6 +49,7 @@ impl Attributes {
             + size_of_val(&self.turned[..])
             + size_of_val(&self.uv[..])
             + size_of_val(&self.uv_runs[..])
+            + size_of_val(&self.curve_pieces[..])
     }
 
     pub(super) fn digest(&self, digester: &mut Digester) {
@@ -39,6 +60,12 @@ impl Attributes {
         digester.list(&self.uv_runs, |run| {
             [run.first_triangle.into(), run.first_uv as u64]
         });
+        if !self.curve_pieces.is_empty() {
+            digester.list(&self.curve_pieces, |piece| {
+                let kind = u64::from(piece.count) << 1 | u64::from(piece.is_round);
+                [piece.first_segment.into(), kind]
+            });
+        }
     }
 
     /// The coordinates at the corners of a triangle, if its mesh has any.
@@ -52,6 +79,22 @@ impl Attributes {
             .get(next)
             .map_or(self.uv.len(), |next| next.first_uv);
         self.uv[run.first_uv..end].get((triangle - run.first_triangle) as usize)
+    }
+
+    /// Adds pieces of a curve, whose segments begin at `first_segment`.
+    pub(super) fn add_curve_pieces(&mut self, first_segment: u32, pieces: &[CurvePiece]) {
+        self.curve_pieces
+            .extend(pieces.iter().map(|piece| CurvePiece {
+                first_segment: piece.first_segment + first_segment,
+                ..*piece
+            }));
+    }
+
+    /// The piece of a segment, if any were added.
+    pub(super) fn curve_piece_of(&self, segment: u32) -> Option<&CurvePiece> {
+        let is_before = |piece: &CurvePiece| piece.first_segment <= segment;
+        let next = self.curve_pieces.partition_point(is_before);
+        self.curve_pieces.get(next.checked_sub(1)?)
     }
 
     /// Turns the normals of the shape of this number, which must be larger than all before.

@@ -1,6 +1,7 @@
 //! The digest of the geometry.
 
 use super::Geometry;
+use super::curves::Curves;
 use super::runs::FirstNumber;
 use crate::digest::Digester;
 use crate::shape::{Cut, Disk, Form, Sector};
@@ -34,6 +35,7 @@ impl Geometry {
             [run.first_quadric.into(), alone, instanced]
         });
         digester.list(&self.forms, |(quadric, form)| words_of_form(*quadric, form));
+        self.curves.digest(digester);
         digester.list(&self.transforms, |transform| transform.bits());
         digester.word(self.attributes.is_some().into());
         self.attributes
@@ -48,6 +50,25 @@ impl Geometry {
             words[1] = instance.first_number;
             words[2..].copy_from_slice(&instance.world_from_instance.bits());
             words
+        });
+    }
+}
+
+impl Curves {
+    /// Nothing where there are no curves, so that images without them keep their headers.
+    fn digest(&self, digester: &mut Digester) {
+        if self.segments.is_empty() {
+            return;
+        }
+        digester.list(&self.points, |point| point.bits());
+        digester.list(&self.segments, |segment| segment.words());
+        digester.list(&self.runs, |run| {
+            let [alone, instanced] = words_of(run.first_number);
+            [
+                u64::from(run.first_segment) << 32 | u64::from(run.shape),
+                alone,
+                instanced,
+            ]
         });
     }
 }

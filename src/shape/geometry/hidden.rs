@@ -23,7 +23,7 @@ impl Geometry {
             .map(|(run, end)| run.first_triangle as usize..end)
             .collect();
         // A triangle without a finite vertex is never hit (rule E1), nor is a quadric without a
-        // radius (E2).
+        // radius (E2), or a segment without a finite point (E11).
         if !triangles.is_empty() {
             let nowhere = self.vertices.len() as u32;
             self.vertices.push(Point::new(f64::NAN, f64::NAN, f64::NAN));
@@ -35,6 +35,7 @@ impl Geometry {
             .iter_mut()
             .filter(|quadric| hidden.contains(&quadric.shape))
             .for_each(|quadric| quadric.radius = f64::NAN);
+        self.curves.hide(|shape| hidden.contains(&shape));
         self.objects
             .iter_mut()
             .for_each(|object| object.hide(hidden));

@@ -1,6 +1,7 @@
 //! All geometry of a scene, in the order of the file.
 
 mod attributes;
+mod curves;
 mod digest;
 mod hidden;
 mod instance;
@@ -14,15 +15,17 @@ mod surface_attributes;
 #[cfg(test)]
 mod tests;
 
-pub use attributes::CornerUv;
+pub use attributes::{CornerUv, CurvePiece};
+pub use curves::CurvePoint;
 pub use instance::Instance;
 pub use non_finite::NonFiniteCounts;
 pub use pose::Pose;
 pub use runs::CapacityError;
 
 use crate::geometry::{Matrix, Point};
-use crate::shape::{Cut, Form, Primitive, PrimitiveId, Quadric, Triangle};
+use crate::shape::{Cut, Form, Primitive, PrimitiveId, PrimitiveKind, Quadric, Triangle};
 use attributes::Attributes;
+use curves::Curves;
 use non_finite::move_to_world;
 use rayon::prelude::*;
 use runs::{FirstNumber, MeshRun, QuadricRun, StoredQuadric};
@@ -45,6 +48,7 @@ pub struct Geometry {
     quadric_runs: Vec<QuadricRun>,
     /// The forms of the quadrics that are not whole spheres, by index.
     forms: Vec<(u32, Form)>,
+    curves: Curves,
     transforms: Vec<Matrix>,
     /// The geometry between `ObjectBegin` and `ObjectEnd`; it has no instances.
     objects: Vec<Geometry>,
@@ -93,7 +97,8 @@ impl Geometry {
         vertices: &[Point],
         triangles: &[[u32; 3]],
     ) -> Result<(), CapacityError> {
-        self.check_room(self.triangles.len() + triangles.len(), "triangles")?;
+        let all = self.triangles.len() + triangles.len();
+        check_room(all, PrimitiveId::MOST_TRIANGLES, "triangles")?;
         match self.vertices.len() + vertices.len() {
             total if total > u32::MAX as usize => Err(CapacityError {
                 what: "vertices",
@@ -153,7 +158,7 @@ impl Geometry {
         transform: u32,
         shape: u32,
     ) -> Result<(), CapacityError> {
-        self.check_room(self.quadrics.len() + 1, "spheres")?;
+        check_room(self.quadrics.len() + 1, PrimitiveId::MOST_CURVED, "spheres")?;
         let first_number = self.next_number(1)?;
         let first_quadric = self.quadrics.len() as u32;
         let follows = !std::mem::take(&mut self.ends_run)
@@ -182,15 +187,6 @@ impl Geometry {
     pub fn add_transform(&mut self, world_from_object: Matrix) -> u32 {
         self.transforms.push(world_from_object);
         (self.transforms.len() - 1) as u32
-    }
-
-    fn check_room(&self, count: usize, what: &'static str) -> Result<(), CapacityError> {
-        let limit = PrimitiveId::MAX_COUNT as u64;
-        if count as u64 > limit {
-            Err(CapacityError { what, limit })
-        } else {
-            Ok(())
-        }
     }
 
     /// The number of the next primitive that is in no instance, before `more` are added. `prim`
@@ -266,17 +262,32 @@ impl Geometry {
     #[inline]
     pub fn own_surface(&self, primitive: PrimitiveId) -> Primitive {
         let index = primitive.index();
-        if primitive.is_quadric() {
-            Primitive::Quadric(self.quadric(index))
-        } else {
-            Primitive::Triangle(self.triangle(index))
+        match primitive.kind() {
+            PrimitiveKind::Triangle => Primitive::Triangle(self.triangle(index)),
+            PrimitiveKind::Quadric => Primitive::Quadric(self.quadric(index)),
+            PrimitiveKind::Segment => Primitive::Segment(self.segment(index)),
         }
     }
 
     /// All primitives in no instance, kind by kind.
     pub fn primitives(&self) -> impl Iterator<Item = PrimitiveId> + use<> {
         let triangles = (0..self.triangles.len()).map(PrimitiveId::triangle);
-        triangles.chain((0..self.quadrics.len()).map(PrimitiveId::quadric))
+        triangles.chain((0..self.curved_count()).map(self.curved_ids()))
+    }
+
+    /// The number of quadrics and segments in no instance, including those that can never be hit.
+    pub fn curved_count(&self) -> usize {
+        self.quadric_count() + self.segment_count()
+    }
+
+    /// The ids of all quadrics and then all segments, by a number below
+    /// [`Geometry::curved_count`].
+    pub fn curved_ids(&self) -> impl Fn(usize) -> PrimitiveId + Copy + Send + Sync + use<> {
+        let quadrics = self.quadric_count();
+        move |place| match place.checked_sub(quadrics) {
+            None => PrimitiveId::quadric(place),
+            Some(segment) => PrimitiveId::segment(segment),
+        }
     }
 
     #[inline]
@@ -288,5 +299,14 @@ impl Geometry {
             .meshes
             .partition_point(|run| run.first_triangle <= triangle)
             - 1]
+    }
+}
+
+fn check_room(count: usize, limit: usize, what: &'static str) -> Result<(), CapacityError> {
+    if count > limit {
+        let limit = limit as u64;
+        Err(CapacityError { what, limit })
+    } else {
+        Ok(())
     }
 }

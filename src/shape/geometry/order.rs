@@ -1,9 +1,9 @@
 //! The numbers of primitives and shapes, in the order of the file.
 
 use super::Geometry;
-use super::runs::FirstNumber;
+use super::runs::{FirstNumber, QuadricRun};
 use crate::geometry::Matrix;
-use crate::shape::{InstancedId, PrimitiveId};
+use crate::shape::{InstancedId, PrimitiveId, PrimitiveKind};
 use std::ops::Range;
 
 impl Geometry {
@@ -37,15 +37,20 @@ impl Geometry {
     #[inline]
     fn own_number(&self, primitive: PrimitiveId) -> FirstNumber {
         let index = primitive.index() as u32;
-        let (first, place) = if primitive.is_quadric() {
-            let run = &self.quadric_runs[self
-                .quadric_runs
-                .partition_point(|run| run.first_quadric <= index)
-                - 1];
-            (run.first_number, index - run.first_quadric)
-        } else {
-            let run = self.mesh_of(index);
-            (run.first_number, index - run.first_triangle)
+        let (first, place) = match primitive.kind() {
+            PrimitiveKind::Triangle => {
+                let run = self.mesh_of(index);
+                (run.first_number, index - run.first_triangle)
+            }
+            PrimitiveKind::Quadric => {
+                let starts = |run: &QuadricRun| run.first_quadric <= index;
+                let run = &self.quadric_runs[self.quadric_runs.partition_point(starts) - 1];
+                (run.first_number, index - run.first_quadric)
+            }
+            PrimitiveKind::Segment => {
+                let run = self.curves.run_of(index);
+                (run.first_number, index - run.first_segment)
+            }
         };
         FirstNumber {
             alone: first.alone + place,
@@ -102,17 +107,18 @@ impl Geometry {
     pub fn shape_number(&self, placed: InstancedId) -> u32 {
         let geometry = self.owner_of(placed);
         let primitive = placed.primitive();
-        if primitive.is_quadric() {
-            geometry.quadrics[primitive.index()].shape
-        } else {
-            geometry.mesh_of(primitive.index() as u32).shape
+        let index = primitive.index();
+        match primitive.kind() {
+            PrimitiveKind::Triangle => geometry.mesh_of(index as u32).shape,
+            PrimitiveKind::Quadric => geometry.quadrics[index].shape,
+            PrimitiveKind::Segment => geometry.curves.run_of(index as u32).shape,
         }
     }
 
     /// Whether `a` comes before `b` in the file, and so wins a tie (rule E3).
     pub fn precedes(&self, a: InstancedId, b: InstancedId) -> bool {
         let (p, q) = (a.primitive(), b.primitive());
-        if a.instance() == b.instance() && p.is_quadric() == q.is_quadric() {
+        if a.instance() == b.instance() && p.kind() == q.kind() {
             p < q
         } else {
             self.number(a) < self.number(b)

@@ -2,7 +2,7 @@
 
 use super::Geometry;
 use crate::geometry::Matrix;
-use crate::shape::{Primitive, PrimitiveId, Quadric, Triangle};
+use crate::shape::{Primitive, PrimitiveId, Quadric, Segment, Triangle};
 use std::ops::Range;
 
 /// An object under the transform of an instance. Remembers the product with the transform of the
@@ -30,16 +30,17 @@ impl<'a> Pose<'a> {
     /// A primitive of the object, under the product of the transforms of instance and shape.
     #[inline]
     pub fn surface(&mut self, primitive: PrimitiveId) -> Primitive {
-        let index = primitive.index();
-        if primitive.is_quadric() {
-            let quadric = self.object.quadric(index);
-            let world_from_object = self.world_from_instance.times(&quadric.world_from_object);
-            return Primitive::Quadric(Quadric {
-                world_from_object,
+        match self.object.own_surface(primitive) {
+            Primitive::Triangle(_) => Primitive::Triangle(self.triangle(primitive.index())),
+            Primitive::Quadric(quadric) => Primitive::Quadric(Quadric {
+                world_from_object: self.world_from_instance.times(&quadric.world_from_object),
                 ..quadric
-            });
+            }),
+            Primitive::Segment(segment) => Primitive::Segment(Segment {
+                world_from_object: self.world_from_instance.times(&segment.world_from_object),
+                ..segment
+            }),
         }
-        Primitive::Triangle(self.triangle(index))
     }
 
     /// Triangle `index` of the object.

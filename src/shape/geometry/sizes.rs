@@ -8,9 +8,9 @@ impl Geometry {
         self.own_count() as u64 + u64::from(self.left_out)
     }
 
-    /// The number of triangles and quadrics in no instance.
+    /// The number of primitives in no instance, without those left out.
     pub fn own_count(&self) -> usize {
-        self.triangles.len() + self.quadrics.len()
+        self.triangles.len() + self.curved_count()
     }
 
     /// The number of triangles in no instance, including those that can never be hit.
@@ -35,6 +35,12 @@ impl Geometry {
         self.quadrics.len() + of_objects.sum::<usize>()
     }
 
+    /// The number of segments of curves; those of an object count once.
+    pub fn stored_segments(&self) -> usize {
+        let of_objects = self.objects.iter().map(Geometry::stored_segments);
+        self.segment_count() + of_objects.sum::<usize>()
+    }
+
     /// The memory that the geometry takes, in bytes.
     pub fn bytes(&self) -> usize {
         size_of_val(&self.vertices[..])
@@ -43,6 +49,7 @@ impl Geometry {
             + size_of_val(&self.quadrics[..])
             + size_of_val(&self.quadric_runs[..])
             + size_of_val(&self.forms[..])
+            + self.curves.bytes()
             + size_of_val(&self.transforms[..])
             + size_of_val(&self.instances[..])
             + self

@@ -1,7 +1,7 @@
 //! Which side the normals of shapes are on, and the coordinates of their surfaces.
 
 use super::Geometry;
-use super::attributes::CornerUv;
+use super::attributes::{CornerUv, CurvePiece};
 use crate::shape::InstancedId;
 
 impl Geometry {
@@ -19,6 +19,19 @@ impl Geometry {
                 .get_or_insert_default()
                 .add_uv(first_triangle as u32, uv);
         }
+    }
+
+    /// Adds the Bezier pieces of the curves that are added next, whose segments count from 0.
+    pub fn add_curve_pieces(&mut self, pieces: &[CurvePiece]) {
+        let first_segment = self.segment_count() as u32;
+        let attributes = self.attributes.get_or_insert_default();
+        attributes.add_curve_pieces(first_segment, pieces);
+    }
+
+    /// The Bezier piece of a segment, if the geometry knows.
+    pub(crate) fn curve_piece_of(&self, placed: InstancedId) -> Option<&CurvePiece> {
+        let attributes = self.owner_of(placed).attributes.as_ref()?;
+        attributes.curve_piece_of(placed.primitive().index() as u32)
     }
 
     /// Whether the normals of a primitive are on the other side.

@@ -3,17 +3,17 @@
 use super::cut::{Cut, Plane};
 use super::{Disk, Form, Quadric};
 use crate::exact::{Dyadic, ExactVector, Root};
-use crate::geometry::Ray;
+use crate::geometry::{Matrix, Ray};
 use std::cmp::Ordering;
 
 /// A ray in object space, times the determinant of M, which avoids divisions.
 ///
 /// With A the adjugate of the linear part of M, it is o' + t d' with o' = A (o - c) and d' = A d; R
 /// = r |det M|.
-struct ScaledSpace {
-    origin: ExactVector,
-    direction: ExactVector,
-    determinant: Dyadic,
+pub(in crate::shape) struct ScaledSpace {
+    pub(in crate::shape) origin: ExactVector,
+    pub(in crate::shape) direction: ExactVector,
+    pub(in crate::shape) determinant: Dyadic,
 }
 
 impl Quadric {
@@ -65,8 +65,13 @@ fn across(v: &ExactVector) -> ExactVector {
 
 impl ScaledSpace {
     fn new(quadric: &Quadric, ray: &Ray) -> ScaledSpace {
-        let (adjugate, determinant) = quadric.world_from_object.exact_adjugate();
-        let centre = ExactVector::from(quadric.world_from_object.column(3));
+        ScaledSpace::of(&quadric.world_from_object, ray)
+    }
+
+    /// The space of `m`.
+    pub(in crate::shape) fn of(m: &Matrix, ray: &Ray) -> ScaledSpace {
+        let (adjugate, determinant) = m.exact_adjugate();
+        let centre = ExactVector::from(m.column(3));
         let origin = ExactVector::from(ray.origin).minus(&centre);
         let direction = ExactVector::from(ray.direction);
         let apply = |v: &ExactVector| ExactVector::new([0, 1, 2].map(|k| adjugate[k].dot(v)));

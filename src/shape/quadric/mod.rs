@@ -3,8 +3,8 @@
 mod bounds;
 mod cut;
 mod disk;
-mod exact;
-mod filter;
+pub(super) mod exact;
+pub(super) mod filter;
 mod sector;
 mod single;
 #[cfg(test)]
@@ -89,10 +89,15 @@ impl Quadric {
         Quadric { form, ..*self }
     }
 
-    /// A power of two near the largest entry of the linear part of the matrix.
+    /// [`scale_of`] the matrix.
     fn scale(&self) -> f64 {
-        power_of_two_near_largest(self.world_from_object.rows.iter().flat_map(|row| &row[..3]))
+        scale_of(&self.world_from_object)
     }
+}
+
+/// A power of two near the largest entry of the linear part of a matrix.
+pub(super) fn scale_of(matrix: &Matrix) -> f64 {
+    power_of_two_near_largest(matrix.rows.iter().flat_map(|row| &row[..3]))
 }
 
 /// The largest power of two up to the largest absolute value of `numbers`; 1 where that is 0 or not

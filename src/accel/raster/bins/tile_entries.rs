@@ -119,10 +119,10 @@ impl<'a> TileEntries<'a> {
 
     #[inline(always)]
     fn push(&self, block: &mut PrimitiveBlock, primitive: PrimitiveId) {
-        if primitive.is_quadric() {
-            block.push(primitive, &self.geometry.own_surface(primitive));
-        } else {
+        if primitive.is_triangle() {
             block.push_triangle(primitive, &self.geometry.triangle(primitive.index()));
+        } else {
+            block.push(primitive, &self.geometry.own_surface(primitive));
         }
     }
 
@@ -131,7 +131,9 @@ impl<'a> TileEntries<'a> {
         let ahead = |by: usize| {
             let entry = self.entries.get(self.places.start + by)?;
             let primitive = entry.primitive;
-            (!primitive.is_quadric()).then(|| self.geometry.corners_of(primitive.index()))
+            primitive
+                .is_triangle()
+                .then(|| self.geometry.corners_of(primitive.index()))
         };
         if let Some(corners) = ahead(INDICES_AHEAD) {
             simd.prefetch(corners);

@@ -10,7 +10,7 @@ use super::exact_fallback::Fallback;
 use super::traced_tile::TracedTile;
 use crate::accel::view::TileFrame;
 use crate::accel::{ExactFallbacks, Precision};
-use crate::shape::PrimitiveId;
+use crate::shape::{PrimitiveId, PrimitiveKind};
 use crate::simd::{F32s, LANES, Lanes, Mask};
 
 /// The depths that the user wants.
@@ -107,14 +107,14 @@ impl UnsurePixels {
             lanes &= lanes - 1;
             self.pixels[self.count] = pixel;
             self.count += 1;
-            match own_primitive_at(pixels, pixel) {
-                Some(primitive) if primitive.is_quadric() => {
-                    simd.prefetch(fallback.geometry.radius_of_quadric(primitive.index()));
-                }
-                Some(primitive) => {
-                    simd.prefetch(fallback.geometry.corners_of(primitive.index()));
-                }
-                None => {}
+            let Some(primitive) = own_primitive_at(pixels, pixel) else {
+                continue;
+            };
+            let (geometry, index) = (fallback.geometry, primitive.index());
+            match primitive.kind() {
+                PrimitiveKind::Triangle => simd.prefetch(geometry.corners_of(index)),
+                PrimitiveKind::Quadric => simd.prefetch(geometry.radius_of_quadric(index)),
+                PrimitiveKind::Segment => {}
             }
         }
     }
@@ -150,12 +150,15 @@ impl UnsurePixels {
             let Some(primitive) = own_primitive_at(pixels, pixel) else {
                 continue;
             };
-            if primitive.is_quadric() {
-                simd.prefetch(fallback.geometry.transform_of_quadric(primitive.index()));
-                continue;
-            }
-            for vertex in fallback.geometry.corners_of(primitive.index()) {
-                simd.prefetch(fallback.geometry.vertex(*vertex));
+            let (geometry, index) = (fallback.geometry, primitive.index());
+            match primitive.kind() {
+                PrimitiveKind::Triangle => {
+                    for vertex in geometry.corners_of(index) {
+                        simd.prefetch(geometry.vertex(*vertex));
+                    }
+                }
+                PrimitiveKind::Quadric => simd.prefetch(geometry.transform_of_quadric(index)),
+                PrimitiveKind::Segment => simd.prefetch(geometry.start_of_segment(index)),
             }
         }
     }

@@ -68,7 +68,7 @@ impl QuadricBounds {
         }
         QuadricBounds {
             footprints,
-            lanes: block.quadrics() & !hidden.bits(),
+            lanes: block.curved() & !hidden.bits(),
         }
     }
 }

@@ -5,7 +5,7 @@ use super::rounded_transform::RoundedTransform;
 use super::roundings::Roundings;
 use crate::exact::{Rounded, UNIT_ROUNDOFF as U};
 use crate::geometry::Point;
-use crate::shape::{Geometry, InstancedId};
+use crate::shape::{Geometry, InstancedId, Primitive};
 
 /// More than the products of a vertex lose by underflow.
 const TINY: f64 = f64::from_bits(1 << 4);
@@ -20,12 +20,15 @@ pub(super) fn of_primitive(geometry: &Geometry, roundings: &Roundings, placed: I
         None => *shape,
     };
     let store = instance.map_or(geometry, |instance| geometry.object_of(instance));
-    if primitive.is_quadric() {
-        // Its matrix has errors, but none of its points has been rounded.
-        let extent = store.quadric(primitive.index()).extent();
-        return extent.map_or(f64::INFINITY, |extent| length(of_matrix(&rounded, extent)));
-    }
-    let corners = store.triangle(primitive.index()).0;
+    // The matrix of a curved surface has errors, but none of its points has been rounded.
+    let of_extent = |extent: Option<[f64; 3]>| {
+        extent.map_or(f64::INFINITY, |extent| length(of_matrix(&rounded, extent)))
+    };
+    let corners = match store.own_surface(primitive) {
+        Primitive::Triangle(triangle) => triangle.0,
+        Primitive::Quadric(quadric) => return of_extent(quadric.extent()),
+        Primitive::Segment(segment) => return of_extent(segment.extent()),
+    };
     let of_corner = |corner: Point| match instance {
         // Objects store the vertices of their files.
         Some(_) => length(of_vertex(&rounded, corner.to_array().map(f64::abs))),

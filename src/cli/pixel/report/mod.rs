@@ -178,7 +178,7 @@ impl<'a> Hit<'a> {
         };
         let corners = match &hit.surface {
             Primitive::Triangle(triangle) => Some(triangle.0.map(|corner| corner.to_array())),
-            Primitive::Quadric(_) => None,
+            Primitive::Quadric(_) | Primitive::Segment(_) => None,
         };
         Hit {
             primitive: PrimitiveName::new(scene, hit.primitive),

@@ -6,14 +6,14 @@ mod tests;
 
 use self::adjugate::Adjugate;
 use super::cut::{Cut, Plane};
-use super::{Disk, Form, Quadric};
+use super::{Disk, Form, Quadric, scale_of};
 use crate::exact::Approximation;
-use crate::geometry::Point;
+use crate::geometry::{Matrix, Point};
 use crate::shape::{FilterRay, FilterResult};
 use std::array::from_fn;
 use std::cmp::Ordering::{self, Greater, Less};
 
-type Approximations = [Approximation; 3];
+pub(in crate::shape) type Approximations = [Approximation; 3];
 /// The positive roots of an equation, the nearer one first; `None` where it is not sure how many
 /// there are.
 type Roots = Option<[Option<Approximation>; 2]>;
@@ -25,13 +25,13 @@ type Roots = Option<[Option<Approximation>; 2]>;
 /// its adjugate, o' = A (o - c), d' = A d and R = r s |det m|, the ray is o' + t d', and R the
 /// radius: nothing is divided, and few products leave the range. A point q of object space is o' +
 /// t d' divided by s det m.
-struct ScaledSpace {
-    origin: Approximations,
-    direction: Approximations,
+pub(in crate::shape) struct ScaledSpace {
+    pub(in crate::shape) origin: Approximations,
+    pub(in crate::shape) direction: Approximations,
     /// R.
     radius: Approximation,
     /// s det m.
-    determinant: Approximation,
+    pub(in crate::shape) determinant: Approximation,
 }
 
 impl Quadric {
@@ -110,15 +110,19 @@ fn across(v: &Approximations) -> Approximations {
 
 impl ScaledSpace {
     fn new(quadric: &Quadric, ray: &FilterRay) -> ScaledSpace {
-        let m = &quadric.world_from_object;
-        let scale = quadric.scale();
+        ScaledSpace::of(&quadric.world_from_object, quadric.radius, ray)
+    }
+
+    /// The space of `m`, and of a radius in it.
+    pub(in crate::shape) fn of(m: &Matrix, radius: f64, ray: &FilterRay) -> ScaledSpace {
+        let scale = scale_of(m);
         let adjugate = Adjugate::new(m, scale);
         let determinant = adjugate.row_times(0, adjugate.column) * Approximation::exactly(scale);
         let from_centre = ray.ray.origin - Point::from(m.column(3));
         ScaledSpace {
             origin: from_fn(|k| adjugate.row_times(k, from_centre)),
             direction: from_fn(|k| adjugate.row_times(k, ray.ray.direction)),
-            radius: Approximation::exactly(quadric.radius) * determinant.abs(),
+            radius: Approximation::exactly(radius) * determinant.abs(),
             determinant,
         }
     }
@@ -223,11 +227,11 @@ impl ScaledSpace {
     }
 }
 
-fn dot(a: &Approximations, b: &Approximations) -> Approximation {
+pub(in crate::shape) fn dot(a: &Approximations, b: &Approximations) -> Approximation {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-fn cross(a: &Approximations, b: &Approximations) -> Approximations {
+pub(in crate::shape) fn cross(a: &Approximations, b: &Approximations) -> Approximations {
     let minor = |i: usize, j: usize| a[i] * b[j] - a[j] * b[i];
     [minor(1, 2), minor(2, 0), minor(0, 1)]
 }
