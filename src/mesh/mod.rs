@@ -7,6 +7,7 @@
 //! Numbers follow rule R1 of `docs/accuracy.md`.
 
 pub mod bilinear_patch;
+pub mod curve;
 mod faces;
 mod flat_polygon;
 pub mod loop_subdivision;

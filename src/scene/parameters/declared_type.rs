@@ -13,6 +13,7 @@ impl DeclaredType {
     pub(crate) const INTEGER: DeclaredType = DeclaredType(&["integer"]);
     pub(crate) const POINT2: DeclaredType = DeclaredType(&["point2", "float"]);
     pub(crate) const POINT: DeclaredType = DeclaredType(&["point3", "point"]);
+    pub(crate) const NORMAL: DeclaredType = DeclaredType(&["normal", "normal3"]);
     pub(crate) const STRING: DeclaredType = DeclaredType(&["string"]);
 
     /// Why `parameter` is not declared with this type; `None` if it is.

@@ -2,6 +2,7 @@
 
 mod arrays;
 mod bilinear_mesh;
+mod curve;
 mod mesh_file;
 mod quadrics;
 mod subdivision_surface;
@@ -21,10 +22,11 @@ use target::{ShapeRefusal, ShapeResult};
 type AddShape = fn(&mut Parameters, &mut ShapeTarget) -> ShapeResult<()>;
 
 /// The shapes of pbrt that feimos supports, and its own.
-const SUPPORTED: [(&str, AddShape); 8] = [
+const SUPPORTED: [(&str, AddShape); 9] = [
     ("sphere", quadrics::add_sphere),
     ("cylinder", quadrics::add_cylinder),
     ("disk", quadrics::add_disk),
+    ("curve", curve::add),
     ("trianglemesh", triangle_mesh::add),
     ("loopsubdiv", subdivision_surface::add),
     ("bilinearmesh", bilinear_mesh::add),
@@ -33,9 +35,8 @@ const SUPPORTED: [(&str, AddShape); 8] = [
 ];
 
 /// The shapes of pbrt that feimos does not support.
-const UNSUPPORTED: [&str; 7] = [
+const UNSUPPORTED: [&str; 6] = [
     "cone",
-    "curve",
     "heightfield",
     "hyperboloid",
     "nurbs",

@@ -4,6 +4,7 @@ use super::transform_cache::TransformCache;
 use crate::error::{Diagnostic, Error, Result};
 use crate::geometry::Matrix;
 use crate::mesh::TriangleMesh;
+use crate::mesh::curve::Diced;
 use crate::scene::LoadOptions;
 use crate::scene::inputs::Inputs;
 use crate::scene::parameters::Parameters;
@@ -96,6 +97,28 @@ impl ShapeTarget<'_> {
             let transform = self.transforms.intern(world_from_object, self.geometry);
             self.geometry
                 .add_quadric(radius, form, transform, self.number)
+        };
+        added.map_err(|error| too_many(parameters, error))
+    }
+
+    /// Adds the segments of a curve in object space: `count` of them.
+    pub(super) fn add_curves(
+        &mut self,
+        parameters: &Parameters,
+        diced: Diced,
+        count: u64,
+    ) -> Result<()> {
+        let added = if self.bounds_medium {
+            self.geometry.leave_out(count as usize)
+        } else {
+            let transform = self
+                .transforms
+                .intern(&self.world_from_object, self.geometry);
+            if self.options.orientation || self.options.uv {
+                self.geometry.add_curve_pieces(&diced.pieces);
+            }
+            self.geometry
+                .add_curves(diced.points, transform, self.number)
         };
         added.map_err(|error| too_many(parameters, error))
     }
