@@ -379,3 +379,30 @@ fn rays_hit_where_the_curve_is() {
     }
     assert!(inside > 600, "{inside}");
 }
+
+/// The line of a segment passes the ray behind the eye, but the round end of the segment is ahead.
+#[test]
+fn an_end_is_hit_where_the_line_is_behind() {
+    let hair = Hair {
+        points: vec![
+            ([0, 0, 0], 0),
+            ([0, 3, -3], 0),
+            ([-2, -2, 0], 3),
+            ([0, 0, -1], 0),
+        ],
+        directions: [[0; 3]; 2],
+    };
+    let (mut geometry, mut object) = (Geometry::default(), Geometry::default());
+    hair.add_to(&mut geometry, &Matrix::IDENTITY, 1);
+    hair.add_to(&mut object, &Matrix::IDENTITY, 1);
+    let object = geometry.add_object(object);
+    geometry
+        .add_instance(object, Matrix::translate([2.0, 0.5, 1.0]))
+        .unwrap();
+    let eye = Point::new(-2.9, -5.9, 3.1);
+    let look_at = Transform::look_at(eye, Point::default(), Vector::new(0.0, 1.0, 0.0)).unwrap();
+    let mut camera = grid_camera(look_at.inverse, Projection::Perspective { tangent: 1.0 }, 5);
+    camera.resolution = [21; 2];
+    let exact = agreed_picture(&camera, &geometry, Precision::Exact).image;
+    assert_eq!(&rendered(&exact), &judged(&camera, &geometry));
+}

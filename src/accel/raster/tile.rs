@@ -4,7 +4,7 @@ use super::bins::TileEntries;
 use super::depth_buffer::{DepthBuffer, TilePixel};
 use super::exact_fallback::{Coincidences, Fallback, Unresolved};
 use super::fronts::Fronts;
-use super::rasterize::{PrimitiveBatch, Rasterizer, Rule, TileSphere, TriangleSource};
+use super::rasterize::{PrimitiveBatch, Rasterizer, Rule, TileSegment, TileSphere, TriangleSource};
 use super::resolve::WantedDepths;
 use super::setup::{
     CornersF64, Coverage, EdgePlanes, Footprint, QuadricBounds, Setup, TrianglesF64,
@@ -16,7 +16,7 @@ use crate::accel::instance::InstanceTrees;
 use crate::accel::ray::Ties;
 use crate::accel::tree::{PrimitiveBlock, Run};
 use crate::accel::view::TileFrame;
-use crate::shape::InstancedId;
+use crate::shape::{InstancedId, Primitive};
 use crate::simd::{LANES, Lanes};
 
 /// Buffers that a thread keeps from tile to tile, so that nothing is allocated for each.
@@ -99,7 +99,7 @@ impl Tile<'_> {
             }
         }
         if block.curved() != 0 {
-            self.add_quadrics::<S, EXACT>(simd, cull_nearness, block, batch);
+            self.add_curved::<S, EXACT>(simd, cull_nearness, block, batch);
         }
         self.decide_unresolved();
     }
@@ -141,10 +141,10 @@ impl Tile<'_> {
         }
     }
 
-    /// Rasterizes spheres, and leaves other quadrics of a block unresolved wherever they may be
-    /// seen.
+    /// Rasterizes spheres and segments, and leaves other quadrics of a block unresolved wherever
+    /// they may be seen.
     #[inline(always)]
-    fn add_quadrics<S: Lanes, const EXACT: bool>(
+    fn add_curved<S: Lanes, const EXACT: bool>(
         &mut self,
         simd: S,
         cull_nearness: f32,
@@ -158,20 +158,47 @@ impl Tile<'_> {
             let lane = lanes.trailing_zeros() as usize;
             lanes &= lanes - 1;
             let footprint = bounds.footprints.of(lane);
-            let is_sphere = EXACT && block.spheres >> lane & 1 != 0;
-            let sphere = is_sphere.then(|| TileSphere::of(&self.frame, block, lane));
-            match sphere.flatten() {
-                // In front of the eye as a whole.
-                Some(sphere) if footprint.nearest < f32::INFINITY => {
-                    let (frame, source) = (&self.frame, TriangleSource::Geometry);
-                    let (mut rasterizer, _) =
-                        self.buffers
-                            .rasterizer(frame, &self.fallback, batch, source);
-                    rasterizer.rasterize_sphere(simd, frame, &sphere, lane, footprint, hi_z);
-                }
-                _ => self.buffers.add_unresolved(hi_z, footprint, batch.of(lane)),
+            let is_in_front = EXACT && footprint.nearest < f32::INFINITY;
+            if !(is_in_front && self.add_in_lanes(simd, block, batch, lane, footprint)) {
+                self.buffers.add_unresolved(hi_z, footprint, batch.of(lane));
             }
         }
+    }
+
+    /// Rasterizes a sphere or a segment that is in front of the eye as a whole. Returns whether it
+    /// can be done in lanes.
+    #[inline(always)]
+    fn add_in_lanes<S: Lanes>(
+        &mut self,
+        simd: S,
+        block: &PrimitiveBlock,
+        batch: PrimitiveBatch,
+        lane: usize,
+        footprint: Footprint,
+    ) -> bool {
+        let (frame, fallback) = (&self.frame, &self.fallback);
+        let hi_z = HiZ::of(frame.view, true);
+        let source = TriangleSource::Geometry;
+        if block.spheres >> lane & 1 != 0 {
+            let Some(sphere) = TileSphere::of(frame, block, lane) else {
+                return false;
+            };
+            let (mut rasterizer, _) = self.buffers.rasterizer(frame, fallback, batch, source);
+            rasterizer.rasterize_sphere(simd, frame, &sphere, lane, footprint, hi_z);
+            return true;
+        }
+        if block.segments >> lane & 1 == 0 {
+            return false;
+        }
+        let Primitive::Segment(segment) = fallback.geometry.surface(batch.of(lane)) else {
+            return false;
+        };
+        let Some(segment) = TileSegment::of(&segment, frame) else {
+            return false;
+        };
+        let (mut rasterizer, _) = self.buffers.rasterizer(frame, fallback, batch, source);
+        rasterizer.rasterize_segment(simd, &segment, lane, footprint, hi_z);
+        true
     }
 
     /// Decides what is unresolved, by the fallback.

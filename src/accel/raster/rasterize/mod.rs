@@ -1,11 +1,15 @@
 //! Rasterization: tests sixteen triangles, or sixteen pixels, at once against the depth buffer.
 
+mod curved;
 mod large;
 mod rasterizer;
+mod segment;
+mod segment_space;
 mod small;
 mod sphere;
 
 pub(super) use self::rasterizer::{PrimitiveBatch, Rasterizer, Rule, TriangleSource};
+pub(super) use self::segment::TileSegment;
 pub(super) use self::sphere::TileSphere;
 
 use super::setup::EdgePlanes;
