@@ -1,11 +1,11 @@
-//! Exact intersection of a ray with a segment of a curve (rule E11).
+//! Exact intersection of a ray with a segment of a curve (rule E12).
 
 use crate::exact::{Dyadic, ExactVector, Root};
 use crate::geometry::Ray;
 use crate::shape::Segment;
 use std::cmp::Ordering::{Equal, Greater, Less};
 
-/// Rule E11 by the point of the axis that is nearest to the ray, as a fraction: all numbers of the
+/// Rule E12 by the point of the axis that is nearest to the ray, as a fraction: all numbers of the
 /// point, of the distance and of t are multiplied by its denominator.
 ///
 /// Object space is taken times the determinant of the matrix, by Cramer's rule.

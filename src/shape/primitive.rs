@@ -57,7 +57,7 @@ impl Primitive {
         }
     }
 
-    /// Whether any ray can hit it (rules E1, E2, E5, E6 and E11).
+    /// Whether any ray can hit it (rules E1, E2, E5, E6 and E12).
     pub fn can_be_hit(&self) -> bool {
         match self {
             Primitive::Triangle(triangle) => triangle.can_be_hit(),

@@ -3,6 +3,7 @@
 mod arrays;
 mod blocks;
 mod continued;
+mod curves;
 mod directives;
 mod materials;
 mod matrices;

@@ -184,7 +184,7 @@ impl Tile<'_> {
                 return false;
             };
             let (mut rasterizer, _) = self.buffers.rasterizer(frame, fallback, batch, source);
-            rasterizer.rasterize_sphere(simd, frame, &sphere, lane, footprint, hi_z);
+            rasterizer.rasterize_curved(simd, frame, &sphere, lane, footprint, hi_z);
             return true;
         }
         if block.segments >> lane & 1 == 0 {
@@ -197,7 +197,7 @@ impl Tile<'_> {
             return false;
         };
         let (mut rasterizer, _) = self.buffers.rasterizer(frame, fallback, batch, source);
-        rasterizer.rasterize_segment(simd, &segment, lane, footprint, hi_z);
+        rasterizer.rasterize_curved(simd, frame, &segment, lane, footprint, hi_z);
         true
     }
 

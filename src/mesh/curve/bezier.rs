@@ -109,6 +109,9 @@ impl BezierPiece {
                 .dot(Vector::from(difference))
                 .sqrt()
         };
+        if !self.points.iter().all(|point| point.is_finite()) {
+            return 0;
+        }
         let (first, last) = (second(0), second(1));
         let bend = if first > last { first } else { last };
         let [first, last] = self.widths.map(f64::abs);

@@ -14,7 +14,7 @@ pub struct Diced {
 }
 
 /// Halves every piece as often as it [asks for](BezierPiece::halvings), and joins pieces that lead
-/// into each other (rule R10).
+/// into each other (rule R13).
 pub fn dice(pieces: &[BezierPiece], is_round: bool) -> Diced {
     let mut diced = Diced::default();
     let mut first_segment = 0;

@@ -1,5 +1,5 @@
 //! Curves of pbrt: from control points to cubic Bezier pieces, and from these to short straight
-//! segments, or to the triangles of a ribbon (rule R10).
+//! segments, or to the triangles of a ribbon (rule R13).
 
 mod bezier;
 mod dice;

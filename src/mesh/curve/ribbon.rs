@@ -28,7 +28,7 @@ pub fn triangle_count(pieces: &[BezierPiece], normals: &[Vector]) -> u64 {
 }
 
 /// Two triangles for each part of each piece: a strip about the curve, across it and its normal
-/// (rule R10). There is a normal for the beginning of each piece and for the end of the last. u is
+/// (rule R13). There is a normal for the beginning of each piece and for the end of the last. u is
 /// pbrt's on each piece, v is 0 and 1 on both sides.
 pub fn ribbon(pieces: &[BezierPiece], normals: &[Vector]) -> TriangleMesh {
     let mut ribbon = Ribbon {

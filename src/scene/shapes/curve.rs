@@ -20,7 +20,7 @@ enum CurveType {
     Ribbon,
 }
 
-/// Adds a curve as pbrt reads it (rules R10 and E11).
+/// Adds a curve as pbrt reads it (rules R13 and E12).
 pub(super) fn add(parameters: &mut Parameters, target: &mut ShapeTarget) -> ShapeResult<()> {
     parameters.ignore(&["splitdepth"]);
     let width = parameters.number("width")?.unwrap_or(1.0);

@@ -23,7 +23,7 @@ impl Geometry {
             .map(|(run, end)| run.first_triangle as usize..end)
             .collect();
         // A triangle without a finite vertex is never hit (rule E1), nor is a quadric without a
-        // radius (E2), or a segment without a finite point (E11).
+        // radius (E2), or a segment without a finite point (E12).
         if !triangles.is_empty() {
             let nowhere = self.vertices.len() as u32;
             self.vertices.push(Point::new(f64::NAN, f64::NAN, f64::NAN));

@@ -16,7 +16,7 @@ struct Meeting {
 }
 
 impl Segment {
-    /// The `t` at which `ray` hits it, if it does (rule E11). It [can be
+    /// The `t` at which `ray` hits it, if it does (rule E12). It [can be
     /// hit](Segment::can_be_hit), and the ray is finite and has a direction.
     ///
     /// With a and b from the origin of the ray to the ends, e = b - a, d the direction and

@@ -13,7 +13,7 @@ pub(crate) use single::SingleSegment;
 
 use crate::geometry::{Matrix, Point, Vector};
 
-/// A strip between two points of a curve (rule E11).
+/// A strip between two points of a curve (rule E12).
 ///
 /// It has no orientation: across its axis, it is perpendicular in object space to whatever ray
 /// looks at it. So it is hit where a ray comes near enough to the axis, at the point of the ray that
@@ -32,7 +32,7 @@ pub struct Segment {
 }
 
 impl Segment {
-    /// Whether any ray can hit it (rule E11).
+    /// Whether any ray can hit it (rule E12).
     pub fn can_be_hit(&self) -> bool {
         self.extent().is_some()
             && self.world_from_object.is_finite()

@@ -5,10 +5,11 @@ use crate::accel::raster::depth_buffer::TilePixel;
 use crate::accel::raster::exact_fallback::Unresolved;
 use crate::accel::raster::setup::Footprint;
 use crate::accel::raster::traversal::{HiZ, pixel_blocks_between};
+use crate::accel::view::TileFrame;
 use crate::simd::{F32s, Lanes, Mask};
 
 /// What is known of a surface at the pixels of a block.
-pub(super) struct Samples<S: Lanes> {
+pub(crate) struct Samples<S: Lanes> {
     /// It is hit, and nearness is known.
     pub(super) sure: S::M,
     /// It may be hit.
@@ -16,17 +17,24 @@ pub(super) struct Samples<S: Lanes> {
     pub(super) nearness: S::F,
 }
 
+/// A surface as a tile sees it. This is a trait and not a closure, since closures are not always
+/// compiled into the functions that may use the instructions of a level.
+pub(crate) trait TileSurface {
+    /// The samples at the pixels of a block. Must be `#[inline(always)]`.
+    fn samples<S: Lanes>(&self, simd: S, frame: &TileFrame, block: usize) -> Samples<S>;
+}
+
 impl Rasterizer<'_> {
-    /// Rasterizes the primitive of a lane, whose `samples` are known block by block, and leaves the
-    /// pixels where it may win unresolved.
+    /// Rasterizes the primitive of a lane, and leaves the pixels where it may win unresolved.
     #[inline(always)]
-    pub(super) fn rasterize_samples<S: Lanes>(
+    pub(crate) fn rasterize_curved<S: Lanes>(
         &mut self,
         simd: S,
+        frame: &TileFrame,
+        surface: &impl TileSurface,
         lane: usize,
         footprint: Footprint,
         hi_z: HiZ,
-        samples: impl Fn(usize) -> Samples<S>,
     ) {
         let primitive = self.batch.of(lane);
         let nearest = simd.splat(footprint.nearest);
@@ -44,7 +52,7 @@ impl Rasterizer<'_> {
                 sure,
                 possible,
                 mut nearness,
-            } = samples(block);
+            } = surface.samples(simd, frame, block);
             if self.rule.hits_only {
                 nearness = simd.splat(f32::INFINITY);
             }

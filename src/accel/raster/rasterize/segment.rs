@@ -19,12 +19,9 @@
 //! ([`SegmentSpace`]) times the products of bounds: p within a D, m within a e D, M within e^2 D^2,
 //! N within a e D^2, T within a e^2 D, and what a tangent cuts within a l D^2.
 
-use super::curved::Samples;
-use super::rasterizer::Rasterizer;
+use super::curved::{Samples, TileSurface};
 use super::segment_space::{SegmentSpace, dot, size};
 use crate::accel::raster::depth_buffer::{COLUMNS, ROWS};
-use crate::accel::raster::setup::Footprint;
-use crate::accel::raster::traversal::HiZ;
 use crate::accel::view::TileFrame;
 use crate::shape::Segment;
 use crate::simd::{F32s, F64s, Lanes};
@@ -64,6 +61,8 @@ const OF_PLACE: f64 = 1.0 / (1 << 22) as f64;
 
 impl TileSegment {
     /// `None` if the bounds do not hold for it.
+    // Not compiled into the kernels: it uses no lanes.
+    #[inline(never)]
     pub(crate) fn of(segment: &Segment, frame: &TileFrame) -> Option<TileSegment> {
         if !frame.view.is_perspective {
             return None;
@@ -117,86 +116,108 @@ impl TileSegment {
     }
 }
 
-impl Rasterizer<'_> {
-    /// Rasterizes a segment, and leaves the pixels where it may win unresolved.
+impl TileSurface for TileSegment {
     #[inline(always)]
-    pub(crate) fn rasterize_segment<S: Lanes>(
-        &mut self,
-        simd: S,
-        segment: &TileSegment,
-        lane: usize,
-        footprint: Footprint,
-        hi_z: HiZ,
-    ) {
-        let samples = |block| segment.samples(simd, block);
-        self.rasterize_samples(simd, lane, footprint, hi_z, samples);
-    }
-}
-
-impl TileSegment {
-    #[inline(always)]
-    fn samples<S: Lanes>(&self, simd: S, block: usize) -> Samples<S> {
-        let wide = |x: f64| simd.splat_wide(x);
-        let (zero, nothing) = (simd.splat(0.0), wide(0.0));
-        let (x, y) = (simd.load(&COLUMNS[block]), simd.load(&ROWS[block]));
-        let (x, y) = (x.widen(), y.widen());
-        let line = |[start, column, row]: &[f64; 3]| {
-            let in_row = wide(*column).fused_or_not(x, wide(*start));
-            wide(*row).fused_or_not(y, in_row)
+    fn samples<S: Lanes>(&self, simd: S, _: &TileFrame, block: usize) -> Samples<S> {
+        let (zero, nothing) = (simd.splat(0.0), simd.splat_wide(0.0));
+        let pixels = Pixels {
+            simd,
+            x: simd.load(&COLUMNS[block]).widen(),
+            y: simd.load(&ROWS[block]).widen(),
         };
-        let p = line(&self.linear[0]);
-        let q = line(&self.linear[1]);
-        let m = line(&self.linear[2]);
-        let [constant, of_x, of_y, of_xx, of_xy, of_yy] = self.square;
-        let in_x = wide(of_xx)
-            .fused_or_not(x, wide(of_x))
-            .fused_or_not(x, wide(constant));
-        let in_y = wide(of_yy).fused_or_not(y, wide(of_xy).fused_or_not(x, wide(of_y)));
-        let s = in_y.fused_or_not(y, in_x);
-        let [square, product] = self.axis.map(wide);
+        let p = pixels.line(&self.linear[0]);
+        let q = pixels.line(&self.linear[1]);
+        let m = pixels.line(&self.linear[2]);
+        let s = pixels.square(&self.square);
+        let square = simd.splat_wide(self.axis[0]);
+        let product = simd.splat_wide(self.axis[1]);
         let slant = s * square - q * q;
         let place = p * q - s * product;
         let ahead = p * square - q * product;
-        let after_start = p * line(&self.linear[3]) - s * wide(self.tangents[0]);
-        let before_end = s * wide(self.tangents[1]) - (p + q) * line(&self.linear[4]);
+        let after_start = p * pixels.line(&self.linear[3]) - s * simd.splat_wide(self.tangents[0]);
+        let before_end =
+            s * simd.splat_wide(self.tangents[1]) - (p + q) * pixels.line(&self.linear[4]);
 
-        let is_above = |number: S::D, bound: f64| (number - wide(bound)).narrow().above(zero);
-        let is_below =
-            |number: S::D, bound: f64| (nothing - number - wide(bound)).narrow().above(zero);
         let [of_slant, of_place, of_ahead] = self.errors.products;
-        let is_slanted = is_above(slant, PRECISE * of_slant);
+        let is_slanted = exceeds(simd, slant, PRECISE * of_slant);
         let [at_start, at_end] = self.errors.cuts;
         // Where the ray passes the axis: between its ends, or at one of them.
-        let along = place / slant;
-        let nearest = along.narrow().max(zero).min(simd.splat(1.0)).widen();
+        let along = (place / slant).narrow();
+        let along = along.max(zero).min(simd.splat(1.0)).widen();
         let [first, growth] = self.half_width;
-        let half_width = nearest.fused_or_not(wide(growth), wide(first));
+        let half_width = along.fused_or_not(simd.splat_wide(growth), simd.splat_wide(first));
         let slope = growth.abs();
-        let slack = wide(2.0 * (of_slant + of_place) * slope) / slant
-            + wide(slope * OF_PLACE + self.widest * self.errors.width);
+        let slack = simd.splat_wide(2.0 * (of_slant + of_place) * slope) / slant
+            + simd.splat_wide(slope * OF_PLACE + self.widest * self.errors.width);
         let (inner, outer) = (half_width - slack, half_width + slack);
-        let (least, most) = (slant - wide(of_slant), slant + wide(of_slant));
-        // |m| by its square, which is off by 2 |m| and its own error times this.
-        let off = wide(self.errors.m);
-        let twice = (m * m).sqrt() * wide(2.0 * self.errors.m) + off * off;
-        let is_inside = (inner * inner * least - (m * m + twice))
+        let least = slant - simd.splat_wide(of_slant);
+        let most = slant + simd.splat_wide(of_slant);
+        // m^2 is off by 2 |m| times the error of m, and its square.
+        let off = simd.splat_wide(self.errors.m);
+        let of_square = (m * m).sqrt() * simd.splat_wide(2.0 * self.errors.m) + off * off;
+        let is_inside = (inner * inner * least - (m * m + of_square))
             .narrow()
             .above(zero)
             & inner.narrow().above(zero);
-        let is_outside = (m * m - twice - outer * outer * most).narrow().above(zero);
+        let is_outside = (m * m - of_square - outer * outer * most)
+            .narrow()
+            .above(zero);
 
-        let is_between = is_above(place, of_place) & is_above(slant - place, of_slant + of_place);
-        let is_kept = is_above(after_start, at_start) & is_above(before_end, at_end);
-        let is_cut = is_below(after_start, at_start) | is_below(before_end, at_end);
-        let is_precise = is_above(ahead, PRECISE * of_ahead);
+        let is_between =
+            exceeds(simd, place, of_place) & exceeds(simd, slant - place, of_slant + of_place);
+        let is_kept = exceeds(simd, after_start, at_start) & exceeds(simd, before_end, at_end);
+        let is_cut = exceeds(simd, nothing - after_start, at_start)
+            | exceeds(simd, nothing - before_end, at_end);
+        let is_precise = exceeds(simd, ahead, PRECISE * of_ahead);
         // At an end, t is not that of the line.
-        let is_behind = is_between & is_below(ahead, of_ahead);
+        let is_behind = is_between & exceeds(simd, nothing - ahead, of_ahead);
         Samples {
             sure: is_slanted & is_between & is_kept & is_inside & is_precise,
             possible: !(is_slanted & (is_outside | is_cut | is_behind)),
             nearness: (slant / ahead).narrow(),
         }
     }
+}
+
+/// The coordinates of sixteen pixels.
+struct Pixels<S: Lanes> {
+    simd: S,
+    x: S::D,
+    y: S::D,
+}
+
+impl<S: Lanes> Pixels<S> {
+    /// A linear function: its value at the first pixel, and what a column and a row add.
+    #[inline(always)]
+    fn line(&self, [start, column, row]: &[f64; 3]) -> S::D {
+        let simd = self.simd;
+        let in_row = simd
+            .splat_wide(*column)
+            .fused_or_not(self.x, simd.splat_wide(*start));
+        simd.splat_wide(*row).fused_or_not(self.y, in_row)
+    }
+
+    /// A quadratic function: constant, x, y, x^2, x y, y^2.
+    #[inline(always)]
+    fn square(&self, [constant, x, y, xx, xy, yy]: &[f64; 6]) -> S::D {
+        let simd = self.simd;
+        let of_x = simd
+            .splat_wide(*xx)
+            .fused_or_not(self.x, simd.splat_wide(*x));
+        let in_row = of_x.fused_or_not(self.x, simd.splat_wide(*constant));
+        let of_y = simd
+            .splat_wide(*xy)
+            .fused_or_not(self.x, simd.splat_wide(*y));
+        let of_y = simd.splat_wide(*yy).fused_or_not(self.y, of_y);
+        of_y.fused_or_not(self.y, in_row)
+    }
+}
+
+/// Where `number` exceeds `bound`.
+#[inline(always)]
+fn exceeds<S: Lanes>(simd: S, number: S::D, bound: f64) -> S::M {
+    let beyond = (number - simd.splat_wide(bound)).narrow();
+    beyond.above(simd.splat(0.0))
 }
 
 fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {

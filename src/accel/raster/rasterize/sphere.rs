@@ -19,11 +19,8 @@
 //! E^2 is less than 2^-34 b^2 (b^2 - a c), that is 2^-17 of b. The other errors of nearness, of b
 //! and c, are below 2^-18 of it, so it is within the tolerance of 0.9 * 2^-16.
 
-use super::curved::Samples;
-use super::rasterizer::Rasterizer;
+use super::curved::{Samples, TileSurface};
 use crate::accel::raster::depth_buffer::{COLUMNS, ROWS};
-use crate::accel::raster::setup::Footprint;
-use crate::accel::raster::traversal::HiZ;
 use crate::accel::tree::PrimitiveBlock;
 use crate::accel::view::TileFrame;
 use crate::simd::{F32s, F64s, Lanes};
@@ -80,24 +77,7 @@ impl TileSphere {
     }
 }
 
-impl Rasterizer<'_> {
-    /// Rasterizes a sphere, and leaves the pixels where it may win unresolved.
-    #[inline(always)]
-    pub(crate) fn rasterize_sphere<S: Lanes>(
-        &mut self,
-        simd: S,
-        frame: &TileFrame,
-        sphere: &TileSphere,
-        lane: usize,
-        footprint: Footprint,
-        hi_z: HiZ,
-    ) {
-        let samples = |block| sphere.samples(simd, frame, block);
-        self.rasterize_samples(simd, lane, footprint, hi_z, samples);
-    }
-}
-
-impl TileSphere {
+impl TileSurface for TileSphere {
     #[inline(always)]
     fn samples<S: Lanes>(&self, simd: S, frame: &TileFrame, block: usize) -> Samples<S> {
         let (x, y) = (simd.load(&COLUMNS[block]), simd.load(&ROWS[block]));
