@@ -20,14 +20,14 @@ pub(crate) mod vector32;
 pub use coincidence::Coincidence;
 pub use filter_ray::FilterRay;
 pub use filter_result::FilterResult;
-pub use geometry::{CapacityError, CornerUv, Geometry, Instance, NonFiniteCounts, Pose};
+pub use geometry::{CapacityError, CornerUv, Geometry, Instance, NonFiniteCounts, PatchUv, Pose};
 pub use instanced_id::InstancedId;
 pub use numbers::Numbers;
 pub use primitive::Primitive;
 pub use primitive_id::PrimitiveId;
-pub use quadric::{Cut, Disk, Form, Quadric, Sector};
+pub use quadric::{Cut, Disk, Form, Hyperboloid, Quadric, Revolved, Sector};
 pub use surface_point::{SurfacePoint, SurfacePoints, SurfaceWants};
 pub use triangle::Triangle;
 
-pub(crate) use quadric::{Ellipsoid, SingleQuadric};
+pub(crate) use quadric::{Ellipsoid, SingleQuadric, intersect_patch};
 pub(crate) use triangle::intersect_single;

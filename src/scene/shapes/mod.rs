@@ -5,6 +5,7 @@ mod bilinear_mesh;
 mod mesh_file;
 mod quadrics;
 mod subdivision_surface;
+mod surfaces_of_revolution;
 mod target;
 mod transform_cache;
 mod triangle_mesh;
@@ -21,10 +22,13 @@ use target::{ShapeRefusal, ShapeResult};
 type AddShape = fn(&mut Parameters, &mut ShapeTarget) -> ShapeResult<()>;
 
 /// The shapes of pbrt that feimos supports, and its own.
-const SUPPORTED: [(&str, AddShape); 8] = [
+const SUPPORTED: [(&str, AddShape); 11] = [
     ("sphere", quadrics::add_sphere),
     ("cylinder", quadrics::add_cylinder),
     ("disk", quadrics::add_disk),
+    ("cone", surfaces_of_revolution::add_cone),
+    ("paraboloid", surfaces_of_revolution::add_paraboloid),
+    ("hyperboloid", surfaces_of_revolution::add_hyperboloid),
     ("trianglemesh", triangle_mesh::add),
     ("loopsubdiv", subdivision_surface::add),
     ("bilinearmesh", bilinear_mesh::add),
@@ -33,15 +37,7 @@ const SUPPORTED: [(&str, AddShape); 8] = [
 ];
 
 /// The shapes of pbrt that feimos does not support.
-const UNSUPPORTED: [&str; 7] = [
-    "cone",
-    "curve",
-    "heightfield",
-    "hyperboloid",
-    "nurbs",
-    "paraboloid",
-    "heightfield2",
-];
+const UNSUPPORTED: [&str; 4] = ["curve", "heightfield", "nurbs", "heightfield2"];
 
 fn find(name: &str) -> Option<AddShape> {
     let found = SUPPORTED.iter().find(|(supported, _)| *supported == name);

@@ -2,11 +2,13 @@
 
 mod attributes;
 mod digest;
+mod forms;
 mod hidden;
 mod instance;
 mod instances;
 mod non_finite;
 mod order;
+mod patches;
 mod pose;
 mod runs;
 mod sizes;
@@ -14,7 +16,7 @@ mod surface_attributes;
 #[cfg(test)]
 mod tests;
 
-pub use attributes::CornerUv;
+pub use attributes::{CornerUv, PatchUv};
 pub use instance::Instance;
 pub use non_finite::NonFiniteCounts;
 pub use pose::Pose;
@@ -23,7 +25,9 @@ pub use runs::CapacityError;
 use crate::geometry::{Matrix, Point};
 use crate::shape::{Cut, Form, Primitive, PrimitiveId, Quadric, Triangle};
 use attributes::Attributes;
+use forms::Forms;
 use non_finite::move_to_world;
+use patches::PatchRun;
 use rayon::prelude::*;
 use runs::{FirstNumber, MeshRun, QuadricRun, StoredQuadric};
 
@@ -43,8 +47,11 @@ pub struct Geometry {
     meshes: Vec<MeshRun>,
     quadrics: Vec<StoredQuadric>,
     quadric_runs: Vec<QuadricRun>,
-    /// The forms of the quadrics that are not whole spheres, by index.
-    forms: Vec<(u32, Form)>,
+    /// The forms of the quadrics that are not whole spheres.
+    forms: Forms,
+    /// Of an object: the transforms of its patches.
+    patch_runs: Vec<PatchRun>,
+    /// Transforms, and the corners of patches.
     transforms: Vec<Matrix>,
     /// The geometry between `ObjectBegin` and `ObjectEnd`; it has no instances.
     objects: Vec<Geometry>,
@@ -145,7 +152,7 @@ impl Geometry {
         self.add_quadric(radius, Form::Sphere(cut), transform, shape)
     }
 
-    /// Appends a sphere, a cylinder or a disk, like [`Geometry::add_sphere`].
+    /// Appends any quadric but a patch, like [`Geometry::add_sphere`].
     pub fn add_quadric(
         &mut self,
         radius: f64,
@@ -167,9 +174,7 @@ impl Geometry {
                 first_number,
             });
         }
-        if form != Form::Sphere(None) {
-            self.forms.push((first_quadric, form));
-        }
+        self.forms.push(first_quadric, form);
         self.quadrics.push(StoredQuadric {
             radius,
             transform,
@@ -243,16 +248,13 @@ impl Geometry {
         &self.vertices[place as usize]
     }
 
-    /// Quadric `index`.
+    /// Quadric `index`. The corners of a patch of an object are in the space of their file.
     pub fn quadric(&self, index: usize) -> Quadric {
         let stored = &self.quadrics[index];
-        let place = self
-            .forms
-            .binary_search_by_key(&index, |(quadric, _)| *quadric as usize);
         Quadric {
             world_from_object: self.transforms[stored.transform as usize],
             radius: stored.radius,
-            form: place.map_or(Form::Sphere(None), |place| self.forms[place].1),
+            form: self.forms.of(index),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::Geometry;
 use crate::geometry::Matrix;
-use crate::shape::{Primitive, PrimitiveId, Quadric, Triangle};
+use crate::shape::{Form, Primitive, PrimitiveId, Quadric, Triangle};
 use std::ops::Range;
 
 /// An object under the transform of an instance. Remembers the product with the transform of the
@@ -33,6 +33,15 @@ impl<'a> Pose<'a> {
         let index = primitive.index();
         if primitive.is_quadric() {
             let quadric = self.object.quadric(index);
+            if quadric.form == Form::Patch {
+                let transform = self.object.transform_of_patch(index);
+                let world_from_file = self.world_from_instance.times(transform);
+                let corners = quadric.patch().corners;
+                return Primitive::Quadric(Quadric {
+                    radius: quadric.radius,
+                    ..Quadric::of_patch(corners.map(|corner| world_from_file.apply(corner)))
+                });
+            }
             let world_from_object = self.world_from_instance.times(&quadric.world_from_object);
             return Primitive::Quadric(Quadric {
                 world_from_object,

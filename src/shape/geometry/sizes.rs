@@ -42,7 +42,8 @@ impl Geometry {
             + size_of_val(&self.meshes[..])
             + size_of_val(&self.quadrics[..])
             + size_of_val(&self.quadric_runs[..])
-            + size_of_val(&self.forms[..])
+            + self.forms.bytes()
+            + size_of_val(&self.patch_runs[..])
             + size_of_val(&self.transforms[..])
             + size_of_val(&self.instances[..])
             + self

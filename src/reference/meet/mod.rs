@@ -1,0 +1,51 @@
+//! Exact intersection of a ray with a primitive (rules E1, E2, E5, E6 and E8 to E11).
+//!
+//! Points and conditions are polynomials in the ray's parameter. No decision is shared with the
+//! rest of the program.
+
+mod disk;
+mod patch;
+mod polynomial;
+mod revolution;
+mod sector;
+mod triangle;
+
+use crate::exact::{Dyadic, ExactVector, Root};
+use crate::geometry::{Matrix, Ray};
+use crate::shape::{Form, Primitive, Quadric};
+
+/// The least `t` at which `ray` meets `surface`.
+pub(super) fn intersect(surface: &Primitive, ray: &Ray) -> Option<Root> {
+    match surface {
+        Primitive::Triangle(triangle) => triangle::meet(triangle, ray),
+        Primitive::Quadric(quadric) => meet_quadric(quadric, ray),
+    }
+}
+
+fn meet_quadric(quadric: &Quadric, ray: &Ray) -> Option<Root> {
+    let Quadric {
+        world_from_object: m,
+        radius,
+        form,
+    } = quadric;
+    let is_valid = m.is_finite() && radius.is_finite() && *radius > 0.0;
+    is_valid.then_some(())?;
+    if let Form::Patch = form {
+        return patch::meet([0, 1, 2, 3].map(|k| ExactVector::from(m.column(k))), ray);
+    }
+    if determinant(&columns(m)).is_zero() {
+        return None;
+    }
+    match form {
+        Form::Disk(disk) => disk::meet(m, *radius, disk, ray),
+        _ => revolution::meet(quadric, ray),
+    }
+}
+
+fn columns(m: &Matrix) -> [ExactVector; 3] {
+    [0, 1, 2].map(|j| ExactVector::from(m.column(j)))
+}
+
+fn determinant([x, y, z]: &[ExactVector; 3]) -> Dyadic {
+    x.dot(&y.cross(z))
+}
