@@ -1,6 +1,6 @@
 //! Disks (rule E6).
 
-use super::columns;
+use super::columns::columns;
 use super::sector::is_within;
 use crate::exact::{Dyadic, ExactVector, Root};
 use crate::geometry::{Matrix, Ray};

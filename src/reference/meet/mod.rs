@@ -3,6 +3,7 @@
 //! Points and conditions are polynomials in the ray's parameter. No decision is shared with the
 //! rest of the program.
 
+mod columns;
 mod disk;
 mod patch;
 mod polynomial;
@@ -10,9 +11,10 @@ mod revolution;
 mod sector;
 mod triangle;
 
-use crate::exact::{Dyadic, ExactVector, Root};
-use crate::geometry::{Matrix, Ray};
+use crate::exact::{ExactVector, Root};
+use crate::geometry::Ray;
 use crate::shape::{Form, Primitive, Quadric};
+use columns::{columns, determinant};
 
 /// The least `t` at which `ray` meets `surface`.
 pub(super) fn intersect(surface: &Primitive, ray: &Ray) -> Option<Root> {
@@ -40,12 +42,4 @@ fn meet_quadric(quadric: &Quadric, ray: &Ray) -> Option<Root> {
         Form::Disk(disk) => disk::meet(m, *radius, disk, ray),
         _ => revolution::meet(quadric, ray),
     }
-}
-
-fn columns(m: &Matrix) -> [ExactVector; 3] {
-    [0, 1, 2].map(|j| ExactVector::from(m.column(j)))
-}
-
-fn determinant([x, y, z]: &[ExactVector; 3]) -> Dyadic {
-    x.dot(&y.cross(z))
 }

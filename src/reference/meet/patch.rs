@@ -1,6 +1,6 @@
 //! Bilinear patches (rule E11).
 
-use super::determinant;
+use super::columns::determinant;
 use super::polynomial::Polynomial;
 use crate::exact::{Dyadic, ExactVector, Root};
 use crate::geometry::Ray;

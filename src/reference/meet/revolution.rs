@@ -1,8 +1,8 @@
 //! Spheres, cylinders, cones, paraboloids and hyperboloids (rules E2, E5 and E8 to E10).
 
+use super::columns::{columns, determinant};
 use super::polynomial::Polynomial;
 use super::sector::is_within;
-use super::{columns, determinant};
 use crate::exact::{Dyadic, ExactVector, Root};
 use crate::geometry::Ray;
 use crate::shape::{Cut, Form, Hyperboloid, Quadric, Revolved, Sector};

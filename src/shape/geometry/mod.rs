@@ -27,9 +27,8 @@ use crate::shape::{Cut, Form, Primitive, PrimitiveId, Quadric, Triangle};
 use attributes::Attributes;
 use forms::Forms;
 use non_finite::move_to_world;
-use patches::PatchRun;
 use rayon::prelude::*;
-use runs::{FirstNumber, MeshRun, QuadricRun, StoredQuadric};
+use runs::{FirstNumber, MeshRun, PatchRun, QuadricRun, StoredQuadric};
 
 /// The geometry of a scene, or of an object. Meshes are in world space, quadrics refer to their
 /// transforms, and objects are stored once, with their instances.

@@ -1,16 +1,9 @@
 //! How bilinear patches are stored.
 
 use super::Geometry;
-use super::runs::CapacityError;
+use super::runs::{CapacityError, PatchRun};
 use crate::geometry::{Matrix, Point};
 use crate::shape::{Form, Quadric};
-
-/// Patches of an object, which share the transform of their corners.
-#[derive(Debug)]
-pub(super) struct PatchRun {
-    pub(super) first_quadric: u32,
-    pub(super) transform: u32,
-}
 
 impl Geometry {
     /// Appends a bilinear patch, and moves its object-space corners p00, p10, p01 and p11 to world

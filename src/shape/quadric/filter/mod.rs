@@ -1,7 +1,7 @@
 //! The quadric test in `f64`, with error bounds.
 
 mod adjugate;
-mod revolved;
+mod revolution;
 #[cfg(test)]
 mod tests;
 

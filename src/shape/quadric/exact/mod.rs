@@ -1,6 +1,6 @@
 //! The quadric test in exact arithmetic.
 
-mod revolved;
+mod revolution;
 
 use super::cut::{Cut, Plane};
 use super::revolved::Equation;
