@@ -29,7 +29,7 @@ fn hard_scenes() -> Vec<HardScene> {
         .filter(|path| path.extension().is_some_and(|e| e == "pbrt"))
         .collect();
     paths.sort();
-    assert_eq!(paths.len(), 42);
+    assert_eq!(paths.len(), 50);
     let load = |path: &PathBuf| {
         let name = path.file_stem().unwrap().to_str().unwrap().to_owned();
         let expected = expected(&folder.join("expected").join(format!("{name}.tsv")));

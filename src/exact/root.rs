@@ -73,6 +73,59 @@ impl Root {
         )
     }
 
+    /// How `c0 + c1 * self + c2 * self^2` compares with 0.
+    pub fn sign_of_quadratic(&self, coefficients: &[Dyadic; 3]) -> Ordering {
+        let [rational, factor] = self.value_of(coefficients);
+        let sign = times(self.sign, factor.sign());
+        sign_with_root(&rational, sign, &factor, &self.radicand)
+    }
+
+    /// The quotient of two quadratic polynomials at this number, given by their coefficients from
+    /// the constant one up.
+    ///
+    /// # Panics
+    /// If the denominator is 0 there.
+    pub fn quotient(&self, numerator: &[Dyadic; 3], denominator: &[Dyadic; 3]) -> Root {
+        let signed = |[rational, factor]: [Dyadic; 2]| match self.sign {
+            Less => (rational, -&factor),
+            Equal => (rational, Dyadic::zero()),
+            Greater => (rational, factor),
+        };
+        // (x + y sqrt q) / (z + w sqrt q)
+        let q = &self.radicand;
+        let (x, y) = signed(self.value_of(numerator));
+        let (z, w) = signed(self.value_of(denominator));
+        let norm = &z.square() - &(&w.square() * q);
+        if norm.is_zero() {
+            // sqrt q = z / w: with the other sign, the denominator would be 0.
+            let twice = &(&z * &w) * &Dyadic::from(2.0);
+            return Root::ratio(&(&x * &w) + &(&y * &z), twice);
+        }
+        let rational = &(&x * &z) - &(&(&y * &w) * q);
+        let factor = &(&y * &z) - &(&x * &w);
+        let is_negative = norm.sign() == Less;
+        Root {
+            rational: if is_negative { -&rational } else { rational },
+            sign: times(norm.sign(), factor.sign()),
+            radicand: &factor.square() * q,
+            divisor: norm.abs(),
+        }
+    }
+
+    /// The rational part, and the factor of `sign * sqrt(radicand)`, of a quadratic polynomial at
+    /// this number, times the square of the divisor.
+    fn value_of(&self, [c0, c1, c2]: &[Dyadic; 3]) -> [Dyadic; 2] {
+        let (p, d) = (&self.rational, &self.divisor);
+        let mut square = p.square();
+        if self.sign != Equal {
+            square = &square + &self.radicand;
+        }
+        let linear = &(c0 * d) + &(c1 * p);
+        let rational = &(&linear * d) + &(c2 * &square);
+        let factor = &(c1 * d) + &(&(c2 * p) * &Dyadic::from(2.0));
+        [rational, factor]
+    }
+
     /// How the number compares with `x`.
     pub fn compare_with(&self, x: &Dyadic) -> Ordering {
         self.sign_of_linear(&-x, &Dyadic::from(1.0))

@@ -1,9 +1,9 @@
 //! The reference renderer: tests every primitive by exact arithmetic alone, without filters or
 //! aggregate.
 //!
-//! It is slow and written to be evidently right. It follows rules E1 to E6 with other polynomials
+//! It is slow and written to be evidently right. It follows rules E1 to E11 with other polynomials
 //! than the rest of the program, where others exist, and tests every primitive. It shares only the
-//! comparison and rounding of roots.
+//! comparison and rounding of roots, and no decision.
 //!
 //! An image has millions of rays, and most miss the box around a primitive. So for many pixels,
 //! interval arithmetic first rules out primitives [area by area](answers); the exact test decides
@@ -12,7 +12,6 @@
 mod beam;
 mod meet;
 mod pixels;
-mod segment;
 
 pub use pixels::{MAX_PRIMITIVES, answers, candidates};
 

@@ -9,7 +9,7 @@ use crate::exact::Bracket;
 use crate::film::PixelBounds;
 use crate::geometry::{Bounds, Point};
 use crate::progress::Progress;
-use crate::shape::{Form, Geometry, InstancedId, Primitive, Quadric, Segment};
+use crate::shape::{Form, Geometry, InstancedId, Primitive, Quadric, Revolved, Segment};
 use rayon::prelude::*;
 
 /// The largest number of primitives in a scene, with those of an object once for each instance. The
@@ -182,6 +182,23 @@ fn bounds_of(surface: &Primitive) -> Bounds {
     }
 }
 
+/// How often the radius a point is away from the axis at most, with room for roundings.
+fn widening(form: &Form) -> f64 {
+    let most = match form {
+        // Downwards, z / z_max is largest at the lower end.
+        Form::Revolved(Revolved::Paraboloid(cut)) => (cut.z_min / cut.z_max).max(1.0).sqrt(),
+        Form::Revolved(Revolved::Hyperboloid(hyperboloid)) => {
+            // The absolute terms of (1 + along z^2) / across.
+            let [low, high] = hyperboloid.ends();
+            let highest = low.abs().max(high.abs());
+            let terms = 1.0 + hyperboloid.along.abs() * (highest * highest);
+            (terms / hyperboloid.across.abs()).sqrt()
+        }
+        _ => return 1.0,
+    };
+    most * (1.0 + 16.0 * f64::EPSILON)
+}
+
 /// Transforms the box in object space to the world: along an axis it reaches as far as the sum of
 /// its absolute half widths times the absolute entries of the matrix. A factor covers all
 /// roundings.
@@ -196,7 +213,10 @@ fn bounds_of_quadric(
         Form::Sphere(_) => [-radius, *radius],
         Form::Cylinder(cut) => [cut.z_min, cut.z_max],
         Form::Disk(disk) => [disk.height; 2],
+        Form::Revolved(revolved) => revolved.ends(),
+        Form::Patch => return Bounds::of([0, 1, 2, 3].map(|k| Point::from(m.column(k)))),
     };
+    let radius = radius * widening(form);
     let highest = low.abs().max(high.abs());
     let reach = |k: usize| {
         let [x, y, z, offset] = m.rows[k].map(f64::abs);

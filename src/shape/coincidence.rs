@@ -12,8 +12,8 @@ pub enum Coincidence {
     None,
     /// A plane, or all points: every ray that hits both hits them at the same `t`.
     SameHit,
-    /// A sphere or a cylinder that both are parts of: a ray meets them at roots of the same
-    /// equation.
+    /// A sphere, a cylinder or a surface of revolution that both are parts of: a ray meets them at
+    /// roots of the same equation.
     SameRoots,
 }
 
@@ -129,6 +129,9 @@ impl Quadric {
             (Form::Sphere(_), Form::Sphere(_)) | (Form::Cylinder(_), Form::Cylinder(_)) => {
                 Coincidence::SameRoots
             }
+            (Form::Revolved(a), Form::Revolved(b)) if a.shares_roots_with(b) => {
+                Coincidence::SameRoots
+            }
             _ => Coincidence::None,
         }
     }
@@ -141,7 +144,7 @@ impl Quadric {
     fn height(&self) -> f64 {
         match &self.form {
             Form::Disk(disk) => disk.height,
-            Form::Sphere(_) | Form::Cylinder(_) => 0.0,
+            _ => 0.0,
         }
     }
 }

@@ -22,17 +22,18 @@ pub use coincidence::Coincidence;
 pub use filter_ray::FilterRay;
 pub use filter_result::FilterResult;
 pub use geometry::{
-    CapacityError, CornerUv, CurvePiece, CurvePoint, Geometry, Instance, NonFiniteCounts, Pose,
+    CapacityError, CornerUv, CurvePiece, CurvePoint, Geometry, Instance, NonFiniteCounts, PatchUv,
+    Pose,
 };
 pub use instanced_id::InstancedId;
 pub use numbers::Numbers;
 pub use primitive::Primitive;
 pub use primitive_id::{PrimitiveId, PrimitiveKind};
-pub use quadric::{Cut, Disk, Form, Quadric, Sector};
+pub use quadric::{Cut, Disk, Form, Hyperboloid, Quadric, Revolved, Sector};
 pub use segment::Segment;
 pub use surface_point::{SurfacePoint, SurfacePoints, SurfaceWants};
 pub use triangle::Triangle;
 
-pub(crate) use quadric::{Ellipsoid, SingleQuadric};
+pub(crate) use quadric::{Ellipsoid, SingleQuadric, intersect_patch};
 pub(crate) use segment::{PlacedAxis, SingleSegment};
 pub(crate) use triangle::intersect_single;

@@ -9,7 +9,8 @@ use crate::geometry::{Bounds, Ray};
 pub enum Primitive {
     /// A triangle.
     Triangle(Triangle),
-    /// A sphere, a cylinder or a disk, or a part of one.
+    /// A sphere, a cylinder, a disk or another surface of revolution, or a part of one; or a
+    /// bilinear patch.
     Quadric(Quadric),
     /// A piece of a curve.
     Segment(Segment),
@@ -57,7 +58,7 @@ impl Primitive {
         }
     }
 
-    /// Whether any ray can hit it (rules E1, E2, E5, E6 and E12).
+    /// Whether any ray can hit it (rules E1, E2, E5, E6 and E8 to E12).
     pub fn can_be_hit(&self) -> bool {
         match self {
             Primitive::Triangle(triangle) => triangle.can_be_hit(),
@@ -80,10 +81,12 @@ impl Primitive {
     pub fn name(&self) -> &'static str {
         match self {
             Primitive::Triangle(_) => "triangle",
-            Primitive::Quadric(quadric) => match quadric.form {
+            Primitive::Quadric(quadric) => match &quadric.form {
                 Form::Sphere(_) => "sphere",
                 Form::Cylinder(_) => "cylinder",
                 Form::Disk(_) => "disk",
+                Form::Revolved(revolved) => revolved.name(),
+                Form::Patch => "bilinear patch",
             },
             Primitive::Segment(_) => "curve",
         }

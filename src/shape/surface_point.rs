@@ -1,7 +1,9 @@
 //! The surface at the point where a ray meets it.
 
-use super::quadric::UnitSpace;
-use super::{FilterRay, Geometry, InstancedId, Primitive, Quadric, Segment, Triangle};
+use super::quadric::{PatchPoint, UnitSpace};
+use super::{
+    FilterRay, Form, Geometry, InstancedId, PatchUv, Primitive, Quadric, Segment, Triangle,
+};
 use crate::exact::Bracket;
 use crate::geometry::{Point, Ray, Vector};
 
@@ -89,14 +91,8 @@ impl<'a> SurfacePoints<'a> {
     fn of_triangle(&self, placed: InstancedId, triangle: &Triangle, ray: &Ray) -> SurfacePoint {
         let mut found = SurfacePoint::default();
         if self.wants.normal {
-            // A mirroring instance mirrors the corners, but not the normal.
-            let is_mirrored = placed.instance().is_some_and(|number| {
-                self.geometry.instances()[number]
-                    .world_from_instance()
-                    .swaps_handedness()
-            });
             let normal = triangle.normal();
-            found.normal = if self.geometry.turns_normal_of(placed) != is_mirrored {
+            found.normal = if self.turns_corners(placed) {
                 -normal
             } else {
                 normal
@@ -114,7 +110,44 @@ impl<'a> SurfacePoints<'a> {
         found
     }
 
+    /// Whether the normal of a primitive whose corners are in the world is on the other side. A
+    /// mirroring instance mirrors the corners, but not the normal.
+    fn turns_corners(&self, placed: InstancedId) -> bool {
+        let is_mirrored = placed.instance().is_some_and(|number| {
+            let instance = &self.geometry.instances()[number];
+            instance.world_from_instance().swaps_handedness()
+        });
+        self.geometry.turns_normal_of(placed) != is_mirrored
+    }
+
+    fn of_patch(&self, placed: InstancedId, quadric: &Quadric, ray: &Ray) -> SurfacePoint {
+        let patch = quadric.patch();
+        let t = t_on_quadric(quadric, ray).unwrap_or_else(|| patch.nearest(ray));
+        let mut found = SurfacePoint::default();
+        if self.wants.point {
+            found.point = ray.origin + ray.direction * t;
+        }
+        if self.wants.normal || self.wants.uv {
+            let PatchPoint { uv, normal } = patch.point(ray, t);
+            if self.wants.normal {
+                found.normal = if self.turns_corners(placed) {
+                    -normal
+                } else {
+                    normal
+                };
+            }
+            if self.wants.uv {
+                let corners = self.geometry.uv_of_patch(placed);
+                found.uv = corners.map_or(uv, |corners| between(corners, uv));
+            }
+        }
+        found
+    }
+
     fn of_quadric(&mut self, placed: InstancedId, quadric: &Quadric, ray: &Ray) -> SurfacePoint {
+        if quadric.form == Form::Patch {
+            return self.of_patch(placed, quadric, ray);
+        }
         let wants = self.wants;
         let is_turned = wants.normal && self.geometry.turns_normal_of(placed);
         let t =
@@ -185,9 +218,21 @@ impl Quadric {
     /// The unit normal where `ray` meets the surface at `t`: [`SurfacePoint::normal`], never turned
     /// round.
     pub fn normal_at(&self, ray: &Ray, t: f64) -> Vector {
+        if self.form == Form::Patch {
+            return self.patch().point(ray, t).normal;
+        }
         let space = UnitSpace::new(self);
         space.normal(space.point(ray, t))
     }
+}
+
+/// The bilinear mean of the coordinates at the corners of a patch; each product and sum is rounded.
+fn between(corners: &PatchUv, [u, v]: [f64; 2]) -> [f64; 2] {
+    let mean = |a: f64, b: f64, weight: f64| (1.0 - weight) * a + weight * b;
+    [0, 1].map(|axis| {
+        let [p00, p10, p01, p11] = corners.map(|corner| f64::from(corner[axis]));
+        mean(mean(p00, p10, u), mean(p01, p11, u), v)
+    })
 }
 
 fn t_on_triangle(triangle: &Triangle, ray: &Ray) -> f64 {
@@ -208,7 +253,7 @@ fn t_on_quadric(quadric: &Quadric, ray: &Ray) -> Option<f64> {
     let exact = || {
         quadric
             .exact(ray)
-            .or_else(|| quadric.uncut().exact(ray))
+            .or_else(|| quadric.exact_whole(ray))
             .map(|t| t.bracket())
     };
     narrow.or_else(exact).map(middle)

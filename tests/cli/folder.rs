@@ -22,7 +22,7 @@ Shape "trianglemesh" "point3 P" [-2 -1 0  2 -1 0.5  0 2 0] "integer indices" [0 
 pub(crate) const SIZE: (u32, u32) = (13, 7);
 
 /// A scene with a warning about an unsupported shape.
-pub(crate) const WARNED: &str = "WorldBegin\nShape \"cone\"\nShape \"cone\"\n";
+pub(crate) const WARNED: &str = "WorldBegin\nShape \"blob\"\nShape \"blob\"\n";
 
 /// A folder that is removed after its test.
 pub(crate) struct Folder(TempDir);

@@ -260,11 +260,12 @@ fn each_kind_of_warning_is_printed_once_with_its_count() {
         .with("warned.pbrt", WARNED)
         .render("warned.pbrt --resolution 2x2")
         .succeeded();
-    let expected = "warning: warned.pbrt:2:7: the shape `cone` is not supported: left out
+    let expected = "warning: warned.pbrt:2:7: the shape `blob` is not supported: left out
    |
- 2 | Shape \"cone\"
+ 2 | Shape \"blob\"
    |       ^^^^^^
-   = supported are sphere, cylinder, disk, trianglemesh, loopsubdiv, bilinearmesh, plymesh, objmesh
+   = supported are sphere, cylinder, disk, cone, paraboloid, hyperboloid, trianglemesh, \
+   loopsubdiv, bilinearmesh, plymesh, objmesh
    = the first of 2
 note: no ray hits anything
 pbrt.exr: 2 x 2 pixels";

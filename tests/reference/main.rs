@@ -130,10 +130,14 @@ proptest! {
     fn on_integer_grids(
         triangles in prop::collection::vec(prop::array::uniform3(corner(3)), 0..12),
         balls in prop::collection::vec(grid_ball(), 0..3),
+        patches in prop::collection::vec(prop::array::uniform4(corner(3)), 0..4),
         eye in corner(5),
         projection in projection(),
     ) {
         let mut geometry = Geometry::default();
+        for patch in &patches {
+            geometry.add_patch(patch.map(point), &Matrix::IDENTITY, 1).unwrap();
+        }
         let corners = triangles.iter().map(|triangle| triangle.map(point));
         let corners: Vec<[Point; 3]> = corners.collect();
         let (first, second) = corners.split_at(corners.len() / 2);
@@ -149,12 +153,16 @@ proptest! {
     fn under_random_transforms(
         triangles in prop::collection::vec(prop::array::uniform3(corner(2)), 0..8),
         balls in prop::collection::vec(grid_ball(), 0..3),
+        patches in prop::collection::vec(prop::array::uniform4(corner(2)), 0..4),
         world_from_object in matrix(),
         eye in corner(4),
         projection in projection(),
         moves_camera in any::<bool>(),
     ) {
         let mut geometry = Geometry::default();
+        for patch in &patches {
+            geometry.add_patch(patch.map(point), &world_from_object, 1).unwrap();
+        }
         let corners = triangles.iter().map(|triangle| triangle.map(point));
         let corners: Vec<[Point; 3]> = corners.collect();
         add_triangles(&mut geometry, &corners, &world_from_object, 1);
@@ -172,6 +180,7 @@ proptest! {
     #[test]
     fn at_any_scale(
         triangles in prop::collection::vec((prop::array::uniform3(corner(3)), 0usize..3), 0..6),
+        patches in prop::collection::vec((prop::array::uniform4(corner(3)), 0usize..3), 0..3),
         balls in prop::collection::vec((grid_ball(), 0usize..3), 0..3),
         // Mostly scales that the rasterizer can handle, and those around its limits.
         base in prop_oneof![-1040i32..1010, -50i32..50, -50i32..50],
@@ -189,6 +198,11 @@ proptest! {
             let scaled = |x: i32| times_power_of_two(f64::from(x), exponent(*unit));
             let corners = triangle.map(|corner| Point::from(corner.map(scaled)));
             add_triangles(&mut geometry, &[corners], &Matrix::IDENTITY, 1);
+        }
+        for (patch, unit) in &patches {
+            let scaled = |x: i32| times_power_of_two(f64::from(x), exponent(*unit));
+            let corners = patch.map(|corner| Point::from(corner.map(scaled)));
+            geometry.add_patch(corners, &Matrix::IDENTITY, 1).unwrap();
         }
         for ((ball, unit), shape) in balls.iter().zip(2..) {
             // Optionally another scale for each axis.

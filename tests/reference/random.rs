@@ -2,7 +2,7 @@
 
 use feimos::camera::Projection;
 use feimos::geometry::{Matrix, Point, Transform, Vector};
-use feimos::shape::{Cut, Disk, Form, Geometry};
+use feimos::shape::{Cut, Disk, Form, Geometry, Revolved};
 use proptest::prelude::*;
 
 pub(crate) fn projection() -> impl Strategy<Value = Projection> {
@@ -41,7 +41,35 @@ fn form(radius: f64) -> impl Strategy<Value = Form> {
     let hole = prop::sample::select(vec![0.0, 0.0, 1.0, 2.0, 0.7]);
     let disk = (end(), hole, phi())
         .prop_map(|(height, inner, phi)| Form::Disk(Disk::new(height, inner, phi)));
-    prop_oneof![2 => Just(Form::Sphere(None)), 1 => cut_sphere, 2 => cylinder, 2 => disk]
+    let cone = (0i32..4, phi())
+        .prop_map(|(height, phi)| Form::Revolved(Revolved::cone(f64::from(height), phi)));
+    let paraboloid = (end(), end(), phi())
+        .prop_map(|(low, high, phi)| Form::Revolved(Revolved::paraboloid(low, high, phi)));
+    let hyperboloid = (line(), phi())
+        .prop_map(|([p1, p2], phi)| Form::Revolved(Revolved::hyperboloid(p1, p2, phi)));
+    prop_oneof![
+        2 => Just(Form::Sphere(None)),
+        1 => cut_sphere,
+        2 => cylinder,
+        2 => disk,
+        2 => cone,
+        2 => paraboloid,
+        2 => hyperboloid,
+    ]
+}
+
+/// The line of a hyperboloid: often one that is nearest to the axis at z = 0, with integers.
+fn line() -> impl Strategy<Value = [[f64; 3]; 2]> {
+    let at = |slope: [i32; 2], from: [i32; 2], z: i32| {
+        let place = |k: usize| f64::from(from[k] + slope[k] * z);
+        [place(0), place(1), f64::from(z)]
+    };
+    let skew = (-2i32..3, -2i32..3, -3i32..4, -3i32..4).prop_map(move |(x, y, first, last)| {
+        // Across the direction from the axis.
+        [first, last].map(|z| at([-y, x], [x, y], z))
+    });
+    let any = prop::array::uniform2(corner(3)).prop_map(|ends| ends.map(|p| p.map(f64::from)));
+    prop_oneof![2 => skew, 1 => any]
 }
 
 #[derive(Debug, Clone)]
@@ -87,7 +115,10 @@ pub(crate) fn grid_ball() -> impl Strategy<Value = Ball> {
             let radius = f64::from(radius);
             form(radius).prop_map(move |form| Ball {
                 world_from_object: place,
-                radius,
+                radius: match form {
+                    Form::Revolved(Revolved::Hyperboloid(_)) => 1.0,
+                    _ => radius,
+                },
                 form,
             })
         },

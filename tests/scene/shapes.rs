@@ -128,7 +128,7 @@ fn errors_point_at_faces_that_cannot_be_subdivided() {
 }
 
 #[test]
-fn bilinear_patches_are_two_triangles_each() {
+fn flat_bilinear_patches_are_two_triangles_and_others_are_patches() {
     let corners = "\"point3 P\" [ 0 0 0  1 0 0  0 1 0  1 1 0  2 0 0  2 1 1 ]";
     let flat = scene(&format!(
         "WorldBegin Shape \"bilinearmesh\" {corners} \"integer indices\" [ 0 1 2 3 ] \
@@ -153,17 +153,23 @@ fn bilinear_patches_are_two_triangles_each() {
         "WorldBegin Shape \"bilinearmesh\" {corners} {curved} Shape \"bilinearmesh\" {corners} \
          {curved}"
     ));
+    // A flat patch keeps two numbers, and any other has one.
+    let numbers = |index: usize| {
+        let (triangle, patch) = (PrimitiveId::triangle(index), PrimitiveId::quadric(index));
+        [triangle, patch].map(|primitive| both.geometry.number(InstancedId::alone(primitive)))
+    };
+    let counts = [
+        both.geometry.triangle_count(),
+        both.geometry.quadric_count(),
+    ];
     assert_eq!(
-        (
-            both.geometry.triangle_count(),
-            both.geometry
-                .number(InstancedId::alone(PrimitiveId::triangle(7)))
-        ),
-        (8, 7)
+        (counts, [numbers(0), numbers(1)]),
+        ([4, 2], [[0, 2], [1, 5]])
     );
-    let message =
-        "bilinear patches that are not flat and convex are rendered as two triangles each";
-    assert_eq!(warnings(&both), [(message.to_owned(), 2)]);
+    assert_eq!(warnings(&both), []);
+    let patch = both.geometry.quadric(1);
+    assert_eq!(patch.form, feimos::shape::Form::Patch);
+    assert_eq!(patch.world_from_object.column(3), [2.0, 1.0, 1.0]);
     let alone =
         scene("WorldBegin Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0  1 1 0 ]");
     assert_eq!(alone.geometry.triangle_count(), 2);
@@ -203,7 +209,7 @@ fn a_bare_mesh_is_framed() {
 #[test]
 fn shapes_count_whether_they_are_supported_or_not() {
     let scene = scene(&format!(
-        "WorldBegin {TRIANGLE} Shape \"cone\" Shape \"cone\" Shape \"sphere\" Shape \"spehre\" \
+        "WorldBegin {TRIANGLE} Shape \"blob\" Shape \"blob\" Shape \"sphere\" Shape \"spehre\" \
          {TRIANGLE}"
     ));
     assert_eq!(scene.shape_count, 6);
@@ -218,7 +224,7 @@ fn shapes_count_whether_they_are_supported_or_not() {
         (4, 1)
     );
     let expected = [
-        "the shape `cone` is not supported: left out",
+        "the shape `blob` is not supported: left out",
         "the shape `spehre` is not supported: left out",
     ];
     assert_eq!(

@@ -1,7 +1,7 @@
 //! The bounds of an object, and the magnitudes that bound the errors of placing its boxes.
 
 use crate::geometry::{Bounds, Matrix, Point};
-use crate::shape::{Geometry, Pose, Primitive, PrimitiveId};
+use crate::shape::{Form, Geometry, Pose, Primitive, PrimitiveId};
 use rayon::prelude::*;
 
 /// The bounds of an object in the space of its instances, and the magnitudes of their computation.
@@ -103,6 +103,11 @@ impl Outline {
                 let [a, b, c] = triangle.0;
                 let extent = [0, 1, 2].map(|k| a[k].abs().max(b[k].abs()).max(c[k].abs()));
                 (extent, *object.transform_of_mesh(primitive.index() as u32))
+            }
+            Primitive::Quadric(quadric) if quadric.form == Form::Patch => {
+                let transform = object.transform_of_patch(primitive.index());
+                quadric.world_from_object.is_finite().then_some(())?;
+                (quadric.extent()?, *transform)
             }
             Primitive::Quadric(quadric) => (quadric.extent()?, quadric.world_from_object),
             Primitive::Segment(segment) => (segment.extent()?, segment.world_from_object),

@@ -6,7 +6,8 @@ use crate::accel::space::{AnchorSpace, SingleRay, SlabRay};
 use crate::exact::Bracket;
 use crate::geometry::{Point, Ray};
 use crate::shape::{
-    Geometry, InstancedId, Primitive, SingleQuadric, SingleSegment, intersect_single,
+    Form, Geometry, InstancedId, Primitive, SingleQuadric, SingleSegment, intersect_patch,
+    intersect_single,
 };
 
 /// The best hit so far of a ray among the primitives that were tested, in `f32` relative to the
@@ -53,6 +54,10 @@ impl<'a> FastSearch<'a> {
             std::array::from_fn(|k| point[k] - origin[k])
         };
         match surface {
+            Primitive::Quadric(quadric) if quadric.form == Form::Patch => intersect_patch(
+                quadric.patch().corners.each_ref().map(from_origin),
+                direction,
+            ),
             Primitive::Quadric(quadric) => {
                 let from_centre =
                     from_origin(&quadric.world_from_object.column(3).into()).map(|x| -x);

@@ -6,6 +6,7 @@
 //! S = r^2 M M^T. An ellipsoid along the axes has D^2 between M and M^T, where D is the diagonal
 //! matrix of its semi-axes.
 
+use crate::geometry::Point;
 use crate::shape::{Ellipsoid, Form, PlacedAxis, Quadric, Segment};
 
 /// An ellipsoid that encloses a quadric; for a sphere its own.
@@ -29,6 +30,9 @@ const ROUNDING: f64 = 1.0 / (1u64 << 50) as f64;
 
 impl BoundingEllipsoid {
     pub(super) fn of(quadric: &Quadric) -> BoundingEllipsoid {
+        if quadric.form == Form::Patch {
+            return BoundingEllipsoid::of_patch(&quadric.patch().corners);
+        }
         let Ellipsoid {
             height,
             semi_axes,
@@ -50,7 +54,10 @@ impl BoundingEllipsoid {
                 [0, 1, 2].map(|k| rows[k][3] + height * rows[k][2])
             }
         };
-        BoundingEllipsoid::new(centre, shape)
+        BoundingEllipsoid {
+            centre,
+            shape: narrowed(&shape),
+        }
     }
 
     /// An ellipsoid around the balls along the axis of a segment.
@@ -78,17 +85,52 @@ impl BoundingEllipsoid {
             shape[entry] = (1.0 + e) * (half[i] * half[j]) + (1.0 + 1.0 / e) * ball[entry];
         }
         widen(&mut shape, terms.map(|terms| 2.0 * ROUNDING * terms));
-        BoundingEllipsoid::new(middle, shape)
+        BoundingEllipsoid {
+            centre: middle,
+            shape: narrowed(&shape),
+        }
     }
 
-    fn new(centre: [f64; 3], shape: [f64; 6]) -> BoundingEllipsoid {
-        let fits = shape[..3].iter().all(|x| (LEAST..LARGEST).contains(x));
-        let shape = if fits {
-            shape.map(|x| x as f32)
-        } else {
-            [f32::INFINITY; 6]
+    /// The ellipsoid around a bilinear patch.
+    ///
+    /// With c the mean of the corners, a point is c + i a + j b + i j g with i and j from -1 to 1.
+    /// So k . x is off from k . c by |k . a| + |k . b| + |k . g| or less, the square of which is no
+    /// more than 3 k (a a^T + b b^T + g g^T) k.
+    fn of_patch(corners: &[Point; 4]) -> BoundingEllipsoid {
+        let weighted = |signs: [f64; 4]| {
+            let sum = |axis: usize| {
+                let terms = (0..4).map(|k| signs[k] * (0.25 * corners[k][axis]));
+                terms.sum::<f64>()
+            };
+            [0, 1, 2].map(sum)
         };
-        BoundingEllipsoid { centre, shape }
+        let halves = [
+            weighted([-1.0, 1.0, -1.0, 1.0]),
+            weighted([-1.0, -1.0, 1.0, 1.0]),
+            weighted([1.0, -1.0, -1.0, 1.0]),
+        ];
+        let entry = |[i, j]: [usize; 2]| 3.0 * halves.iter().map(|h| h[i] * h[j]).sum::<f64>();
+        let mut shape = SHAPE_ENTRIES.map(entry);
+        // The centre and the three halves are each off by that much, which weighs four times.
+        let size = |axis: usize| corners.iter().map(|p| p[axis].abs()).sum::<f64>();
+        widen(
+            &mut shape,
+            [0, 1, 2].map(|axis| 4.0 * ROUNDING * size(axis)),
+        );
+        BoundingEllipsoid {
+            centre: weighted([1.0; 4]),
+            shape: narrowed(&shape),
+        }
+    }
+}
+
+/// The entries in `f32`; infinite if they do not fit.
+fn narrowed(shape: &[f64; 6]) -> [f32; 6] {
+    let fits = shape[..3].iter().all(|x| (LEAST..LARGEST).contains(x));
+    if fits {
+        shape.map(|x| x as f32)
+    } else {
+        [f32::INFINITY; 6]
     }
 }
 
@@ -113,9 +155,62 @@ fn widen(shape: &mut [f64; 6], error: [f64; 3]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{Matrix, Point};
-    use crate::shape::{Cut, Disk};
+    use crate::geometry::Matrix;
+    use crate::shape::{Cut, Disk, Revolved};
     use proptest::prelude::*;
+
+    /// A surface and one of its points.
+    fn surface_and_point(
+        kind: u32,
+        radius: f64,
+        ends: [f64; 2],
+        turn: f64,
+        part: f64,
+    ) -> (Form, Point) {
+        let cut = Cut::of_cylinder(ends[0], ends[1], 360.0);
+        let (x, y) = (radius * turn.cos(), radius * turn.sin());
+        match kind {
+            0 => {
+                let z = 2.0 * part - 1.0;
+                let from_axis = (1.0 - z.powi(2)).sqrt();
+                (
+                    Form::Sphere(None),
+                    Point::new(x * from_axis, y * from_axis, z * radius),
+                )
+            }
+            1 => {
+                let z = cut.z_min + part * (cut.z_max - cut.z_min);
+                (Form::Cylinder(cut), Point::new(x, y, z))
+            }
+            2 => {
+                let disk = Disk::new(ends[0], 0.0, 360.0);
+                (
+                    Form::Disk(disk),
+                    Point::new(x * part.sqrt(), y * part.sqrt(), ends[0]),
+                )
+            }
+            3 => {
+                let cone = Revolved::cone(0.1 + ends[0].abs(), 360.0);
+                let z = part * cone.ends()[1];
+                (
+                    Form::Revolved(cone),
+                    Point::new(x * (1.0 - part), y * (1.0 - part), z),
+                )
+            }
+            4 => {
+                let paraboloid = Revolved::paraboloid(0.0, 0.1 + ends[0].abs(), 360.0);
+                let z = part * paraboloid.ends()[1];
+                (
+                    Form::Revolved(paraboloid),
+                    Point::new(x * part.sqrt(), y * part.sqrt(), z),
+                )
+            }
+            _ => (
+                Form::Patch,
+                Point::new(part, turn / 6.3, part * (turn / 6.3)),
+            ),
+        }
+    }
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(5000))]
@@ -128,7 +223,7 @@ mod tests {
             radius in prop::sample::select(vec![1e-3, 1.0, 50.0]),
             ends in prop::array::uniform2(
                 prop::sample::select(vec![-1.0, 0.0, 0.3, 40.0, 1e9, 1e9 + 1.0])),
-            kind in 0..3,
+            kind in 0u32..6,
             turn in 0.0f64..6.3,
             part in 0.0f64..1.0,
         ) {
@@ -138,24 +233,13 @@ mod tests {
                 // Far ends are brought back.
                 row[3] -= row[2] * ends[0];
             }
-            let cut = Cut::of_cylinder(ends[0], ends[1], 360.0);
-            let (x, y) = (radius * turn.cos(), radius * turn.sin());
-            let (form, point) = match kind {
-                0 => {
-                    let z = 2.0 * part - 1.0;
-                    let from_axis = (1.0 - z.powi(2)).sqrt();
-                    (Form::Sphere(None), Point::new(x * from_axis, y * from_axis, z * radius))
-                }
-                1 => {
-                    let z = cut.z_min + part * (cut.z_max - cut.z_min);
-                    (Form::Cylinder(cut), Point::new(x, y, z))
-                }
-                _ => {
-                    let disk = Disk::new(ends[0], 0.0, 360.0);
-                    (Form::Disk(disk), Point::new(x * part.sqrt(), y * part.sqrt(), ends[0]))
-                }
+            let (form, point) = surface_and_point(kind, radius, ends, turn, part);
+            let quadric = match form {
+                // w = u v under the matrix.
+                Form::Patch => Quadric::of_patch([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]]
+                    .map(|[u, v]| world_from_object.apply(Point::new(u, v, u * v)))),
+                _ => Quadric { world_from_object, radius, form },
             };
-            let quadric = Quadric { world_from_object, radius, form };
             let BoundingEllipsoid { centre, shape } = BoundingEllipsoid::of(&quadric);
             let [x, y, z, yz, zx, xy] = shape.map(f64::from);
             let [i, j, k] = along;

@@ -1,8 +1,8 @@
 //! Quadrics in the usual way: transforms the ray to object space and solves a quadratic equation.
 
-use super::ray32::Ray32;
+use super::ray32::{Ray32, minus};
 use crate::shape::vector32::dot;
-use crate::shape::{Cut, Form, Quadric, Sector};
+use crate::shape::{Cut, Form, Quadric, Revolved, Sector, intersect_patch};
 use std::f32::consts::TAU;
 
 /// How a quadratic equation is solved.
@@ -52,6 +52,7 @@ impl Quadratic {
 /// A quadric in `f32`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Quadric32 {
+    /// The columns of a patch are its corners.
     object_from_world: [[f32; 4]; 3],
     radius: f32,
     form: Form,
@@ -59,7 +60,10 @@ pub(super) struct Quadric32 {
 
 impl Quadric32 {
     pub(super) fn new(quadric: &Quadric) -> Quadric32 {
-        let object_from_world = quadric.world_from_object.inverse().rows;
+        let object_from_world = match quadric.form {
+            Form::Patch => quadric.world_from_object.rows,
+            _ => quadric.world_from_object.inverse().rows,
+        };
         Quadric32 {
             object_from_world: object_from_world.map(|row| row.map(|entry| entry as f32)),
             radius: quadric.radius as f32,
@@ -69,6 +73,11 @@ impl Quadric32 {
 
     /// The `t` at which `ray` first hits the surface.
     pub(super) fn intersect(&self, ray: &Ray32, quadratic: Quadratic) -> Option<f32> {
+        if self.form == Form::Patch {
+            let corner = |k: usize| self.object_from_world.map(|row| row[k]);
+            let corners = [0, 1, 2, 3].map(|k| minus(corner(k), ray.origin));
+            return intersect_patch(corners, ray.direction);
+        }
         let apply = |v: [f32; 3]| {
             self.object_from_world
                 .map(|row| dot([row[0], row[1], row[2]], v))
@@ -95,6 +104,13 @@ impl Quadric32 {
                 let flat = |[x, y, _]: [f32; 3]| [x, y, 0.0];
                 self.hit(flat(o), flat(d), quadratic, |t| is_kept_by(cut, point(t)))
             }
+            Form::Revolved(revolved) => {
+                let [a, b, c] = equation(revolved, self.radius, o, d);
+                let roots = quadratic.roots(a, b, c)?;
+                let is_kept = |t: f32| revolved.holds_point(point(t).map(f64::from));
+                roots.into_iter().find(|t| *t > 0.0 && is_kept(*t))
+            }
+            Form::Patch => None,
         }
     }
 
@@ -112,6 +128,39 @@ impl Quadric32 {
             dot(o, o) - self.radius * self.radius,
         )?;
         roots.into_iter().find(|t| *t > 0.0 && is_kept(*t))
+    }
+}
+
+/// pbrt-v3's coefficients of t^2, t and 1 for a cone, a paraboloid or a hyperboloid.
+fn equation(revolved: &Revolved, radius: f32, o: [f32; 3], d: [f32; 3]) -> [f32; 3] {
+    let across = |p: [f32; 3], q: [f32; 3]| p[0] * q[0] + p[1] * q[1];
+    let [_, top] = revolved.ends().map(|z| z as f32);
+    match revolved {
+        Revolved::Cone(_) => {
+            let k = (radius / top) * (radius / top);
+            let z = o[2] - top;
+            [
+                across(d, d) - k * d[2] * d[2],
+                2.0 * (across(d, o) - k * d[2] * z),
+                across(o, o) - k * z * z,
+            ]
+        }
+        Revolved::Paraboloid(_) => {
+            let k = top / (radius * radius);
+            [
+                k * across(d, d),
+                2.0 * k * across(d, o) - d[2],
+                k * across(o, o) - o[2],
+            ]
+        }
+        Revolved::Hyperboloid(hyperboloid) => {
+            let (a, c) = (hyperboloid.across as f32, hyperboloid.along as f32);
+            [
+                a * across(d, d) - c * d[2] * d[2],
+                2.0 * (a * across(d, o) - c * d[2] * o[2]),
+                a * across(o, o) - c * o[2] * o[2] - 1.0,
+            ]
+        }
     }
 }
 

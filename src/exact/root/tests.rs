@@ -120,3 +120,42 @@ fn brackets_reach_beyond_the_range() {
         }
     );
 }
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(2000))]
+
+    #[test]
+    fn quadratics_and_quotients_are_those_of_the_values(
+        t in number(),
+        over in prop::array::uniform3(-4i32..5),
+        under in prop::array::uniform3(-4i32..5),
+    ) {
+        let (value, error) = value(&t);
+        let at = |[a, b, c]: [i32; 3]| {
+            f64::from(a) + value * (f64::from(b) + value * f64::from(c))
+        };
+        let slack = 30.0 * (1.0 + value.abs()) * (error + 1e-15);
+        let exact = |coefficients: [i32; 3]| coefficients.map(dyadic);
+        let sign = t.sign_of_quadratic(&exact(under));
+        let is_apart = at(under).abs() > slack;
+        prop_assert_eq!(sign, if is_apart { at(under).partial_cmp(&0.0).unwrap() } else { Equal });
+        prop_assume!(sign != Equal);
+        let quotient = t.quotient(&exact(over), &exact(under));
+        let bracket = quotient.bracket();
+        let expected = at(over) / at(under);
+        let allowed = 1e3 * slack * (1.0 + expected.abs()) / at(under).abs();
+        prop_assert!((bracket.low - expected).abs() <= allowed, "{bracket:?} {expected}");
+    }
+}
+
+/// Where the conjugate of the denominator is 0, the number is rational.
+#[test]
+fn a_quotient_by_a_number_whose_conjugate_is_0() {
+    // t^2 - 4 = 0: t is 2, and t + 2 is 0 at the other root.
+    let two = roots(1, 0, -4).pop().unwrap();
+    let quotient = two.quotient(
+        &[dyadic(3), dyadic(1), dyadic(1)],
+        &[dyadic(2), dyadic(1), dyadic(0)],
+    );
+    assert_eq!(quotient, ratio(9, 4));
+}

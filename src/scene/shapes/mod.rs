@@ -6,6 +6,7 @@ mod curve;
 mod mesh_file;
 mod quadrics;
 mod subdivision_surface;
+mod surfaces_of_revolution;
 mod target;
 mod transform_cache;
 mod triangle_mesh;
@@ -22,10 +23,13 @@ use target::{ShapeRefusal, ShapeResult};
 type AddShape = fn(&mut Parameters, &mut ShapeTarget) -> ShapeResult<()>;
 
 /// The shapes of pbrt that feimos supports, and its own.
-const SUPPORTED: [(&str, AddShape); 9] = [
+const SUPPORTED: [(&str, AddShape); 12] = [
     ("sphere", quadrics::add_sphere),
     ("cylinder", quadrics::add_cylinder),
     ("disk", quadrics::add_disk),
+    ("cone", surfaces_of_revolution::add_cone),
+    ("paraboloid", surfaces_of_revolution::add_paraboloid),
+    ("hyperboloid", surfaces_of_revolution::add_hyperboloid),
     ("curve", curve::add),
     ("trianglemesh", triangle_mesh::add),
     ("loopsubdiv", subdivision_surface::add),
@@ -35,14 +39,7 @@ const SUPPORTED: [(&str, AddShape); 9] = [
 ];
 
 /// The shapes of pbrt that feimos does not support.
-const UNSUPPORTED: [&str; 6] = [
-    "cone",
-    "heightfield",
-    "hyperboloid",
-    "nurbs",
-    "paraboloid",
-    "heightfield2",
-];
+const UNSUPPORTED: [&str; 3] = ["heightfield", "nurbs", "heightfield2"];
 
 fn find(name: &str) -> Option<AddShape> {
     let found = SUPPORTED.iter().find(|(supported, _)| *supported == name);

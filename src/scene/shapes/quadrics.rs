@@ -9,7 +9,7 @@ use super::target::{ShapeResult, ShapeTarget};
 use crate::error::{Diagnostic, Result};
 use crate::geometry::Matrix;
 use crate::scene::parameters::Parameters;
-use crate::shape::{Cut, Disk, Form, Quadric};
+use crate::shape::{Cut, Disk, Form, Quadric, Revolved};
 
 /// Adds a sphere as pbrt-v3 reads it (rule E2).
 pub(super) fn add_sphere(parameters: &mut Parameters, target: &mut ShapeTarget) -> ShapeResult<()> {
@@ -93,7 +93,7 @@ pub(super) fn add_disk(parameters: &mut Parameters, target: &mut ShapeTarget) ->
 }
 
 /// Adds a quadric under the current transform, after `mirror` has scaled its object space.
-fn add_quadric(
+pub(super) fn add_quadric(
     parameters: &Parameters,
     target: &mut ShapeTarget,
     mirror: Option<[f64; 3]>,
@@ -122,13 +122,27 @@ fn warn_if_never_hit(parameters: &Parameters, target: &mut ShapeTarget, quadric:
         parameters.warn("radius", message, target.warnings);
     } else if !quadric.has_points() {
         let diagnostic = Diagnostic::new(format!("a {name} without points is never hit"));
-        let note = "expected finite numbers, and an `innerradius` not above the radius";
+        let note = expected_of(&quadric.form);
         let kind = format!("empty {name}");
         parameters.warn_at_name(&kind, diagnostic.note(note), target.warnings);
     } else if !quadric.can_be_hit() {
         let message = format!("a {name} under a singular or infinite transform is never hit");
         let kind = format!("singular {name}");
         parameters.warn_at_name(&kind, Diagnostic::new(message), target.warnings);
+    }
+}
+
+/// What a form without points lacks.
+fn expected_of(form: &Form) -> &'static str {
+    match form {
+        Form::Revolved(Revolved::Cone(_)) => "expected a finite `height` above 0",
+        Form::Revolved(Revolved::Paraboloid(_)) => {
+            "expected finite `zmin` and `zmax`, the larger of which is not 0"
+        }
+        Form::Revolved(Revolved::Hyperboloid(_)) => {
+            "expected points at different finite z, whose line does not meet the axis at z = 0"
+        }
+        _ => "expected finite numbers, and an `innerradius` not above the radius",
     }
 }
 
@@ -141,6 +155,10 @@ fn mirrored(matrix: &Matrix, [x, y, z]: [f64; 3]) -> Matrix {
     }
 }
 
-fn number_or(parameters: &mut Parameters, name: &'static str, default: f64) -> Result<f64> {
+pub(super) fn number_or(
+    parameters: &mut Parameters,
+    name: &'static str,
+    default: f64,
+) -> Result<f64> {
     Ok(parameters.number(name)?.unwrap_or(default))
 }

@@ -2,14 +2,14 @@
 
 use super::transform_cache::TransformCache;
 use crate::error::{Diagnostic, Error, Result};
-use crate::geometry::Matrix;
+use crate::geometry::{Matrix, Point};
 use crate::mesh::TriangleMesh;
 use crate::mesh::curve::Diced;
 use crate::scene::LoadOptions;
 use crate::scene::inputs::Inputs;
 use crate::scene::parameters::Parameters;
 use crate::scene::warnings::Warnings;
-use crate::shape::{CapacityError, Form, Geometry, NonFiniteCounts};
+use crate::shape::{CapacityError, Form, Geometry, NonFiniteCounts, PatchUv};
 
 /// Where one shape goes.
 pub(crate) struct ShapeTarget<'a> {
@@ -29,6 +29,9 @@ pub(crate) struct ShapeTarget<'a> {
     /// Whether the shape only bounds a medium: then its primitives only have numbers.
     pub(crate) bounds_medium: bool,
 }
+
+/// What a patch takes besides its corners, in bytes, as charged to the budget.
+const STORED_PATCH: usize = 96;
 
 /// The result of adding a shape.
 pub(super) type ShapeResult<T> = std::result::Result<T, ShapeRefusal>;
@@ -134,6 +137,46 @@ impl ShapeTarget<'_> {
         let counts = self
             .store(mesh)
             .map_err(|error| too_many(parameters, error))?;
+        self.warn_of_vertices(parameters, counts);
+        Ok(())
+    }
+
+    /// Adds curved bilinear patches, given their corners p00, p10, p01 and p11 in object space, and
+    /// the coordinates there.
+    pub(super) fn add_patches(
+        &mut self,
+        parameters: &Parameters,
+        patches: &[[Point; 4]],
+        uv: Option<&[PatchUv]>,
+    ) -> Result<()> {
+        let stored = patches.len() * (size_of::<[Point; 4]>() + STORED_PATCH);
+        let stored = self.inputs.budget().charge_stored(stored as u64);
+        stored.map_err(|error| error.or_at(|| parameters.place_of_name()))?;
+        if self.bounds_medium {
+            let left_out = self.geometry.leave_out(patches.len());
+            return left_out.map_err(|error| too_many(parameters, error));
+        }
+        let (matrix, geometry) = (&self.world_from_object, &mut *self.geometry);
+        let transform = self
+            .is_in_object
+            .then(|| self.transforms.intern(matrix, geometry));
+        for (place, corners) in patches.iter().enumerate() {
+            let added = match transform {
+                Some(transform) => geometry.add_object_patch(*corners, transform, self.number),
+                None => geometry.add_patch(*corners, matrix, self.number),
+            };
+            added.map_err(|error| too_many(parameters, error))?;
+            if let Some(uv) = uv {
+                geometry.add_patch_uv(uv[place]);
+            }
+        }
+        let counts = NonFiniteCounts::of(patches.as_flattened(), matrix);
+        self.warn_of_vertices(parameters, counts);
+        Ok(())
+    }
+
+    /// Warns of vertices that are not finite, and of a transform that makes a mesh flat.
+    fn warn_of_vertices(&mut self, parameters: &Parameters, counts: NonFiniteCounts) {
         let count = counts.in_world_space;
         let has_reader_counted = matches!(parameters.entity_name(), "plymesh" | "objmesh");
         let is_singular =
@@ -148,7 +191,6 @@ impl ShapeTarget<'_> {
             let message = "the transform of this mesh is singular: it is rendered flat";
             parameters.warn_at_name("singular mesh", Diagnostic::new(message), self.warnings);
         }
-        Ok(())
     }
 
     fn store(

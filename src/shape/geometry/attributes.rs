@@ -5,6 +5,9 @@ use crate::digest::Digester;
 /// u and v at the corners of a triangle.
 pub type CornerUv = [[f32; 2]; 3];
 
+/// u and v at the corners p00, p10, p01 and p11 of a bilinear patch.
+pub type PatchUv = [[f32; 2]; 4];
+
 /// The attributes of the shapes in one [`Geometry`](super::Geometry).
 #[derive(Debug, Default)]
 pub(super) struct Attributes {
@@ -13,6 +16,8 @@ pub(super) struct Attributes {
     /// Coordinates of the triangles of some meshes, one mesh after the other.
     uv: Vec<CornerUv>,
     uv_runs: Vec<UvRun>,
+    /// Coordinates of patches, by the indices of their quadrics, in order.
+    patch_uv: Vec<(u32, PatchUv)>,
     /// The Bezier pieces of curves, in the order of their segments.
     curve_pieces: Vec<CurvePiece>,
 }
@@ -50,6 +55,7 @@ impl Attributes {
             + size_of_val(&self.uv[..])
             + size_of_val(&self.uv_runs[..])
             + size_of_val(&self.curve_pieces[..])
+            + size_of_val(&self.patch_uv[..])
     }
 
     pub(super) fn digest(&self, digester: &mut Digester) {
@@ -66,6 +72,24 @@ impl Attributes {
                 [piece.first_segment.into(), kind]
             });
         }
+        if !self.patch_uv.is_empty() {
+            digester.list(&self.patch_uv, |(quadric, uv)| {
+                let [a, b, c, d] =
+                    uv.map(|[u, v]| u64::from(u.to_bits()) << 32 | u64::from(v.to_bits()));
+                [u64::from(*quadric), a, b, c, d]
+            });
+        }
+    }
+
+    /// The coordinates at the corners of a patch, if it has any.
+    pub(super) fn uv_of_patch(&self, quadric: u32) -> Option<&PatchUv> {
+        let place = self.patch_uv.binary_search_by_key(&quadric, |(of, _)| *of);
+        Some(&self.patch_uv[place.ok()?].1)
+    }
+
+    /// Adds the coordinates of a patch that comes after all others.
+    pub(super) fn add_patch_uv(&mut self, quadric: u32, uv: PatchUv) {
+        self.patch_uv.push((quadric, uv));
     }
 
     /// The coordinates at the corners of a triangle, if its mesh has any.

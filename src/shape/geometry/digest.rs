@@ -4,7 +4,6 @@ use super::Geometry;
 use super::curves::Curves;
 use super::runs::FirstNumber;
 use crate::digest::Digester;
-use crate::shape::{Cut, Disk, Form, Sector};
 
 impl Geometry {
     /// Adds everything that pictures of the geometry depend on.
@@ -34,7 +33,12 @@ impl Geometry {
             let [alone, instanced] = words_of(run.first_number);
             [run.first_quadric.into(), alone, instanced]
         });
-        digester.list(&self.forms, |(quadric, form)| words_of_form(*quadric, form));
+        self.forms.digest(digester);
+        if !self.patch_runs.is_empty() {
+            digester.list(&self.patch_runs, |run| {
+                [run.first_quadric.into(), run.transform.into()]
+            });
+        }
         self.curves.digest(digester);
         digester.list(&self.transforms, |transform| transform.bits());
         digester.word(self.attributes.is_some().into());
@@ -75,41 +79,4 @@ impl Curves {
 
 fn words_of(number: FirstNumber) -> [u64; 2] {
     [number.alone.into(), number.instanced]
-}
-
-/// The index and kind of a form, and its numbers.
-fn words_of_form(place: u32, form: &Form) -> [u64; 4] {
-    let words = |kind: u64, a: f64, b: f64, sector: Option<Sector>| {
-        let degrees = sector.map_or(360.0, |sector| sector.degrees);
-        [
-            u64::from(place) << 32 | kind,
-            a.to_bits(),
-            b.to_bits(),
-            degrees.to_bits(),
-        ]
-    };
-    match form {
-        Form::Sphere(None) => words(0, 0.0, 0.0, None),
-        Form::Sphere(Some(Cut {
-            z_min,
-            z_max,
-            sector,
-        })) => words(1, *z_min, *z_max, *sector),
-        Form::Cylinder(Cut {
-            z_min,
-            z_max,
-            sector,
-        }) => words(2, *z_min, *z_max, *sector),
-        Form::Disk(Disk {
-            height,
-            inner_radius,
-            sector,
-            has_negative_radius,
-        }) => words(
-            3 + u64::from(*has_negative_radius),
-            *height,
-            *inner_radius,
-            *sector,
-        ),
-    }
 }

@@ -3,11 +3,13 @@
 mod attributes;
 mod curves;
 mod digest;
+mod forms;
 mod hidden;
 mod instance;
 mod instances;
 mod non_finite;
 mod order;
+mod patches;
 mod pose;
 mod runs;
 mod sizes;
@@ -15,7 +17,7 @@ mod surface_attributes;
 #[cfg(test)]
 mod tests;
 
-pub use attributes::{CornerUv, CurvePiece};
+pub use attributes::{CornerUv, CurvePiece, PatchUv};
 pub use curves::CurvePoint;
 pub use instance::Instance;
 pub use non_finite::NonFiniteCounts;
@@ -26,9 +28,10 @@ use crate::geometry::{Matrix, Point};
 use crate::shape::{Cut, Form, Primitive, PrimitiveId, PrimitiveKind, Quadric, Triangle};
 use attributes::Attributes;
 use curves::Curves;
+use forms::Forms;
 use non_finite::move_to_world;
 use rayon::prelude::*;
-use runs::{FirstNumber, MeshRun, QuadricRun, StoredQuadric};
+use runs::{FirstNumber, MeshRun, PatchRun, QuadricRun, StoredQuadric};
 
 /// The geometry of a scene, or of an object. Meshes are in world space, quadrics refer to their
 /// transforms, and objects are stored once, with their instances.
@@ -46,9 +49,12 @@ pub struct Geometry {
     meshes: Vec<MeshRun>,
     quadrics: Vec<StoredQuadric>,
     quadric_runs: Vec<QuadricRun>,
-    /// The forms of the quadrics that are not whole spheres, by index.
-    forms: Vec<(u32, Form)>,
+    /// The forms of the quadrics that are not whole spheres.
+    forms: Forms,
+    /// Of an object: the transforms of its patches.
+    patch_runs: Vec<PatchRun>,
     curves: Curves,
+    /// Transforms, and the corners of patches.
     transforms: Vec<Matrix>,
     /// The geometry between `ObjectBegin` and `ObjectEnd`; it has no instances.
     objects: Vec<Geometry>,
@@ -150,7 +156,7 @@ impl Geometry {
         self.add_quadric(radius, Form::Sphere(cut), transform, shape)
     }
 
-    /// Appends a sphere, a cylinder or a disk, like [`Geometry::add_sphere`].
+    /// Appends any quadric but a patch, like [`Geometry::add_sphere`].
     pub fn add_quadric(
         &mut self,
         radius: f64,
@@ -172,9 +178,7 @@ impl Geometry {
                 first_number,
             });
         }
-        if form != Form::Sphere(None) {
-            self.forms.push((first_quadric, form));
-        }
+        self.forms.push(first_quadric, form);
         self.quadrics.push(StoredQuadric {
             radius,
             transform,
@@ -239,16 +243,13 @@ impl Geometry {
         &self.vertices[place as usize]
     }
 
-    /// Quadric `index`.
+    /// Quadric `index`. The corners of a patch of an object are in the space of their file.
     pub fn quadric(&self, index: usize) -> Quadric {
         let stored = &self.quadrics[index];
-        let place = self
-            .forms
-            .binary_search_by_key(&index, |(quadric, _)| *quadric as usize);
         Quadric {
             world_from_object: self.transforms[stored.transform as usize],
             radius: stored.radius,
-            form: place.map_or(Form::Sphere(None), |place| self.forms[place].1),
+            form: self.forms.of(index),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::Geometry;
 use crate::geometry::Matrix;
-use crate::shape::{Primitive, PrimitiveId, Quadric, Segment, Triangle};
+use crate::shape::{Form, Primitive, PrimitiveId, Quadric, Segment, Triangle};
 use std::ops::Range;
 
 /// An object under the transform of an instance. Remembers the product with the transform of the
@@ -32,6 +32,15 @@ impl<'a> Pose<'a> {
     pub fn surface(&mut self, primitive: PrimitiveId) -> Primitive {
         match self.object.own_surface(primitive) {
             Primitive::Triangle(_) => Primitive::Triangle(self.triangle(primitive.index())),
+            Primitive::Quadric(quadric) if quadric.form == Form::Patch => {
+                let transform = self.object.transform_of_patch(primitive.index());
+                let world_from_file = self.world_from_instance.times(transform);
+                let corners = quadric.patch().corners;
+                Primitive::Quadric(Quadric {
+                    radius: quadric.radius,
+                    ..Quadric::of_patch(corners.map(|corner| world_from_file.apply(corner)))
+                })
+            }
             Primitive::Quadric(quadric) => Primitive::Quadric(Quadric {
                 world_from_object: self.world_from_instance.times(&quadric.world_from_object),
                 ..quadric

@@ -19,6 +19,13 @@ pub(super) struct QuadricRun {
     pub(super) first_number: FirstNumber,
 }
 
+/// Patches of an object, which share the transform of their corners.
+#[derive(Debug)]
+pub(super) struct PatchRun {
+    pub(super) first_quadric: u32,
+    pub(super) transform: u32,
+}
+
 /// The number of the first primitive of a run.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FirstNumber {

@@ -1,7 +1,7 @@
 //! Which side the normals of shapes are on, and the coordinates of their surfaces.
 
 use super::Geometry;
-use super::attributes::{CornerUv, CurvePiece};
+use super::attributes::{CornerUv, CurvePiece, PatchUv};
 use crate::shape::InstancedId;
 
 impl Geometry {
@@ -19,6 +19,20 @@ impl Geometry {
                 .get_or_insert_default()
                 .add_uv(first_triangle as u32, uv);
         }
+    }
+
+    /// Gives coordinates to the last quadric, which is a bilinear patch.
+    pub fn add_patch_uv(&mut self, uv: PatchUv) {
+        if let Some(last) = self.quadrics.len().checked_sub(1) {
+            let attributes = self.attributes.get_or_insert_default();
+            attributes.add_patch_uv(last as u32, uv);
+        }
+    }
+
+    /// The coordinates at the corners of a patch, if it has any.
+    pub(crate) fn uv_of_patch(&self, placed: InstancedId) -> Option<&PatchUv> {
+        let attributes = self.owner_of(placed).attributes.as_ref()?;
+        attributes.uv_of_patch(placed.primitive().index() as u32)
     }
 
     /// Adds the Bezier pieces of the curves that are added next, whose segments count from 0.

@@ -1,6 +1,6 @@
 //! Boxes and ellipsoids around quadrics.
 
-use super::{Form, Quadric, power_of_two_near_largest};
+use super::{Form, Quadric, Revolved, power_of_two_near_largest};
 use crate::geometry::{Bounds, Point, Vector};
 use std::f64::consts::SQRT_2;
 
@@ -19,9 +19,12 @@ pub(crate) struct Ellipsoid {
 }
 
 impl Quadric {
-    /// A box around it, at most a few rounding units too large. Cuts by z count for cylinders;
-    /// other cuts do not.
+    /// A box around it, at most a few rounding units too large; around a surface of revolution that
+    /// of a cylinder around it. Cuts by z count except for spheres; other cuts do not.
     pub fn bounds(&self) -> Bounds {
+        if let Form::Patch = self.form {
+            return self.patch().bounds();
+        }
         let ends = [0, 1, 2].map(|k| {
             let (row, reach) = (&self.world_from_object.rows[k], self.reach(k));
             let [low, high] = self.along_axis(row);
@@ -48,15 +51,16 @@ impl Quadric {
         // The row is scaled to a length from 1 to 4: only the result can overflow or underflow.
         let scale = power_of_two_near_largest(&row[..3]);
         let v = Vector::from([0, 1, 2].map(|j| row[j] / scale));
-        v.dot(v).sqrt() * (self.radius * scale) * (1.0 + 4.0 * f64::EPSILON) + LOST_TO_UNDERFLOW
+        v.dot(v).sqrt() * (self.widest() * scale) * (1.0 + 4.0 * f64::EPSILON) + LOST_TO_UNDERFLOW
     }
 
     /// The bounds of the part of the axis within the surface, given a row of the matrix.
     fn along_axis(&self, row: &[f64; 4]) -> [f64; 2] {
         let [low, high] = match &self.form {
-            Form::Sphere(_) => return [row[3]; 2],
+            Form::Sphere(_) | Form::Patch => return [row[3]; 2],
             Form::Cylinder(cut) => [cut.z_min, cut.z_max],
             Form::Disk(disk) => [disk.height; 2],
+            Form::Revolved(revolved) => revolved.ends(),
         };
         // Two roundings, either of which may go the wrong way.
         let (a, b) = (row[2] * low, row[2] * high);
@@ -66,8 +70,9 @@ impl Quadric {
         ]
     }
 
-    /// An ellipsoid that contains the surface, except for roundings: that of a cylinder is wider
-    /// and longer by the root of 2.
+    /// An ellipsoid that contains the surface, except for roundings: that of a cylinder, and of one
+    /// around a surface of revolution, is wider and longer by the root of 2. That of a cone is the
+    /// least one: its centre is a quarter of the way up.
     pub(crate) fn ellipsoid(&self) -> Ellipsoid {
         let around = |height, semi_axes, farthest| Ellipsoid {
             height,
@@ -75,17 +80,26 @@ impl Quadric {
             farthest,
         };
         match &self.form {
-            Form::Sphere(_) => around(0.0, [1.0; 3], 0.0),
-            Form::Cylinder(cut) => {
-                let half = (0.5 * cut.z_max - 0.5 * cut.z_min) / self.radius;
-                let semi_axes = [SQRT_2, SQRT_2, SQRT_2 * half];
-                around(
-                    0.5 * cut.z_min + 0.5 * cut.z_max,
-                    semi_axes,
-                    cut.z_min.abs().max(cut.z_max.abs()),
-                )
+            Form::Sphere(_) | Form::Patch => around(0.0, [1.0; 3], 0.0),
+            Form::Cylinder(cut) => self.around_cylinder(self.radius, [cut.z_min, cut.z_max]),
+            Form::Revolved(Revolved::Cone(cut)) => {
+                let wide = 1.125f64.sqrt();
+                let half = 0.75 * cut.z_max / self.radius;
+                around(0.25 * cut.z_max, [wide, wide, half], cut.z_max)
             }
+            Form::Revolved(revolved) => self.around_cylinder(self.widest(), revolved.ends()),
             Form::Disk(disk) => around(disk.height, [1.0, 1.0, 0.0], disk.height.abs()),
+        }
+    }
+
+    /// The ellipsoid around a cylinder of this radius.
+    fn around_cylinder(&self, radius: f64, [low, high]: [f64; 2]) -> Ellipsoid {
+        let half = (0.5 * high - 0.5 * low) / self.radius;
+        let wide = SQRT_2 * (radius / self.radius);
+        Ellipsoid {
+            height: 0.5 * low + 0.5 * high,
+            semi_axes: [wide, wide, SQRT_2 * half],
+            farthest: low.abs().max(high.abs()),
         }
     }
 }
@@ -95,6 +109,7 @@ mod tests {
     use super::*;
     use crate::exact::{Dyadic, ExactVector, times_power_of_two};
     use crate::geometry::Matrix;
+    use crate::shape::quadric::revolved::Equation;
     use crate::shape::{Cut, Disk};
     use proptest::prelude::*;
 
@@ -105,6 +120,8 @@ mod tests {
             Form::Sphere(_) => (vec![0.0], 3),
             Form::Cylinder(cut) => (vec![cut.z_min, cut.z_max], 2),
             Form::Disk(disk) => (vec![disk.height], 2),
+            Form::Revolved(revolved) => (revolved.ends().to_vec(), 2),
+            Form::Patch => panic!("a patch has no axis"),
         }
     }
 
@@ -119,7 +136,7 @@ mod tests {
             spread in 0usize..4,
             radius in 0.5f64..1.0,
             size in -1040i32..1020,
-            form in 0usize..3,
+            form in 0usize..5,
             z in prop::array::uniform2((-1.0f64..1.0, prop::sample::select(vec![0, -1000, -30, 2, 60, 900]))),
         ) {
             let power = |exponent: i32| times_power_of_two(1.0, exponent);
@@ -136,15 +153,18 @@ mod tests {
             let form = match form {
                 0 => Form::Sphere(None),
                 1 => Form::Cylinder(Cut::of_cylinder(z[0], z[1], 360.0)),
-                _ => Form::Disk(Disk::new(z[0], 0.0, 360.0)),
+                2 => Form::Disk(Disk::new(z[0], 0.0, 360.0)),
+                3 => Form::Revolved(Revolved::cone(z[0].abs(), 360.0)),
+                _ => Form::Revolved(Revolved::paraboloid(z[0], z[1], 360.0)),
             };
             let quadric = Quadric { world_from_object: Matrix { rows: [row(0), row(1), row(2)] }, radius, form };
+            prop_assume!(quadric.has_points());
             let bounds = quadric.bounds();
             let (ends, columns) = core(&form);
             for k in 0..3 {
                 let row = quadric.world_from_object.rows[k];
                 let linear = ExactVector::from([row[0], row[1], if columns == 3 { row[2] } else { 0.0 }]);
-                let square = &linear.dot(&linear) * &Dyadic::from(radius).square();
+                let square = &linear.dot(&linear) * &Dyadic::from(quadric.widest()).square();
                 for z in &ends {
                     let core = &Dyadic::from(row[3]) + &(&Dyadic::from(row[2]) * &Dyadic::from(*z));
                     let is_beyond = |rest: Dyadic| rest.clone().abs() == rest && rest.square() >= square;
@@ -152,6 +172,49 @@ mod tests {
                     prop_assert!(low == f64::NEG_INFINITY || is_beyond(&core - &Dyadic::from(low)), "{bounds:?}");
                     prop_assert!(high == f64::INFINITY || is_beyond(&Dyadic::from(high) - &core), "{bounds:?}");
                 }
+            }
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(5000))]
+
+        /// At its widest, a surface of revolution is no farther from its axis.
+        #[test]
+        fn no_point_is_farther_from_the_axis(
+            ends in prop::array::uniform2(-2.0f64..2.0),
+            across in prop::array::uniform4(-2.0f64..2.0),
+            part in prop::sample::select(vec![0.0, 0.25, 0.5, 0.999, 1.0]),
+            radius in 0.1f64..3.0,
+            kind in 0usize..3,
+        ) {
+            let [low, high] = ends;
+            let revolved = match kind {
+                0 => Revolved::cone(high.abs(), 360.0),
+                1 => Revolved::paraboloid(low, high, 360.0),
+                _ => Revolved::hyperboloid(
+                    [across[0], across[1], low],
+                    [across[2], across[3], high],
+                    360.0,
+                ),
+            };
+            let Some([widest, _]) = revolved.extent(radius) else { return Ok(()) };
+            let [low, high] = revolved.ends();
+            for z in [low + part * (high - low), 0.0] {
+                let z = z.clamp(low, high);
+                let equation = Equation::of(&revolved, radius);
+                let product = |[a, b]: [f64; 2]| &Dyadic::from(a) * &Dyadic::from(b);
+                let up = &Dyadic::from(z) - &Dyadic::from(equation.base);
+                let linear = &product(equation.linear) * &up;
+                let terms = [
+                    &product(equation.across) * &Dyadic::from(widest).square(),
+                    &product(equation.along) * &up.square(),
+                    &linear + &linear,
+                    Dyadic::from(equation.constant),
+                ];
+                let sum = terms.iter().fold(Dyadic::zero(), |sum, term| &sum + term);
+                let sign = product(equation.across).sign();
+                prop_assert!(sum.is_zero() || sum.sign() == sign, "{revolved:?} {z} {widest}");
             }
         }
     }

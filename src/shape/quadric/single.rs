@@ -1,7 +1,8 @@
 //! Single-precision quadric test without error bounds.
 
 use super::cut::Plane;
-use super::{Disk, Form, Quadric};
+use super::revolved::Equation;
+use super::{Disk, Form, Quadric, Revolved};
 use crate::geometry::Vector;
 use crate::shape::vector32::{cross, dot};
 use std::cmp::Ordering;
@@ -46,7 +47,42 @@ impl SingleQuadric<'_> {
                 cut.holds(|plane| self.side(&self.point(o, d, t), plane)) == Some(true)
             }),
             Form::Disk(disk) => self.cross(o, d, disk),
+            Form::Revolved(revolved) => self.meet_revolved(o, d, revolved),
+            Form::Patch => None,
         }
+    }
+
+    /// The first positive t at which the ray meets the part of a surface of revolution.
+    fn meet_revolved(&self, mut o: [f32; 3], d: [f32; 3], revolved: &Revolved) -> Option<f32> {
+        let determinant = self.determinant;
+        let unscale = |p: [f32; 3]| p.map(|x| f64::from(x / determinant));
+        let equation = Equation::of(revolved, self.quadric.radius);
+        let whole = o;
+        o[2] -= equation.base as f32 * determinant;
+        let [f, g, h] = equation.over_across().map(|term| term as f32);
+        let (g, h) = (g * determinant, h * (determinant * determinant));
+        let across = |a: [f32; 3], b: [f32; 3]| a[0] * b[0] + a[1] * b[1];
+        let moment = cross(o, d);
+        let (dd, slope) = (across(d, d), d[2] * d[2]);
+        let aside = d[1] * moment[0] - d[0] * moment[1];
+        let (a, b) = (dd + f * slope, across(o, d) + (f * o[2] + g) * d[2]);
+        let c = across(o, o) + (f * o[2] + 2.0 * g) * o[2] + h;
+        let discriminant = (g * g - f * h) * slope
+            - (moment[2] * moment[2] + f * across(moment, moment) + h * dd - 2.0 * g * aside);
+        if discriminant < 0.0 {
+            return None;
+        }
+        let q = -(b + discriminant.sqrt().copysign(b));
+        let [one, other] = [q / a, c / q];
+        let roots = if other < one {
+            [other, one]
+        } else {
+            [one, other]
+        };
+        let point = |t: f32| std::array::from_fn(|k| whole[k] + t * d[k]);
+        roots
+            .into_iter()
+            .find(|t| *t > 0.0 && t.is_finite() && revolved.holds_point(unscale(point(*t))))
     }
 
     /// The first positive t with |o + t d| = R that is within the part.

@@ -51,11 +51,11 @@ impl UnitSpace {
     }
 
     /// The `t` at which `ray`, which misses, comes nearest to the axis of a cylinder, or to the
-    /// centre of a sphere or disk.
+    /// centre of a sphere or disk, or the origin of object space.
     pub(crate) fn nearest(&self, ray: &Ray) -> f64 {
         let weigh = |v: Vector| match self.quadric.form {
             Form::Cylinder(_) => Vector::new(v.x, v.y, 0.0),
-            Form::Sphere(_) | Form::Disk(_) => v,
+            Form::Sphere(_) | Form::Disk(_) | Form::Revolved(_) | Form::Patch => v,
         };
         let (origin, direction) = (
             weigh(self.point(ray, 0.0)),
@@ -66,12 +66,13 @@ impl UnitSpace {
 
     /// The unit normal in the world at a point of the surface: away from the centre or axis of a
     /// sphere or cylinder, along the z axis of a disk. It is pbrt-v3's dp/du x dp/dv, mapped to the
-    /// world by the transposed inverse.
+    /// world by the transposed inverse. 0 at the apex of a cone, which has none.
     pub(crate) fn normal(&self, point: Vector) -> Vector {
         let gradient = match self.quadric.form {
             Form::Sphere(_) => point,
             Form::Cylinder(_) => Vector::new(point.x, point.y, 0.0),
-            Form::Disk(_) => Vector::new(0.0, 0.0, 1.0),
+            Form::Disk(_) | Form::Patch => Vector::new(0.0, 0.0, 1.0),
+            Form::Revolved(revolved) => revolved.normal(point, self.quadric.radius),
         };
         let [x, y, z] =
             [0, 1, 2].map(|k| Vector::from(self.object_from_scaled_world.column(k)).dot(gradient));
@@ -86,9 +87,10 @@ impl UnitSpace {
     /// one of its radii is below 0.
     ///
     /// u is the angle about the z axis over `phimax`. v is a fraction: for a sphere, of the way
-    /// from the angle of `zmin` to that of `zmax`; for a cylinder, from `zmin` to `zmax`; for a
-    /// disk, from the rim to the hole or the centre. It is 0 if the way has no length.
-    pub(crate) fn uv(&self, point: Vector) -> [f64; 2] {
+    /// from the angle of `zmin` to that of `zmax`; for a cylinder or a paraboloid, from `zmin` to
+    /// `zmax`; for a disk, from the rim to the hole or the centre; for a cone, from the circle to
+    /// the apex; for a hyperboloid, from p1 to p2. It is 0 if the way has no length.
+    pub(crate) fn uv(&self, mut point: Vector) -> [f64; 2] {
         let from_axis = (point.x * point.x + point.y * point.y).sqrt();
         let radius = self.quadric.radius;
         let (sector, v) = match &self.quadric.form {
@@ -106,6 +108,13 @@ impl UnitSpace {
                 part(point.z * radius - cut.z_min, cut.z_max - cut.z_min),
             ),
             Form::Disk(disk) => (disk.sector, disk.v_at(from_axis, radius)),
+            Form::Revolved(revolved) => {
+                let [first, last] = revolved.way();
+                let v = part(point.z * radius - first, last - first);
+                point = revolved.from_start(point);
+                (revolved.sector(), v)
+            }
+            Form::Patch => (None, 0.0),
         };
         [
             part_of_turn(point, sector.map_or(360.0, |sector| sector.degrees)),

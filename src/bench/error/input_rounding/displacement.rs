@@ -5,7 +5,7 @@ use super::rounded_transform::RoundedTransform;
 use super::roundings::Roundings;
 use crate::exact::{Rounded, UNIT_ROUNDOFF as U};
 use crate::geometry::Point;
-use crate::shape::{Geometry, InstancedId, Primitive};
+use crate::shape::{Form, Geometry, InstancedId, Primitive};
 
 /// More than the products of a vertex lose by underflow.
 const TINY: f64 = f64::from_bits(1 << 4);
@@ -20,21 +20,23 @@ pub(super) fn of_primitive(geometry: &Geometry, roundings: &Roundings, placed: I
         None => *shape,
     };
     let store = instance.map_or(geometry, |instance| geometry.object_of(instance));
-    // The matrix of a curved surface has errors, but none of its points has been rounded.
-    let of_extent = |extent: Option<[f64; 3]>| {
-        extent.map_or(f64::INFINITY, |extent| length(of_matrix(&rounded, extent)))
-    };
-    let corners = match store.own_surface(primitive) {
-        Primitive::Triangle(triangle) => triangle.0,
-        Primitive::Quadric(quadric) => return of_extent(quadric.extent()),
-        Primitive::Segment(segment) => return of_extent(segment.extent()),
-    };
-    let of_corner = |corner: Point| match instance {
+    let of_corner = |corner: &Point| match instance {
         // Objects store the vertices of their files.
         Some(_) => length(of_vertex(&rounded, corner.to_array().map(f64::abs))),
-        None => of_world_vertex(&rounded, corner),
+        None => of_world_vertex(&rounded, *corner),
     };
-    corners.map(of_corner).into_iter().fold(0.0, f64::max)
+    let of_corners = |corners: &[Point]| corners.iter().map(of_corner).fold(0.0, f64::max);
+    // The matrix of any other curved surface has errors, but none of its points has been rounded.
+    let extent = match store.own_surface(primitive) {
+        Primitive::Triangle(triangle) => return of_corners(&triangle.0),
+        Primitive::Quadric(quadric) if quadric.form == Form::Patch => {
+            // A point of a patch is a mean of its corners, and moves no farther.
+            return of_corners(&quadric.patch().corners);
+        }
+        Primitive::Quadric(quadric) => quadric.extent(),
+        Primitive::Segment(segment) => segment.extent(),
+    };
+    extent.map_or(f64::INFINITY, |extent| length(of_matrix(&rounded, extent)))
 }
 
 /// A bound of the error of a transformed vertex along each axis. `p` bounds the absolute

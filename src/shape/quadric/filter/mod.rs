@@ -1,6 +1,7 @@
 //! The quadric test in `f64`, with error bounds.
 
 mod adjugate;
+mod revolution;
 #[cfg(test)]
 mod tests;
 
@@ -36,13 +37,16 @@ pub(in crate::shape) struct ScaledSpace {
 
 impl Quadric {
     /// Whether `ray` meets what there is of the surface, and where first, as far as `f64` can tell
-    /// (rules E2, E5 and E6).
+    /// (rules E2, E5, E6 and E8 to E11).
     ///
     /// The discriminant is taken as R^2 |d'|^2 - |o' x d'|^2, which keeps its digits where b^2 - ac
     /// loses them, and the roots in the form that adds numbers of one sign (Haines et al.,
     /// "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019). Every number
     /// carries a bound on its error. A cylinder is a sphere of two dimensions.
     pub fn filter(&self, ray: &FilterRay) -> FilterResult {
+        if let Form::Patch = self.form {
+            return self.patch().filter(ray);
+        }
         let space = ScaledSpace::new(self, ray);
         let (o, d) = (&space.origin, &space.direction);
         match &self.form {
@@ -57,18 +61,22 @@ impl Quadric {
             Form::Disk(disk) => first_hit(space.crossing(disk), |t| {
                 space.is_in_ring(t, disk, self.radius)
             }),
+            Form::Revolved(revolved) => space.meet_revolved(revolved, self.radius),
+            Form::Patch => FilterResult::Unsure,
         }
     }
 
-    /// The same of the whole sphere or cylinder that it is a part of. A hit has the bracket that
-    /// the part has where it is hit at the same root, and no bracket of the other root overlaps it.
+    /// The same of the whole sphere, cylinder or surface of revolution that it is a part of. A hit
+    /// has the bracket that the part has where it is hit at the same root, and no bracket of the
+    /// other root overlaps it.
     pub fn filter_whole(&self, ray: &FilterRay) -> FilterResult {
         let space = ScaledSpace::new(self, ray);
         let (o, d) = (&space.origin, &space.direction);
         match &self.form {
             Form::Sphere(_) => first_hit(space.roots(o, d), |_| Some(true)),
             Form::Cylinder(_) => first_hit(space.roots(&across(o), &across(d)), |_| Some(true)),
-            Form::Disk(_) => FilterResult::Unsure,
+            Form::Revolved(revolved) => space.meet_whole_revolved(revolved, self.radius),
+            Form::Disk(_) | Form::Patch => FilterResult::Unsure,
         }
     }
 }

@@ -1,6 +1,8 @@
 use super::*;
 use crate::exact::{Dyadic, ExactVector, times_power_of_two};
 use crate::geometry::{Matrix, Ray, Vector};
+use crate::shape::Revolved;
+use crate::shape::quadric::revolved::Equation;
 use proptest::prelude::*;
 
 /// Numbers with all their bits, whole ones, and ones of other sizes.
@@ -27,7 +29,15 @@ fn matrix() -> impl Strategy<Value = Matrix> {
 fn form() -> impl Strategy<Value = Form> {
     let z = || prop::sample::select(vec![-1.0, -0.3, 0.0, 0.4, 1.0]);
     let phi = prop::sample::select(vec![0.0, 60.0, 180.0, 250.0, 360.0]);
-    (z(), z(), phi, 0..5).prop_map(|(low, high, phi, kind)| match kind {
+    let turn = prop::sample::select(vec![[1.0, 0.0], [0.6, 0.8], [-0.8, 0.6], [0.1, 0.7]]);
+    (z(), z(), phi, turn, 0..9).prop_map(|(low, high, phi, [x, y], kind)| match kind {
+        5 => Form::Revolved(Revolved::cone(1.5 + low, phi)),
+        6 => Form::Revolved(Revolved::paraboloid(low, high + 0.05, phi)),
+        7 | 8 => Form::Revolved(Revolved::hyperboloid(
+            [1.0, 0.1, low - 1.3],
+            [x, y, 0.6 + high],
+            phi,
+        )),
         0 => Form::Sphere(None),
         1 => Form::Sphere(Cut::new(1.0, low, high, phi)),
         2 | 3 => Form::Cylinder(Cut::of_cylinder(low, high, phi)),
@@ -50,6 +60,16 @@ fn scaled(form: Form, radius: f64) -> Form {
             inner_radius: disk.inner_radius * radius,
             ..disk
         }),
+        Form::Revolved(Revolved::Cone(part)) => Form::Revolved(Revolved::Cone(cut(part))),
+        Form::Revolved(Revolved::Paraboloid(part)) => {
+            Form::Revolved(Revolved::Paraboloid(cut(part)))
+        }
+        Form::Revolved(Revolved::Hyperboloid(of)) => {
+            let larger = |p: [f64; 3]| p.map(|x| x * radius);
+            let degrees = of.sector.map_or(360.0, |sector| sector.degrees);
+            Form::Revolved(Revolved::hyperboloid(larger(of.p1), larger(of.p2), degrees))
+        }
+        Form::Patch => Form::Patch,
     }
 }
 
@@ -63,11 +83,37 @@ fn target(form: &Form, [x, y, z]: [f64; 3], radius: f64, aside: f64) -> Point {
             Point::new(x / from_axis * along, y / from_axis * along, z * radius)
         }
         Form::Disk(disk) => Point::new(x * along, y * along, disk.height),
+        Form::Revolved(revolved) => {
+            // On the surface at a height between the ends.
+            let ([low, high], from_axis) = (revolved.ends(), x.hypot(y).max(0.1));
+            let height = low + z.abs() * (high - low);
+            let [f, g, h] = Equation::of(revolved, of_radius(revolved, radius)).over_across();
+            let up = height - Equation::of(revolved, radius).base;
+            let wide = (-(f * up + 2.0 * g) * up - h).max(0.0).sqrt() * (1.0 + aside);
+            Point::new(x / from_axis * wide, y / from_axis * wide, height)
+        }
+        Form::Patch => Point::default(),
+    }
+}
+
+/// The radius of a hyperboloid is 1.
+fn of_radius(revolved: &Revolved, radius: f64) -> f64 {
+    match revolved {
+        Revolved::Hyperboloid(_) => 1.0,
+        _ => radius,
+    }
+}
+
+/// Some surfaces have no points, or no inverse.
+fn cases() -> ProptestConfig {
+    ProptestConfig {
+        max_global_rejects: 20_000,
+        ..ProptestConfig::with_cases(20_000)
     }
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(20_000))]
+    #![proptest_config(cases())]
 
     #[test]
     fn adjugates_stay_within_their_bounds(m in matrix(), origin in vector(), centre in vector()) {
@@ -106,6 +152,10 @@ proptest! {
         slant in prop::sample::select(vec![None, None, None, Some(0.0), Some(1e-16), Some(1e-9), Some(0.1)]),
     ) {
         let form = scaled(form, radius);
+        let radius = match &form {
+            Form::Revolved(revolved) => of_radius(revolved, radius),
+            _ => radius,
+        };
         let quadric = Quadric { world_from_object: m, radius, form };
         prop_assume!(quadric.can_be_hit());
         let target = m.apply(target(&form, on_sphere, radius, aside));

@@ -9,7 +9,7 @@ use std::cmp::Ordering::{Equal, Greater, Less};
 /// point, of the distance and of t are multiplied by its denominator.
 ///
 /// Object space is taken times the determinant of the matrix, by Cramer's rule.
-pub(super) fn meet_segment(segment: &Segment, ray: &Ray) -> Option<Root> {
+pub(super) fn meet(segment: &Segment, ray: &Ray) -> Option<Root> {
     let m = &segment.world_from_object;
     let [widest, narrowest] = segment.half_widths;
     let numbers = segment.ends.iter().flat_map(|end| end.to_array());

@@ -1,52 +1,10 @@
-//! Tests cylinders and disks against hits computed by hand.
+//! Cylinders, disks, and parts of spheres.
 
-mod common;
-
-use common::{agreed_picture, bits_of, scene};
-use feimos::accel::Precision;
-use feimos::film::ChannelName;
-use feimos::scene::Scene;
-
-/// Pixels at integer coordinates from -5 to 5, seen along z from z = 0.
-const GRID: &str = "Camera \"orthographic\" \"float screenwindow\" [ -5.5 5.5 -5.5 5.5 ]
-    Film \"image\" \"integer xresolution\" 11 \"integer yresolution\" 11\n";
+use super::*;
 
 /// The axis of the cylinder points down, from y = 2 to y = -3, and its angles run from x to z.
 const CYLINDER: &str = "Translate 0 0 10 Rotate 90 1 0 0
     Shape \"cylinder\" \"float radius\" 5 \"float zmin\" -2 \"float zmax\" 3";
-
-fn load(text: &str) -> Scene {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("a.pbrt");
-    std::fs::write(&path, text).unwrap();
-    scene(&path)
-}
-
-/// Primitive, Z and t of every pixel, which must be the same for all accelerators.
-fn answers(text: &str) -> Vec<Option<(u32, f32, f32)>> {
-    let scene = load(text);
-    assert!(scene.warnings.is_empty());
-    let image = agreed_picture(&scene.camera, &scene.geometry, Precision::Exact).image;
-    let [prim, z, t] =
-        [ChannelName::Prim, ChannelName::Z, ChannelName::T].map(|name| bits_of(&image, name));
-    let answer =
-        |k: usize| (prim[k] > 0).then(|| (prim[k], f32::from_bits(z[k]), f32::from_bits(t[k])));
-    (0..prim.len()).map(answer).collect()
-}
-
-/// Asserts Z at each (x, y) of the grid, or a miss.
-fn assert_grid(text: &str, expected: impl Fn(i32, i32) -> Option<f64>) {
-    let found = answers(&format!("{GRID} WorldBegin {text}"));
-    for (pixel, k) in found.iter().zip(0..) {
-        let (x, y) = (k % 11 - 5, 5 - k / 11);
-        let z = expected(x, y).map(|z| z as f32);
-        assert_eq!(
-            pixel.map(|(_, z, t)| (z, t)),
-            z.map(|z| (z, z)),
-            "at {x}, {y}"
-        );
-    }
-}
 
 /// Pythagorean triples of 3, 4 and 5 give integers; at 5 the rays are tangents.
 #[test]
@@ -154,25 +112,6 @@ fn ties_go_to_the_first_in_the_file() {
                 Shape \"cylinder\" \"float radius\" 2 AttributeEnd";
     assert_eq!(seen(&format!("{tube} {disk}")), Some((1, 7.0, 7.0)));
     assert_eq!(seen(&format!("{disk} {tube}")), Some((1, 7.0, 7.0)));
-}
-
-/// Asserts that two scenes give the same image, and that it is not empty.
-#[track_caller]
-fn assert_alike(text: &str, other: &str) {
-    let place = "WorldBegin Translate 0 0 10 Rotate 37 1 2 3";
-    let [found, expected] = [text, other].map(|text| answers(&format!("{GRID} {place} {text}")));
-    assert!(expected.iter().any(|pixel| pixel.is_some()));
-    assert_eq!(found, expected, "{text}");
-    let instance = |text: &str| {
-        format!("{GRID} WorldBegin ObjectBegin \"a\" Rotate 37 1 2 3 {text} ObjectEnd")
-    };
-    let [found, expected] = [text, other].map(|text| {
-        answers(&format!(
-            "{} Translate 0 0 10 ObjectInstance \"a\"",
-            instance(text)
-        ))
-    });
-    assert_eq!(found, expected, "{text}, in an instance");
 }
 
 /// pbrt squares the radius. Before it computes the angle, it mirrors a sphere's point at the
