@@ -109,11 +109,3 @@ fn what_pbrt_takes_with_a_warning() {
         "a curve under a singular or infinite transform is never hit"
     );
 }
-
-/// A thousand segments for a hundred bytes: the budget ends what would fill the memory.
-#[test]
-fn curves_count_as_stored_memory() {
-    let one = "Shape \"curve\" \"point3 P\" [ 0 0 0 1 9 0 2 -9 0 3 0 0 ] \"float width\" 1e-9 ";
-    let found = error(&format!("WorldBegin {}", one.repeat(40_000)));
-    assert!(found.contains("bytes of memory"), "{found}");
-}

@@ -28,7 +28,7 @@ fn what_nothing_depends_on_may_be_no_place() {
         "BAD Transform [ 1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1 ]",
         "BAD CoordSysTransform \"world\"",
         "AttributeBegin BAD Material \"interface\" Shape \"sphere\" AttributeEnd",
-        "AttributeBegin BAD Shape \"curve\" AttributeEnd",
+        "AttributeBegin BAD Shape \"heightfield2\" AttributeEnd",
         "AttributeBegin BAD Translate 1 0 0 Scale 2 2 2 LookAt 0 0 0 1 1 1 0 0 1 AttributeEnd",
         "ObjectBegin \"o\" BAD ObjectEnd",
     ];
@@ -42,7 +42,7 @@ fn what_nothing_depends_on_may_be_no_place() {
             assert!(
                 warnings(&scene)
                     .iter()
-                    .all(|(message, _)| message.contains("curve")),
+                    .all(|(message, _)| message.contains("heightfield2")),
                 "{text}"
             );
         }

@@ -12,6 +12,7 @@ mod order;
 mod patches;
 mod pose;
 mod runs;
+mod segments;
 mod sizes;
 mod surface_attributes;
 #[cfg(test)]
