@@ -37,6 +37,7 @@ mod places;
 mod region;
 mod results;
 mod signals;
+mod spherical;
 mod standard_output;
 mod trace_parts;
 mod version;

@@ -84,7 +84,7 @@ impl<'a> Runner<'a> {
         };
         let run = |progress: Progress<'_>| bench.measure(&plan, progress);
         let measured = self.bars.during(Phase::Measuring(plan.steps()), run)?;
-        self.check_bins(path, &measured)?;
+        self.check_bins(path, &scene, &measured)?;
         Ok((self.title(path, &scene), measured))
     }
 
@@ -92,12 +92,16 @@ impl<'a> Runner<'a> {
     ///
     /// # Errors
     /// There is nothing else to measure.
-    fn check_bins(&self, path: &Path, measured: &Measured) -> Result<()> {
+    fn check_bins(&self, path: &Path, scene: &Scene, measured: &Measured) -> Result<()> {
         if !measured.lacks_bins {
             return Ok(());
         }
-        let reason = "this view cannot be rasterized, because its numbers are too large or too \
-                      small";
+        let reason = match scene.camera.projection.is_planar() {
+            true => {
+                "this view cannot be rasterized, because its numbers are too large or too small"
+            }
+            false => "a spherical camera cannot be rasterized",
+        };
         if measured.rows.is_empty() {
             let error = Error::usage(format!("{}: {reason}", path.display()));
             return Err(error.note("choose a tree, such as --accel sah"));

@@ -141,8 +141,13 @@ impl SceneBuilder {
             }
             Statement::WorldEnd => self.phase = Phase::Ended,
             Statement::Camera(entity) => {
-                self.entities
-                    .set_camera(entity, keyword, &mut state.transform, warnings)?;
+                self.entities.set_camera(
+                    entity,
+                    keyword,
+                    &mut state.transform,
+                    inputs,
+                    warnings,
+                )?;
             }
             Statement::Film(entity) => self.entities.set_film(entity, keyword, warnings)?,
             Statement::Accelerator(entity) => {

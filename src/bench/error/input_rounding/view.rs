@@ -2,8 +2,13 @@
 
 use super::bound::{length, with_slack};
 use super::rounded_transform::RoundedTransform;
-use crate::camera::{Camera, Projection};
-use crate::exact::Rounded;
+use crate::camera::{Camera, Projection, SphereMapping};
+use crate::exact::{Rounded, UNIT_ROUNDOFF as U};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Bounds the error of a component of a spherical camera's direction, which is at most 1: less than
+/// eight operations, whose operands are not above 2.
+const SPHERE_ERROR: f64 = 16.0 * U;
 
 /// A camera with the errors of its transform.
 pub(super) struct View<'a> {
@@ -17,16 +22,30 @@ impl View<'_> {
     /// world.
     pub(super) fn displacement(&self, pixel: [u32; 2], z: f32) -> f64 {
         // `z` was rounded, too.
-        let z = f64::from(z.next_up());
+        let mut t = f64::from(z.next_up());
         let [x, y] = self.plane_coordinates(pixel);
+        let mut along = [x, y, Rounded::exactly(1.0)];
+        if let Some(mapping) = self.camera.projection.sphere_mapping() {
+            let direction = mapping.direction(pixel, self.camera.resolution);
+            along = direction.map(|x| Rounded::within(x, SPHERE_ERROR));
+            t = with_slack(with_slack(t / self.ray_length(pixel)));
+        }
         let moved = self.rounded.inverse().map(|c| {
+            let across = c[0] * along[0] + c[1] * along[1];
             let [origin, direction] = match self.camera.projection {
-                Projection::Perspective { .. } => [c[3], c[0] * x + c[1] * y + c[2]],
-                Projection::Orthographic => [c[0] * x + c[1] * y + c[3], c[2]],
+                Projection::Perspective { .. } => [c[3], across + c[2]],
+                Projection::Orthographic => [across + c[3], c[2]],
+                Projection::Spherical(_) => [c[3], across + c[2] * along[2]],
             };
-            with_slack(origin.error + z * direction.error)
+            with_slack(origin.error + t * direction.error)
         });
         length(moved)
+    }
+
+    /// The length of the direction of a pixel's ray, in the world.
+    fn ray_length(&self, [x, y]: [u32; 2]) -> f64 {
+        let direction = self.camera.ray(x, y).direction;
+        length(direction.to_array().map(f64::abs))
     }
 
     /// A bound of the size of `displacement` on the film, in pixels, at the point of a pixel's ray
@@ -40,6 +59,11 @@ impl View<'_> {
         let rows = self.rounded.matrix();
         let reach = |row: [Rounded; 3]| with_slack(displacement * length(row.map(Rounded::most)));
         let linear = |k: usize| [0, 1, 2].map(|j| rows[k][j]);
+        if let Some(mapping) = self.camera.projection.sphere_mapping() {
+            let moved = length([0, 1, 2].map(|k| reach(linear(k))));
+            let t = f64::from(z.next_down()) / with_slack(self.ray_length(pixel));
+            return self.turn_in_pixels(mapping, moved / t, pixel);
+        }
         let (plane, widths) = (self.plane_coordinates(pixel), self.pixel_sizes());
         let across = |axis: usize| {
             let moved = match self.camera.projection {
@@ -52,11 +76,38 @@ impl View<'_> {
                         f64::INFINITY
                     }
                 }
-                Projection::Orthographic => reach(linear(axis)),
+                Projection::Orthographic | Projection::Spherical(_) => reach(linear(axis)),
             };
             with_slack(moved / widths[axis])
         };
         length([across(0), across(1), 0.0])
+    }
+
+    /// A bound of how far a direction moves on the film of a spherical camera, in pixels, if the
+    /// point at distance 1 moves by `moved` in camera space.
+    ///
+    /// It turns by an angle whose sine is `moved` or less. A longitude then turns by an angle whose
+    /// sine is that over the sine of the colatitude. No direction of the equal-area mapping is
+    /// stretched by more than 1.35, in units of half a side: Lambert's projection stretches by
+    /// square roots of 2 at most, which its radius of 1 instead of that root makes up for, and the
+    /// map from the disk to the square by the root of 1 + 8/pi^2.
+    fn turn_in_pixels(&self, mapping: SphereMapping, moved: f64, pixel: [u32; 2]) -> f64 {
+        let [width, height] = self.camera.resolution.map(f64::from);
+        // An angle is at most pi/2 times its sine.
+        let angle = |sine: f64| match sine < 1.0 {
+            true => FRAC_PI_2 * sine,
+            false => f64::INFINITY,
+        };
+        let turn = angle(moved);
+        match mapping {
+            SphereMapping::EqualArea => with_slack(1.35 * turn * width.max(height) / 2.0),
+            SphereMapping::Equirectangular => {
+                let [x, _, z] = mapping.direction(pixel, self.camera.resolution);
+                let sine = length([x.abs(), 0.0, z.abs()]);
+                let along = angle(with_slack(moved / sine)) * width / (2.0 * PI);
+                length([along, turn * height / PI, 0.0])
+            }
+        }
     }
 
     /// [`Camera::plane_coordinates`] with bounds.
@@ -87,9 +138,9 @@ impl View<'_> {
     /// 1, the tangent of 45 degrees: those of the nearest angles are more than half a unit away.
     fn scale(&self) -> Rounded {
         match self.camera.projection {
-            Projection::Perspective { tangent: 1.0 } | Projection::Orthographic => {
-                Rounded::exactly(1.0)
-            }
+            Projection::Perspective { tangent: 1.0 }
+            | Projection::Orthographic
+            | Projection::Spherical(_) => Rounded::exactly(1.0),
             Projection::Perspective { tangent } => Rounded::nearest(tangent),
         }
     }
