@@ -72,6 +72,9 @@ pub struct LoadOptions {
     pub locations: bool,
     /// Whether to keep the [transform directives](Scene::transform_history).
     pub transform_history: bool,
+    /// The moment that is shown of what moves, from 0 for the start of its motion to 1 for the end
+    /// (rule R10). `None` is the start, with a warning if anything moves.
+    pub time: Option<f64>,
     /// Whether to keep the sides of normals, for the channels `N.X`, `N.Y` and `N.Z`.
     pub orientation: bool,
     /// Whether to keep the surface coordinates of meshes, for the channels `u` and `v`.

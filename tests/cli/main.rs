@@ -28,6 +28,7 @@ mod manifest;
 mod merge;
 mod message;
 mod messages;
+mod moment;
 mod names;
 mod offered;
 mod output;

@@ -7,6 +7,7 @@ mod directives;
 mod materials;
 mod matrices;
 mod mistakes;
+mod motion;
 mod names;
 mod objects;
 mod parameters;

@@ -19,6 +19,7 @@ const SURFACE: LoadOptions = LoadOptions {
     transform_history: false,
     orientation: true,
     uv: true,
+    time: None,
     input_budget: BudgetFactor::ONCE,
 };
 

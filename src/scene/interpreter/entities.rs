@@ -34,16 +34,12 @@ impl Entities {
         let mut parameters = Parameters::new("Camera", entity, at.file())?;
         transform.check_usable("Camera", at)?;
         transform.check_invertible()?;
-        let world_from_camera = transform.start().inverse;
+        let world_from_camera = transform.inverse();
         let camera = CameraParameters::read(&mut parameters, world_from_camera, inputs, warnings)?;
         parameters.finish(warnings);
         self.camera = Some(camera);
         transform.set_camera();
-        if transform.is_moving() {
-            let message =
-                "a moving camera is not supported: it stands where it is at the start time";
-            warnings.add("moving camera", || at.diagnostic(message));
-        }
+        transform.warn_if_moving("camera", at, warnings);
         Ok(())
     }
 
