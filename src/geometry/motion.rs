@@ -97,7 +97,9 @@ fn nearest_rotation(mut map: Columns) -> Option<Columns> {
             return None;
         }
         let entries = |map: &Columns| map.map(Vector::to_array).into_iter().flatten();
-        let changes = entries(&next).zip(entries(&map)).map(|(a, b)| (a - b).abs());
+        let changes = entries(&next)
+            .zip(entries(&map))
+            .map(|(a, b)| (a - b).abs());
         let change = changes.fold(0.0, f64::max);
         map = next;
         if change <= SMALL {
@@ -115,7 +117,9 @@ mod tests {
 
     fn is_close(a: &Matrix, b: &Matrix, size: f64) -> bool {
         let pairs = a.rows.iter().flatten().zip(b.rows.iter().flatten());
-        pairs.into_iter().all(|(a, b)| (a - b).abs() <= 1e-12 * size)
+        pairs
+            .into_iter()
+            .all(|(a, b)| (a - b).abs() <= 1e-12 * size)
     }
 
     #[test]
@@ -138,7 +142,10 @@ mod tests {
         ] {
             let turn = |angle| Transform::rotate(angle, Vector::new(0.3, -0.5, 0.9)).matrix;
             let found = turn(from).interpolated(&turn(to), time);
-            assert!(is_close(&found, &turn(expected), 1.0), "{from} to {to}: {found:?}");
+            assert!(
+                is_close(&found, &turn(expected), 1.0),
+                "{from} to {to}: {found:?}"
+            );
         }
     }
 
@@ -189,7 +196,8 @@ mod tests {
         ) {
             let axis = Vector::from(axis);
             prop_assume!(axis.largest() > 0.1);
-            let end = |angle| Transform::rotate(angle, axis).matrix.times(&Matrix::scale([-2.0, 2.0, 2.0]));
+            let mirror = Matrix::scale([-2.0, 2.0, 2.0]);
+            let end = |angle| Transform::rotate(angle, axis).matrix.times(&mirror);
             let found = end(angles[0]).interpolated(&end(angles[1]), time);
             prop_assert!(found.swaps_handedness());
             let moved = found.apply(Point::new(0.6, 0.0, 0.8)) - Point::default();

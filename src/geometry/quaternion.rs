@@ -104,7 +104,12 @@ mod tests {
     #[test]
     fn rotations_go_there_and_back() {
         for angle in [0.0, 1.0, 90.0, 179.0, 180.0, 181.0, 300.0] {
-            for axis in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, -2.0, 0.5]] {
+            for axis in [
+                [1.0, 0.0, 0.0],
+                [0.0, 1.0, 0.0],
+                [0.0, 0.0, 1.0],
+                [1.0, -2.0, 0.5],
+            ] {
                 let matrix = Transform::rotate(angle, Vector::from(axis)).matrix;
                 let columns = [0, 1, 2].map(|j| Vector::from(matrix.column(j)));
                 let back = Quaternion::of_rotation(&columns).columns();

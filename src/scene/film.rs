@@ -72,7 +72,7 @@ impl FilmParameters {
             let error = parameters.error_at("filename", "`filename` contains control characters");
             return Err(error.note("expected the name of a file, such as \"image.exr\""));
         }
-        let diagonal = parameters.lone_number("diagonal");
+        let diagonal = parameters.unchecked_number("diagonal");
         Ok(FilmParameters {
             x_resolution,
             y_resolution,

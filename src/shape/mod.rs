@@ -20,7 +20,9 @@ pub(crate) mod vector32;
 pub use coincidence::Coincidence;
 pub use filter_ray::FilterRay;
 pub use filter_result::FilterResult;
-pub use geometry::{CapacityError, CornerUv, Geometry, Instance, NonFiniteCounts, Pose};
+pub use geometry::{
+    CapacityError, CornerNormals, CornerUv, Geometry, Instance, NonFiniteCounts, Pose,
+};
 pub use instanced_id::InstancedId;
 pub use numbers::Numbers;
 pub use primitive::Primitive;

@@ -25,7 +25,9 @@ pub struct SurfacePoint {
     /// Triangles of `loopsubdiv` are turned round once more, to the side of the vertex normals that
     /// pbrt gives them, and so is what is not a sphere where the radius is below 0 (rule E7).
     ///
-    /// Vertex normals (`N`) are ignored, though pbrt turns the normals of triangles to their side.
+    /// If a mesh has vertex normals (`N`), the normal of a triangle is turned to the side of
+    /// theirs, interpolated at the point of the hit. `ReverseOrientation` turns it round, and a
+    /// transform does not. If they lie in the plane of the triangle, they do not decide.
     pub normal: Vector,
     /// The point where the ray meets the surface.
     pub point: Point,
@@ -90,8 +92,14 @@ impl<'a> SurfacePoints<'a> {
                     .world_from_instance()
                     .swaps_handedness()
             });
-            let normal = triangle.normal();
-            found.normal = if self.geometry.turns_normal_of(placed) != is_mirrored {
+            let (geometry, normal) = (self.geometry, triangle.normal());
+            let weights = || triangle.weights(ray);
+            let is_turned = geometry
+                .has_vertex_normals(placed)
+                .then(|| geometry.vertex_normal_turns(placed, normal, weights()))
+                .flatten();
+            let is_turned = is_turned.unwrap_or_else(|| geometry.turns_normal_of(placed));
+            found.normal = if is_turned != is_mirrored {
                 -normal
             } else {
                 normal

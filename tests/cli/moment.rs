@@ -37,9 +37,15 @@ fn every_command_shows_the_moment() {
     assert_eq!(folder.exr("b.exr").measures("Z"), middle.measures("Z"));
     assert_ne!(middle.measures("Z"), start.measures("Z"));
     let run = folder.check("moving.pbrt --time 1 --strict").succeeded();
-    assert!(run.text().contains("  bounds      (-0.5, -1, -1) to (3.5, 2, 2.5)\n"));
+    assert!(
+        run.text()
+            .contains("  bounds      (-0.5, -1, -1) to (3.5, 2, 2.5)\n")
+    );
     let run = folder.pixel("moving.pbrt 7,3 --time 0.5").succeeded();
-    assert!(run.text().contains("sphere prim 1") && run.stderr.is_empty(), "{run:?}");
+    assert!(
+        run.text().contains("sphere prim 1") && run.stderr.is_empty(),
+        "{run:?}"
+    );
     let bench = "moving.pbrt --runs 1 --warmup 0 --accel sah --precision exact --json";
     let hits = |flags: &str| folder.bench(&format!("{bench} {flags}")).succeeded();
     hits("--time 0.5").did_not_say("moving");

@@ -4,6 +4,7 @@ mod arrays;
 mod blocks;
 mod continued;
 mod directives;
+mod grids;
 mod materials;
 mod matrices;
 mod mistakes;

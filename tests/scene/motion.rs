@@ -94,7 +94,10 @@ fn what_moves_is_shown_at_the_moment_that_is_asked_for() {
         };
         let corner = triangle.0[0].to_array();
         let expected = [x, 8.0 * time * scale, 0.0];
-        assert!((0..3).all(|k| (corner[k] - expected[k]).abs() < 1e-14), "{corner:?}");
+        assert!(
+            (0..3).all(|k| (corner[k] - expected[k]).abs() < 1e-14),
+            "{corner:?}"
+        );
         // Roundings are bounded from directives, which do not say what happens in between.
         assert_eq!(scene.transform_history.is_some(), time == 0.0);
     }
@@ -102,7 +105,8 @@ fn what_moves_is_shown_at_the_moment_that_is_asked_for() {
 
 #[test]
 fn what_stands_still_does_not_depend_on_the_moment() {
-    let text = format!("Rotate 33 1 2 3 Camera \"perspective\" WorldBegin Scale .1 .2 .3 {TRIANGLE}");
+    let text =
+        format!("Rotate 33 1 2 3 Camera \"perspective\" WorldBegin Scale .1 .2 .3 {TRIANGLE}");
     let [start, middle] = [0.0, 0.5].map(|time| scene_at(time, &text));
     assert_eq!(start.camera, middle.camera);
     assert_eq!(vertex(&start, 1), vertex(&middle, 1));

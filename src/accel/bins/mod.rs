@@ -60,8 +60,8 @@ impl Bins {
     /// into bins. `options` are for the trees over instances.
     ///
     /// Returns `None` if the view cannot be rasterized, because its camera is spherical, or its
-    /// numbers are too large or too small for error bounds, or if `window` has more than 2^31 pixels
-    /// or none.
+    /// numbers are too large or too small for error bounds, or if `window` has more than 2^31
+    /// pixels or none.
     ///
     /// `progress` counts [`Aggregate::item_count`](super::Aggregate::item_count) items.
     pub fn new(

@@ -3,6 +3,7 @@
 use super::coordinate_systems::CoordinateSystems;
 use super::name::Name;
 use super::transforms::{Transforms, Unusable};
+use super::unfit_matrices::{why_not_finite, why_unusable};
 use crate::error::Result;
 use crate::geometry::{Matrix, Point, Transform, Vector};
 use crate::scene::LoadOptions;
@@ -62,9 +63,8 @@ impl CurrentTransform {
         }
         warnings.add(format!("moving {something}"), || {
             let message = format!("a moving {something} is shown where it is at the start time");
-            at.diagnostic(message).note(
-                "--time T shows another moment: 0 is the start of the motion, 1 the end",
-            )
+            at.diagnostic(message)
+                .note("--time T shows another moment: 0 is the start of the motion, 1 the end")
         });
     }
 
@@ -273,34 +273,4 @@ fn warn_of_parallel_look_at(at: &SourceSpan, warnings: &mut Warnings) {
         );
         diagnostic.note("expected eye, look and up with a plane between them")
     });
-}
-
-/// Why the matrix of a directive, or its inverse, is not finite.
-fn why_not_finite(directive: &TransformDirective) -> &'static str {
-    match directive {
-        TransformDirective::Rotate([angle, ..]) if angle.is_finite() => {
-            "the axis of this Rotate has no length, or one whose square is out of range"
-        }
-        TransformDirective::LookAt(_) => {
-            "this LookAt has no direction: eye and look are one point, or up has no length"
-        }
-        TransformDirective::Scale(factors) if factors.contains(&0.0) => {
-            "this Scale by 0 cannot be undone"
-        }
-        TransformDirective::Transform(_) | TransformDirective::ConcatTransform(_) => {
-            "this matrix has no finite inverse"
-        }
-        _ => "the numbers of this transform are beyond the range of f64, or no numbers",
-    }
-}
-
-/// Why 16 numbers are not an affine transform.
-fn why_unusable(m: &[f64; 16]) -> String {
-    if m.iter().all(|entry| *entry == 0.0) {
-        return "this matrix is 0 everywhere".to_owned();
-    }
-    format!(
-        "the last row of this matrix is {} {} {} {}",
-        m[3], m[7], m[11], m[15]
-    )
 }

@@ -141,13 +141,8 @@ impl SceneBuilder {
             }
             Statement::WorldEnd => self.phase = Phase::Ended,
             Statement::Camera(entity) => {
-                self.entities.set_camera(
-                    entity,
-                    keyword,
-                    &mut state.transform,
-                    inputs,
-                    warnings,
-                )?;
+                let (entities, transform) = (&mut self.entities, &mut state.transform);
+                entities.set_camera(entity, keyword, transform, inputs, warnings)?;
             }
             Statement::Film(entity) => self.entities.set_film(entity, keyword, warnings)?,
             Statement::Accelerator(entity) => {
@@ -222,7 +217,8 @@ impl SceneBuilder {
         }
         self.materials.wait(&self.state.material, number, is_light);
         let world_from_object = self.state.transform.matrix();
-        let is_turned = self.state.reverses_orientation != world_from_object.swaps_handedness();
+        let reverses_orientation = self.state.reverses_orientation;
+        let is_turned = reverses_orientation != world_from_object.swaps_handedness();
         let is_in_object = self.objects.is_open();
         let store = self.objects.store();
         let mut target = ShapeTarget {
@@ -234,6 +230,7 @@ impl SceneBuilder {
             number,
             world_from_object,
             is_in_object,
+            reverses_orientation,
             is_turned,
             bounds_medium,
         };

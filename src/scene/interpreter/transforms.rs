@@ -40,13 +40,17 @@ impl Transforms {
     /// The matrix at `time`, from 0 for the start to 1 for the end (rule R10).
     pub(super) fn matrix_at(&self, time: f64) -> Matrix {
         let (start, end) = (&self.start, self.end.as_ref());
-        end.map_or(start.matrix, |end| start.matrix.interpolated(&end.matrix, time))
+        end.map_or(start.matrix, |end| {
+            start.matrix.interpolated(&end.matrix, time)
+        })
     }
 
     /// The inverse at `time`: that between the inverses, as in pbrt.
     pub(super) fn inverse_at(&self, time: f64) -> Matrix {
         let (start, end) = (&self.start, self.end.as_ref());
-        end.map_or(start.inverse, |end| start.inverse.interpolated(&end.inverse, time))
+        end.map_or(start.inverse, |end| {
+            start.inverse.interpolated(&end.inverse, time)
+        })
     }
 
     /// Changes the `active` transforms.

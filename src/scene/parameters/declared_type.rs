@@ -11,6 +11,7 @@ pub(crate) struct DeclaredType(&'static [&'static str]);
 impl DeclaredType {
     pub(crate) const FLOAT: DeclaredType = DeclaredType(&["float"]);
     pub(crate) const INTEGER: DeclaredType = DeclaredType(&["integer"]);
+    pub(crate) const NORMAL: DeclaredType = DeclaredType(&["normal", "normal3"]);
     pub(crate) const POINT2: DeclaredType = DeclaredType(&["point2", "float"]);
     pub(crate) const POINT: DeclaredType = DeclaredType(&["point3", "point"]);
     pub(crate) const STRING: DeclaredType = DeclaredType(&["string"]);

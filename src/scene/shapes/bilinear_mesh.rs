@@ -3,7 +3,7 @@
 use super::arrays::{faces_of, uv_of, vertices_of};
 use super::target::{SURFACE, ShapeRefusal, ShapeResult, ShapeTarget};
 use crate::error::Diagnostic;
-use crate::mesh::{TriangleMesh, bilinear_patch, uv_of_corners};
+use crate::mesh::{TriangleMesh, bilinear_patch, of_corners};
 use crate::scene::parameters::Parameters;
 use rayon::prelude::*;
 
@@ -39,7 +39,7 @@ pub(super) fn add(parameters: &mut Parameters, target: &mut ShapeTarget) -> Shap
     let triangles = triangles.collect::<Vec<[[u32; 3]; 2]>>().into_flattened();
     let uv = if target.options.uv {
         Some(match uv_of(parameters, count, target.warnings)? {
-            Some(uv) => uv_of_corners(&triangles, &uv),
+            Some(uv) => of_corners(&triangles, &uv),
             None => vec![bilinear_patch::UV; triangles.len() / 2].into_flattened(),
         })
     } else {
@@ -51,6 +51,7 @@ pub(super) fn add(parameters: &mut Parameters, target: &mut ShapeTarget) -> Shap
             vertices,
             triangles,
             uv,
+            ..TriangleMesh::default()
         },
     )?)
 }

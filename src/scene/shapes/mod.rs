@@ -2,6 +2,7 @@
 
 mod arrays;
 mod bilinear_mesh;
+mod grids;
 mod mesh_file;
 mod quadrics;
 mod subdivision_surface;
@@ -21,7 +22,7 @@ use target::{ShapeRefusal, ShapeResult};
 type AddShape = fn(&mut Parameters, &mut ShapeTarget) -> ShapeResult<()>;
 
 /// The shapes of pbrt that feimos supports, and its own.
-const SUPPORTED: [(&str, AddShape); 8] = [
+const SUPPORTED: [(&str, AddShape); 10] = [
     ("sphere", quadrics::add_sphere),
     ("cylinder", quadrics::add_cylinder),
     ("disk", quadrics::add_disk),
@@ -30,18 +31,12 @@ const SUPPORTED: [(&str, AddShape); 8] = [
     ("bilinearmesh", bilinear_mesh::add),
     ("plymesh", mesh_file::add_ply),
     ("objmesh", mesh_file::add_obj),
+    ("nurbs", grids::add_nurbs),
+    ("heightfield", grids::add_height_field),
 ];
 
 /// The shapes of pbrt that feimos does not support.
-const UNSUPPORTED: [&str; 7] = [
-    "cone",
-    "curve",
-    "heightfield",
-    "hyperboloid",
-    "nurbs",
-    "paraboloid",
-    "heightfield2",
-];
+const UNSUPPORTED: [&str; 5] = ["cone", "curve", "hyperboloid", "paraboloid", "heightfield2"];
 
 fn find(name: &str) -> Option<AddShape> {
     let found = SUPPORTED.iter().find(|(supported, _)| *supported == name);

@@ -1,5 +1,6 @@
 //! Attributes of surfaces that only the channels `N`, `u` and `v` need.
 
+use super::vertex_normals::VertexNormals;
 use crate::digest::Digester;
 
 /// u and v at the corners of a triangle.
@@ -13,6 +14,7 @@ pub(super) struct Attributes {
     /// Coordinates of the triangles of some meshes, one mesh after the other.
     uv: Vec<CornerUv>,
     uv_runs: Vec<UvRun>,
+    pub(super) normals: VertexNormals,
 }
 
 /// The coordinates of one mesh.
@@ -29,6 +31,7 @@ impl Attributes {
             + size_of_val(&self.turned[..])
             + size_of_val(&self.uv[..])
             + size_of_val(&self.uv_runs[..])
+            + self.normals.bytes()
     }
 
     pub(super) fn digest(&self, digester: &mut Digester) {
@@ -39,6 +42,7 @@ impl Attributes {
         digester.list(&self.uv_runs, |run| {
             [run.first_triangle.into(), run.first_uv as u64]
         });
+        self.normals.digest(digester);
     }
 
     /// The coordinates at the corners of a triangle, if its mesh has any.
