@@ -150,6 +150,11 @@ fn numbers_out_of_range_are_errors() {
 fn a_height_field_of_another_size_is_left_out() {
     for (from, to, expected) in [
         ("4 5 ]", "4 ]", "`Pz` has 5 heights, expected 6: 3 times 2"),
+        (
+            "\"integer nu\" 3 \"integer nv\" 2",
+            "\"integer nu\" 65536 \"integer nv\" 65536",
+            "a height field of 65536 times 65536 heights",
+        ),
         ("Pz", "Px", "a height field without heights"),
         ("\"integer nv\" 2", "", "a heightfield without `nv`"),
     ] {

@@ -22,16 +22,17 @@ pub enum Mistake {
     Knots(String),
     /// A knot, by its place.
     Knot(usize, String),
-    /// The range of the parameter.
-    Range(String),
+    /// An end of the range of the parameter, by its place.
+    Range(usize, String),
 }
 
 impl Direction {
     /// A direction with `count` control points and curves of degree `order - 1`. The surface is cut
     /// to `range`, where `None` is the end of the knots that matter.
     ///
-    /// # Errors The knots are not `count + order` finite numbers that never decrease, there are
-    /// fewer control points than the order, or the range is beyond the knots.
+    /// # Errors
+    /// The knots are not `count + order` finite numbers that never decrease, there are fewer
+    /// control points than the order, or the range is beyond the knots.
     ///
     /// # Panics
     /// The order is not from 2 to [`MOST_ORDER`].
@@ -65,10 +66,10 @@ impl Direction {
         }
         let range = [0, 1].map(|k| range[k].unwrap_or(ends[k]));
         let is_within = |t: &f64| (ends[0]..=ends[1]).contains(t);
-        if let Some(t) = range.iter().find(|t| !is_within(t)) {
-            let [low, high] = ends;
+        if let Some(k) = (0..2).find(|k| !is_within(&range[*k])) {
+            let ([low, high], t) = (ends, range[k]);
             let message = format!("{t} is beyond the knots, which go from {low} to {high}");
-            return Err(Mistake::Range(message));
+            return Err(Mistake::Range(k, message));
         }
         Ok(Direction {
             count,

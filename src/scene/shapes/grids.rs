@@ -9,6 +9,9 @@ use crate::scene::parameters::{DeclaredType, Parameters};
 /// The most points along a side.
 const MOST_POINTS: i64 = 1 << 24;
 
+/// The most heights of a field.
+const MOST_HEIGHTS: usize = 1 << 30;
+
 /// Adds the triangles of a NURBS surface (rule R8).
 pub(super) fn add_nurbs(parameters: &mut Parameters, target: &mut ShapeTarget) -> ShapeResult<()> {
     let counts = [count_of(parameters, "nu")?, count_of(parameters, "nv")?];
@@ -30,7 +33,13 @@ pub(super) fn add_height_field(
         let error = error.note("expected \"float Pz\" [ ... ]");
         return Err(ShapeRefusal::shape("without heights", error));
     };
-    let expected = width * height;
+    let expected = width.saturating_mul(height);
+    if expected > MOST_HEIGHTS {
+        let message = format!("a height field of {width} times {height} heights");
+        let error = parameters.error_at("nu", message);
+        let error = error.note(format!("at most {MOST_HEIGHTS} are supported"));
+        return Err(ShapeRefusal::shape("too large", error));
+    }
     if heights.len() != expected {
         let found = heights.len();
         let message =
@@ -89,13 +98,10 @@ fn direction(
                 parameters.error_at_number(knots_name, place, message),
                 "expected finite numbers that never decrease",
             ),
-            Mistake::Range(message) => {
-                let name = if range[0].is_some() { from } else { to };
-                (
-                    parameters.error_at(name, message),
-                    "expected a part of the surface",
-                )
-            }
+            Mistake::Range(end, message) => (
+                parameters.error_at([from, to][end], message),
+                "expected a part of the surface",
+            ),
         };
         ShapeRefusal::shape("that is no surface", error.note(advice))
     })
@@ -118,7 +124,7 @@ fn control_points(
             }
         },
     };
-    let expected = columns * rows * size;
+    let expected = columns.saturating_mul(rows).saturating_mul(size);
     if numbers.len() != expected {
         let found = numbers.len();
         let message = format!(

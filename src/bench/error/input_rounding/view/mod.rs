@@ -1,5 +1,8 @@
 //! Bounds of how far the roundings of rules R2, R3 and R5 move rays, in the world and on the film.
 
+#[cfg(test)]
+mod tests;
+
 use super::bound::{length, with_slack};
 use super::rounded_transform::RoundedTransform;
 use crate::camera::{Camera, Projection, SphereMapping};
@@ -164,116 +167,4 @@ fn pixel_centre(first: Rounded, last: Rounded, i: u32, count: u32) -> Rounded {
     let [before, after, all] =
         [2.0 * (count - i) - 1.0, 2.0 * i + 1.0, 2.0 * count].map(Rounded::exactly);
     (first * before + last * after).over(all)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::high_precision::{self, High, chain};
-    use super::*;
-    use crate::camera::ScreenWindow;
-    use proptest::prelude::*;
-
-    fn camera(rounded: &RoundedTransform, projection: Projection) -> Camera {
-        let screen_window = ScreenWindow {
-            x0: -1.7,
-            x1: 1.3,
-            y0: -0.9,
-            y1: 1.1,
-        };
-        Camera {
-            world_from_camera: rounded.transform.inverse,
-            projection,
-            screen_window,
-            resolution: [160, 91],
-        }
-    }
-
-    proptest! {
-        #![proptest_config(ProptestConfig::with_cases(500))]
-
-        /// With an exact window, as from a file, and a field of view of 90 degrees.
-        #[test]
-        fn errors_of_rays_are_within_their_bounds(
-            chain in chain(),
-            pixel in (0u32..160, 0u32..91),
-            is_perspective: bool,
-            z in 1e-3f32..1e6,
-        ) {
-            let (rounded, meant) = chain;
-            let perspective = Projection::Perspective { tangent: 1.0 };
-            let projection = if is_perspective { perspective } else { Projection::Orthographic };
-            let camera = camera(&rounded, projection);
-            let view = View { camera: &camera, rounded: &rounded };
-            let ray = camera.ray(pixel.0, pixel.1);
-            prop_assume!(ray.can_hit());
-            let window = &camera.screen_window;
-            let centre = |first: f64, last: f64, i: u32, count: u32| {
-                let (before, after) = (f64::from(2 * (count - i) - 1), f64::from(2 * i + 1));
-                let [first, last] = [first, last].map(High::from);
-                let sum = first.times(&before.into()).plus(&last.times(&after.into()));
-                sum.over(&f64::from(2 * count).into())
-            };
-            let x = centre(window.x0, window.x1, pixel.0, 160);
-            let y = centre(window.y1, window.y0, pixel.1, 91);
-            let at_z = High::from(f64::from(z));
-            let off = std::array::from_fn(|k| {
-                let c = &meant.inverse[k];
-                let in_plane = c[0].times(&x).plus(&c[1].times(&y));
-                let meant = match is_perspective {
-                    true => in_plane.plus(&c[2]).times(&at_z).plus(&c[3]),
-                    false => in_plane.plus(&c[3]).plus(&c[2].times(&at_z)),
-                };
-                meant.minus(&at_z.times(&ray.direction[k].into()).plus(&ray.origin[k].into()))
-            });
-            let bound = view.displacement([pixel.0, pixel.1], z);
-            prop_assert!(high_precision::length(&off).is_within(bound));
-        }
-    }
-
-    #[test]
-    fn displacements_are_measured_on_the_film() {
-        let rounded = RoundedTransform::translate([0.0, 0.0, 5.0]);
-        let mut camera = camera(&rounded, Projection::Perspective { tangent: 1.0 });
-        camera.screen_window = ScreenWindow {
-            x0: -1.0,
-            x1: 1.0,
-            y0: -1.0,
-            y1: 1.0,
-        };
-        camera.resolution = [100, 100];
-        let pixels = |camera: &Camera, displacement: f64, pixel: [u32; 2], z: f32| {
-            View {
-                camera,
-                rounded: &rounded,
-            }
-            .in_pixels(displacement, pixel, z)
-        };
-        // A pixel is 0.02 wide at distance 1: at 10, 1e-6 is 5e-6 of one, in either direction.
-        let middle = pixels(&camera, 1e-6, [50, 50], 10.0);
-        assert!(
-            (middle / (5e-6 * 2f64.sqrt()) - 1.0).abs() < 1e-3,
-            "{middle}"
-        );
-        assert!(
-            pixels(&camera, 1e-6, [99, 50], 10.0) > 1.1 * middle,
-            "a step away from the eye moves the point, too"
-        );
-        assert_eq!(
-            pixels(&camera, 11.0, [50, 50], 10.0),
-            f64::INFINITY,
-            "the point may be behind the eye"
-        );
-        camera.projection = Projection::Orthographic;
-        let middle = pixels(&camera, 1e-6, [50, 50], 10.0);
-        assert!(
-            (middle / (5e-5 * 2f64.sqrt()) - 1.0).abs() < 1e-3,
-            "{middle}"
-        );
-        camera.screen_window.x0 = 1.0;
-        assert_eq!(
-            pixels(&camera, 1e-6, [50, 50], 10.0),
-            f64::INFINITY,
-            "pixels without width"
-        );
-    }
 }
