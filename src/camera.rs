@@ -1,4 +1,8 @@
-//! Cameras, perspective and orthographic: from pixel to ray (rule R5).
+//! Cameras, perspective, orthographic and spherical: from pixel to ray (rule R5).
+
+mod sphere_mapping;
+
+pub use sphere_mapping::SphereMapping;
 
 use crate::exact::degrees;
 use crate::geometry::{Matrix, Point, Ray, Vector};
@@ -13,6 +17,8 @@ pub enum Projection {
     },
     /// All rays have the direction of the view.
     Orthographic,
+    /// Rays leave the eye in all directions.
+    Spherical(SphereMapping),
 }
 
 impl Projection {
@@ -28,15 +34,30 @@ impl Projection {
         match self {
             Projection::Perspective { .. } => "perspective",
             Projection::Orthographic => "orthographic",
+            Projection::Spherical(_) => "spherical",
         }
     }
 
-    /// The field of view in degrees, for display: it has been rounded twice. `None` for parallel
-    /// rays.
+    /// Whether a matrix projects points to the film. Then a view may be rasterized, and `Z` is the
+    /// planar depth. Otherwise rays are traced one by one, and `Z` is the distance (rule E4).
+    pub fn is_planar(&self) -> bool {
+        !matches!(self, Projection::Spherical(_))
+    }
+
+    /// The mapping of a spherical camera.
+    pub fn sphere_mapping(&self) -> Option<SphereMapping> {
+        match self {
+            Projection::Spherical(mapping) => Some(*mapping),
+            Projection::Perspective { .. } | Projection::Orthographic => None,
+        }
+    }
+
+    /// The field of view in degrees, for display: it has been rounded twice. `None` unless the
+    /// camera is perspective.
     pub fn field_of_view(&self) -> Option<f64> {
         match self {
             Projection::Perspective { tangent } => Some(2.0 * tangent.atan().to_degrees()),
-            Projection::Orthographic => None,
+            Projection::Orthographic | Projection::Spherical(_) => None,
         }
     }
 }
@@ -83,7 +104,8 @@ pub struct Camera {
     pub world_from_camera: Matrix,
     /// How rays leave.
     pub projection: Projection,
-    /// The part of the plane at distance 1 that the film shows.
+    /// The part of the plane at distance 1 that the film shows. A spherical camera has no such
+    /// plane, and ignores it.
     pub screen_window: ScreenWindow,
     /// Width and height of the whole film in pixels, without the crop.
     pub resolution: [u32; 2],
@@ -101,6 +123,7 @@ impl Camera {
     }
 
     /// Where the ray of pixel `x`, `y` crosses the plane at distance 1: X and Y in camera space.
+    /// Only for a planar projection.
     pub fn plane_coordinates(&self, x: u32, y: u32) -> [f64; 2] {
         let [width, height] = self.resolution;
         let screen = &self.screen_window;
@@ -108,22 +131,37 @@ impl Camera {
         let sy = pixel_centre(screen.y1, screen.y0, y, height);
         match self.projection {
             Projection::Perspective { tangent } => [tangent * sx, tangent * sy],
-            Projection::Orthographic => [sx, sy],
+            Projection::Orthographic | Projection::Spherical(_) => [sx, sy],
         }
     }
 
     /// The ray through the centre of pixel `x` from the left and `y` from the top.
     pub fn ray(&self, x: u32, y: u32) -> Ray {
-        self.ray_through(self.plane_coordinates(x, y))
+        match self.projection {
+            Projection::Spherical(mapping) => {
+                self.ray_along(mapping.direction([x, y], self.resolution))
+            }
+            _ => self.ray_through(self.plane_coordinates(x, y)),
+        }
     }
 
-    /// The ray that crosses the plane at distance 1 at X and Y in camera space.
+    /// The ray from the eye along a direction in camera space.
+    fn ray_along(&self, [x, y, z]: [f64; 3]) -> Ray {
+        let component = |c: &[f64; 4]| (c[0] * x + c[1] * y) + c[2] * z;
+        Ray {
+            origin: self.anchor(),
+            direction: Vector::from(self.world_from_camera.rows.each_ref().map(component)),
+        }
+    }
+
+    /// The ray that crosses the plane at distance 1 at X and Y in camera space. Only for a planar
+    /// projection.
     pub fn ray_through(&self, [x, y]: [f64; 2]) -> Ray {
         let c = &self.world_from_camera.rows;
         let component =
             |k: usize, x: f64, y: f64, last: usize| (c[k][0] * x + c[k][1] * y) + c[k][last];
         match self.projection {
-            Projection::Perspective { .. } => {
+            Projection::Perspective { .. } | Projection::Spherical(_) => {
                 let direction = |k| component(k, x, y, 2);
                 Ray {
                     origin: self.anchor(),
@@ -179,6 +217,27 @@ mod tests {
         assert_eq!(wide.ray(3, 0).direction, Vector::new(1.5, 0.5, 1.0));
         let tall = camera(Projection::perspective(90.0), [2, 4]);
         assert_eq!(tall.ray(1, 0).direction, Vector::new(0.5, 1.5, 1.0));
+    }
+
+    #[test]
+    fn spherical_rays_are_turned_into_the_world() {
+        let mut camera = camera(
+            Projection::Spherical(SphereMapping::Equirectangular),
+            [2, 1],
+        );
+        camera.world_from_camera = Matrix {
+            rows: [
+                [0.0, 0.0, 3.0, 7.0],
+                [0.0, 1.0, 0.0, 8.0],
+                [-1.0, 0.0, 0.0, 9.0],
+            ],
+        };
+        let ray = camera.ray(0, 0);
+        assert_eq!(
+            (ray.origin, ray.direction),
+            (Point::new(7.0, 8.0, 9.0), Vector::new(3.0, 0.0, 0.0))
+        );
+        assert!(!camera.projection.is_planar());
     }
 
     #[test]

@@ -7,7 +7,7 @@ mod common;
 
 use common::{Way, add_triangles, agreed_picture, assert_same, picture, picture_by, whole};
 use feimos::accel::{Accelerator, BuildOptions, Precision, SplitMethod};
-use feimos::camera::{Camera, Projection, ScreenWindow};
+use feimos::camera::{Camera, Projection, ScreenWindow, SphereMapping};
 use feimos::film::{ChannelName, PixelBounds};
 use feimos::geometry::{Matrix, Point, Transform, Vector};
 use feimos::shape::{Cut, Disk, Form, Geometry};
@@ -45,7 +45,7 @@ struct Setting {
     /// A rotation in degrees, which makes the numbers less round unless it is 0.
     turn: i32,
     eye: Corner,
-    orthographic: bool,
+    projection: Projection,
     resolution: [u32; 2],
 }
 
@@ -78,16 +78,21 @@ fn setting() -> impl Strategy<Value = Setting> {
         prop::collection::vec(ball(), 0..12),
         prop::sample::select(vec![0, 0, 90, 37]),
         corner(6),
-        any::<bool>(),
+        prop::sample::select(vec![
+            Projection::Orthographic,
+            Projection::perspective(90.0),
+            Projection::Spherical(SphereMapping::Equirectangular),
+            Projection::Spherical(SphereMapping::EqualArea),
+        ]),
         prop::sample::select(vec![[9, 9], [17, 5], [1, 1], [8, 8]]),
     )
         .prop_map(
-            |(triangles, balls, turn, eye, orthographic, resolution)| Setting {
+            |(triangles, balls, turn, eye, projection, resolution)| Setting {
                 triangles,
                 balls,
                 turn,
                 eye,
-                orthographic,
+                projection,
                 resolution,
             },
         )
@@ -114,17 +119,13 @@ impl Setting {
     fn camera(&self) -> Camera {
         let eye = Point::from(self.eye.map(f64::from));
         let look_at = Transform::look_at(eye, Point::default(), Vector::new(0.0, 1.0, 0.0));
-        let projection = if self.orthographic {
-            Projection::Orthographic
-        } else {
-            Projection::perspective(90.0)
-        };
-        let size = if self.orthographic { 6.0 } else { 1.0 };
+        let is_orthographic = self.projection == Projection::Orthographic;
+        let size = if is_orthographic { 6.0 } else { 1.0 };
         Camera {
             world_from_camera: look_at
                 .unwrap_or(Transform::translate([0.0, 0.0, 5.0]))
                 .inverse,
-            projection,
+            projection: self.projection,
             screen_window: ScreenWindow {
                 x0: -size,
                 x1: size,

@@ -22,14 +22,21 @@ struct HardScene {
 
 fn hard_scenes() -> Vec<HardScene> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/hard");
-    let entries = std::fs::read_dir(&folder)
+    let mut scenes = scenes_of(&folder);
+    assert_eq!(scenes.len(), 50);
+    scenes.extend(scenes_of(&folder.join("around")));
+    assert_eq!(scenes.len(), 54);
+    scenes
+}
+
+fn scenes_of(folder: &Path) -> Vec<HardScene> {
+    let entries = std::fs::read_dir(folder)
         .unwrap()
         .map(|entry| entry.unwrap().path());
     let mut paths: Vec<PathBuf> = entries
         .filter(|path| path.extension().is_some_and(|e| e == "pbrt"))
         .collect();
     paths.sort();
-    assert_eq!(paths.len(), 50);
     let load = |path: &PathBuf| {
         let name = path.file_stem().unwrap().to_str().unwrap().to_owned();
         let expected = expected(&folder.join("expected").join(format!("{name}.tsv")));

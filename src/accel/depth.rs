@@ -2,6 +2,7 @@
 
 use super::Precision;
 use super::hit::{ExactFallbacks, Hit};
+use crate::camera::Projection;
 use crate::exact::{Bracket, Dyadic, ExactVector, exponent_of, nearest_f32, power_of_two};
 use crate::geometry::{Ray, Vector};
 use crate::shape::Geometry;
@@ -9,7 +10,8 @@ use crate::shape::Geometry;
 /// The depth of a hit, as images store it (rule E4).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Depth {
-    /// The ray's parameter: the planar depth in units of camera space.
+    /// The ray's parameter: the planar depth in units of camera space. For a spherical camera the
+    /// distance.
     pub z: f32,
     /// The distance from the ray's origin in units of world space.
     pub distance: f32,
@@ -39,6 +41,16 @@ impl Depth {
         Depth::rounded_exactly(hit, ray, geometry, known, &bracket)
     }
 
+    /// The depth as a camera of this projection defines it: without a plane, `Z` is the distance.
+    pub fn seen_by(self, projection: &Projection) -> Depth {
+        let z = if projection.is_planar() {
+            self.z
+        } else {
+            self.distance
+        };
+        Depth { z, ..self }
+    }
+
     /// Rounds the numbers that are not `known` by exact comparisons.
     #[cold]
     fn rounded_exactly(
@@ -62,6 +74,11 @@ impl Depth {
             distance: known.1.unwrap_or_else(distance),
         }
     }
+}
+
+/// The bracket of the distance to a hit, from the bracket of the ray's parameter.
+pub fn distance_bracket(t: &Bracket, direction: Vector) -> Bracket {
+    t.times(&length_bracket(length(direction)))
 }
 
 /// The length of a ray's direction. Its largest component is scaled to about 1, so that no square

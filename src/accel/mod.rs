@@ -24,7 +24,7 @@ pub use accelerator::Accelerator;
 pub use aggregate::Aggregate;
 pub use bins::Bins;
 pub use builder::BuildOptions;
-pub use depth::Depth;
+pub use depth::{Depth, distance_bracket};
 pub use hit::{ExactFallbacks, Hit, TraversalCounts};
 pub use precision::Precision;
 pub use quality::Statistics;

@@ -1,4 +1,5 @@
-//! Sine, cosine and tangent of angles in degrees, correctly rounded (rules R2 and R5).
+//! Sine, cosine and tangent of angles in degrees and in quarter turns, correctly rounded (rules R2
+//! and R5).
 //!
 //! The platform's `sin` differs between systems, and degrees times pi/180 is rounded before it
 //! starts. Here the angle is reduced exactly, as an integer over a power of two; the function is
@@ -7,6 +8,10 @@
 //! last bit", 1991). That ends: by Niven's theorem the only rational values at rational degrees are
 //! 0, 1/2 and 1 (0 and 1 for the tangent), which are treated first, and an irrational value is
 //! never a tie.
+
+mod quarter_turns;
+
+pub use quarter_turns::sine_and_cosine_of_quarter_turns;
 
 use super::Dyadic;
 use super::powers::mantissa_and_exponent;
@@ -176,9 +181,16 @@ struct Bracket {
 }
 
 /// Sine and cosine of an angle up to 45 degrees in units of `2^-p`, by their Taylor series on
-/// integers.
+/// integers. The angle in radians is off by less than 2 units: pi and one division, each truncated,
+/// times less than 1.
 fn sine_and_cosine(angle: &Angle, p: u64) -> (Bracket, Bracket) {
     let radians = ((BigInt::from(angle.numerator.clone()) * pi(p)) / 180) >> angle.scale;
+    series(&radians, p)
+}
+
+/// Sine and cosine of an angle up to 45 degrees, given in radians, in units of `2^-p`. The angle is
+/// off by less than 2 units.
+fn series(radians: &BigInt, p: u64) -> (Bracket, Bracket) {
     let mut sums = [BigInt::ZERO, BigInt::ZERO];
     let mut term = BigInt::from(1) << p;
     let mut count = 0u32;
@@ -190,11 +202,10 @@ fn sine_and_cosine(angle: &Angle, p: u64) -> (Bracket, Bracket) {
             *sum -= &term;
         }
         count += 1;
-        term = ((term * &radians) >> p) / count;
+        term = ((term * radians) >> p) / count;
     }
-    // The angle in radians is off by less than 2 units (pi and one division, each truncated, times
-    // less than 1). A term is off by less than 3 more than the one before, scaled by x/k < 1; the
-    // terms after the last one add up to less than a unit. So 4 units for every term are ample.
+    // A term is off by less than 3 more than the one before, scaled by x/k < 1; the terms after the
+    // last one add up to less than a unit. So 4 units for every term are ample.
     let slack = BigInt::from(4 * (count + 2));
     let [cosine, sine] = sums.map(|sum| Bracket {
         low: &sum - &slack,

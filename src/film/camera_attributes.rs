@@ -6,7 +6,8 @@ use crate::camera::{Camera, Projection, ScreenWindow};
 /// followed by a 1, times the matrix. They are stored row by row, with the translation last.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CameraAttributes {
-    /// Aspect ratio of a pixel on the film: width over height.
+    /// Aspect ratio of a pixel on the film: width over height. 1 for a spherical camera, which has
+    /// no such film.
     pub pixel_aspect: f32,
     /// The centre of the film in the plane at distance 1, in units of camera space, y upwards.
     pub screen_window_center: [f32; 2],
@@ -16,8 +17,9 @@ pub struct CameraAttributes {
     pub world_to_camera: [f32; 16],
     /// World space to the display window: after division by the fourth component, x goes from 0 on
     /// the left to 1 on the right and y from 0 at the top to 1 at the bottom. z is 1/Z for a
-    /// perspective camera, and Z for an orthographic one.
-    pub world_to_ndc: [f32; 16],
+    /// perspective camera, and Z for an orthographic one. `None` for a spherical camera, which no
+    /// matrix describes.
+    pub world_to_ndc: Option<[f32; 16]>,
 }
 
 impl CameraAttributes {
@@ -26,10 +28,6 @@ impl CameraAttributes {
     pub fn of(camera: &Camera) -> Option<CameraAttributes> {
         let ScreenWindow { x0, x1, y0, y1 } = camera.screen_window;
         let [width, height] = camera.resolution.map(f64::from);
-        let scale = match camera.projection {
-            Projection::Perspective { tangent } => tangent,
-            Projection::Orthographic => 1.0,
-        };
         let camera_from_world = camera.world_from_camera.inverse().rows;
         let last = [0.0, 0.0, 0.0, 1.0];
         let world_to_camera = [
@@ -38,6 +36,13 @@ impl CameraAttributes {
             camera_from_world[2],
             last,
         ];
+        let scale = match camera.projection {
+            Projection::Perspective { tangent } => tangent,
+            Projection::Orthographic => 1.0,
+            Projection::Spherical(_) => {
+                return CameraAttributes::without_film(&world_to_camera);
+            }
+        };
         let world_to_ndc = times(&ndc_from_camera(camera, scale), &world_to_camera);
         let attributes = CameraAttributes {
             pixel_aspect: (((x1 - x0) / width) / ((y1 - y0) / height)).abs() as f32,
@@ -45,7 +50,19 @@ impl CameraAttributes {
                 .map(|x| x as f32),
             screen_window_width: (scale * (x1 - x0)).abs() as f32,
             world_to_camera: for_row_vectors(&world_to_camera),
-            world_to_ndc: for_row_vectors(&world_to_ndc),
+            world_to_ndc: Some(for_row_vectors(&world_to_ndc)),
+        };
+        attributes.is_sound().then_some(attributes)
+    }
+
+    /// The attributes of a camera whose film is no plane: OpenEXR's defaults, and its place.
+    fn without_film(world_to_camera: &Matrix4) -> Option<CameraAttributes> {
+        let attributes = CameraAttributes {
+            pixel_aspect: 1.0,
+            screen_window_center: [0.0; 2],
+            screen_window_width: 1.0,
+            world_to_camera: for_row_vectors(world_to_camera),
+            world_to_ndc: None,
         };
         attributes.is_sound().then_some(attributes)
     }
@@ -56,7 +73,8 @@ impl CameraAttributes {
         let numbers = [self.screen_window_width]
             .into_iter()
             .chain(self.screen_window_center);
-        let mut numbers = numbers.chain(self.world_to_camera).chain(self.world_to_ndc);
+        let to_ndc = self.world_to_ndc.into_iter().flatten();
+        let mut numbers = numbers.chain(self.world_to_camera).chain(to_ndc);
         (1e-6..=1e6).contains(&self.pixel_aspect) && numbers.all(f32::is_finite)
     }
 }
@@ -77,7 +95,7 @@ fn ndc_from_camera(camera: &Camera, scale: f64) -> Matrix4 {
             [0.0, 0.0, 0.0, 1.0],
             [0.0, 0.0, 1.0, 0.0],
         ],
-        Projection::Orthographic => [
+        Projection::Orthographic | Projection::Spherical(_) => [
             [x, 0.0, 0.0, left],
             [0.0, y, 0.0, top],
             [0.0, 0.0, 1.0, 0.0],
@@ -97,6 +115,7 @@ fn for_row_vectors(matrix: &Matrix4) -> [f32; 16] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::camera::SphereMapping;
     use crate::geometry::{Matrix, Point, Transform, Vector};
 
     fn camera(projection: Projection, screen_window: ScreenWindow) -> Camera {
@@ -141,7 +160,7 @@ mod tests {
                 for [x, y] in [[0, 0], [39, 0], [7, 29], [20, 15]] {
                     let ray = camera.ray(x, y);
                     let point = ray.origin + ray.direction * 4.0;
-                    let [ndc_x, ndc_y, ndc_z] = apply(point, &attributes.world_to_ndc);
+                    let [ndc_x, ndc_y, ndc_z] = apply(point, &attributes.world_to_ndc.unwrap());
                     let pixel = [ndc_x * 40.0 - 0.5, ndc_y * 30.0 - 0.5];
                     assert!(
                         (pixel[0] - f64::from(x)).abs() < 1e-4
@@ -187,6 +206,25 @@ mod tests {
             (3.0, [0.5, 0.0])
         );
         assert_eq!(perspective.pixel_aspect, 1.125);
+    }
+
+    #[test]
+    fn a_spherical_camera_has_a_place_and_no_projection() {
+        let window = ScreenWindow::of_aspect(1.0);
+        let perspective = camera(Projection::perspective(50.0), window);
+        let spherical = Camera {
+            projection: Projection::Spherical(SphereMapping::EqualArea),
+            ..perspective.clone()
+        };
+        let [planar, around] = [perspective, spherical].map(|camera| CameraAttributes::of(&camera));
+        let expected = CameraAttributes {
+            pixel_aspect: 1.0,
+            screen_window_center: [0.0; 2],
+            screen_window_width: 1.0,
+            world_to_camera: planar.unwrap().world_to_camera,
+            world_to_ndc: None,
+        };
+        assert_eq!(around, Some(expected));
     }
 
     #[test]

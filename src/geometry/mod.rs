@@ -2,7 +2,9 @@
 
 mod bounds;
 mod matrix;
+mod motion;
 mod point;
+mod quaternion;
 mod ray;
 mod transform;
 

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::tally;
 use crate::error::{Diagnostic, SourceLocation};
 use crate::geometry::Point;
-use crate::shape::CornerUv;
+use crate::shape::{CornerNormals, CornerUv};
 
 /// The geometry of one file, in object space.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -18,13 +18,17 @@ pub struct TriangleMesh {
     pub triangles: Vec<[u32; 3]>,
     /// u and v at the corners of each, if they are wanted and the file has them.
     pub uv: Option<Vec<CornerUv>>,
+    /// Vertex normals likewise.
+    pub normals: Option<Vec<CornerNormals>>,
 }
 
 impl TriangleMesh {
     /// The memory that it takes, in bytes.
     pub(crate) fn bytes(&self) -> u64 {
         let uv = self.uv.as_deref().map_or(0, size_of_val);
-        (size_of_val(&self.vertices[..]) + size_of_val(&self.triangles[..]) + uv) as u64
+        let normals = self.normals.as_deref().map_or(0, size_of_val);
+        let corners = uv + normals;
+        (size_of_val(&self.vertices[..]) + size_of_val(&self.triangles[..]) + corners) as u64
     }
 }
 
@@ -60,11 +64,33 @@ impl Loaded {
     }
 }
 
-/// The coordinates at the corners of `triangles` whose vertices have the coordinates `uv`.
-pub fn uv_of_corners(triangles: &[[u32; 3]], uv: &[[f32; 2]]) -> Vec<CornerUv> {
+/// What to read of a mesh besides its triangles. Wanting more takes slower readers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct CornerWants {
+    /// [`TriangleMesh::uv`].
+    pub uv: bool,
+    /// [`TriangleMesh::normals`].
+    pub normals: bool,
+}
+
+impl CornerWants {
+    /// All that meshes have.
+    pub const EVERYTHING: CornerWants = CornerWants {
+        uv: true,
+        normals: true,
+    };
+    /// Only the triangles.
+    pub const NOTHING: CornerWants = CornerWants {
+        uv: false,
+        normals: false,
+    };
+}
+
+/// The values at the corners of `triangles` whose vertices have `values`.
+pub fn of_corners<T: Copy + Send + Sync>(triangles: &[[u32; 3]], values: &[T]) -> Vec<[T; 3]> {
     triangles
         .par_iter()
-        .map(|corners| corners.map(|corner| uv[corner as usize]))
+        .map(|corners| corners.map(|corner| values[corner as usize]))
         .collect()
 }
 

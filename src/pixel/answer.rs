@@ -89,6 +89,7 @@ fn by_baseline(
 }
 
 fn of_hit(scene: &Scene, primitive: InstancedId, depth: Depth) -> Found {
+    let depth = depth.seen_by(&scene.camera.projection);
     Found {
         prim: scene.geometry.image_number(primitive),
         instance: primitive

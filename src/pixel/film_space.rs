@@ -16,8 +16,11 @@ pub(super) struct FilmSpace<'a> {
 }
 
 impl<'a> FilmSpace<'a> {
-    /// `None` if the camera's transform has no inverse.
+    /// `None` if the camera's transform has no inverse, or if its film is not planar.
     pub(super) fn new(camera: &'a Camera, pixel: [u32; 2]) -> Option<FilmSpace<'a>> {
+        if !camera.projection.is_planar() {
+            return None;
+        }
         let camera_from_world = camera.world_from_camera.inverse();
         let centre = pixel.map(|place| f64::from(place) + 0.5);
         camera_from_world.is_finite().then_some(FilmSpace {
@@ -42,7 +45,7 @@ impl<'a> FilmSpace<'a> {
     fn distance_of_edge(&self, a: Point, b: Point) -> Option<f64> {
         let least = match self.camera.projection {
             Projection::Perspective { .. } => NEAREST * a.z.abs().max(b.z.abs()),
-            Projection::Orthographic => 0.0,
+            Projection::Orthographic | Projection::Spherical(_) => 0.0,
         };
         let [a, b] = [cut(a, b, least)?, cut(b, a, least)?].map(|point| self.on_film(point));
         let along = [b[0] - a[0], b[1] - a[1]];
@@ -62,7 +65,7 @@ impl<'a> FilmSpace<'a> {
             Projection::Perspective { tangent } => {
                 [point.x, point.y].map(|place| place / (point.z * tangent))
             }
-            Projection::Orthographic => [point.x, point.y],
+            Projection::Orthographic | Projection::Spherical(_) => [point.x, point.y],
         };
         let screen = &self.camera.screen_window;
         let [width, height] = self.camera.resolution.map(f64::from);

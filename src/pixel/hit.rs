@@ -1,7 +1,7 @@
 //! The details of a hit.
 
 use super::Margin;
-use crate::accel::Depth;
+use crate::accel::{Depth, distance_bracket};
 use crate::exact::{Bracket, ExactVector};
 use crate::geometry::{Point, Ray, Vector};
 use crate::scene::Scene;
@@ -21,7 +21,8 @@ pub struct HitDetails {
     pub surface: Primitive,
     /// The depth and the distance, each rounded once.
     pub depth: Depth,
-    /// The narrowest bracket of the ray's parameter, which is the planar depth, in `f64`.
+    /// The narrowest bracket of the depth `Z` in `f64`: of the ray's parameter or, for a spherical
+    /// camera, of the distance.
     pub z: Bracket,
     /// The point of the hit, in the world; rounded more than once.
     pub point: Point,
@@ -41,8 +42,12 @@ impl HitDetails {
     ) -> HitDetails {
         let geometry = &scene.geometry;
         let surface = geometry.surface(primitive);
-        let z = surface.exact_t(ray).bracket();
-        let t = z.low + (z.high - z.low) / 2.0;
+        let bracket = surface.exact_t(ray).bracket();
+        let t = bracket.low + (bracket.high - bracket.low) / 2.0;
+        let z = match scene.camera.projection.is_planar() {
+            true => bracket,
+            false => distance_bracket(&bracket, ray.direction),
+        };
         let point = ray.origin + ray.direction * t;
         HitDetails {
             primitive,

@@ -69,7 +69,7 @@ pub fn explain(scene: &Scene, pixel: [u32; 2], builds: &[BuildOptions]) -> Resul
     let first = tree(builds[0]);
     let mut tracer = Tracer::new(&first, geometry, Precision::Exact);
     let hit = tracer.closest_hit(&ray).map(|hit| {
-        let depth = tracer.depth(&ray, &hit);
+        let depth = tracer.depth(&ray, &hit).seen_by(&camera.projection);
         HitDetails::new(scene, pixel, &ray, hit.primitive, depth)
     });
     let answers = answers(scene, &first, pixel)?;
@@ -82,7 +82,11 @@ pub fn explain(scene: &Scene, pixel: [u32; 2], builds: &[BuildOptions]) -> Resul
     );
     let scan = Scan::of(scene, pixel, &ray, hit.is_none());
     let has_reference = geometry.primitive_count() <= MAX_REFERENCED;
-    let reference = has_reference.then(|| reference::closest_hit(geometry, &ray));
+    let reference = || {
+        let hit = reference::closest_hit(geometry, &ray);
+        hit.map(|hit| hit.seen_by(&camera.projection))
+    };
+    let reference = has_reference.then(reference);
     let contradictions = contradictions(hit.as_ref(), &answers, scan.as_ref(), reference);
     Ok(Explanation {
         pixel,

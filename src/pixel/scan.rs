@@ -1,6 +1,7 @@
 //! Scans all primitives for those that a ray hits or passes, without a tree.
 
 use super::film_space::FilmSpace;
+use crate::accel::distance_bracket;
 use crate::exact::{Bracket, Root};
 use crate::geometry::Ray;
 use crate::scene::Scene;
@@ -31,9 +32,9 @@ pub struct Scan {
 pub struct Next {
     /// The primitive and its instance.
     pub primitive: InstancedId,
-    /// The bracket of the planar depth.
+    /// The bracket of the depth `Z`.
     pub z: Bracket,
-    /// The difference to the first planar depth, in `f64`.
+    /// The difference to the first depth, in `f64`.
     pub farther: f64,
     /// Both are at exactly the same depth: the first in the file wins (rule E3).
     pub is_tie: bool,
@@ -101,7 +102,8 @@ impl Scan {
             0
         };
         let met = part.hits.len() as u64;
-        let (first, next) = nearest_two(part.hits, geometry, ray);
+        let is_planar = scene.camera.projection.is_planar();
+        let (first, next) = nearest_two(part.hits, geometry, ray, is_planar);
         Some(Scan {
             met,
             first,
@@ -158,11 +160,13 @@ fn closer(a: Option<Missed>, b: Option<Missed>, geometry: &Geometry) -> Option<M
     })
 }
 
-/// The nearest two hits. Exact comparisons decide between overlapping brackets.
+/// The nearest two hits. Exact comparisons decide between overlapping brackets. Without a planar
+/// film, their depths are distances.
 fn nearest_two(
     mut hits: Vec<(InstancedId, Bracket)>,
     geometry: &Geometry,
     ray: &Ray,
+    is_planar: bool,
 ) -> (Option<InstancedId>, Option<Next>) {
     let mut ends: Vec<f64> = hits.iter().map(|(_, t)| t.high).collect();
     if ends.len() > 2 {
@@ -181,7 +185,11 @@ fn nearest_two(
     }
     let next = match &best[..] {
         [(first, _), (second, primitive)] => {
-            let (z, before) = (second.bracket(), first.bracket());
+            let depth = |root: &Root| match is_planar {
+                true => root.bracket(),
+                false => distance_bracket(&root.bracket(), ray.direction),
+            };
+            let (z, before) = (depth(second), depth(first));
             let middle = |t: &Bracket| t.low + (t.high - t.low) / 2.0;
             let is_tie = first.cmp(second) == Ordering::Equal;
             let farther = if is_tie {

@@ -17,11 +17,39 @@ const ANYTHING: Bracket = Bracket {
 };
 
 impl Beam {
+    /// The beam of these rays.
+    pub(super) fn around(rays: impl Iterator<Item = Ray>) -> Beam {
+        const NOTHING: Bracket = Bracket {
+            low: f64::INFINITY,
+            high: f64::NEG_INFINITY,
+        };
+        let mut beam = Beam {
+            origin: [NOTHING; 3],
+            direction: [NOTHING; 3],
+        };
+        let widen = |bracket: &mut Bracket, value: f64| {
+            *bracket = match value.is_finite() {
+                true => Bracket {
+                    low: bracket.low.min(value),
+                    high: bracket.high.max(value),
+                },
+                false => ANYTHING,
+            };
+        };
+        for ray in rays {
+            for k in 0..3 {
+                widen(&mut beam.origin[k], ray.origin[k]);
+                widen(&mut beam.direction[k], ray.direction[k]);
+            }
+        }
+        beam
+    }
+
     /// The beam of the rays that pass through the rectangle `x` by `y` in the plane at distance 1.
     ///
     /// Rounding is monotone, so each component of a ray, as rule R5 computes it, is monotone in x
     /// and in y: its extremes are at the corners.
-    pub(super) fn new(camera: &Camera, x: Bracket, y: Bracket) -> Beam {
+    pub(super) fn through(camera: &Camera, x: Bracket, y: Bracket) -> Beam {
         let corners = [
             [x.low, y.low],
             [x.low, y.high],
@@ -156,14 +184,14 @@ mod tests {
             let corner = |sign: f64| Point::from([0, 1, 2].map(|k| end(k) + sign * room(k)));
             let bounds = Bounds { low: corner(-1.0), high: corner(1.0) };
             let side = |k: usize| Bracket { low: place[k] - low[k], high: place[k] + high[k] };
-            prop_assert!(Beam::new(&camera, side(0), side(1)).may_meet(&bounds));
+            prop_assert!(Beam::through(&camera, side(0), side(1)).may_meet(&bounds));
         }
     }
 
     #[test]
     fn rules_out_boxes_beside_behind_and_above() {
         let camera = camera(Projection::perspective(90.0), Matrix::IDENTITY);
-        let beam = Beam::new(
+        let beam = Beam::through(
             &camera,
             Bracket {
                 low: -0.1,
@@ -193,7 +221,7 @@ mod tests {
             Projection::perspective(90.0),
             Matrix::scale([f64::NAN, 1.0, 1.0]),
         );
-        let beam = Beam::new(&broken, Bracket::exactly(0.5), Bracket::exactly(0.5));
+        let beam = Beam::through(&broken, Bracket::exactly(0.5), Bracket::exactly(0.5));
         let far = Bounds {
             low: Point::new(90.0, 0.0, 1.0),
             high: Point::new(91.0, 1.0, 2.0),

@@ -15,6 +15,7 @@ mod pixels;
 
 pub use pixels::{MAX_PRIMITIVES, answers, candidates};
 
+use crate::camera::Projection;
 use crate::exact::{Bracket, ExactVector, nearest_f32};
 use crate::geometry::Ray;
 use crate::shape::{Geometry, InstancedId};
@@ -25,10 +26,24 @@ use meet::intersect;
 pub struct ReferenceHit {
     /// The primitive that is hit.
     pub primitive: InstancedId,
-    /// The ray's parameter: the planar depth in units of camera space.
+    /// The ray's parameter: the planar depth in units of camera space. For a spherical camera the
+    /// distance.
     pub z: f32,
     /// The distance from the ray's origin in units of world space.
     pub distance: f32,
+}
+
+impl ReferenceHit {
+    /// The hit as a camera of this projection sees it: without a plane, `Z` is the distance.
+    pub fn seen_by(self, projection: &Projection) -> ReferenceHit {
+        match projection {
+            Projection::Spherical(_) => ReferenceHit {
+                z: self.distance,
+                ..self
+            },
+            Projection::Perspective { .. } | Projection::Orthographic => self,
+        }
+    }
 }
 
 /// The nearest hit of `ray` in `geometry`. At equal `t`, the primitive that comes first in the file

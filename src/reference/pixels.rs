@@ -19,8 +19,8 @@ pub const MAX_PRIMITIVES: u64 = 1 << 25;
 /// All threads share longer lists.
 const SHORT: usize = 1 << 14;
 
-/// The hit of each of some pixels, in their order: the results of [`super::closest_hit`], but
-/// faster. `progress` counts pixels.
+/// The hit of each of some pixels, in their order: the results of [`super::closest_hit`], as the
+/// camera sees them, but faster. `progress` counts pixels.
 ///
 /// It uses no aggregate. It drops a primitive for a pixel only if interval arithmetic shows that
 /// all rays of a rectangle around the pixel miss the box around the primitive.
@@ -35,7 +35,8 @@ pub fn answers(
 ) -> Vec<Option<ReferenceHit>> {
     by_area(camera, geometry, pixels, |[x, y], primitives| {
         progress.advance(1);
-        closest_hit_among(primitives.iter().copied(), geometry, &camera.ray(x, y))
+        let hit = closest_hit_among(primitives.iter().copied(), geometry, &camera.ray(x, y));
+        hit.map(|hit| hit.seen_by(&camera.projection))
     })
 }
 
@@ -124,7 +125,7 @@ impl<F> Subdivision<'_, F> {
             },
             false => area,
         };
-        let met = self.met(&area, primitives);
+        let met = self.met(&self.beam(&area, pixels), primitives);
         if is_one {
             let answer = (self.visit)(first, &met);
             return pixels
@@ -154,15 +155,23 @@ impl<F> Subdivision<'_, F> {
         );
     }
 
-    /// The `primitives` that a ray of `area` may meet.
-    fn met(&self, area: &PixelBounds, primitives: &[InstancedId]) -> Vec<InstancedId> {
+    /// The beam of the rays of `pixels`, which lie in `area`.
+    fn beam<T>(&self, area: &PixelBounds, pixels: &[PendingPixel<T>]) -> Beam {
+        if !self.camera.projection.is_planar() {
+            let rays = pixels.iter().map(|pixel| pixel.place);
+            return Beam::around(rays.map(|[x, y]| self.camera.ray(x, y)));
+        }
         let hull = |values: &[f64]| Bracket {
             low: values.iter().copied().fold(f64::INFINITY, f64::min),
             high: values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
         };
         let columns = hull(&self.columns[area.x0 as usize..area.x1 as usize]);
         let rows = hull(&self.rows[area.y0 as usize..area.y1 as usize]);
-        let beam = Beam::new(self.camera, columns, rows);
+        Beam::through(self.camera, columns, rows)
+    }
+
+    /// The `primitives` that a ray of the beam may meet.
+    fn met(&self, beam: &Beam, primitives: &[InstancedId]) -> Vec<InstancedId> {
         let is_met =
             |placed: &&InstancedId| beam.may_meet(&bounds_of(&self.geometry.surface(**placed)));
         match primitives.len() {

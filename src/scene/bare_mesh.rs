@@ -57,9 +57,8 @@ pub(super) fn scene_of_mesh(
     geometry
         .add_mesh(mesh.vertices, mesh.triangles, &Matrix::IDENTITY, 1)
         .map_err(|error| refuse(error.to_string()))?;
-    if let Some(uv) = mesh.uv {
-        geometry.add_uv(uv);
-    }
+    geometry.add_uv(mesh.uv.unwrap_or_default());
+    geometry.add_normals(mesh.normals.unwrap_or_default(), &Matrix::IDENTITY, false);
     let mut census = Census::default();
     census.count_shape(shape, Some(geometry.own_count()));
     let aspect = f64::from(resolution[0]) / f64::from(resolution[1]);

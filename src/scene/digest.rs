@@ -1,6 +1,6 @@
 //! Digests of a scene: of its geometry, and of a view of it.
 
-use crate::camera::{Camera, Projection, ScreenWindow};
+use crate::camera::{Camera, Projection, ScreenWindow, SphereMapping};
 use crate::digest::{Digest, Digester};
 use crate::shape::Geometry;
 
@@ -31,6 +31,8 @@ impl SceneDigest {
         digester.measures(&match projection {
             Projection::Perspective { tangent } => [0.0, *tangent],
             Projection::Orthographic => [1.0, 0.0],
+            Projection::Spherical(SphereMapping::Equirectangular) => [2.0, 0.0],
+            Projection::Spherical(SphereMapping::EqualArea) => [3.0, 0.0],
         });
         digester.measures(&[*x0, *x1, *y0, *y1]);
         resolution

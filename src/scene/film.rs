@@ -22,6 +22,9 @@ pub struct Film {
     pub filename: Option<String>,
 }
 
+/// pbrt's default diagonal of a film in millimetres.
+const DIAGONAL: f64 = 35.0;
+
 /// The directive, before the command line may override its resolution.
 #[derive(Debug, Clone, Default)]
 pub(super) struct FilmParameters {
@@ -30,9 +33,15 @@ pub(super) struct FilmParameters {
     crop_window: Option<[f64; 4]>,
     pixel_bounds: Option<PixelBounds>,
     pub(super) filename: Option<String>,
+    diagonal: Option<f64>,
 }
 
 impl FilmParameters {
+    /// The diagonal of the film in millimetres: only realistic cameras depend on it.
+    pub(super) fn diagonal(&self) -> f64 {
+        self.diagonal.unwrap_or(DIAGONAL)
+    }
+
     pub(super) fn read(
         parameters: &mut Parameters,
         warnings: &mut Warnings,
@@ -63,12 +72,14 @@ impl FilmParameters {
             let error = parameters.error_at("filename", "`filename` contains control characters");
             return Err(error.note("expected the name of a file, such as \"image.exr\""));
         }
+        let diagonal = parameters.unchecked_number("diagonal");
         Ok(FilmParameters {
             x_resolution,
             y_resolution,
             crop_window,
             pixel_bounds,
             filename,
+            diagonal: diagonal.filter(|diagonal| *diagonal > 0.0 && diagonal.is_finite()),
         })
     }
 

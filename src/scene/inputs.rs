@@ -3,7 +3,7 @@
 use crate::error::Result;
 use crate::file_id::InputFiles;
 use crate::input::{self, Budget, BudgetFactor};
-use crate::mesh::{self, Loaded, MeshFormat};
+use crate::mesh::{self, CornerWants, Loaded, MeshFormat};
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use std::path::{Path, PathBuf};
@@ -52,16 +52,16 @@ impl Inputs {
         &self.budget
     }
 
-    /// Reads the mesh file `path`. All calls have the same `with_uv`.
+    /// Reads the mesh file `path`. All calls have the same `wants`.
     pub(super) fn read_mesh(
         &mut self,
         path: &Path,
         format: MeshFormat,
-        with_uv: bool,
+        wants: CornerWants,
     ) -> Result<Loaded> {
         self.files.add(path);
         input::refuse_special(path)?;
-        self.meshes.read(path, format, with_uv, &self.budget)
+        self.meshes.read(path, format, wants, &self.budget)
     }
 }
 
@@ -82,10 +82,10 @@ impl MeshCache {
         &mut self,
         path: &Path,
         format: MeshFormat,
-        with_uv: bool,
+        wants: CornerWants,
         budget: &Budget,
     ) -> Result<Loaded> {
-        let read = || mesh::read_within(path, format, with_uv, budget);
+        let read = || mesh::read_within(path, format, wants, budget);
         let mut place = match self.meshes.entry((path.to_path_buf(), format)) {
             Entry::Vacant(place) => {
                 let loaded = read()?;
@@ -121,7 +121,7 @@ mod tests {
         let found = [1, 2, 3, 4].map(|z| {
             write(z);
             cache
-                .read(&path, MeshFormat::Obj, false, &budget)
+                .read(&path, MeshFormat::Obj, CornerWants::NOTHING, &budget)
                 .unwrap()
                 .mesh
                 .vertices[0]

@@ -29,7 +29,7 @@ pub fn load_listing_files(
         let mut files = InputFiles::default();
         files.add(path);
         let budget = Budget::new(options.input_budget);
-        let loaded = mesh::read_within(path, format, options.uv, &budget);
+        let loaded = mesh::read_within(path, format, options.corners(), &budget);
         return (
             loaded.and_then(|loaded| scene_of_mesh(path, shape, loaded, options)),
             files,

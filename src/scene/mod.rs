@@ -36,6 +36,7 @@ pub use warnings::{Warning, Warnings};
 
 use crate::camera::Camera;
 use crate::input::BudgetFactor;
+use crate::mesh::CornerWants;
 use crate::shape::Geometry;
 
 /// Everything that the picture depends on.
@@ -72,10 +73,24 @@ pub struct LoadOptions {
     pub locations: bool,
     /// Whether to keep the [transform directives](Scene::transform_history).
     pub transform_history: bool,
-    /// Whether to keep the sides of normals, for the channels `N.X`, `N.Y` and `N.Z`.
+    /// The moment that is shown of what moves, from 0 for the start of its motion to 1 for the end
+    /// (rule R10). `None` is the start, with a warning if anything moves.
+    pub time: Option<f64>,
+    /// Whether to keep the sides of normals, and vertex normals, for the channels `N.X`, `N.Y` and
+    /// `N.Z`.
     pub orientation: bool,
     /// Whether to keep the surface coordinates of meshes, for the channels `u` and `v`.
     pub uv: bool,
     /// The files of the scene may expand to this many times the usual limits.
     pub input_budget: BudgetFactor,
+}
+
+impl LoadOptions {
+    /// What to keep of meshes besides their triangles.
+    pub(crate) fn corners(&self) -> CornerWants {
+        CornerWants {
+            uv: self.uv,
+            normals: self.orientation,
+        }
+    }
 }

@@ -22,8 +22,8 @@ pub use coincidence::Coincidence;
 pub use filter_ray::FilterRay;
 pub use filter_result::FilterResult;
 pub use geometry::{
-    CapacityError, CornerUv, CurvePiece, CurvePoint, Geometry, Instance, NonFiniteCounts, PatchUv,
-    Pose,
+    CapacityError, CornerNormals, CornerUv, CurvePiece, CurvePoint, Geometry, Instance,
+    NonFiniteCounts, PatchUv, Pose,
 };
 pub use instanced_id::InstancedId;
 pub use numbers::Numbers;

@@ -30,7 +30,9 @@ pub struct SurfacePoint {
     /// Triangles of `loopsubdiv` are turned round once more, to the side of the vertex normals that
     /// pbrt gives them, and so is what is not a sphere where the radius is below 0 (rule E7).
     ///
-    /// Vertex normals (`N`) are ignored, though pbrt turns the normals of triangles to their side.
+    /// If a mesh has vertex normals (`N`), the normal of a triangle is turned to the side of
+    /// theirs, interpolated at the point of the hit. `ReverseOrientation` turns it round, and a
+    /// transform does not. If they lie in the plane of the triangle, they do not decide.
     pub normal: Vector,
     /// The point where the ray meets the surface.
     pub point: Point,
@@ -91,8 +93,14 @@ impl<'a> SurfacePoints<'a> {
     fn of_triangle(&self, placed: InstancedId, triangle: &Triangle, ray: &Ray) -> SurfacePoint {
         let mut found = SurfacePoint::default();
         if self.wants.normal {
-            let normal = triangle.normal();
-            found.normal = if self.turns_corners(placed) {
+            let (geometry, normal) = (self.geometry, triangle.normal());
+            let weights = || triangle.weights(ray);
+            let is_turned = geometry
+                .has_vertex_normals(placed)
+                .then(|| geometry.vertex_normal_turns(placed, normal, weights()))
+                .flatten();
+            let is_turned = is_turned.unwrap_or_else(|| geometry.turns_normal_of(placed));
+            found.normal = if is_turned != self.is_mirrored(placed) {
                 -normal
             } else {
                 normal
@@ -113,11 +121,15 @@ impl<'a> SurfacePoints<'a> {
     /// Whether the normal of a primitive whose corners are in the world is on the other side. A
     /// mirroring instance mirrors the corners, but not the normal.
     fn turns_corners(&self, placed: InstancedId) -> bool {
-        let is_mirrored = placed.instance().is_some_and(|number| {
+        self.geometry.turns_normal_of(placed) != self.is_mirrored(placed)
+    }
+
+    /// Whether the instance mirrors the corners of its object, but not the normal.
+    fn is_mirrored(&self, placed: InstancedId) -> bool {
+        placed.instance().is_some_and(|number| {
             let instance = &self.geometry.instances()[number];
             instance.world_from_instance().swaps_handedness()
-        });
-        self.geometry.turns_normal_of(placed) != is_mirrored
+        })
     }
 
     fn of_patch(&self, placed: InstancedId, quadric: &Quadric, ray: &Ray) -> SurfacePoint {

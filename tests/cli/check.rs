@@ -48,7 +48,7 @@ fn skipped_and_unsupported_parts_are_listed() {
         TransformTimes 0 1 Sampler \"x\" RenderPass \"beauty\" WorldBegin Material \"m\" \
         Material \"n\" Attribute \"light\"
         ObjectBegin \"o\" Shape \"sphere\" Shape \"sphere\" ObjectEnd
-        ObjectInstance \"o\" Translate 10 0 0 ObjectInstance \"o\" Shape \"nurbs\"";
+        ObjectInstance \"o\" Translate 10 0 0 ObjectInstance \"o\" Shape \"heightfield2\"";
     let run = Folder::new()
         .with("a.pbrt", scene)
         .check("a.pbrt")
@@ -57,8 +57,8 @@ fn skipped_and_unsupported_parts_are_listed() {
     let lines = [
         "  camera      orthographic, at (0, 0, 0), towards (0, 0, 1)\n",
         "  film        8 x 4 pixels, cropped to x 2 to 8, y 0 to 3\n",
-        "              nurbs            1    left out\n\
-         \x20             sphere           2           2\n",
+        "              heightfield2           1    left out\n\
+         \x20             sphere                 2           2\n",
         "2 instances of 1 object: 4 primitives in all\n",
         "  bounds      (-1, -1, -1) to (11, 1, 1)\n",
         "  skipped     1 Attribute, 2 Material, 1 Sampler, 1 TransformTimes\n\
@@ -68,7 +68,7 @@ fn skipped_and_unsupported_parts_are_listed() {
         .iter()
         .for_each(|line| assert!(found.contains(line), "no `{line}` in:\n{found}"));
     run.said("warning: a.pbrt:2:40: `RenderPass` is not a directive")
-        .said("the shape `nurbs` is not supported");
+        .said("the shape `heightfield2` is not supported");
 }
 
 #[test]
@@ -219,7 +219,7 @@ fn every_kind_of_warning_counts_under_strict() {
         "WorldBegin Translate 1e999 0 0",
         "WorldBegin Private",
         "WorldBegin WorldEnd Identity",
-        "WorldBegin Shape \"nurbs\"",
+        "WorldBegin Shape \"heightfield2\"",
         "WorldBegin Shape \"spehre\"",
         "WorldBegin Shape \"sphere\" \"float raduis\" 1",
         "WorldBegin Shape \"sphere\" \"float radius\" 1 \"float radius\" 1",

@@ -30,7 +30,10 @@ pub(crate) fn judged(camera: &Camera, geometry: &Geometry) -> Vec<[u32; 3]> {
         .collect();
     let ray_by_ray: Vec<_> = pixels
         .iter()
-        .map(|[x, y]| reference::closest_hit(geometry, &camera.ray(*x, *y)))
+        .map(|[x, y]| {
+            let hit = reference::closest_hit(geometry, &camera.ray(*x, *y));
+            hit.map(|hit| hit.seen_by(&camera.projection))
+        })
         .collect();
     assert_eq!(
         reference::answers(camera, geometry, &pixels, Progress::SILENT),

@@ -45,7 +45,7 @@ pub(crate) fn assert_single_rays_agree(
         let number = hit.map_or(0, |hit| geometry.image_number(hit.primitive));
         assert_eq!(number, prim[place], "{context}: in a tile");
         if let Some(hit) = hit {
-            let depth = tracer.depth(&ray, &hit);
+            let depth = tracer.depth(&ray, &hit).seen_by(&camera.projection);
             let bits = [depth.z, depth.distance].map(f32::to_bits);
             assert_eq!(bits, [z[place], t[place]].map(f32::to_bits), "{context}");
         }

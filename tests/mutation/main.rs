@@ -10,7 +10,7 @@
 mod dense;
 mod mutate;
 
-use feimos::mesh::{self, MeshFormat, parse_obj, parse_ply};
+use feimos::mesh::{self, CornerWants, MeshFormat, parse_obj, parse_ply};
 use feimos::scene::parser::Directives;
 use feimos::scene::{LoadOptions, SourceFile, parse};
 use mutate::{Random, mutate};
@@ -114,11 +114,21 @@ impl Original {
             }
             Format::Ply => {
                 drop(parse_ply(&path, bytes));
-                drop(mesh::parse(&path, bytes, MeshFormat::Ply, true));
+                drop(mesh::parse(
+                    &path,
+                    bytes,
+                    MeshFormat::Ply,
+                    CornerWants::EVERYTHING,
+                ));
             }
             Format::Obj => {
                 drop(parse_obj(&path, bytes));
-                drop(mesh::parse(&path, bytes, MeshFormat::Obj, true));
+                drop(mesh::parse(
+                    &path,
+                    bytes,
+                    MeshFormat::Obj,
+                    CornerWants::EVERYTHING,
+                ));
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Random cameras, corners, quadrics and matrices that the tests draw.
 
-use feimos::camera::Projection;
+use feimos::camera::{Projection, SphereMapping};
 use feimos::geometry::{Matrix, Point, Transform, Vector};
 use feimos::shape::{Cut, Disk, Form, Geometry, Revolved};
 use proptest::prelude::*;
@@ -9,6 +9,8 @@ pub(crate) fn projection() -> impl Strategy<Value = Projection> {
     prop::sample::select(vec![
         Projection::Perspective { tangent: 1.0 },
         Projection::Orthographic,
+        Projection::Spherical(SphereMapping::Equirectangular),
+        Projection::Spherical(SphereMapping::EqualArea),
     ])
 }
 

@@ -1,6 +1,6 @@
 //! Directives that are rare, that only one version of pbrt knows, or none.
 
-use crate::{TRIANGLE, error, load_files, scene, vertex, warnings};
+use crate::{TRIANGLE, error, load_files, scene, warnings};
 use feimos::scene::Scene;
 use feimos::shape::Form;
 use flate2::Compression;
@@ -8,7 +8,7 @@ use flate2::write::GzEncoder;
 use std::io::Write;
 
 /// Messages of the warnings alone.
-fn messages(scene: &Scene) -> Vec<String> {
+pub(crate) fn messages(scene: &Scene) -> Vec<String> {
     warnings(scene)
         .into_iter()
         .map(|(message, _)| message)
@@ -85,59 +85,6 @@ fn imports_belong_into_the_world_and_not_into_themselves() {
             .unwrap_err()
             .starts_with("b.pbrt:1:8: b.pbrt includes itself")
     );
-}
-
-#[test]
-fn what_moves_is_rendered_at_the_start_time_with_one_warning() {
-    let scene = scene(&format!(
-        "TransformTimes 0 1 WorldBegin
-        AttributeBegin
-          ActiveTransform StartTime Translate 1 0 0
-          ActiveTransform EndTime Translate 2 0 0
-          ActiveTransform All Translate 0 3 0
-          {TRIANGLE} {TRIANGLE}
-        AttributeEnd
-        {TRIANGLE}"
-    ));
-    assert_eq!(
-        (vertex(&scene, 0), vertex(&scene, 3), vertex(&scene, 6)),
-        ([1., 3., 0.], [1., 3., 0.], [0.; 3])
-    );
-    let message = "moving shapes are not supported: they stand where they are at the start time";
-    assert_eq!(warnings(&scene), [(message.to_owned(), 2)]);
-}
-
-#[test]
-fn what_stands_still_is_not_warned_of() {
-    let scene = scene(&format!(
-        "WorldBegin
-        ActiveTransform EndTime Translate 1 0 0 ActiveTransform StartTime Translate 1 0 0 {TRIANGLE}
-        ActiveTransform All
-        AttributeBegin ActiveTransform EndTime Scale 2 2 2 AttributeEnd {TRIANGLE}
-        TransformBegin ActiveTransform EndTime Rotate 9 0 0 1 Identity ActiveTransform All \
-        Identity {TRIANGLE} TransformEnd
-        CoordinateSystem \"still\" ActiveTransform EndTime Translate 1 1 1 \
-        CoordSysTransform \"still\" {TRIANGLE}"
-    ));
-    assert_eq!(messages(&scene), Vec::<String>::new());
-    assert_eq!(
-        [0, 3, 6, 9].map(|index| vertex(&scene, index)),
-        [[1., 0., 0.], [1., 0., 0.], [0.; 3], [1., 0., 0.]]
-    );
-}
-
-#[test]
-fn a_camera_that_moves_stands_at_its_start() {
-    let scene = scene(&format!(
-        "ActiveTransform EndTime Translate 5 0 0 ActiveTransform StartTime Translate 2 0 0
-        Camera \"perspective\" WorldBegin {TRIANGLE} CoordSysTransform \"camera\" {TRIANGLE}"
-    ));
-    assert_eq!(scene.camera.anchor().to_array(), [-2.0, 0.0, 0.0]);
-    let expected = [
-        "a moving camera is not supported: it stands where it is at the start time",
-        "moving shapes are not supported: they stand where they are at the start time",
-    ];
-    assert_eq!(messages(&scene), expected);
 }
 
 #[test]

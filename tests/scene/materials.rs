@@ -153,7 +153,7 @@ element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0
          \"string filename\" \"m.ply\"
         Shape \"loopsubdiv\" \"integer nlevels\" 1 \"point3 P\" [ 0 0 0  1 0 0  0 1 0 ] \
         \"integer indices\" [ 0 1 2 ]
-        Shape \"curve\" AttributeEnd {TRIANGLE}"
+        Shape \"heightfield2\" AttributeEnd {TRIANGLE}"
     );
     let scene = load_files(&[("a.pbrt", &text), ("m.ply", ply)]).unwrap();
     let last = InstancedId::alone(PrimitiveId::triangle(0));

@@ -104,8 +104,8 @@ const WRONG_VALUES: [(&str, &str); 18] = [
         "a.pbrt:1:34: `fov` takes one number, found 2",
     ),
     (
-        "Camera \"spherical\"",
-        "a.pbrt:1:8: the camera `spherical` is not supported",
+        "Camera \"fisheye\"",
+        "a.pbrt:1:8: the camera `fisheye` is not supported",
     ),
     (
         "Scale 0 1 1 Camera \"perspective\"",

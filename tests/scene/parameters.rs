@@ -145,9 +145,9 @@ fn ignored_parameters_may_have_any_type() {
         "WorldBegin Shape \"sphere\" \"float radius\" 2 \"colour shadowalpha\" [ 1 ]
         Shape \"trianglemesh\" \"point P\" [ 0 0 0 1 0 0 0 1 0 ] \"normals N\" [ 0 ] \
         \"float uv\" [ 1 ] \"float st\" [ 1 2 ]
-        Shape \"nurbs\" \"what P\" \"ever\"",
+        Shape \"heightfield2\" \"what P\" \"ever\"",
     );
-    let expected = "the shape `nurbs` is not supported: left out";
+    let expected = "the shape `heightfield2` is not supported: left out";
     assert_eq!(warnings(&scene), [(expected.to_owned(), 1)]);
 }
 

@@ -112,6 +112,36 @@ fn camera_parameters() {
 }
 
 #[test]
+fn spherical_cameras_look_around() {
+    let film = "Film \"image\" \"integer xresolution\" 4 \"integer yresolution\" 2";
+    let ray = |camera: &str, x: u32, y: u32| {
+        let scene = scene(&format!(
+            "Translate 0 0 -7 Camera {camera} {film} WorldBegin"
+        ));
+        assert!(scene.warnings.is_empty());
+        let ray = scene.camera.ray(x, y);
+        assert_eq!(ray.origin, Point::new(0.0, 0.0, 7.0));
+        ray.direction
+    };
+    for camera in [
+        "\"environment\"",
+        "\"spherical\" \"string mapping\" \"equirectangular\"",
+    ] {
+        let direction = ray(camera, 0, 0);
+        let expected = [0.5, 0.5f64.sqrt(), 0.5];
+        assert!(
+            (0..3).all(|k| (direction[k] - expected[k]).abs() < 1e-15),
+            "{direction:?}"
+        );
+    }
+    // Above, left of the middle, and in front of it: v is -1/2, u is -1/4.
+    let direction = ray("\"spherical\"", 1, 0);
+    assert!(direction.x < 0.0 && direction.z < direction.x && direction.y > 0.0);
+    let fifth = 0.75f64 * 0.75;
+    assert!((direction.y - (1.0 - fifth)).abs() < 1e-15, "{direction:?}");
+}
+
+#[test]
 fn film_parameters() {
     let film = |parameters: &str| scene(&format!("Film \"rgb\" {parameters} WorldBegin")).film;
     let small = "\"integer xresolution\" 7 \"integer yresolution\" [ 5 ]";

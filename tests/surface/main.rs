@@ -5,6 +5,7 @@ mod common;
 mod coordinates;
 mod normals;
 mod rendering;
+mod vertex_normals;
 
 use common::{agreed_picture, assert_same, picture, whole};
 use feimos::accel::{BuildOptions, Precision, SplitMethod};
@@ -19,6 +20,7 @@ const SURFACE: LoadOptions = LoadOptions {
     transform_history: false,
     orientation: true,
     uv: true,
+    time: None,
     input_budget: BudgetFactor::ONCE,
 };
 

@@ -59,8 +59,9 @@ impl Bins {
     /// Sorts the primitives of `geometry` that rays of `camera` through pixels of `window` may meet
     /// into bins. `options` are for the trees over instances.
     ///
-    /// Returns `None` if the view cannot be rasterized, because its numbers are too large or too
-    /// small for error bounds, or if `window` has more than 2^31 pixels or none.
+    /// Returns `None` if the view cannot be rasterized, because its camera is spherical, or its
+    /// numbers are too large or too small for error bounds, or if `window` has more than 2^31
+    /// pixels or none.
     ///
     /// `progress` counts [`Aggregate::item_count`](super::Aggregate::item_count) items.
     pub fn new(
@@ -71,7 +72,7 @@ impl Bins {
         level: Level,
         progress: Progress,
     ) -> Option<Bins> {
-        if window.is_empty() || window.area() > MAX_PIXELS {
+        if !camera.projection.is_planar() || window.is_empty() || window.area() > MAX_PIXELS {
             return None;
         }
         let outlines = Outlines::of(geometry);

@@ -37,7 +37,8 @@ pub struct Tiles<'a> {
     geometry: &'a Geometry,
     structure: Structure<'a>,
     options: TileOptions,
-    /// `None` if the view cannot be rasterized: then rays are traced one by one.
+    /// `None` if the view cannot be rasterized, as that of a spherical camera: then rays are traced
+    /// one by one.
     view: Option<CameraView>,
 }
 
@@ -139,7 +140,7 @@ impl TileTracer<'_> {
                 let Some(hit) = hit else { continue };
                 self.traced.put_hit(column, row, hit.primitive);
                 if options.with_z || options.with_distance {
-                    let depth = single.depth(&ray, &hit);
+                    let depth = single.depth(&ray, &hit).seen_by(&camera.projection);
                     self.traced.put_depth(column, row, depth);
                 }
             }

@@ -65,13 +65,14 @@ pub(crate) const UNDERFLOW: f32 = 1.0 / (1u128 << 70) as f32;
 pub(crate) const ROUNDING: f64 = 1.0 / (1u64 << 48) as f64;
 
 impl CameraView {
-    /// Returns `None` if numbers are so large or small, or the camera is so skewed, that the bounds
-    /// would not hold or be useless: then rays are traced one by one.
+    /// Returns `None` if the camera is spherical, or if numbers are so large or small, or the
+    /// camera is so skewed, that the bounds would not hold or be useless: then rays are traced one
+    /// by one.
     pub(crate) fn new(camera: &Camera, space: &AnchorSpace) -> Option<CameraView> {
         let (eye, units) = (camera.anchor(), space.units());
         let anchor = space.anchor() - eye;
         let reach = 2.0 * (space.reach() + anchor.largest());
-        let grid = PixelGrid::of(camera);
+        let grid = PixelGrid::of(camera)?;
         let is_perspective = grid.is_perspective;
         let inverse = camera.world_from_camera.inverse();
         let magnitudes = Magnitudes::of(&grid, &camera.world_from_camera, &inverse, reach);

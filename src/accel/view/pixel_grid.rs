@@ -15,10 +15,12 @@ pub(super) struct PixelGrid {
 }
 
 impl PixelGrid {
-    pub(super) fn of(camera: &Camera) -> PixelGrid {
+    /// `None` if no matrix projects points to the film.
+    pub(super) fn of(camera: &Camera) -> Option<PixelGrid> {
         let (is_perspective, tangent) = match camera.projection {
             Projection::Perspective { tangent } => (true, tangent),
             Projection::Orthographic => (false, 1.0),
+            Projection::Spherical(_) => return None,
         };
         let [width, height] = camera.resolution.map(f64::from);
         let screen = &camera.screen_window;
@@ -34,12 +36,12 @@ impl PixelGrid {
             tangent * screen.x0.abs().max(screen.x1.abs()),
             tangent * screen.y0.abs().max(screen.y1.abs()),
         ];
-        PixelGrid {
+        Some(PixelGrid {
             is_perspective,
             first,
             step,
             extent,
-        }
+        })
     }
 
     /// K, see [`super::CameraView::film_from_world`].

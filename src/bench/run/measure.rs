@@ -11,7 +11,6 @@ use crate::accel::{Statistics, Structure, TraversalCounts};
 use crate::bench::error::{Errors, GroundTruth, SEED};
 use crate::bench::trace::{Cast, Caster, Random, TileSample, some_pixels};
 use crate::error::Result;
-use crate::input::BudgetFactor;
 use crate::progress::Progress;
 use crate::render::TraceTimes;
 use crate::scene::{self, LoadOptions, Scene};
@@ -39,8 +38,8 @@ pub struct Bench<'a> {
     pub scene: &'a Scene,
     /// Milliseconds that reading it took.
     pub load_ms: f64,
-    /// The factor of the limits on its input.
-    pub input_budget: BudgetFactor,
+    /// The options that it was read with. What only ground truth needs is not read again.
+    pub load_options: LoadOptions,
     /// Exact answers, if errors are measured.
     pub truth: Option<GroundTruth>,
 }
@@ -73,8 +72,8 @@ impl Bench<'_> {
         }
         let lacks_bins = contenders.len() < plan.builds.len();
         let options = LoadOptions {
-            input_budget: self.input_budget,
-            ..LoadOptions::default()
+            transform_history: false,
+            ..self.load_options
         };
         let mut load_ms = vec![self.load_ms];
         for round in 0..plan.rounds.warmup.saturating_add(plan.rounds.runs.max(1)) {

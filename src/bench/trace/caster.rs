@@ -248,13 +248,14 @@ impl<'a> Caster<'a> {
     /// Traces a ray alone: what it hits, and its depth.
     #[inline]
     fn hit(&self, tracer: &mut Tracer, ray: &Ray) -> Option<(InstancedId, Depth)> {
-        match &self.baseline {
-            Some(baseline) => baseline.closest_hit(tracer, ray),
+        let (primitive, depth) = match &self.baseline {
+            Some(baseline) => baseline.closest_hit(tracer, ray)?,
             None => {
                 let hit = tracer.closest_hit(ray)?;
-                Some((hit.primitive, tracer.depth(ray, &hit)))
+                (hit.primitive, tracer.depth(ray, &hit))
             }
-        }
+        };
+        Some((primitive, depth.seen_by(&self.scene.camera.projection)))
     }
 }
 

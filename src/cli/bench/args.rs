@@ -1,7 +1,7 @@
 //! Options of `bench` as typed.
 
 use crate::cli::options::engine::{SimdArgs, ThreadArgs};
-use crate::cli::options::input::InputArgs;
+use crate::cli::options::input::{InputArgs, MomentArgs};
 use crate::cli::options::messages::MessageArgs;
 use crate::cli::options::values::{integer, named};
 use clap::{Args, ValueEnum};
@@ -20,6 +20,8 @@ pub(crate) struct BenchArgs {
     pub(super) measurement: MeasurementArgs,
     #[command(flatten, next_help_heading = "Output")]
     pub(super) output: OutputArgs,
+    #[command(flatten, next_help_heading = "Input")]
+    pub(super) moment: MomentArgs,
     #[command(flatten, next_help_heading = "Input")]
     pub(super) input: InputArgs,
     #[command(flatten, next_help_heading = "Messages")]

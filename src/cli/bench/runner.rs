@@ -9,7 +9,6 @@ use crate::cli::terminal::words::counted;
 use feimos::bench::{Bench, GroundTruth, Measured, Plan, Rounds, has_ground_truth, timed};
 use feimos::error::{Error, Result};
 use feimos::file_id::InputFiles;
-use feimos::input::BudgetFactor;
 use feimos::progress::Progress;
 use feimos::reference::MAX_PRIMITIVES;
 use feimos::scene::{self, LoadOptions, Scene};
@@ -24,7 +23,7 @@ pub(super) struct Runner<'a> {
     rounds: Rounds,
     reference: Reference,
     with_pictures: bool,
-    input_budget: BudgetFactor,
+    load_options: LoadOptions,
     reporter: &'a Reporter,
     bars: ProgressBars,
 }
@@ -42,7 +41,12 @@ impl<'a> Runner<'a> {
             rounds: Rounds { warmup, runs },
             reference: args.measurement.reference,
             with_pictures,
-            input_budget: args.input.input_budget,
+            load_options: LoadOptions {
+                transform_history: args.measurement.reference == Reference::Exact,
+                time: args.moment.time,
+                input_budget: args.input.input_budget,
+                ..LoadOptions::default()
+            },
             reporter,
             bars: ProgressBars::new(&args.messages),
         })
@@ -51,12 +55,8 @@ impl<'a> Runner<'a> {
     /// Loads `path` on the threads of the current pool. Returns the scene with the milliseconds
     /// that loading took, and in any case the files that were read.
     pub(super) fn load(&self, path: &Path) -> (Result<(Scene, f64)>, InputFiles) {
-        let options = LoadOptions {
-            transform_history: self.reference == Reference::Exact,
-            input_budget: self.input_budget,
-            ..LoadOptions::default()
-        };
-        let load = |progress: Progress<'_>| scene::load_listing_files(path, &options, progress);
+        let options = &self.load_options;
+        let load = |progress: Progress<'_>| scene::load_listing_files(path, options, progress);
         let ((scene, files), load_ms) = timed(|| self.bars.during(Phase::Loading, load));
         (scene.map(|scene| (scene, load_ms)), files)
     }
@@ -79,12 +79,12 @@ impl<'a> Runner<'a> {
             path,
             scene: &scene,
             load_ms,
-            input_budget: self.input_budget,
+            load_options: self.load_options,
             truth: self.ground_truth(path, &scene),
         };
         let run = |progress: Progress<'_>| bench.measure(&plan, progress);
         let measured = self.bars.during(Phase::Measuring(plan.steps()), run)?;
-        self.check_bins(path, &measured)?;
+        self.check_bins(path, &scene, &measured)?;
         Ok((self.title(path, &scene), measured))
     }
 
@@ -92,12 +92,16 @@ impl<'a> Runner<'a> {
     ///
     /// # Errors
     /// There is nothing else to measure.
-    fn check_bins(&self, path: &Path, measured: &Measured) -> Result<()> {
+    fn check_bins(&self, path: &Path, scene: &Scene, measured: &Measured) -> Result<()> {
         if !measured.lacks_bins {
             return Ok(());
         }
-        let reason = "this view cannot be rasterized, because its numbers are too large or too \
-                      small";
+        let reason = match scene.camera.projection.is_planar() {
+            true => {
+                "this view cannot be rasterized, because its numbers are too large or too small"
+            }
+            false => "a spherical camera cannot be rasterized",
+        };
         if measured.rows.is_empty() {
             let error = Error::usage(format!("{}: {reason}", path.display()));
             return Err(error.note("choose a tree, such as --accel sah"));

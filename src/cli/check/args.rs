@@ -1,7 +1,7 @@
 //! Options of `check` as typed.
 
 use crate::cli::options::engine::ThreadArgs;
-use crate::cli::options::input::InputArgs;
+use crate::cli::options::input::{InputArgs, MomentArgs};
 use crate::cli::options::messages::MessageArgs;
 use clap::Args;
 use std::path::PathBuf;
@@ -23,6 +23,8 @@ pub(crate) struct CheckArgs {
     pub(super) fail_fast: bool,
     #[command(flatten, next_help_heading = "Checking")]
     pub(super) threads: ThreadArgs,
+    #[command(flatten, next_help_heading = "Input")]
+    pub(super) moment: MomentArgs,
     #[command(flatten, next_help_heading = "Input")]
     pub(super) input: InputArgs,
     #[command(flatten, next_help_heading = "Messages")]

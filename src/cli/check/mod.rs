@@ -83,6 +83,7 @@ impl Check<'_> {
     fn load(&self, path: &Path) -> Result<Scene> {
         let start = Instant::now();
         let options = LoadOptions {
+            time: self.args.moment.time,
             input_budget: self.args.input.input_budget,
             ..LoadOptions::default()
         };

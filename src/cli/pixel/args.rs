@@ -1,7 +1,7 @@
 //! Options of `pixel` as typed.
 
 use crate::cli::options::engine::ThreadArgs;
-use crate::cli::options::input::InputArgs;
+use crate::cli::options::input::{InputArgs, MomentArgs};
 use crate::cli::options::messages::MessageArgs;
 use crate::cli::options::values::{integers, named, resolution};
 use clap::Args;
@@ -28,6 +28,8 @@ pub(crate) struct PixelArgs {
     pub(super) accel: Option<SplitMethod>,
     #[command(flatten, next_help_heading = "Engine")]
     pub(super) threads: ThreadArgs,
+    #[command(flatten, next_help_heading = "Input")]
+    pub(super) moment: MomentArgs,
     #[command(flatten, next_help_heading = "Input")]
     pub(super) input: InputArgs,
     #[command(flatten, next_help_heading = "Messages")]

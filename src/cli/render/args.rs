@@ -2,7 +2,7 @@
 
 use crate::cli::options::batch::{BatchArgs, CameraArgs};
 use crate::cli::options::engine::EngineArgs;
-use crate::cli::options::input::InputArgs;
+use crate::cli::options::input::{InputArgs, MomentArgs};
 use crate::cli::options::messages::{MessageArgs, ReportArgs};
 use crate::cli::options::output::OutputArgs;
 use crate::cli::options::region::RegionArgs;
@@ -24,6 +24,8 @@ pub(crate) struct RenderArgs {
     pub(crate) cameras: CameraArgs,
     #[command(flatten, next_help_heading = "Batch")]
     pub(crate) batch: BatchArgs,
+    #[command(flatten, next_help_heading = "Input")]
+    pub(crate) moment: MomentArgs,
     #[command(flatten, next_help_heading = "Input")]
     pub(crate) input: InputArgs,
     #[command(flatten, next_help_heading = "Messages")]

@@ -128,7 +128,16 @@ impl Renderer<'_> {
         content: &Content,
         window: &PixelBounds,
     ) -> Result<(Built<'a>, f64)> {
-        if self.takes_bins(loaded, content)? {
+        let is_planar = view.camera.projection.is_planar();
+        let takes_bins = self.takes_bins(loaded, content)?;
+        if takes_bins && !is_planar && self.plan.accel != AcceleratorChoice::Auto {
+            let method = loaded.build.method;
+            self.reporter.note(format_args!(
+                "a spherical camera cannot be rasterized: its rays are traced one by one, \
+                 using {method}"
+            ));
+        }
+        if takes_bins && is_planar {
             Bins::check_memory(&loaded.scene.geometry)?;
             let (bins, ms) = self.bins(loaded, view, window);
             if let Some(bins) = bins {

@@ -57,6 +57,7 @@ impl Plan {
         let has_aov = |wanted| output.aov.iter().flatten().any(|aov| *aov == wanted);
         let load = LoadOptions {
             resolution: args.region.resolution,
+            time: args.moment.time,
             orientation: has_aov(Aov::Normal) || output.view == Some(View::Normal),
             uv: has_aov(Aov::Uv),
             input_budget: args.input.input_budget,

@@ -98,7 +98,7 @@ fn layer_attributes(camera: &CameraAttributes) -> LayerAttributes {
         screen_window_center: Vec2(x, y),
         screen_window_width: camera.screen_window_width,
         world_to_camera: Some(camera.world_to_camera),
-        world_to_normalized_device: Some(camera.world_to_ndc),
+        world_to_normalized_device: camera.world_to_ndc,
         ..LayerAttributes::default()
     }
 }

@@ -90,19 +90,18 @@ fn metadata(header: &Header) -> Metadata {
         Some(AttributeValue::Text(text)) => String::from_utf8_lossy(text.as_slice()).into_owned(),
         _ => String::new(),
     };
-    let matrices = attributes
+    let camera = attributes
         .world_to_camera
-        .zip(attributes.world_to_normalized_device);
-    let camera = matrices.map(|(world_to_camera, world_to_ndc)| CameraAttributes {
-        pixel_aspect: header.shared_attributes.pixel_aspect,
-        screen_window_center: [
-            attributes.screen_window_center.x(),
-            attributes.screen_window_center.y(),
-        ],
-        screen_window_width: attributes.screen_window_width,
-        world_to_camera,
-        world_to_ndc,
-    });
+        .map(|world_to_camera| CameraAttributes {
+            pixel_aspect: header.shared_attributes.pixel_aspect,
+            screen_window_center: [
+                attributes.screen_window_center.x(),
+                attributes.screen_window_center.y(),
+            ],
+            screen_window_width: attributes.screen_window_width,
+            world_to_camera,
+            world_to_ndc: attributes.world_to_normalized_device,
+        });
     Metadata {
         camera,
         ..Metadata::of_json(json)

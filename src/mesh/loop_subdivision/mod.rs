@@ -45,7 +45,7 @@ pub fn subdivide(
     Ok(TriangleMesh {
         vertices,
         triangles,
-        uv: None,
+        ..TriangleMesh::default()
     })
 }
 

@@ -15,26 +15,36 @@ mod tests;
 use std::path::Path;
 
 use self::lexer::Statements;
-use super::{Loaded, signature};
+use super::{CornerWants, Loaded, signature};
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::input::{Budget, gzip};
 
-/// Reads the bytes of an OBJ file, compressed or not, with the texture coordinates of its corners
-/// if `with_uv`; `path` is for messages only.
-pub(super) fn parse(path: &Path, bytes: &[u8], with_uv: bool, budget: &Budget) -> Result<Loaded> {
+/// Reads the bytes of an OBJ file, compressed or not, with what `wants` says of its corners;
+/// `path` is for messages only.
+pub(super) fn parse(
+    path: &Path,
+    bytes: &[u8],
+    wants: CornerWants,
+    budget: &Budget,
+) -> Result<Loaded> {
     gzip::parsed(path, bytes, budget, |content| {
         let text = signature::without_utf8_mark(content);
         if let Some(found) = signature::describe(text) {
             let diagnostic = Diagnostic::new(format!("not an OBJ mesh: this is {found}"));
             return Err(Error::bad_input(diagnostic.at(SourceLocation::file(path))));
         }
-        let mut statements = Statements::new(text);
-        if with_uv && statements.any(|statement| statement.keyword() == b"vt") {
-            return reader::read(path, text, true, budget);
+        let has =
+            |keyword: &[u8]| Statements::new(text).any(|statement| statement.keyword() == keyword);
+        let found = CornerWants {
+            uv: wants.uv && has(b"vt"),
+            normals: wants.normals && has(b"vn"),
+        };
+        if found != CornerWants::NOTHING {
+            return reader::read(path, text, found, budget);
         }
         match parallel::read(text, budget) {
             Some(mesh) => Ok(Loaded::new(path, mesh, Vec::new())),
-            None => reader::read(path, text, false, budget),
+            None => reader::read(path, text, CornerWants::NOTHING, budget),
         }
     })
 }

@@ -44,7 +44,7 @@ pub(super) fn read_in_blocks(text: &[u8], block: usize, budget: &Budget) -> Opti
     (!triangles.is_empty()).then_some(TriangleMesh {
         vertices,
         triangles,
-        uv: None,
+        ..TriangleMesh::default()
     })
 }
 

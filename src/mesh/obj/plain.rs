@@ -1,9 +1,10 @@
 //! Rewrites an OBJ file, line by line, in the form that `tobj` reads faithfully.
 //!
-//! Only vertices, faces and, on demand, texture coordinates are handed over, in ASCII. Everything
-//! else adds ways to fail: `tobj` 4.0 takes `l` with three corners for a triangle, refuses `usemtl`
-//! without a name, one number after `vt`, comments after a statement and bytes that are not UTF-8,
-//! expects colours for all vertices or none, and copies vertices for each group.
+//! Only vertices, faces and, on demand, texture coordinates and normals are handed over, in ASCII.
+//! Everything else adds ways to fail: `tobj` 4.0 takes `l` with three corners for a triangle,
+//! refuses `usemtl` without a name, one number after `vt`, comments after a statement and bytes
+//! that are not UTF-8, expects colours for all vertices or none, and copies vertices for each
+//! group.
 
 use std::io::{self, BufRead, Read};
 use std::ops::Range;
@@ -12,6 +13,7 @@ use std::path::Path;
 use super::lexer::{Statement, Statements};
 use crate::decimal;
 use crate::error::Diagnostic;
+use crate::mesh::CornerWants;
 use crate::mesh::tally::Tally;
 
 /// Statements of OBJ that do not shape the mesh.
@@ -38,13 +40,17 @@ pub(super) struct Plain<'a> {
     /// The lines that are ready, of which the first `taken` bytes have been read.
     lines: Vec<u8>,
     taken: usize,
-    with_uv: bool,
+    wants: CornerWants,
     /// Vertices so far.
     pub(super) vertices: u64,
     /// Texture coordinates so far.
     textures: i64,
+    /// Normals so far, and in the whole text.
+    normals: [i64; 2],
     /// Whether any corner has texture coordinates.
     pub(super) has_uv: bool,
+    /// Whether any corner has a normal.
+    pub(super) has_normals: bool,
     bare: Tally,
     small: Tally,
     unknown: Tally,
@@ -53,25 +59,31 @@ pub(super) struct Plain<'a> {
 }
 
 impl<'a> Plain<'a> {
-    /// With texture coordinates if `with_uv`. A first one, (0, 0), is for corners that have none.
-    pub(super) fn new(text: &'a [u8], with_uv: bool) -> Plain<'a> {
+    /// With what `wants` says of corners. The first texture coordinates, and the first normal, are
+    /// zeros for corners that have none.
+    pub(super) fn new(text: &'a [u8], wants: CornerWants) -> Plain<'a> {
         let [bare, small, unknown, surfaces, calls] = Default::default();
-        let lines = if with_uv {
-            b"vt 0 0\n".to_vec()
-        } else {
-            Vec::new()
-        };
-        let (taken, vertices, textures, has_uv) = (0, 0, 0, false);
-        let statements = Statements::new(text);
+        let mut lines = Vec::new();
+        if wants.uv {
+            lines.extend_from_slice(b"vt 0 0\n");
+        }
+        let mut count_of_normals = 0;
+        if wants.normals {
+            lines.extend_from_slice(b"vn 0 0 0\n");
+            let is_normal = |statement: &Statement| statement.keyword() == b"vn";
+            count_of_normals = Statements::new(text).filter(is_normal).count() as i64;
+        }
         Plain {
             text,
-            statements,
+            statements: Statements::new(text),
             lines,
-            taken,
-            with_uv,
-            vertices,
-            textures,
-            has_uv,
+            taken: 0,
+            wants,
+            vertices: 0,
+            textures: 0,
+            normals: [0, count_of_normals],
+            has_uv: false,
+            has_normals: false,
             bare,
             small,
             unknown,
@@ -113,11 +125,15 @@ impl<'a> Plain<'a> {
                 let numbers = words.take(numbers).map(|word| number(&text[word]));
                 self.push_line(b"v", numbers);
             }
-            b"vt" if self.with_uv => {
+            b"vt" if self.wants.uv => {
                 self.textures += 1;
                 let first = words.next().map_or(&b"?"[..], |word| number(&text[word]));
                 let second = words.next().map_or(&b"0"[..], |word| number(&text[word]));
                 self.push_line(b"vt", [first, second].into_iter());
+            }
+            b"vn" if self.wants.normals => {
+                self.normals[0] += 1;
+                self.push_normal(words);
             }
             b"f" if words.clone().count() < 3 => self.small.add(statement.span.clone()),
             b"f" => {
@@ -155,24 +171,45 @@ impl<'a> Plain<'a> {
             return self.push_word(b"?");
         }
         self.push_word(index(word, 0));
-        if !self.with_uv {
-            return;
+        if self.wants.uv {
+            self.push_texture(word, span);
         }
-        // Coordinates count from 2: the first ones are not in the file.
+        if self.wants.normals {
+            self.lines
+                .extend_from_slice(if self.wants.uv { b"/" } else { b"//" });
+            let [so_far, in_all] = self.normals;
+            let normal = shifted(index(word, 2), so_far);
+            let normal = normal.filter(|normal| *normal <= in_all + 1);
+            self.has_normals |= normal.is_some();
+            let number = normal.unwrap_or(1).to_string();
+            self.lines.extend_from_slice(number.as_bytes());
+        }
+    }
+
+    /// Appends the texture coordinates of a corner.
+    fn push_texture(&mut self, word: &[u8], span: Range<usize>) {
         let texture = index(word, 1);
         if texture.is_empty() {
             self.bare.add(span);
             return self.lines.extend_from_slice(b"/1");
         }
         self.has_uv = true;
-        let number = match parse_index(texture) {
-            Some(index) if index > 0 => index.checked_add(1),
-            Some(index) if index < 0 => Some(self.textures + 2 + index).filter(|n| *n > 1),
-            _ => None,
-        };
+        let number = shifted(texture, self.textures);
         let number = number.map_or("?".to_owned(), |number| number.to_string());
         self.lines.push(b'/');
         self.lines.extend_from_slice(number.as_bytes());
+    }
+
+    /// Appends a normal, or a zero for one that is wrong: it only decides between two sides.
+    fn push_normal(&mut self, words: impl Iterator<Item = Range<usize>>) {
+        let mut normal = words.map(|word| decimal::parse(&self.text[word]));
+        let normal = [0, 1, 2].map(|_| normal.next().flatten());
+        let normal = normal.map(|number| number.filter(|number| number.is_finite()));
+        let line = match normal {
+            [Some(x), Some(y), Some(z)] => format!("vn {x:e} {y:e} {z:e}\n"),
+            _ => "vn 0 0 0\n".to_owned(),
+        };
+        self.lines.extend_from_slice(line.as_bytes());
     }
 }
 
@@ -182,6 +219,16 @@ pub(super) fn index(corner: &[u8], number: usize) -> &[u8] {
         .split(|byte| *byte == b'/')
         .nth(number)
         .unwrap_or_default()
+}
+
+/// The place of an item in the plain form, where they count from 2: the first one is not in the
+/// file. `so_far` of them came before.
+fn shifted(digits: &[u8], so_far: i64) -> Option<i64> {
+    match parse_index(digits) {
+        Some(index) if index > 0 => index.checked_add(1),
+        Some(index) if index < 0 => Some(so_far + 2 + index).filter(|number| *number > 1),
+        _ => None,
+    }
 }
 
 pub(super) fn parse_index(digits: &[u8]) -> Option<i64> {

@@ -10,8 +10,8 @@ use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::geometry::Point;
 use crate::input::Budget;
 use crate::mesh::faces::{Faces, check_count};
-use crate::mesh::{Loaded, TriangleMesh};
-use crate::shape::CornerUv;
+use crate::mesh::{CornerWants, Loaded, TriangleMesh};
+use crate::shape::{CornerNormals, CornerUv};
 
 /// The library cuts polygons itself. `tobj` calls faces that are too small lines and points.
 const OPTIONS: tobj::LoadOptions = tobj::LoadOptions {
@@ -21,11 +21,16 @@ const OPTIONS: tobj::LoadOptions = tobj::LoadOptions {
     ignore_lines: true,
 };
 
-/// Reads any OBJ file, with the texture coordinates of its corners if `with_uv`.
-pub(super) fn read(path: &Path, text: &[u8], with_uv: bool, budget: &Budget) -> Result<Loaded> {
-    let mut plain = Plain::new(text, with_uv);
+/// Reads any OBJ file, with what `wants` says of its corners.
+pub(super) fn read(
+    path: &Path,
+    text: &[u8],
+    wants: CornerWants,
+    budget: &Budget,
+) -> Result<Loaded> {
+    let mut plain = Plain::new(text, wants);
     let models = tobj::load_obj_buf(&mut plain, &OPTIONS, |_| Ok(Default::default()));
-    let (models, _) = models.map_err(|error| refused(path, text, with_uv, &error))?;
+    let (models, _) = models.map_err(|error| refused(path, text, wants.uv, &error))?;
     let at_file = |error: Error| error.or_at(|| SourceLocation::file(path));
     check_count(plain.vertices, "vertices").map_err(at_file)?;
     let mut mesh = models
@@ -35,23 +40,28 @@ pub(super) fn read(path: &Path, text: &[u8], with_uv: bool, budget: &Budget) -> 
         .unwrap_or_default();
     let vertices = points(std::mem::take(&mut mesh.positions));
     let triangles = mesh.indices.len() - 2 * face_count(&mesh);
-    let with_uv = with_uv && plain.has_uv;
-    let mut faces = match with_uv {
-        true => Faces::with_places(&vertices, triangles, budget),
-        false => Faces::new(&vertices, triangles, budget),
+    let found = CornerWants {
+        uv: wants.uv && plain.has_uv,
+        normals: wants.normals && plain.has_normals,
+    };
+    let mut faces = match found {
+        CornerWants::NOTHING => Faces::new(&vertices, triangles, budget),
+        _ => Faces::with_places(&vertices, triangles, budget),
     };
     push_all(&mesh, &mut faces, |face| mistakes::face(path, text, face))?;
-    let uv = if with_uv {
+    let mut corners = Vec::new();
+    if found != CornerWants::NOTHING {
         check_count(mesh.indices.len() as u64, "corners").map_err(at_file)?;
-        Some(uv_of(&mesh, faces.take_places()))
-    } else {
-        None
-    };
+        corners = corners_of_mesh(&mesh, faces.take_places());
+    }
+    let uv = found.uv.then(|| uv_of(&mesh, &corners));
+    let normals = found.normals.then(|| normals_of(&mesh, &corners));
     let triangles = faces.finish().map_err(at_file)?.0;
     let mesh = TriangleMesh {
         vertices,
         triangles,
         uv,
+        normals,
     };
     Ok(Loaded::new(path, mesh, plain.warnings(path)))
 }
@@ -96,14 +106,19 @@ fn push_all(
     Ok(())
 }
 
-/// Texture coordinates at the corners of triangles, which are numbered within their faces.
-fn uv_of(mesh: &tobj::Mesh, mut triangles: Vec<[u32; 3]>) -> Vec<CornerUv> {
+/// The corners of triangles, which are numbered within their faces, by their numbers in the mesh.
+fn corners_of_mesh(mesh: &tobj::Mesh, mut triangles: Vec<[u32; 3]>) -> Vec<[u32; 3]> {
     let (mut rest, mut first) = (&mut triangles[..], 0);
     for arity in arities(mesh) {
         let (own, others) = rest.split_at_mut(arity - 2);
         own.iter_mut().flatten().for_each(|corner| *corner += first);
         (rest, first) = (others, first + arity as u32);
     }
+    triangles
+}
+
+/// Texture coordinates at the corners of triangles.
+fn uv_of(mesh: &tobj::Mesh, triangles: &[[u32; 3]]) -> Vec<CornerUv> {
     let uv_of_corner = |corner: u32| {
         let at = 2 * mesh.texcoord_indices[corner as usize] as usize;
         [mesh.texcoords[at] as f32, mesh.texcoords[at + 1] as f32]
@@ -111,6 +126,18 @@ fn uv_of(mesh: &tobj::Mesh, mut triangles: Vec<[u32; 3]>) -> Vec<CornerUv> {
     triangles
         .par_iter()
         .map(|corners| corners.map(uv_of_corner))
+        .collect()
+}
+
+/// Normals at the corners of triangles.
+fn normals_of(mesh: &tobj::Mesh, triangles: &[[u32; 3]]) -> Vec<CornerNormals> {
+    let normal_of_corner = |corner: u32| {
+        let at = 3 * mesh.normal_indices[corner as usize] as usize;
+        [0, 1, 2].map(|k| mesh.normals[at + k] as f32)
+    };
+    triangles
+        .par_iter()
+        .map(|corners| corners.map(normal_of_corner))
         .collect()
 }
 

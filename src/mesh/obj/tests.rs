@@ -8,15 +8,15 @@ use proptest::sample::Index;
 use super::parallel::read_in_blocks;
 use super::{parse, reader};
 use crate::input::Budget;
-use crate::mesh::Loaded;
 use crate::mesh::tests::told;
+use crate::mesh::{CornerWants, Loaded};
 
 /// Checks that the fast reader, in blocks of several sizes, agrees with the general one. Returns
 /// whether `text` is in the usual form.
 fn check(text: &[u8]) -> bool {
     let path = Path::new("a.obj");
     let budget = || Budget::of_bytes(text.len());
-    let expected = told(&reader::read(path, text, false, &budget()));
+    let expected = told(&reader::read(path, text, CornerWants::NOTHING, &budget()));
     let mut times_read = 0;
     for block in [1, 9, 50, 1 << 20] {
         if let Some(mesh) = read_in_blocks(text, block, &budget()) {
@@ -33,7 +33,10 @@ fn check(text: &[u8]) -> bool {
         "the result depends on the size of blocks"
     );
     if !text.is_empty() && crate::mesh::signature::describe(text).is_none() {
-        assert_eq!(told(&parse(path, text, false, &budget())), expected);
+        assert_eq!(
+            told(&parse(path, text, CornerWants::NOTHING, &budget())),
+            expected
+        );
     }
     times_read > 0
 }

@@ -66,7 +66,9 @@ impl<V: Values> ElementReader<'_, V> {
                 let length = self.length(count, item)?;
                 self.values.skip(Run::of(item, length))
             }
-            Step::Coordinate(_, kind) | Step::Uv(_, kind) => self.values.skip(Run::of(kind, 1)),
+            Step::Coordinate(_, kind) | Step::Uv(_, kind) | Step::Normal(_, kind) => {
+                self.values.skip(Run::of(kind, 1))
+            }
         }
     }
 

@@ -1,7 +1,8 @@
 //! PLY meshes: a header that describes elements and their properties, and values as text or bytes.
 //!
 //! The mesh comes from the properties x, y and z of the element `vertex`, the list `vertex_indices`
-//! or `vertex_index` of the elements `face` and `tristrips`, and, on demand, u and v of vertices.
+//! or `vertex_index` of the elements `face` and `tristrips`, and, on demand, u and v and normals of
+//! vertices.
 //! Everything else is skipped. A header may list faces and strips several times and in any order:
 //! triangles come in the order of the file.
 
@@ -23,8 +24,8 @@ use std::path::Path;
 use self::ascii::Ascii;
 use self::binary::{BigEndian, Binary, LittleEndian};
 use self::header::{Encoding, Header};
-use self::vertices::names_of_uv;
-use super::Loaded;
+use self::vertices::found_of;
+use super::{CornerWants, Loaded};
 use crate::error::Result;
 use crate::input::{Budget, Storage, gzip};
 
@@ -51,25 +52,33 @@ pub(super) fn parse(path: &Path, bytes: &[u8], budget: &Budget) -> Result<Loaded
         };
         match fast {
             Some(loaded) => Ok(loaded),
-            None => read(path, content, Header::parse(path, content)?, false, budget),
+            None => {
+                let header = Header::parse(path, content)?;
+                read(path, content, header, CornerWants::NOTHING, budget)
+            }
         }
     })
 }
 
-/// Reads the bytes of any PLY file, with u and v of the vertices if it has them.
-pub(super) fn parse_with_uv(path: &Path, bytes: &[u8], budget: &Budget) -> Result<Loaded> {
+/// Reads the bytes of any PLY file, with what `wants` says of the vertices, if it has that.
+pub(super) fn parse_with_corners(
+    path: &Path,
+    bytes: &[u8],
+    wants: CornerWants,
+    budget: &Budget,
+) -> Result<Loaded> {
     gzip::parsed(path, bytes, budget, |content| {
         let header = Header::parse(path, content)?;
         let mut vertices = header
             .elements
             .iter()
             .filter(|element| element.name == "vertex");
-        if vertices.any(|element| names_of_uv(element).is_some()) {
-            return read(path, content, header, true, budget);
+        if vertices.any(|element| found_of(element, wants) != CornerWants::NOTHING) {
+            return read(path, content, header, wants, budget);
         }
         match parallel::read(path, &Storage::Memory(content)) {
             Some(loaded) => Ok(loaded),
-            None => read(path, content, header, false, budget),
+            None => read(path, content, header, CornerWants::NOTHING, budget),
         }
     })
 }
@@ -78,22 +87,22 @@ fn read(
     path: &Path,
     content: &[u8],
     header: Header,
-    with_uv: bool,
+    wants: CornerWants,
     budget: &Budget,
 ) -> Result<Loaded> {
     let start = header.size;
     match header.encoding {
         Encoding::Ascii => {
             let values = Ascii::new(path, content, start);
-            reader::read(path, content, values, header, with_uv, budget)
+            reader::read(path, content, values, header, wants, budget)
         }
         Encoding::LittleEndian => {
             let values = Binary::<LittleEndian>::new(path, content, start);
-            reader::read(path, content, values, header, with_uv, budget)
+            reader::read(path, content, values, header, wants, budget)
         }
         Encoding::BigEndian => {
             let values = Binary::<BigEndian>::new(path, content, start);
-            reader::read(path, content, values, header, with_uv, budget)
+            reader::read(path, content, values, header, wants, budget)
         }
     }
 }

@@ -8,6 +8,7 @@ use super::values::Run;
 pub(super) enum Step {
     Coordinate(usize, Scalar),
     Uv(usize, Scalar),
+    Normal(usize, Scalar),
     Corners { count: Scalar, item: Scalar },
     Skip(Run),
     SkipList { count: Scalar, item: Scalar },

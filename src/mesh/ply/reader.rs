@@ -11,16 +11,16 @@ use crate::error::{Diagnostic, Result, SourceLocation};
 use crate::input::Budget;
 use crate::mesh::faces::Faces;
 use crate::mesh::tally::counted;
-use crate::mesh::{Loaded, TriangleMesh, uv_of_corners};
+use crate::mesh::{CornerWants, Loaded, TriangleMesh, of_corners};
 
-/// Reads the `values` of all elements in `header`; they follow it in `content`. With u and v of the
-/// vertices if `with_uv`.
+/// Reads the `values` of all elements in `header`; they follow it in `content`. With what `wants`
+/// says of the vertices.
 pub(super) fn read<V: Values>(
     path: &Path,
     content: &[u8],
     values: V,
     header: Header,
-    with_uv: bool,
+    wants: CornerWants,
     budget: &Budget,
 ) -> Result<Loaded> {
     let elements = &header.elements;
@@ -32,7 +32,7 @@ pub(super) fn read<V: Values>(
     };
     let mut reader = Reader {
         elements: reader,
-        with_uv,
+        wants,
         budget,
     };
     let vertex = reader.find_vertex(elements)?;
@@ -44,7 +44,7 @@ pub(super) fn read<V: Values>(
 
 struct Reader<'a, V> {
     elements: ElementReader<'a, V>,
-    with_uv: bool,
+    wants: CornerWants,
     budget: &'a Budget,
 }
 
@@ -73,8 +73,12 @@ impl<V: Values> Reader<'_, V> {
         }
         let vertex = &elements[vertex_at];
         let read_vertices =
-            |reader: &mut Self| vertices::read(&mut reader.elements, vertex, reader.with_uv);
-        let (vertices, uv) = self.visit(vertex, read_vertices)?;
+            |reader: &mut Self| vertices::read(&mut reader.elements, vertex, reader.wants);
+        let vertices::Vertices {
+            points: vertices,
+            uv,
+            normals,
+        } = self.visit(vertex, read_vertices)?;
         let mut faces = Faces::new(&vertices, 0, self.budget);
         for (values, element) in early_faces {
             let next = std::mem::replace(&mut self.elements.values, values);
@@ -85,11 +89,13 @@ impl<V: Values> Reader<'_, V> {
             self.visit(element, |reader| reader.any_faces(element, &mut faces))?;
         }
         let triangles = self.finish(faces)?;
-        let uv = (!uv.is_empty()).then(|| uv_of_corners(&triangles, &uv));
+        let uv = (!uv.is_empty()).then(|| of_corners(&triangles, &uv));
+        let normals = (!normals.is_empty()).then(|| of_corners(&triangles, &normals));
         Ok(TriangleMesh {
             vertices,
             triangles,
             uv,
+            normals,
         })
     }
 

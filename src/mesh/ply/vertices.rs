@@ -7,6 +7,7 @@ use super::values::{Fault, Values};
 use crate::error::Result;
 use crate::geometry::Point;
 use crate::memory;
+use crate::mesh::CornerWants;
 use crate::mesh::faces::check_count;
 
 /// The names of u and v, in the order in which pbrt-v3 looks for them.
@@ -17,25 +18,52 @@ const UV: [[&str; 2]; 4] = [
     ["texture_s", "texture_t"],
 ];
 
+/// The names of the components of a normal.
+const NORMAL: [&str; 3] = ["nx", "ny", "nz"];
+
 /// The names of u and v in this element, if it has them.
-pub(super) fn names_of_uv(element: &Element) -> Option<[&'static str; 2]> {
+fn names_of_uv(element: &Element) -> Option<[&'static str; 2]> {
+    UV.into_iter().find(|names| has_all(element, names))
+}
+
+fn has_all(element: &Element, names: &[&str]) -> bool {
     let has = |name: &&str| {
         element
             .properties
             .iter()
-            .any(|property| property.name == **name)
+            .any(|property| property.name == *name)
     };
-    UV.into_iter().find(|names| names.iter().all(&has))
+    names.iter().all(has)
 }
 
-/// Vertices, and u and v of each if they are wanted and there are any.
-pub(super) type Vertices = (Vec<Point>, Vec<[f32; 2]>);
+/// The part of `wants` that this element has.
+pub(super) fn found_of(element: &Element, wants: CornerWants) -> CornerWants {
+    CornerWants {
+        uv: wants.uv && names_of_uv(element).is_some(),
+        normals: wants.normals && has_all(element, &NORMAL),
+    }
+}
+
+/// Vertices, and what is wanted of each if there is any.
+pub(super) struct Vertices {
+    pub(super) points: Vec<Point>,
+    pub(super) uv: Vec<[f32; 2]>,
+    pub(super) normals: Vec<[f32; 3]>,
+}
+
+/// A vertex, with zeros for what is not wanted.
+#[derive(Default)]
+struct Vertex {
+    point: [f64; 3],
+    uv: [f32; 2],
+    normal: [f32; 3],
+}
 
 /// Reads all vertices.
 pub(super) fn read<V: Values>(
     reader: &mut ElementReader<V>,
     element: &Element,
-    with_uv: bool,
+    wants: CornerWants,
 ) -> Result<Vertices> {
     let axes = properties_called(reader, element, ["x", "y", "z"])?;
     let count = element.count;
@@ -44,35 +72,49 @@ pub(super) fn read<V: Values>(
     let too_large = || format!("{count} vertices are too many for this machine's memory");
     memory::check(count.saturating_mul(size_of::<Point>() as u64), too_large)
         .map_err(|error| error.or_at(at_header))?;
-    let uv = match names_of_uv(element).filter(|_| with_uv) {
+    let found = found_of(element, wants);
+    let uv = match names_of_uv(element).filter(|_| found.uv) {
         Some(names) => Some(properties_called(reader, element, names)?),
         None => None,
     };
-    if uv.is_none()
+    let normal = match found.normals {
+        true => Some(properties_called(reader, element, NORMAL)?),
+        false => None,
+    };
+    if found == CornerWants::NOTHING
         && let Some((stride, offsets, kind)) = record(element, axes)
         && let Some(points) = reader.values.points(count, stride, offsets, kind)
     {
-        return Ok((points, Vec::new()));
+        return Ok(Vertices {
+            points,
+            uv: Vec::new(),
+            normals: Vec::new(),
+        });
     }
     let index_of = |properties: &[usize], at: usize| properties.iter().position(|p| *p == at);
     let plan = plan(&element.properties, |at, shape| {
         let Shape::One(kind) = shape else { return None };
-        match index_of(&axes, at) {
-            Some(axis) => Some(Step::Coordinate(axis, kind)),
-            None => Some(Step::Uv(index_of(&uv?, at)?, kind)),
-        }
+        let coordinate = || Some(Step::Coordinate(index_of(&axes, at)?, kind));
+        let of_uv = || Some(Step::Uv(index_of(&uv?, at)?, kind));
+        let of_normal = || Some(Step::Normal(index_of(&normal?, at)?, kind));
+        coordinate().or_else(of_uv).or_else(of_normal)
     });
-    let mut points = Vec::with_capacity(count as usize);
-    let mut surface = Vec::with_capacity(if uv.is_some() { count as usize } else { 0 });
+    let room = |is_found: bool| if is_found { count as usize } else { 0 };
+    let mut vertices = Vertices {
+        points: Vec::with_capacity(count as usize),
+        uv: Vec::with_capacity(room(found.uv)),
+        normals: Vec::with_capacity(room(found.normals)),
+    };
     for number in 0..count {
-        let (point, of_surface) =
-            vertex(reader, &plan).map_err(|fault| reader.error(fault, element, number))?;
-        points.push(point);
-        if uv.is_some() {
-            surface.push(of_surface);
-        }
+        let vertex = vertex(reader, &plan);
+        let vertex = vertex.map_err(|fault| reader.error(fault, element, number))?;
+        vertices.points.push(Point::from(vertex.point));
+        vertices.uv.extend(found.uv.then_some(vertex.uv));
+        vertices
+            .normals
+            .extend(found.normals.then_some(vertex.normal));
     }
-    Ok((points, surface))
+    Ok(vertices)
 }
 
 /// The bytes of a vertex, the offsets of its coordinates and their type, if it has no lists, and
@@ -92,21 +134,22 @@ fn record(element: &Element, axes: [usize; 3]) -> Option<(usize, [usize; 3], Sca
     is_same.then_some((stride, [x, y, z], kind))
 }
 
-/// Reads a vertex, and its u and v.
+/// Reads a vertex.
 #[inline]
 fn vertex<V: Values>(
     reader: &mut ElementReader<V>,
     plan: &[Step],
-) -> std::result::Result<(Point, [f32; 2]), Fault> {
-    let (mut point, mut uv) = ([0.0; 3], [0.0; 2]);
+) -> std::result::Result<Vertex, Fault> {
+    let mut vertex = Vertex::default();
     for step in plan {
         match *step {
-            Step::Coordinate(axis, kind) => point[axis] = reader.values.real(kind)?,
-            Step::Uv(axis, kind) => uv[axis] = reader.values.real(kind)? as f32,
+            Step::Coordinate(axis, kind) => vertex.point[axis] = reader.values.real(kind)?,
+            Step::Uv(axis, kind) => vertex.uv[axis] = reader.values.real(kind)? as f32,
+            Step::Normal(axis, kind) => vertex.normal[axis] = reader.values.real(kind)? as f32,
             step => reader.leave_out(step)?,
         }
     }
-    Ok((Point::from(point), uv))
+    Ok(vertex)
 }
 
 /// The indices of the properties of these names, each of which must occur once.

@@ -1,6 +1,7 @@
 //! Whole mesh files, and the messages about broken ones.
 
 mod damage;
+mod normals;
 mod obj;
 mod ply;
 mod ply_messages;

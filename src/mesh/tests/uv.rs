@@ -5,10 +5,14 @@ use std::path::Path;
 use super::{gzipped, message};
 use crate::error::Result;
 use crate::mesh::MeshFormat::{self, Obj, Ply};
-use crate::mesh::{Loaded, parse};
+use crate::mesh::{CornerWants, Loaded, parse};
 
 pub(super) fn with_uv(bytes: &[u8], format: MeshFormat) -> Result<Loaded> {
-    parse(Path::new("a.mesh"), bytes, format, true)
+    let wants = CornerWants {
+        uv: true,
+        normals: false,
+    };
+    parse(Path::new("a.mesh"), bytes, format, wants)
 }
 
 /// The coordinates of a file without anything odd, which has the same triangles where nobody wants
@@ -20,7 +24,7 @@ fn uv(bytes: impl AsRef<[u8]>, format: MeshFormat) -> Option<Vec<[[f32; 2]; 3]>>
     let uv = loaded.mesh.uv.take();
     assert_eq!(
         loaded.mesh,
-        parse(Path::new("a.mesh"), bytes, format, false)
+        parse(Path::new("a.mesh"), bytes, format, CornerWants::NOTHING)
             .unwrap()
             .mesh
     );

@@ -1,8 +1,10 @@
 //! The `Camera` directive.
 
-use crate::camera::{Camera, Projection, ScreenWindow};
+use super::realistic::RealisticLens;
+use crate::camera::{Camera, Projection, ScreenWindow, SphereMapping};
 use crate::error::Result;
-use crate::geometry::{Matrix, Transform};
+use crate::geometry::Matrix;
+use crate::scene::inputs::Inputs;
 use crate::scene::parameters::{DeclaredType, Parameters};
 use crate::scene::spelling;
 use crate::scene::warnings::Warnings;
@@ -11,30 +13,47 @@ use crate::scene::warnings::Warnings;
 #[derive(Debug, Clone)]
 pub(crate) struct CameraParameters {
     world_from_camera: Matrix,
-    projection: Projection,
+    lens: Lens,
     frame_aspect_ratio: Option<f64>,
     screen_window: Option<ScreenWindow>,
 }
+
+/// What decides how rays leave the camera.
+#[derive(Debug, Clone, Copy)]
+enum Lens {
+    Known(Projection),
+    /// Its field of view depends on the film.
+    Realistic(RealisticLens),
+}
+
+/// The cameras of pbrt.
+const CAMERAS: [&str; 5] = [
+    "perspective",
+    "orthographic",
+    "environment",
+    "spherical",
+    "realistic",
+];
 
 impl CameraParameters {
     /// pbrt's default camera: 90 degrees, at the origin, along +z.
     pub(crate) fn default_camera() -> CameraParameters {
         CameraParameters {
             world_from_camera: Matrix::IDENTITY,
-            projection: Projection::Perspective { tangent: 1.0 },
+            lens: Lens::Known(Projection::Perspective { tangent: 1.0 }),
             frame_aspect_ratio: None,
             screen_window: None,
         }
     }
 
-    /// Reads the directive. `current` is the current transform: camera space from world space (rule
+    /// Reads the directive of a camera at this place: the inverse of the current transform (rule
     /// R5).
     pub(crate) fn read(
         parameters: &mut Parameters,
-        current: &Transform,
+        world_from_camera: Matrix,
+        inputs: &mut Inputs,
         warnings: &mut Warnings,
     ) -> Result<CameraParameters> {
-        let world_from_camera = current.inverse;
         if !world_from_camera.is_finite() {
             let message =
                 "the camera's matrix is not finite: its transform is singular, or too large";
@@ -42,24 +61,27 @@ impl CameraParameters {
                 .error_at_name(message)
                 .note("check the transforms before this directive"));
         }
-        let projection = match parameters.entity_name() {
-            "perspective" => Projection::perspective(field_of_view(parameters)?),
-            "orthographic" => Projection::Orthographic,
-            other => {
-                let message = format!("the camera `{other}` is not supported");
-                let error = parameters.error_at_name(message);
-                return Err(
-                    match spelling::closest(other, ["perspective", "orthographic"].into_iter()) {
-                        Some(known) => error.note(format!("did you mean `{known}`?")),
-                        None => error
-                            .note("expected \"perspective\" or \"orthographic\"")
-                            .note(closest_camera(other)),
-                    },
-                );
-            }
+        let lens = Lens::read(parameters, inputs, warnings)?;
+        parameters.ignore(&["shutteropen", "shutterclose"]);
+        let mut camera = CameraParameters {
+            world_from_camera,
+            lens,
+            frame_aspect_ratio: None,
+            screen_window: None,
         };
-        let frame_aspect_ratio = frame_aspect_ratio(parameters)?;
-        let screen_window = screen_window(parameters, warnings)?;
+        let ignored = [
+            "frameaspectratio",
+            "screenwindow",
+            "lensradius",
+            "focaldistance",
+        ];
+        // pbrt reads these for every camera, and forgets them where they mean nothing.
+        if !camera.has_screen_window() {
+            parameters.ignore(&ignored);
+            return Ok(camera);
+        }
+        camera.frame_aspect_ratio = frame_aspect_ratio(parameters)?;
+        camera.screen_window = screen_window(parameters, warnings)?;
         if parameters
             .number("lensradius")?
             .is_some_and(|radius| radius != 0.0)
@@ -70,23 +92,30 @@ impl CameraParameters {
                 warnings,
             );
         }
-        parameters.ignore(&["focaldistance", "shutteropen", "shutterclose"]);
-        Ok(CameraParameters {
-            world_from_camera,
-            projection,
-            frame_aspect_ratio,
-            screen_window,
-        })
+        parameters.ignore(&["focaldistance"]);
+        Ok(camera)
     }
 
-    /// The camera with a film of `resolution`.
-    pub(crate) fn resolve(self, resolution: [u32; 2]) -> Camera {
+    /// Whether the camera looks through a window of its own.
+    fn has_screen_window(&self) -> bool {
+        match &self.lens {
+            Lens::Known(projection) => projection.is_planar(),
+            Lens::Realistic(_) => false,
+        }
+    }
+
+    /// The camera with a film of `resolution`, whose diagonal is that many millimetres.
+    pub(crate) fn resolve(self, resolution: [u32; 2], diagonal: f64) -> Camera {
+        let projection = match &self.lens {
+            Lens::Known(projection) => *projection,
+            Lens::Realistic(lens) => lens.projection(resolution, diagonal),
+        };
         let aspect = self
             .frame_aspect_ratio
             .unwrap_or(f64::from(resolution[0]) / f64::from(resolution[1]));
         Camera {
             world_from_camera: self.world_from_camera,
-            projection: self.projection,
+            projection,
             screen_window: self
                 .screen_window
                 .unwrap_or_else(|| ScreenWindow::of_aspect(aspect)),
@@ -95,16 +124,42 @@ impl CameraParameters {
     }
 }
 
-/// Names the supported camera that is closest to `name`.
-fn closest_camera(name: &str) -> &'static str {
-    match name {
-        "environment" | "spherical" => {
-            "the closest are several perspective cameras that look around, \
-             each less than 180 degrees wide (--cameras)"
-        }
-        "realistic" => "the closest is a perspective camera with the field of view of the lens",
-        _ => "the closest is a perspective camera",
+impl Lens {
+    fn read(
+        parameters: &mut Parameters,
+        inputs: &mut Inputs,
+        warnings: &mut Warnings,
+    ) -> Result<Lens> {
+        Ok(match parameters.entity_name() {
+            "perspective" => Lens::Known(Projection::perspective(field_of_view(parameters)?)),
+            "orthographic" => Lens::Known(Projection::Orthographic),
+            "environment" => Lens::Known(Projection::Spherical(SphereMapping::Equirectangular)),
+            "spherical" => Lens::Known(Projection::Spherical(sphere_mapping(parameters)?)),
+            "realistic" => Lens::Realistic(RealisticLens::read(parameters, inputs, warnings)?),
+            other => {
+                let message = format!("the camera `{other}` is not supported");
+                let error = parameters.error_at_name(message);
+                return Err(match spelling::closest(other, CAMERAS.into_iter()) {
+                    Some(known) => error.note(format!("did you mean `{known}`?")),
+                    None => error
+                        .note(format!("expected one of {}", CAMERAS.join(", ")))
+                        .note("the closest is a perspective camera"),
+                });
+            }
+        })
     }
+}
+
+/// The mapping of pbrt-v4's spherical camera.
+fn sphere_mapping(parameters: &mut Parameters) -> Result<SphereMapping> {
+    let Some(name) = parameters.string("mapping")? else {
+        return Ok(SphereMapping::EqualArea);
+    };
+    let mut known = SphereMapping::ALL.into_iter();
+    known.find(|mapping| mapping.name() == name).ok_or_else(|| {
+        let error = parameters.error_at("mapping", format!("the mapping `{name}` is unknown"));
+        error.note("expected \"equalarea\" or \"equirectangular\"")
+    })
 }
 
 /// The screen window, four finite numbers. A reversed window mirrors the picture. A window without

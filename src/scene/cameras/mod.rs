@@ -3,7 +3,9 @@
 mod camera_directive;
 mod intrinsics;
 mod json;
+mod lens_file;
 mod poses;
+mod realistic;
 mod scalar;
 #[cfg(test)]
 mod tests;

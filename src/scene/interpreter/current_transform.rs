@@ -3,8 +3,10 @@
 use super::coordinate_systems::CoordinateSystems;
 use super::name::Name;
 use super::transforms::{Transforms, Unusable};
+use super::unfit_matrices::{why_not_finite, why_unusable};
 use crate::error::Result;
-use crate::geometry::{Point, Transform, Vector};
+use crate::geometry::{Matrix, Point, Transform, Vector};
+use crate::scene::LoadOptions;
 use crate::scene::parser::{ActiveTransform, Text, TransformDirective};
 use crate::scene::source_span::SourceSpan;
 use crate::scene::transform_history::{TransformHistory, TransformStep};
@@ -20,19 +22,22 @@ pub(super) struct CurrentTransform {
     singular: Option<(&'static str, SourceSpan)>,
     coordinate_systems: CoordinateSystems,
     history: Option<TransformHistory>,
+    /// The moment that is shown; `None` if the user has not chosen it.
+    time: Option<f64>,
 }
 
 /// What a block restores when it ends.
 pub(super) struct Saved(Transforms, ActiveTransform);
 
 impl CurrentTransform {
-    pub(super) fn new(keeps_history: bool) -> CurrentTransform {
+    pub(super) fn new(options: &LoadOptions) -> CurrentTransform {
         CurrentTransform {
             now: Transforms::IDENTITY,
             active: ActiveTransform::All,
             singular: None,
             coordinate_systems: CoordinateSystems::default(),
-            history: keeps_history.then(TransformHistory::default),
+            history: options.transform_history.then(TransformHistory::default),
+            time: options.time,
         }
     }
 
@@ -41,9 +46,26 @@ impl CurrentTransform {
         &self.now.start
     }
 
-    /// Whether the transform changes between the start time and the end time.
-    pub(super) fn is_moving(&self) -> bool {
-        self.now.are_moving()
+    /// The matrix at the moment that is shown, for a shape or an instance.
+    pub(super) fn matrix(&self) -> Matrix {
+        self.now.matrix_at(self.time.unwrap_or(0.0))
+    }
+
+    /// The inverse at the moment that is shown, for a camera.
+    pub(super) fn inverse(&self) -> Matrix {
+        self.now.inverse_at(self.time.unwrap_or(0.0))
+    }
+
+    /// Warns of `something`, at `at`, that moves, unless the user has chosen a moment.
+    pub(super) fn warn_if_moving(&self, something: &str, at: &SourceSpan, warnings: &mut Warnings) {
+        if self.time.is_some() || !self.now.are_moving() {
+            return;
+        }
+        warnings.add(format!("moving {something}"), || {
+            let message = format!("a moving {something} is shown where it is at the start time");
+            at.diagnostic(message)
+                .note("--time T shows another moment: 0 is the start of the motion, 1 the end")
+        });
     }
 
     pub(super) fn set_active(&mut self, active: ActiveTransform) {
@@ -195,6 +217,7 @@ impl CurrentTransform {
 
     /// Calls the inverse of the transform at `Camera` `camera`.
     pub(super) fn set_camera(&mut self) {
+        self.forget_history_of_motion();
         let mut inverse = self.now.inverted();
         if let Some(history) = &mut self.history {
             history.camera = self.now.id;
@@ -215,6 +238,7 @@ impl CurrentTransform {
 
     /// Notes in the history that a `Shape` has the current transform.
     pub(super) fn record_shape(&mut self) {
+        self.forget_history_of_motion();
         if let Some(history) = &mut self.history {
             history.shapes.push(self.now.id);
         }
@@ -222,11 +246,20 @@ impl CurrentTransform {
 
     /// Notes in the history that an `ObjectInstance` has the current transform.
     pub(super) fn record_instance(&mut self) {
+        self.forget_history_of_motion();
         if let Some(history) = &mut self.history {
             history.instances.push(self.now.id);
         }
     }
 
+    /// The history is that of the start time: it says nothing of another moment.
+    fn forget_history_of_motion(&mut self) {
+        if self.now.are_moving() && self.time.is_some_and(|time| time > 0.0) {
+            self.history = None;
+        }
+    }
+
+    /// The history; `None` if something is shown at another moment than its start.
     pub(super) fn into_history(self) -> Option<TransformHistory> {
         self.history
     }
@@ -240,34 +273,4 @@ fn warn_of_parallel_look_at(at: &SourceSpan, warnings: &mut Warnings) {
         );
         diagnostic.note("expected eye, look and up with a plane between them")
     });
-}
-
-/// Why the matrix of a directive, or its inverse, is not finite.
-fn why_not_finite(directive: &TransformDirective) -> &'static str {
-    match directive {
-        TransformDirective::Rotate([angle, ..]) if angle.is_finite() => {
-            "the axis of this Rotate has no length, or one whose square is out of range"
-        }
-        TransformDirective::LookAt(_) => {
-            "this LookAt has no direction: eye and look are one point, or up has no length"
-        }
-        TransformDirective::Scale(factors) if factors.contains(&0.0) => {
-            "this Scale by 0 cannot be undone"
-        }
-        TransformDirective::Transform(_) | TransformDirective::ConcatTransform(_) => {
-            "this matrix has no finite inverse"
-        }
-        _ => "the numbers of this transform are beyond the range of f64, or no numbers",
-    }
-}
-
-/// Why 16 numbers are not an affine transform.
-fn why_unusable(m: &[f64; 16]) -> String {
-    if m.iter().all(|entry| *entry == 0.0) {
-        return "this matrix is 0 everywhere".to_owned();
-    }
-    format!(
-        "the last row of this matrix is {} {} {} {}",
-        m[3], m[7], m[11], m[15]
-    )
 }

@@ -6,6 +6,7 @@ use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::scene::accelerator::AcceleratorParameters;
 use crate::scene::cameras::CameraParameters;
 use crate::scene::film::{Film, FilmParameters};
+use crate::scene::inputs::Inputs;
 use crate::scene::parameters::Parameters;
 use crate::scene::parser::Entity;
 use crate::scene::source_span::SourceSpan;
@@ -27,20 +28,18 @@ impl Entities {
         entity: &Entity,
         at: &SourceSpan,
         transform: &mut CurrentTransform,
+        inputs: &mut Inputs,
         warnings: &mut Warnings,
     ) -> Result<()> {
         let mut parameters = Parameters::new("Camera", entity, at.file())?;
         transform.check_usable("Camera", at)?;
         transform.check_invertible()?;
-        let camera = CameraParameters::read(&mut parameters, transform.start(), warnings)?;
+        let world_from_camera = transform.inverse();
+        let camera = CameraParameters::read(&mut parameters, world_from_camera, inputs, warnings)?;
         parameters.finish(warnings);
         self.camera = Some(camera);
         transform.set_camera();
-        if transform.is_moving() {
-            let message =
-                "a moving camera is not supported: it stands where it is at the start time";
-            warnings.add("moving camera", || at.diagnostic(message));
-        }
+        transform.warn_if_moving("camera", at, warnings);
         Ok(())
     }
 
@@ -83,6 +82,7 @@ impl Entities {
         path: &Path,
         resolution: Option<[u32; 2]>,
     ) -> Result<(Camera, Film, AcceleratorParameters)> {
+        let diagonal = self.film.diagonal();
         let film = self
             .film
             .resolve(resolution)
@@ -91,6 +91,7 @@ impl Entities {
                 None => Error::bad_input(Diagnostic::new(message).at(SourceLocation::file(path))),
             })?;
         let camera = self.camera.unwrap_or_else(CameraParameters::default_camera);
-        Ok((camera.resolve(film.resolution), film, self.accelerator))
+        let camera = camera.resolve(film.resolution, diagonal);
+        Ok((camera, film, self.accelerator))
     }
 }

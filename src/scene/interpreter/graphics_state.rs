@@ -9,6 +9,7 @@ use super::blocks::Block;
 use super::current_transform::{self, CurrentTransform};
 use super::materials::Material;
 use crate::error::Result;
+use crate::scene::LoadOptions;
 use crate::scene::parameters::{MAX_DEFAULTS, Parameters, ShapeDefaults};
 use crate::scene::parser::Entity;
 use crate::scene::source_file::SourceFile;
@@ -44,9 +45,9 @@ struct OpenBlock {
 }
 
 impl GraphicsState {
-    pub(super) fn new(keeps_history: bool) -> GraphicsState {
+    pub(super) fn new(options: &LoadOptions) -> GraphicsState {
         GraphicsState {
-            transform: CurrentTransform::new(keeps_history),
+            transform: CurrentTransform::new(options),
             reverses_orientation: false,
             defaults: ShapeDefaults::default(),
             material: Material::default(),

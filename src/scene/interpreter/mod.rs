@@ -13,6 +13,7 @@ mod scene_builder;
 #[cfg(test)]
 mod tests;
 mod transforms;
+mod unfit_matrices;
 
 use super::inputs::Inputs;
 use super::parser::{Directives, Next, Statement, Step, Text, end_of_arguments, is_last};

@@ -48,7 +48,7 @@ impl SceneBuilder {
         SceneBuilder {
             options: *options,
             phase: Phase::Options,
-            state: GraphicsState::new(options.transform_history),
+            state: GraphicsState::new(options),
             entities: Entities::default(),
             objects: Objects::default(),
             materials: Materials::default(),
@@ -141,8 +141,8 @@ impl SceneBuilder {
             }
             Statement::WorldEnd => self.phase = Phase::Ended,
             Statement::Camera(entity) => {
-                self.entities
-                    .set_camera(entity, keyword, &mut state.transform, warnings)?;
+                let (entities, transform) = (&mut self.entities, &mut state.transform);
+                entities.set_camera(entity, keyword, transform, inputs, warnings)?;
             }
             Statement::Film(entity) => self.entities.set_film(entity, keyword, warnings)?,
             Statement::Accelerator(entity) => {
@@ -183,15 +183,6 @@ impl SceneBuilder {
         }
     }
 
-    /// Shapes and instances are rendered where they are at the start time.
-    fn warn_if_moving(&mut self, at: &SourceSpan) {
-        if self.state.transform.is_moving() {
-            let message =
-                "moving shapes are not supported: they stand where they are at the start time";
-            self.warnings.add("moving", || at.diagnostic(message));
-        }
-    }
-
     fn instance(&mut self, name: &Text, keyword: &SourceSpan) -> Result<()> {
         if self.objects.is_open() {
             let error = keyword.error("an instance within an object");
@@ -200,8 +191,9 @@ impl SceneBuilder {
         self.state
             .transform
             .check_usable("ObjectInstance", keyword)?;
-        self.warn_if_moving(keyword);
-        let world_from_instance = self.state.transform.start().matrix;
+        let transform = &self.state.transform;
+        transform.warn_if_moving("instance", keyword, &mut self.warnings);
+        let world_from_instance = transform.matrix();
         self.objects
             .add_instance(name, keyword, world_from_instance, &mut self.warnings)?;
         self.state.transform.record_instance();
@@ -219,12 +211,14 @@ impl SceneBuilder {
         if bounds_medium {
             self.census.add_boundary(name, || keyword.place());
         } else if shapes::is_supported(name) {
-            self.state.transform.check_usable("Shape", keyword)?;
-            self.warn_if_moving(keyword);
+            let transform = &self.state.transform;
+            transform.check_usable("Shape", keyword)?;
+            transform.warn_if_moving("shape", keyword, &mut self.warnings);
         }
         self.materials.wait(&self.state.material, number, is_light);
-        let world_from_object = self.state.transform.start().matrix;
-        let is_turned = self.state.reverses_orientation != world_from_object.swaps_handedness();
+        let world_from_object = self.state.transform.matrix();
+        let reverses_orientation = self.state.reverses_orientation;
+        let is_turned = reverses_orientation != world_from_object.swaps_handedness();
         let is_in_object = self.objects.is_open();
         let store = self.objects.store();
         let mut target = ShapeTarget {
@@ -236,6 +230,7 @@ impl SceneBuilder {
             number,
             world_from_object,
             is_in_object,
+            reverses_orientation,
             is_turned,
             bounds_medium,
         };

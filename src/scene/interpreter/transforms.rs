@@ -1,6 +1,6 @@
-//! A transform at the start time and at the end time (rules R2 and R3).
+//! A transform at the start time and at the end time (rules R2, R3 and R10).
 
-use crate::geometry::Transform;
+use crate::geometry::{Matrix, Transform};
 use crate::scene::parser::ActiveTransform;
 use crate::scene::source_span::SourceSpan;
 use crate::scene::transform_history::{TransformHistory, TransformId};
@@ -9,9 +9,8 @@ use std::rc::Rc;
 /// The transforms at the start time and, if it differs, at the end time.
 #[derive(Clone)]
 pub(super) struct Transforms {
-    /// The matrix and its tracked inverse (rule R3). This transform is rendered.
+    /// The matrix and its tracked inverse (rule R3).
     pub(super) start: Transform,
-    /// Only tells whether anything moves.
     end: Option<Box<Transform>>,
     /// Set if the transform cannot place anything.
     pub(super) unusable: Option<Rc<Unusable>>,
@@ -36,6 +35,22 @@ impl Transforms {
     /// Whether both times have different transforms.
     pub(super) fn are_moving(&self) -> bool {
         self.end.is_some()
+    }
+
+    /// The matrix at `time`, from 0 for the start to 1 for the end (rule R10).
+    pub(super) fn matrix_at(&self, time: f64) -> Matrix {
+        let (start, end) = (&self.start, self.end.as_ref());
+        end.map_or(start.matrix, |end| {
+            start.matrix.interpolated(&end.matrix, time)
+        })
+    }
+
+    /// The inverse at `time`: that between the inverses, as in pbrt.
+    pub(super) fn inverse_at(&self, time: f64) -> Matrix {
+        let (start, end) = (&self.start, self.end.as_ref());
+        end.map_or(start.inverse, |end| {
+            start.inverse.interpolated(&end.inverse, time)
+        })
     }
 
     /// Changes the `active` transforms.

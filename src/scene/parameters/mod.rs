@@ -2,6 +2,7 @@
 
 mod declared_type;
 mod known_names;
+mod lone_numbers;
 mod shape_defaults;
 
 pub(super) use declared_type::DeclaredType;
@@ -159,14 +160,6 @@ impl<'a> Parameters<'a> {
     pub(super) fn number(&mut self, name: &'static str) -> Result<Option<f64>> {
         let number = self.fixed_numbers::<1>(name, DeclaredType::FLOAT)?;
         Ok(number.map(|[number]| number))
-    }
-
-    /// A single number, whatever the declared type.
-    pub(super) fn lone_number(&mut self, name: &'static str) -> Option<f64> {
-        match &self.find(name)?.0.values {
-            Values::Numbers(numbers) if numbers.len() == 1 => Some(numbers[0]),
-            _ => None,
-        }
     }
 
     /// One integer from `least` to `most`.

@@ -1,4 +1,4 @@
-//! The arrays of meshes: `P`, `indices` and `uv`.
+//! The arrays of meshes: `P`, `indices`, `uv` and `N`.
 
 use super::target::{ShapeRefusal, ShapeResult};
 use crate::error::{Diagnostic, Result};
@@ -108,6 +108,28 @@ pub(super) fn uv_of(
         return Ok(uv);
     }
     Ok(None)
+}
+
+/// The vertex normals of `N`. `None` without the parameter or, with a warning, if it has another
+/// number of normals than there are vertices, as in pbrt.
+pub(super) fn normals_of(
+    parameters: &mut Parameters,
+    vertex_count: usize,
+    warnings: &mut Warnings,
+) -> Result<Option<Vec<[f32; 3]>>> {
+    let Some(numbers) = parameters.numbers("N", DeclaredType::NORMAL)? else {
+        return Ok(None);
+    };
+    if numbers.len() != 3 * vertex_count {
+        let (found, expected) = (numbers.len(), 3 * vertex_count);
+        let message = format!(
+            "`N` has {found} numbers, expected three a vertex: {expected}; they are ignored"
+        );
+        parameters.warn("N", message, warnings);
+        return Ok(None);
+    }
+    let normal = |n: &[f64]| [n[0] as f32, n[1] as f32, n[2] as f32];
+    Ok(Some(numbers.par_chunks_exact(3).map(normal).collect()))
 }
 
 /// Whether `index` is an integer below `vertex_count` that fits 32 bits: only then does a

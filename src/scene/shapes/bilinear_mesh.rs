@@ -3,7 +3,7 @@
 use super::arrays::{faces_of, uv_of, vertices_of};
 use super::target::{SURFACE, ShapeRefusal, ShapeResult, ShapeTarget};
 use crate::geometry::Point;
-use crate::mesh::{TriangleMesh, bilinear_patch, uv_of_corners};
+use crate::mesh::{TriangleMesh, bilinear_patch, of_corners};
 use crate::scene::parameters::Parameters;
 use crate::shape::PatchUv;
 use rayon::prelude::*;
@@ -111,12 +111,13 @@ fn triangles_of(
         .map(|patch| bilinear_patch::triangles(*patch));
     let triangles = triangles.collect::<Vec<[[u32; 3]; 2]>>().into_flattened();
     let uv = wants_uv.then(|| match uv {
-        Some(uv) => uv_of_corners(&triangles, &uv),
+        Some(uv) => of_corners(&triangles, &uv),
         None => vec![bilinear_patch::UV; triangles.len() / 2].into_flattened(),
     });
     TriangleMesh {
         vertices,
         triangles,
         uv,
+        ..TriangleMesh::default()
     }
 }

@@ -3,6 +3,7 @@
 mod arrays;
 mod bilinear_mesh;
 mod curve;
+mod grids;
 mod mesh_file;
 mod quadrics;
 mod subdivision_surface;
@@ -23,7 +24,7 @@ use target::{ShapeRefusal, ShapeResult};
 type AddShape = fn(&mut Parameters, &mut ShapeTarget) -> ShapeResult<()>;
 
 /// The shapes of pbrt that feimos supports, and its own.
-const SUPPORTED: [(&str, AddShape); 12] = [
+const SUPPORTED: [(&str, AddShape); 14] = [
     ("sphere", quadrics::add_sphere),
     ("cylinder", quadrics::add_cylinder),
     ("disk", quadrics::add_disk),
@@ -36,10 +37,12 @@ const SUPPORTED: [(&str, AddShape); 12] = [
     ("bilinearmesh", bilinear_mesh::add),
     ("plymesh", mesh_file::add_ply),
     ("objmesh", mesh_file::add_obj),
+    ("nurbs", grids::add_nurbs),
+    ("heightfield", grids::add_height_field),
 ];
 
 /// The shapes of pbrt that feimos does not support.
-const UNSUPPORTED: [&str; 3] = ["heightfield", "nurbs", "heightfield2"];
+const UNSUPPORTED: [&str; 1] = ["heightfield2"];
 
 fn find(name: &str) -> Option<AddShape> {
     let found = SUPPORTED.iter().find(|(supported, _)| *supported == name);

@@ -24,6 +24,8 @@ pub(crate) struct ShapeTarget<'a> {
     /// space.
     pub(crate) world_from_object: Matrix,
     pub(crate) is_in_object: bool,
+    /// Whether `ReverseOrientation` holds.
+    pub(crate) reverses_orientation: bool,
     /// Whether the normals are on the other side than the shape alone would have them.
     pub(crate) is_turned: bool,
     /// Whether the shape only bounds a medium: then its primitives only have numbers.
@@ -199,6 +201,7 @@ impl ShapeTarget<'_> {
             vertices,
             triangles,
             uv,
+            normals,
         }: TriangleMesh,
     ) -> std::result::Result<NonFiniteCounts, CapacityError> {
         let (matrix, geometry) = (&self.world_from_object, &mut *self.geometry);
@@ -212,6 +215,9 @@ impl ShapeTarget<'_> {
         };
         if let Some(uv) = uv {
             geometry.add_uv(uv);
+        }
+        if let Some(normals) = normals {
+            geometry.add_normals(normals, matrix, self.reverses_orientation);
         }
         Ok(counts)
     }

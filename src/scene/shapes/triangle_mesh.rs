@@ -1,11 +1,11 @@
 //! `Shape "trianglemesh"`.
 
-use super::arrays::{faces_of, uv_of, vertices_of};
+use super::arrays::{faces_of, normals_of, uv_of, vertices_of};
 use super::target::{SURFACE, ShapeRefusal, ShapeResult, ShapeTarget};
-use crate::mesh::{TriangleMesh, uv_of_corners};
+use crate::mesh::{TriangleMesh, of_corners};
 use crate::scene::parameters::Parameters;
 
-/// Adds the triangles of `P` and `indices`, with `uv` or `st` if the options want them.
+/// Adds the triangles of `P` and `indices`, with `uv` or `st`, and `N`, if the options want them.
 pub(super) fn add(parameters: &mut Parameters, target: &mut ShapeTarget) -> ShapeResult<()> {
     parameters.ignore(&SURFACE);
     let vertices = vertices_of(parameters, "a triangle mesh")?;
@@ -24,13 +24,19 @@ pub(super) fn add(parameters: &mut Parameters, target: &mut ShapeTarget) -> Shap
         true => uv_of(parameters, count, target.warnings)?,
         false => None,
     };
-    let uv = uv.map(|uv| uv_of_corners(&triangles, &uv));
+    let normals = match target.options.orientation {
+        true => normals_of(parameters, count, target.warnings)?,
+        false => None,
+    };
+    let uv = uv.map(|uv| of_corners(&triangles, &uv));
+    let normals = normals.map(|normals| of_corners(&triangles, &normals));
     Ok(target.add_mesh(
         parameters,
         TriangleMesh {
             vertices,
             triangles,
             uv,
+            normals,
         },
     )?)
 }

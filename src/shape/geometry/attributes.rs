@@ -1,5 +1,6 @@
 //! Attributes of surfaces that only the channels `N`, `u` and `v` need.
 
+use super::vertex_normals::VertexNormals;
 use crate::digest::Digester;
 
 /// u and v at the corners of a triangle.
@@ -16,6 +17,7 @@ pub(super) struct Attributes {
     /// Coordinates of the triangles of some meshes, one mesh after the other.
     uv: Vec<CornerUv>,
     uv_runs: Vec<UvRun>,
+    pub(super) normals: VertexNormals,
     /// Coordinates of patches, by the indices of their quadrics, in order.
     patch_uv: Vec<(u32, PatchUv)>,
     /// The Bezier pieces of curves, in the order of their segments.
@@ -56,6 +58,7 @@ impl Attributes {
             + size_of_val(&self.uv_runs[..])
             + size_of_val(&self.curve_pieces[..])
             + size_of_val(&self.patch_uv[..])
+            + self.normals.bytes()
     }
 
     pub(super) fn digest(&self, digester: &mut Digester) {
@@ -66,6 +69,7 @@ impl Attributes {
         digester.list(&self.uv_runs, |run| {
             [run.first_triangle.into(), run.first_uv as u64]
         });
+        self.normals.digest(digester);
         if !self.curve_pieces.is_empty() {
             digester.list(&self.curve_pieces, |piece| {
                 let kind = u64::from(piece.count) << 1 | u64::from(piece.is_round);

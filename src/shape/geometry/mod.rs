@@ -17,6 +17,7 @@ mod sizes;
 mod surface_attributes;
 #[cfg(test)]
 mod tests;
+mod vertex_normals;
 
 pub use attributes::{CornerUv, CurvePiece, PatchUv};
 pub use curves::CurvePoint;
@@ -24,6 +25,7 @@ pub use instance::Instance;
 pub use non_finite::NonFiniteCounts;
 pub use pose::Pose;
 pub use runs::CapacityError;
+pub use vertex_normals::CornerNormals;
 
 use crate::geometry::{Matrix, Point};
 use crate::shape::{Cut, Form, Primitive, PrimitiveId, PrimitiveKind, Quadric, Triangle};

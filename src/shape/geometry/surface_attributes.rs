@@ -2,6 +2,8 @@
 
 use super::Geometry;
 use super::attributes::{CornerUv, CurvePiece, PatchUv};
+use super::vertex_normals::{CornerNormals, NormalSpace};
+use crate::geometry::{Matrix, Vector};
 use crate::shape::InstancedId;
 
 impl Geometry {
@@ -46,6 +48,54 @@ impl Geometry {
     pub(crate) fn curve_piece_of(&self, placed: InstancedId) -> Option<&CurvePiece> {
         let attributes = self.owner_of(placed).attributes.as_ref()?;
         attributes.curve_piece_of(placed.primitive().index() as u32)
+    }
+
+    /// Gives vertex normals to the triangles of the last mesh, one for each corner, in the space of
+    /// the shape. `world_from_object` is the transform of the shape; in an object, that to the
+    /// space of the object. `is_reversed` if `ReverseOrientation` holds.
+    pub fn add_normals(
+        &mut self,
+        normals: Vec<CornerNormals>,
+        world_from_object: &Matrix,
+        is_reversed: bool,
+    ) {
+        let first_triangle = self.triangles.len().checked_sub(normals.len());
+        if let Some(first_triangle) = first_triangle.filter(|_| !normals.is_empty()) {
+            let space = NormalSpace::new(world_from_object, is_reversed);
+            let attributes = self.attributes.get_or_insert_default();
+            attributes
+                .normals
+                .add(first_triangle as u32, normals, space);
+        }
+    }
+
+    /// Whether the geometry that a primitive belongs to has any vertex normals.
+    pub(crate) fn has_vertex_normals(&self, placed: InstancedId) -> bool {
+        let attributes = self.owner_of(placed).attributes.as_ref();
+        attributes.is_some_and(|attributes| !attributes.normals.is_empty())
+    }
+
+    /// Whether the vertex normal of a triangle, at a point with these barycentric coordinates, is
+    /// on the other side than the right hand of its corners has it. In an instance, that of the
+    /// object. `None` if the mesh has no vertex normals, or they do not decide. `normal` is that of
+    /// the triangle in no instance.
+    pub(crate) fn vertex_normal_turns(
+        &self,
+        placed: InstancedId,
+        normal: Vector,
+        weights: [f64; 3],
+    ) -> Option<bool> {
+        let (owner, index) = (self.owner_of(placed), placed.primitive().index());
+        let attributes = owner.attributes.as_ref()?;
+        let (space, towards) = attributes.normals.at(index as u32, weights)?;
+        // Meshes of objects stay in the space of their files.
+        let normal = match placed.instance() {
+            Some(_) => space.image(owner.triangle(index).normal()),
+            None => normal,
+        };
+        let cosine = normal.dot(towards);
+        // A comparison with NaN fails.
+        (cosine.abs() > 0.0).then_some(cosine < 0.0)
     }
 
     /// Whether the normals of a primitive are on the other side.

@@ -3,7 +3,7 @@
 mod text;
 
 use crate::cli::terminal::scene_summary::StoredGeometry;
-use feimos::camera::Camera;
+use feimos::camera::{Camera, SphereMapping};
 use feimos::error::{Diagnostic, Error};
 use feimos::film::PixelBounds;
 use feimos::scene::{AcceleratorParameters, Film, Listed, Scene, ShapeCount, Warning};
@@ -89,6 +89,8 @@ struct Bounds {
 #[derive(Debug, Serialize)]
 struct CameraContent {
     projection: &'static str,
+    /// How a spherical camera maps directions to the film.
+    mapping: Option<&'static str>,
     /// Degrees, across the shorter side of the usual screen window.
     fov: Option<f64>,
     eye: [f64; 3],
@@ -217,6 +219,7 @@ impl CameraContent {
         let window = &camera.screen_window;
         CameraContent {
             projection: camera.projection.name(),
+            mapping: camera.projection.sphere_mapping().map(SphereMapping::name),
             fov: camera.projection.field_of_view(),
             eye: camera.anchor().to_array(),
             direction: camera.view_direction().to_array(),

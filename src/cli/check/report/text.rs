@@ -49,6 +49,9 @@ impl Display for Report<'_> {
 impl Display for CameraContent {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         f.write_str(self.projection)?;
+        if let Some(mapping) = self.mapping {
+            write!(f, ", {mapping}")?;
+        }
         if let Some(fov) = self.fov {
             write!(f, ", {} degrees", short(fov))?;
         }

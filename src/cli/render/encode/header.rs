@@ -8,6 +8,7 @@ use super::channel_file::{ChannelFile, ChannelFormat};
 use super::content::Content;
 use super::view_file::ViewFile;
 use feimos::accel::{Precision, SplitMethod};
+use feimos::camera::SphereMapping;
 use feimos::digest::Digest;
 use feimos::film::view::Depth16;
 use feimos::film::{Aov, ColorRange, DEPTH_CHANNEL, MISS, PixelBounds};
@@ -18,6 +19,8 @@ use serde_json::{Map, Value, json};
 pub(crate) struct Provenance {
     /// Digest of the scene and the camera.
     pub(crate) scene: Digest,
+    /// The mapping of a spherical camera.
+    pub(crate) mapping: Option<SphereMapping>,
     pub(crate) precision: Precision,
     pub(crate) accel: SplitMethod,
     /// Width and height of the film.
@@ -32,11 +35,15 @@ impl Provenance {
         header.insert("version".into(), env!("CARGO_PKG_VERSION").into());
         header.insert("scene".into(), self.scene.to_string().into());
         header.insert("precision".into(), self.precision.name().into());
+        if let Some(mapping) = self.mapping {
+            header.insert("camera".into(), "spherical".into());
+            header.insert("mapping".into(), mapping.name().into());
+        }
         if content.needs_tree() {
             header.insert("accelerator".into(), self.accel.name().into());
         }
         match content {
-            Content::Channels(file) => add_channels(file, &mut header),
+            Content::Channels(file) => add_channels(file, self.mapping.is_some(), &mut header),
             Content::View(file) => add_view(file, self, &mut header),
         }
         Value::Object(header).to_string()
@@ -44,13 +51,15 @@ impl Provenance {
 }
 
 /// Adds the channels of an EXR; its windows are attributes of their own.
-fn add_channels(file: &ChannelFile, header: &mut Map<String, Value>) {
+fn add_channels(file: &ChannelFile, is_spherical: bool, header: &mut Map<String, Value>) {
     header.insert(MISS.into(), number(file.miss));
     for aov in &file.aovs {
-        header.insert(
-            aov.name().into(),
-            meaning(*aov, file.within_instances).into(),
-        );
+        let meaning = match aov {
+            // Without a plane, both depths are the distance.
+            Aov::Z if is_spherical => meaning(Aov::T, file.within_instances),
+            _ => meaning(*aov, file.within_instances),
+        };
+        header.insert(aov.name().into(), meaning.into());
     }
     if let ChannelFormat::Exr {
         depth_channel: Some(name),

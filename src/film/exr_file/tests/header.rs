@@ -52,7 +52,7 @@ fn the_camera_is_in_the_standard_attributes() {
         screen_window_center: [0.5, -0.25],
         screen_window_width: 3.0,
         world_to_camera: std::array::from_fn(|at| at as f32),
-        world_to_ndc: std::array::from_fn(|at| -(at as f32)),
+        world_to_ndc: Some(std::array::from_fn(|at| -(at as f32))),
     };
     let image = picture((2, 2), PixelBounds::of_film(2, 2), &[ChannelName::Z]);
     let file = decoded(&encoded_with(
@@ -72,8 +72,5 @@ fn the_camera_is_in_the_standard_attributes() {
         (Vec2(0.5, -0.25), 3.0)
     );
     assert_eq!(attributes.world_to_camera, Some(camera.world_to_camera));
-    assert_eq!(
-        attributes.world_to_normalized_device,
-        Some(camera.world_to_ndc)
-    );
+    assert_eq!(attributes.world_to_normalized_device, camera.world_to_ndc);
 }

@@ -57,7 +57,7 @@ pub(super) fn read(storage: &Storage, start: u64, form: &Form, block: u64) -> Op
     Some(TriangleMesh {
         vertices,
         triangles,
-        uv: None,
+        ..TriangleMesh::default()
     })
 }
 

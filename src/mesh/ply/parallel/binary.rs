@@ -43,7 +43,7 @@ pub(super) fn read<Order: ByteOrder>(
     Some(TriangleMesh {
         vertices,
         triangles,
-        uv: None,
+        ..TriangleMesh::default()
     })
 }
 

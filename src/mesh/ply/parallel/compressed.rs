@@ -126,7 +126,7 @@ impl<'a> GrowingMesh<'a> {
         is_complete.then_some(TriangleMesh {
             vertices: self.vertices,
             triangles: self.triangles,
-            uv: None,
+            ..TriangleMesh::default()
         })
     }
 }

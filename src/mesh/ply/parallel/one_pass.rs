@@ -59,7 +59,7 @@ pub(super) fn read(
     Some(TriangleMesh {
         vertices: points(vertices),
         triangles,
-        uv: None,
+        ..TriangleMesh::default()
     })
 }
 
