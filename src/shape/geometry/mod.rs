@@ -159,7 +159,7 @@ impl Geometry {
         transform: u32,
         shape: u32,
     ) -> Result<(), CapacityError> {
-        self.check_room(self.quadrics.len() + 1, "spheres")?;
+        self.check_room(self.quadrics.len() + 1, "quadrics")?;
         let first_number = self.next_number(1)?;
         let first_quadric = self.quadrics.len() as u32;
         let follows = !std::mem::take(&mut self.ends_run)
