@@ -29,5 +29,5 @@ pub use quadric::{Cut, Disk, Form, Hyperboloid, Quadric, Revolved, Sector};
 pub use surface_point::{SurfacePoint, SurfacePoints, SurfaceWants};
 pub use triangle::Triangle;
 
-pub(crate) use quadric::{Ellipsoid, SingleQuadric, intersect_patch};
+pub(crate) use quadric::{Ellipsoid, EyeEquation, LinearForm, SingleQuadric, intersect_patch};
 pub(crate) use triangle::intersect_single;

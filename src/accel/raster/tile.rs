@@ -4,7 +4,9 @@ use super::bins::TileEntries;
 use super::depth_buffer::{DepthBuffer, TilePixel};
 use super::exact_fallback::{Coincidences, Fallback, Unresolved};
 use super::fronts::Fronts;
-use super::rasterize::{PrimitiveBatch, Rasterizer, Rule, TileSphere, TriangleSource};
+use super::rasterize::{
+    PrimitiveBatch, Rasterizer, Rule, TileQuadratic, TileSphere, TriangleSource,
+};
 use super::resolve::WantedDepths;
 use super::setup::{
     CornersF64, Coverage, EdgePlanes, Footprint, QuadricBounds, Setup, TrianglesF64,
@@ -16,7 +18,7 @@ use crate::accel::instance::InstanceTrees;
 use crate::accel::ray::Ties;
 use crate::accel::tree::{PrimitiveBlock, Run};
 use crate::accel::view::TileFrame;
-use crate::shape::InstancedId;
+use crate::shape::{InstancedId, Primitive};
 use crate::simd::{LANES, Lanes};
 
 /// Buffers that a thread keeps from tile to tile, so that nothing is allocated for each.
@@ -46,6 +48,9 @@ impl TileBuffers {
         }
     }
 }
+
+/// A quadric that covers no more pixels is tested ray by ray, which takes less than its equation.
+const FEW_PIXELS: i32 = 2;
 
 /// The structure in which a tile finds the primitives in no instance.
 pub(super) enum World<'a> {
@@ -141,8 +146,8 @@ impl Tile<'_> {
         }
     }
 
-    /// Rasterizes spheres, and leaves other quadrics of a block unresolved wherever they may be
-    /// seen.
+    /// Rasterizes spheres and surfaces with an equation, and leaves other quadrics of a block
+    /// unresolved wherever they may be seen.
     #[inline(always)]
     fn add_quadrics<S: Lanes, const EXACT: bool>(
         &mut self,
@@ -158,20 +163,42 @@ impl Tile<'_> {
             let lane = lanes.trailing_zeros() as usize;
             lanes &= lanes - 1;
             let footprint = bounds.footprints.of(lane);
-            let is_sphere = EXACT && block.spheres >> lane & 1 != 0;
-            let sphere = is_sphere.then(|| TileSphere::of(&self.frame, block, lane));
-            match sphere.flatten() {
-                // In front of the eye as a whole.
-                Some(sphere) if footprint.nearest < f32::INFINITY => {
-                    let (frame, source) = (&self.frame, TriangleSource::Geometry);
-                    let (mut rasterizer, _) =
-                        self.buffers
-                            .rasterizer(frame, &self.fallback, batch, source);
-                    rasterizer.rasterize_sphere(simd, frame, &sphere, lane, footprint, hi_z);
-                }
-                _ => self.buffers.add_unresolved(hi_z, footprint, batch.of(lane)),
+            // In front of the eye as a whole.
+            let fits = EXACT && footprint.nearest < f32::INFINITY;
+            let is_sphere = block.spheres >> lane & 1 != 0;
+            let (frame, source) = (&self.frame, TriangleSource::Geometry);
+            if fits
+                && is_sphere
+                && let Some(sphere) = TileSphere::of(frame, block, lane)
+            {
+                let (mut rasterizer, _) =
+                    self.buffers
+                        .rasterizer(frame, &self.fallback, batch, source);
+                let samples = |block| sphere.samples(simd, frame, block);
+                rasterizer.rasterize_curved(simd, lane, footprint, hi_z, samples);
+            } else if fits
+                && !is_sphere
+                && footprint.pixel_count() > FEW_PIXELS
+                && let Some(surface) = self.quadratic(batch.of(lane))
+            {
+                let (mut rasterizer, _) =
+                    self.buffers
+                        .rasterizer(frame, &self.fallback, batch, source);
+                let samples = |block| surface.samples(simd, block);
+                rasterizer.rasterize_curved(simd, lane, footprint, hi_z, samples);
+            } else {
+                self.buffers.add_unresolved(hi_z, footprint, batch.of(lane));
             }
         }
+    }
+
+    /// The surface of a quadric as the tile sees it, if it has an equation.
+    fn quadratic(&self, primitive: InstancedId) -> Option<TileQuadratic> {
+        let Primitive::Quadric(quadric) = self.fallback.geometry.surface(primitive) else {
+            return None;
+        };
+        let equation = quadric.seen_from(self.frame.eye())?;
+        TileQuadratic::of(&self.frame, &equation)
     }
 
     /// Decides what is unresolved, by the fallback.

@@ -253,7 +253,7 @@ impl Geometry {
         Quadric {
             world_from_object: self.transforms[stored.transform as usize],
             radius: stored.radius,
-            form: self.forms.of(index),
+            form: self.forms.of(index, self.quadrics.len()),
         }
     }
 

@@ -1,10 +1,13 @@
 //! Rasterization: tests sixteen triangles, or sixteen pixels, at once against the depth buffer.
 
+mod curved;
 mod large;
+mod quadratic;
 mod rasterizer;
 mod small;
 mod sphere;
 
+pub(super) use self::quadratic::TileQuadratic;
 pub(super) use self::rasterizer::{PrimitiveBatch, Rasterizer, Rule, TriangleSource};
 pub(super) use self::sphere::TileSphere;
 

@@ -19,14 +19,11 @@
 //! E^2 is less than 2^-34 b^2 (b^2 - a c), that is 2^-17 of b. The other errors of nearness, of b
 //! and c, are below 2^-18 of it, so it is within the tolerance of 0.9 * 2^-16.
 
-use super::rasterizer::Rasterizer;
-use crate::accel::raster::depth_buffer::{COLUMNS, ROWS, TilePixel};
-use crate::accel::raster::exact_fallback::Unresolved;
-use crate::accel::raster::setup::Footprint;
-use crate::accel::raster::traversal::{HiZ, pixel_blocks_between};
+use super::curved::Samples;
+use crate::accel::raster::depth_buffer::{COLUMNS, ROWS};
 use crate::accel::tree::PrimitiveBlock;
 use crate::accel::view::TileFrame;
-use crate::simd::{F32s, F64s, Lanes, Mask};
+use crate::simd::{F32s, F64s, Lanes};
 
 /// A sphere as a tile in a perspective sees it.
 pub(crate) struct TileSphere {
@@ -80,76 +77,10 @@ impl TileSphere {
     }
 }
 
-/// What is known of a sphere at the pixels of a block.
-struct Samples<S: Lanes> {
-    /// It is hit, and nearness is known.
-    sure: S::M,
-    /// It may be hit.
-    possible: S::M,
-    nearness: S::F,
-}
-
-impl Rasterizer<'_> {
-    /// Rasterizes a sphere, and leaves the pixels where it may win unresolved.
-    #[inline(always)]
-    pub(crate) fn rasterize_sphere<S: Lanes>(
-        &mut self,
-        simd: S,
-        frame: &TileFrame,
-        sphere: &TileSphere,
-        lane: usize,
-        footprint: Footprint,
-        hi_z: HiZ,
-    ) {
-        let primitive = self.batch.of(lane);
-        let nearest = simd.splat(footprint.nearest);
-        let hidden = simd.load(&self.pixels.hi_z).above(nearest).bits();
-        let mut blocks = pixel_blocks_between(footprint.columns, footprint.rows) & !hidden;
-        let slot = self.next_slot();
-        let slots = simd.splat(f32::from_bits(slot));
-        let [factor, addend] = self.rule.surely_nearer;
-        let (factor, addend) = (simd.splat(factor), simd.splat(addend));
-        let mut is_visible = false;
-        while blocks != 0 {
-            let block = blocks.trailing_zeros() as usize;
-            blocks &= blocks - 1;
-            let Samples {
-                sure,
-                possible,
-                mut nearness,
-            } = sphere.samples(simd, frame, block);
-            if self.rule.hits_only {
-                nearness = simd.splat(f32::INFINITY);
-            }
-            let best = simd.load(&self.pixels.nearness[block]);
-            let wins = sure & nearness.above(best.fused_or_not(factor, addend));
-            let close = sure & nearness.fused_or_not(factor, addend).above(best);
-            let seen = !hi_z.cull_nearness_of(simd, best).above(nearest);
-            let mut unsure = ((close & !wins) | (possible & !sure & seen)).bits();
-            while unsure != 0 {
-                let pixel = TilePixel::of(block, unsure.trailing_zeros() as usize);
-                unsure &= unsure - 1;
-                self.unresolved.push(Unresolved { pixel, primitive });
-            }
-            if wins.bits() != 0 {
-                let pixels = &mut *self.pixels;
-                wins.select(nearness, best)
-                    .store(&mut pixels.nearness[block]);
-                wins.select(slots, simd.load(&pixels.slots[block]))
-                    .store(&mut pixels.slots[block]);
-                pixels.changed |= 1 << block;
-                is_visible = true;
-            }
-        }
-        if is_visible && !(self.rule.hits_only && self.pixels.planes.len() > 0) {
-            self.pixels.planes.push_unknown(primitive);
-        }
-    }
-}
-
 impl TileSphere {
+    /// What is known of the sphere at the pixels of a block.
     #[inline(always)]
-    fn samples<S: Lanes>(&self, simd: S, frame: &TileFrame, block: usize) -> Samples<S> {
+    pub(crate) fn samples<S: Lanes>(&self, simd: S, frame: &TileFrame, block: usize) -> Samples<S> {
         let (x, y) = (simd.load(&COLUMNS[block]), simd.load(&ROWS[block]));
         let (x, y) = (x.widen(), y.widen());
         let nothing = simd.splat_wide(0.0);
