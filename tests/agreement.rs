@@ -10,7 +10,7 @@ use feimos::accel::{Accelerator, BuildOptions, Precision, SplitMethod};
 use feimos::camera::{Camera, Projection, ScreenWindow, SphereMapping};
 use feimos::film::{ChannelName, PixelBounds};
 use feimos::geometry::{Matrix, Point, Transform, Vector};
-use feimos::shape::{Cut, Disk, Form, Geometry};
+use feimos::shape::{Cut, Disk, Form, Geometry, Revolved};
 use proptest::prelude::*;
 
 type Corner = [i32; 3];
@@ -26,13 +26,19 @@ struct Ball {
 }
 
 impl Ball {
-    /// A sphere, a cylinder or a disk.
     fn form(&self) -> Form {
         let ([low, high], phi_max) = (self.ends.map(f64::from), f64::from(self.phi_max));
         match self.kind {
             0 => Form::Cylinder(Cut::of_cylinder(low, high, phi_max)),
             1 => Form::Disk(Disk::new(low, high, phi_max)),
             2 => Form::Sphere(Cut::new(f64::from(self.radius), low, high, phi_max)),
+            3 => Form::Revolved(Revolved::cone(high, phi_max)),
+            4 => Form::Revolved(Revolved::paraboloid(low, high, phi_max)),
+            5 => {
+                let x = f64::from(self.radius);
+                let line = [[x, -low, low], [x, high, high]];
+                Form::Revolved(Revolved::hyperboloid(line[0], line[1], phi_max))
+            }
             _ => Form::Sphere(None),
         }
     }
@@ -41,6 +47,7 @@ impl Ball {
 #[derive(Debug, Clone)]
 struct Setting {
     triangles: Vec<[Corner; 3]>,
+    patches: Vec<[Corner; 4]>,
     balls: Vec<Ball>,
     /// A rotation in degrees, which makes the numbers less round unless it is 0.
     turn: i32,
@@ -55,7 +62,7 @@ fn corner(size: i32) -> impl Strategy<Value = Corner> {
 
 fn ball() -> impl Strategy<Value = Ball> {
     let form = (
-        0u32..6,
+        0u32..9,
         prop::array::uniform2(-2i32..3),
         prop::sample::select(vec![0, 90, 200, 360, 360]),
     );
@@ -75,6 +82,7 @@ fn setting() -> impl Strategy<Value = Setting> {
     let triangle = prop::array::uniform3(corner(4));
     (
         prop::collection::vec(triangle, 0..60),
+        prop::collection::vec(prop::array::uniform4(corner(4)), 0..6),
         prop::collection::vec(ball(), 0..12),
         prop::sample::select(vec![0, 0, 90, 37]),
         corner(6),
@@ -87,8 +95,9 @@ fn setting() -> impl Strategy<Value = Setting> {
         prop::sample::select(vec![[9, 9], [17, 5], [1, 1], [8, 8]]),
     )
         .prop_map(
-            |(triangles, balls, turn, eye, projection, resolution)| Setting {
+            |(triangles, patches, balls, turn, eye, projection, resolution)| Setting {
                 triangles,
+                patches,
                 balls,
                 turn,
                 eye,
@@ -104,6 +113,10 @@ impl Setting {
         let mut geometry = Geometry::default();
         let (first, second) = self.triangles.split_at(self.triangles.len() / 2);
         add_mesh(&mut geometry, first, &turn, 1);
+        for patch in &self.patches {
+            let corners = patch.map(|corner| Point::from(corner.map(f64::from)));
+            geometry.add_patch(corners, &turn, 1).unwrap();
+        }
         for (ball, shape) in self.balls.iter().zip(2..) {
             let place = Matrix::translate(ball.centre.map(f64::from)).times(&turn);
             let transform =

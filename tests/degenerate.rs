@@ -6,7 +6,7 @@ use common::{add_triangles, agreed_picture};
 use feimos::accel::Precision;
 use feimos::camera::{Camera, Projection, ScreenWindow};
 use feimos::geometry::{Matrix, Point, Transform, Vector};
-use feimos::shape::{Cut, Disk, Form, Geometry};
+use feimos::shape::{Cut, Disk, Form, Geometry, Revolved};
 
 fn camera() -> Camera {
     let eye = Point::new(0.0, 0.0, -4.0);
@@ -125,7 +125,40 @@ fn non_finite_vertices() {
             .add_quadric(radius, Form::Disk(Disk::new(0.0, 0.0, 360.0)), transform, 1)
             .unwrap();
     }
+    for (matrix, radius) in wrong {
+        let transform = others.add_transform(matrix);
+        for form in [
+            Revolved::cone(1.0, 360.0),
+            Revolved::paraboloid(0.0, 1.0, 360.0),
+        ] {
+            others
+                .add_quadric(radius, Form::Revolved(form), transform, 1)
+                .unwrap();
+        }
+    }
     let transform = others.add_transform(Matrix::IDENTITY);
+    for number in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0] {
+        for form in [
+            Revolved::cone(number, 360.0),
+            Revolved::paraboloid(-number, number, 360.0),
+            Revolved::hyperboloid([1.0, number, 0.0], [1.0, 1.0, number], 360.0),
+            Revolved::hyperboloid([number; 3], [1.0; 3], 360.0),
+        ] {
+            others
+                .add_quadric(1.0, Form::Revolved(form), transform, 1)
+                .unwrap();
+        }
+        let corner =
+            |x: f64, y: f64| Point::new(x, y, if number == 0.0 { x * 1e-300 } else { 1.0 });
+        let mut corners = [
+            corner(0.0, 0.0),
+            corner(1.0, 0.0),
+            corner(2.0, 0.0),
+            corner(3.0, 0.0),
+        ];
+        corners[2].y = number;
+        others.add_patch(corners, &Matrix::IDENTITY, 1).unwrap();
+    }
     for number in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         others
             .add_quadric(
@@ -156,6 +189,28 @@ fn coordinates_at_the_ends_of_the_range() {
     assert!(hits(&mesh([huge, triangle(0.0), tiny])) >= IN_TRIANGLE);
     let sizes = [1e-308, 1e-200, 1.0, 1e200, 1e307];
     assert!(hits(&spheres(sizes.map(|size| (Matrix::scale([size; 3]), 1.0)))) > 0);
+    let mut others = Geometry::default();
+    for size in sizes {
+        let transform = others.add_transform(Matrix::scale([size; 3]));
+        for form in [
+            Revolved::cone(1.0, 300.0),
+            Revolved::paraboloid(0.0, 1.0, 300.0),
+            Revolved::hyperboloid([1.0, -1.0, -1.0], [1.0, 1.0, 1.0], 300.0),
+        ] {
+            others
+                .add_quadric(1.0, Form::Revolved(form), transform, 1)
+                .unwrap();
+        }
+        let corner = |x: f64, y: f64| Point::new(x * size, y * size, x * y * size);
+        let corners = [
+            corner(-1.0, -1.0),
+            corner(1.0, -1.0),
+            corner(-1.0, 1.0),
+            corner(1.0, 1.0),
+        ];
+        others.add_patch(corners, &Matrix::IDENTITY, 1).unwrap();
+    }
+    assert!(hits(&others) > 0);
 }
 
 /// Checks that neither the recursion nor a stack overflows.

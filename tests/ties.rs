@@ -9,7 +9,7 @@ use feimos::camera::{Camera, Projection, ScreenWindow};
 use feimos::geometry::{Matrix, Point, Transform, Vector};
 use feimos::progress::Progress;
 use feimos::scene::{LoadOptions, Scene, parse};
-use feimos::shape::{Cut, Disk, Form, Geometry};
+use feimos::shape::{Cut, Disk, Form, Geometry, Revolved};
 use proptest::prelude::*;
 use std::path::Path;
 
@@ -111,6 +111,17 @@ fn coincident_surfaces_are_compared_once() {
         })
     };
     assert_decided_once(&format!("{TURN} {}", parts("sphere")));
+    assert_decided_once(&format!("{TURN} {}", parts("paraboloid")));
+    let sectors = |shape: &str| {
+        many(20, |k| {
+            format!("Shape {shape} \"float phimax\" {} ", 60 + 15 * k)
+        })
+    };
+    assert_decided_once(&format!("{TURN} {}", sectors("\"cone\"")));
+    let line = "\"hyperboloid\" \"point p1\" [ 1 -1.5 -1.5 ] \"point p2\" [ 1 1 1 ]";
+    assert_decided_once(&format!("{TURN} {} Shape {line}", sectors(line)));
+    let patch = "Shape \"bilinearmesh\" \"point3 P\" [ -1 -1 .3  1 -1 -.2  -1 1 -.1  1 1 .4 ] ";
+    assert_decided_once(&format!("{TURN} {}", many(20, |_| patch.to_owned())));
     assert_decided_once(&format!("{TURN} {} Shape \"cylinder\"", parts("cylinder")));
 }
 
@@ -183,7 +194,7 @@ fn piece() -> impl Strategy<Value = Piece> {
     let phi_max = prop::sample::select(vec![0, 90, 135, 180, 270, 360]);
     prop_oneof![
         prop::array::uniform3(corner()).prop_map(Piece::Triangle),
-        (0u32..3, 1i32..4, prop::array::uniform2(-2i32..3), phi_max).prop_map(
+        (0u32..6, 1i32..4, prop::array::uniform2(-2i32..3), phi_max).prop_map(
             |(form, radius, ends, phi_max)| Piece::Round {
                 form,
                 radius,
@@ -194,7 +205,7 @@ fn piece() -> impl Strategy<Value = Piece> {
     ]
 }
 
-/// Coplanar triangles and disks, concentric spheres and cylinders, some of them in instances. There
+/// Coplanar triangles and disks, and other quadrics about one axis, some of them in instances. There
 /// are few sizes, so many are equal.
 fn shapes_of(pieces: &[(Piece, bool)], place: &Matrix, level: i32) -> Geometry {
     let (mut geometry, mut object) = (Geometry::default(), Geometry::default());
@@ -230,6 +241,12 @@ fn shapes_of(pieces: &[(Piece, bool)], place: &Matrix, level: i32) -> Geometry {
                 let form = match form {
                     0 => Form::Disk(Disk::new(f64::from(level), low, phi_max)),
                     1 => Form::Sphere(Cut::new(radius, low, high, phi_max)),
+                    2 => Form::Revolved(Revolved::cone(high, phi_max)),
+                    3 => Form::Revolved(Revolved::paraboloid(low, high, phi_max)),
+                    4 => {
+                        let line = [[1.0, low - 3.0, low - 3.0], [1.0, 1.0, 1.0]];
+                        Form::Revolved(Revolved::hyperboloid(line[0], line[1], phi_max))
+                    }
                     _ => Form::Cylinder(Cut::of_cylinder(low, high, phi_max)),
                 };
                 store.add_quadric(radius, form, transform, shape).unwrap();

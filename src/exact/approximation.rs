@@ -31,6 +31,16 @@ impl Approximation {
         Approximation { value, error }
     }
 
+    /// The value.
+    pub fn value(&self) -> f64 {
+        self.value
+    }
+
+    /// The bound on its error.
+    pub fn error(&self) -> f64 {
+        self.error
+    }
+
     /// How the number compares with 0, if that is certain.
     pub fn sign(&self) -> Option<Ordering> {
         if self.value > self.error {

@@ -34,6 +34,6 @@ pub use segment::Segment;
 pub use surface_point::{SurfacePoint, SurfacePoints, SurfaceWants};
 pub use triangle::Triangle;
 
-pub(crate) use quadric::{Ellipsoid, SingleQuadric, intersect_patch};
+pub(crate) use quadric::{Ellipsoid, EyeEquation, LinearForm, SingleQuadric, intersect_patch};
 pub(crate) use segment::{PlacedAxis, SingleSegment};
 pub(crate) use triangle::intersect_single;

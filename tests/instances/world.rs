@@ -1,7 +1,7 @@
 //! Worlds of objects and instances, and the random ones that the tests draw.
 
 use feimos::geometry::{Matrix, Point, Transform, Vector};
-use feimos::shape::{Cut, Disk, Form, Geometry};
+use feimos::shape::{Cut, Disk, Form, Geometry, Revolved};
 use proptest::prelude::*;
 
 /// A shape of an object: triangles, or a sphere, a cylinder or a disk of that radius.
@@ -9,6 +9,7 @@ use proptest::prelude::*;
 pub(crate) enum Part {
     Mesh(Vec<[Point; 3]>),
     Round(f64, Form),
+    Patch([Point; 4]),
 }
 
 /// The world of a scene file.
@@ -38,6 +39,9 @@ impl World {
                         .add_object_mesh(vertices, triangles, transform, number)
                         .unwrap();
                 }
+                Part::Patch(corners) => geometry
+                    .add_object_patch(*corners, transform, number)
+                    .unwrap(),
                 Part::Round(radius, form) => geometry
                     .add_quadric(*radius, *form, transform, number)
                     .unwrap(),
@@ -108,6 +112,11 @@ fn add(geometry: &mut Geometry, part: &Part, world_from_object: &Matrix, number:
                 .add_mesh(vertices, triangles, world_from_object, number)
                 .unwrap();
         }
+        Part::Patch(corners) => {
+            geometry
+                .add_patch(*corners, world_from_object, number)
+                .unwrap();
+        }
         Part::Round(radius, form) => {
             let transform = geometry.add_transform(*world_from_object);
             geometry
@@ -134,11 +143,19 @@ fn part() -> impl Strategy<Value = Part> {
         Form::Sphere(Cut::new(1.0, -0.5, 1.0, 200.0)),
         cylinder,
         disk,
+        Form::Revolved(Revolved::cone(2.0, 270.0)),
+        Form::Revolved(Revolved::paraboloid(0.25, 1.0, 200.0)),
+        Form::Revolved(Revolved::hyperboloid(
+            [1.0, -1.0, -1.0],
+            [1.0, 1.0, 1.0],
+            300.0,
+        )),
     ]);
     prop_oneof![
         3 => triangles(8).prop_map(Part::Mesh),
         1 => triangles(60).prop_map(Part::Mesh),
-        2 => form.prop_map(|form| Part::Round(1.0, form)),
+        3 => form.prop_map(|form| Part::Round(1.0, form)),
+        1 => prop::array::uniform4(grid_point()).prop_map(Part::Patch),
     ]
 }
 

@@ -4,7 +4,10 @@ use super::bins::TileEntries;
 use super::depth_buffer::{DepthBuffer, TilePixel};
 use super::exact_fallback::{Coincidences, Fallback, Unresolved};
 use super::fronts::Fronts;
-use super::rasterize::{PrimitiveBatch, Rasterizer, Rule, TileSegment, TileSphere, TriangleSource};
+use super::rasterize::{
+    PrimitiveBatch, Rasterizer, Rule, TileQuadratic, TileSegment, TileSphere, TileSurface,
+    TriangleSource,
+};
 use super::resolve::WantedDepths;
 use super::setup::{
     CornersF64, Coverage, EdgePlanes, Footprint, QuadricBounds, Setup, TrianglesF64,
@@ -46,6 +49,9 @@ impl TileBuffers {
         }
     }
 }
+
+/// A quadric that covers no more pixels is tested ray by ray, which takes less than its equation.
+const FEW_PIXELS: i32 = 2;
 
 /// The structure in which a tile finds the primitives in no instance.
 pub(super) enum World<'a> {
@@ -141,8 +147,8 @@ impl Tile<'_> {
         }
     }
 
-    /// Rasterizes spheres and segments, and leaves other quadrics of a block unresolved wherever
-    /// they may be seen.
+    /// Rasterizes spheres, surfaces with an equation and segments of curves, and leaves other
+    /// quadrics of a block unresolved wherever they may be seen.
     #[inline(always)]
     fn add_curved<S: Lanes, const EXACT: bool>(
         &mut self,
@@ -165,8 +171,8 @@ impl Tile<'_> {
         }
     }
 
-    /// Rasterizes a sphere or a segment that is in front of the eye as a whole. Returns whether it
-    /// can be done in lanes.
+    /// Rasterizes a surface that is in front of the eye as a whole. Returns whether it can be done in
+    /// lanes.
     #[inline(always)]
     fn add_in_lanes<S: Lanes>(
         &mut self,
@@ -176,29 +182,58 @@ impl Tile<'_> {
         lane: usize,
         footprint: Footprint,
     ) -> bool {
-        let (frame, fallback) = (&self.frame, &self.fallback);
-        let hi_z = HiZ::of(frame.view, true);
-        let source = TriangleSource::Geometry;
         if block.spheres >> lane & 1 != 0 {
-            let Some(sphere) = TileSphere::of(frame, block, lane) else {
-                return false;
-            };
-            let (mut rasterizer, _) = self.buffers.rasterizer(frame, fallback, batch, source);
-            rasterizer.rasterize_curved(simd, frame, &sphere, lane, footprint, hi_z);
-            return true;
+            let sphere = TileSphere::of(&self.frame, block, lane);
+            return self.add_surface(simd, sphere, batch, lane, footprint);
         }
-        if block.segments >> lane & 1 == 0 {
+        if block.segments >> lane & 1 != 0 {
+            let segment = self.segment(batch.of(lane));
+            return self.add_surface(simd, segment, batch, lane, footprint);
+        }
+        if footprint.pixel_count() <= FEW_PIXELS {
             return false;
         }
-        let Primitive::Segment(segment) = fallback.geometry.surface(batch.of(lane)) else {
+        let surface = self.quadratic(batch.of(lane));
+        self.add_surface(simd, surface, batch, lane, footprint)
+    }
+
+    /// Rasterizes a surface, if there is one.
+    #[inline(always)]
+    fn add_surface<S: Lanes>(
+        &mut self,
+        simd: S,
+        surface: Option<impl TileSurface>,
+        batch: PrimitiveBatch,
+        lane: usize,
+        footprint: Footprint,
+    ) -> bool {
+        let Some(surface) = surface else {
             return false;
         };
-        let Some(segment) = TileSegment::of(&segment, frame) else {
-            return false;
-        };
-        let (mut rasterizer, _) = self.buffers.rasterizer(frame, fallback, batch, source);
-        rasterizer.rasterize_curved(simd, frame, &segment, lane, footprint, hi_z);
+        let (frame, source) = (&self.frame, TriangleSource::Geometry);
+        let hi_z = HiZ::of(frame.view, true);
+        let (mut rasterizer, _) = self
+            .buffers
+            .rasterizer(frame, &self.fallback, batch, source);
+        rasterizer.rasterize_curved(simd, frame, &surface, lane, footprint, hi_z);
         true
+    }
+
+    /// A segment of a curve as the tile sees it.
+    fn segment(&self, primitive: InstancedId) -> Option<TileSegment> {
+        let Primitive::Segment(segment) = self.fallback.geometry.surface(primitive) else {
+            return None;
+        };
+        TileSegment::of(&segment, &self.frame)
+    }
+
+    /// The surface of a quadric as the tile sees it, if it has an equation.
+    fn quadratic(&self, primitive: InstancedId) -> Option<TileQuadratic> {
+        let Primitive::Quadric(quadric) = self.fallback.geometry.surface(primitive) else {
+            return None;
+        };
+        let equation = quadric.seen_from(self.frame.eye())?;
+        TileQuadratic::of(&self.frame, &equation)
     }
 
     /// Decides what is unresolved, by the fallback.

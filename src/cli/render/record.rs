@@ -41,7 +41,7 @@ pub(super) struct Record {
     shapes: u32,
     /// Stored triangles: those of an object count once.
     triangles: usize,
-    /// Stored quadrics: spheres, cylinders and disks.
+    /// Stored quadrics: spheres, other surfaces of revolution, and curved bilinear patches.
     spheres: usize,
     /// Stored segments of curves.
     segments: usize,

@@ -4,7 +4,6 @@ use super::reporter::Reporter;
 use super::words::counted;
 use feimos::scene::Scene;
 use feimos::shape::Geometry;
-use indicatif::HumanCount;
 use serde::Serialize;
 use std::fmt::{self, Display, Formatter};
 
@@ -29,7 +28,7 @@ pub(crate) fn report_scene(scene: &Scene, reporter: &Reporter) {
 pub(crate) struct StoredGeometry {
     /// Primitives of an object count once, also below.
     triangles: usize,
-    /// Quadrics: spheres, cylinders and disks.
+    /// Quadrics: spheres, other surfaces of revolution, and curved bilinear patches.
     spheres: usize,
     /// Segments of curves.
     segments: usize,
@@ -55,10 +54,8 @@ impl StoredGeometry {
 impl Display for StoredGeometry {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         f.write_str(&counted(self.triangles as u64, "triangle"))?;
-        match self.spheres as u64 {
-            0 => {}
-            1 => f.write_str(", 1 sphere, cylinder or disk")?,
-            count => write!(f, ", {} spheres, cylinders and disks", HumanCount(count))?,
+        if self.spheres > 0 {
+            write!(f, ", {}", counted(self.spheres as u64, "quadric"))?;
         }
         if self.segments > 0 {
             let segments = counted(self.segments as u64, "segment");

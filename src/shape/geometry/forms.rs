@@ -42,16 +42,19 @@ impl Forms {
         self.stored.push((quadric, stored));
     }
 
-    /// The form of a quadric.
+    /// The form of one of `count` quadrics.
     #[inline]
-    pub(super) fn of(&self, quadric: usize) -> Form {
-        let place = self
-            .stored
-            .binary_search_by_key(&quadric, |(stored, _)| *stored as usize);
+    pub(super) fn of(&self, quadric: usize, count: usize) -> Form {
+        // As many places before it are missing as whole spheres come before it.
+        let spheres = count - self.stored.len();
+        let first = quadric.saturating_sub(spheres).min(self.stored.len());
+        let last = (quadric + 1).min(self.stored.len());
+        let near = &self.stored[first..last];
+        let place = near.binary_search_by_key(&quadric, |(stored, _)| *stored as usize);
         let Ok(place) = place else {
             return Form::Sphere(None);
         };
-        match self.stored[place].1 {
+        match near[place].1 {
             StoredForm::Sphere(cut) => Form::Sphere(Some(cut)),
             StoredForm::Cylinder(cut) => Form::Cylinder(cut),
             StoredForm::Disk(disk) => Form::Disk(disk),
@@ -137,10 +140,9 @@ mod tests {
         for (form, index) in forms.iter().zip(0..) {
             table.push(index, *form);
         }
-        for (form, index) in forms.iter().zip(0..) {
-            assert_eq!(table.of(index), *form);
+        for (form, index) in forms.iter().zip(0usize..) {
+            assert_eq!(table.of(index, forms.len()), *form);
         }
-        assert_eq!(table.of(99), Form::Sphere(None));
     }
 
     #[test]

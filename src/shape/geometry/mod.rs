@@ -167,7 +167,11 @@ impl Geometry {
         transform: u32,
         shape: u32,
     ) -> Result<(), CapacityError> {
-        check_room(self.quadrics.len() + 1, PrimitiveId::MOST_CURVED, "spheres")?;
+        check_room(
+            self.quadrics.len() + 1,
+            PrimitiveId::MOST_CURVED,
+            "quadrics",
+        )?;
         let first_number = self.next_number(1)?;
         let first_quadric = self.quadrics.len() as u32;
         let follows = !std::mem::take(&mut self.ends_run)
@@ -252,7 +256,7 @@ impl Geometry {
         Quadric {
             world_from_object: self.transforms[stored.transform as usize],
             radius: stored.radius,
-            form: self.forms.of(index),
+            form: self.forms.of(index, self.quadrics.len()),
         }
     }
 

@@ -17,6 +17,7 @@ mod unit_space;
 pub(crate) use bounds::Ellipsoid;
 pub use cut::Cut;
 pub use disk::Disk;
+pub(crate) use filter::{EyeEquation, LinearForm};
 pub(crate) use patch::{Patch, PatchPoint, intersect_patch};
 pub use revolved::{Hyperboloid, Revolved};
 pub use sector::Sector;

@@ -2,12 +2,15 @@
 
 mod curved;
 mod large;
+mod quadratic;
 mod rasterizer;
 mod segment;
 mod segment_space;
 mod small;
 mod sphere;
 
+pub(super) use self::curved::TileSurface;
+pub(super) use self::quadratic::TileQuadratic;
 pub(super) use self::rasterizer::{PrimitiveBatch, Rasterizer, Rule, TriangleSource};
 pub(super) use self::segment::TileSegment;
 pub(super) use self::sphere::TileSphere;

@@ -17,6 +17,13 @@ pub(crate) struct Footprint {
     pub(crate) nearest: f32,
 }
 
+impl Footprint {
+    /// The number of its pixels.
+    pub(crate) fn pixel_count(&self) -> i32 {
+        (self.columns[1] - self.columns[0] + 1) * (self.rows[1] - self.rows[0] + 1)
+    }
+}
+
 /// The footprints of sixteen primitives, side by side.
 #[derive(Debug)]
 pub(crate) struct Footprints {

@@ -1,11 +1,13 @@
 //! The quadric test in `f64`, with error bounds.
 
 mod adjugate;
+mod eye_equation;
 mod revolution;
 #[cfg(test)]
 mod tests;
 
 use self::adjugate::Adjugate;
+pub(crate) use self::eye_equation::{EyeEquation, LinearForm};
 use super::cut::{Cut, Plane};
 use super::{Disk, Form, Quadric, scale_of};
 use crate::exact::Approximation;
