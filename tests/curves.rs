@@ -107,7 +107,7 @@ fn agrees_with_the_reference(camera: &Camera, geometry: &Geometry) -> Result<(),
 }
 
 proptest! {
-    #![proptest_config(cases(1500))]
+    #![proptest_config(cases(800))]
 
     /// Small integers make rays that touch sides, pass joints and run along axes.
     #[test]
@@ -156,7 +156,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(cases(60))]
+    #![proptest_config(cases(30))]
 
     /// Many hairs: all accelerators, instruction sets, threads and kinds of trees.
     #[test]

@@ -265,7 +265,7 @@ fn each_kind_of_warning_is_printed_once_with_its_count() {
  2 | Shape \"blob\"
    |       ^^^^^^
    = supported are sphere, cylinder, disk, cone, paraboloid, hyperboloid, curve, trianglemesh, \
-   loopsubdiv, bilinearmesh, plymesh, objmesh, nurbs, heightfield
+   loopsubdiv, bilinearmesh, bilinearPatch, plymesh, objmesh, nurbs, heightfield
    = the first of 2
 note: no ray hits anything
 pbrt.exr: 2 x 2 pixels";

@@ -234,3 +234,25 @@ fn shapes_count_whether_they_are_supported_or_not() {
     let second = scene.warnings.iter().nth(1).unwrap();
     assert_eq!(second.first.notes, ["did you mean `sphere`?"]);
 }
+
+#[test]
+fn a_patch_of_forks_names_its_corners() {
+    let corners = "\"point3 P00\" [ 0 0 0 ] \"point3 P10\" [ 1 0 0 ] \"point3 P01\" [ 0 1 0 ]";
+    let text = |last: &str| format!("WorldBegin Shape \"bilinearPatch\" {corners} {last}");
+    let flat = scene(&text("\"point3 P11\" [ 1 1 0 ]"));
+    let counts = |scene: &Scene| {
+        (
+            scene.geometry.triangle_count(),
+            scene.geometry.quadric_count(),
+        )
+    };
+    assert_eq!((counts(&flat), warnings(&flat)), ((2, 0), vec![]));
+    assert_eq!(vertex(&flat, 1), [1.0, 0.0, 0.0]);
+    let curved = scene(&text("\"point3 P11\" [ 1 1 1 ]"));
+    assert_eq!((counts(&curved), warnings(&curved)), ((0, 1), vec![]));
+    let missing = diagnostic(&text(""));
+    assert!(
+        missing.contains("a bilinear patch without the corner `P11`"),
+        "{missing}"
+    );
+}

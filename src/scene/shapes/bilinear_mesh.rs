@@ -1,10 +1,10 @@
-//! `Shape "bilinearmesh"` of pbrt-v4.
+//! `Shape "bilinearmesh"` of pbrt-v4, and `"bilinearPatch"` of forks.
 
 use super::arrays::{faces_of, uv_of, vertices_of};
 use super::target::{SURFACE, ShapeRefusal, ShapeResult, ShapeTarget};
 use crate::geometry::Point;
 use crate::mesh::{TriangleMesh, bilinear_patch, of_corners};
-use crate::scene::parameters::Parameters;
+use crate::scene::parameters::{DeclaredType, Parameters};
 use crate::shape::PatchUv;
 use rayon::prelude::*;
 
@@ -41,6 +41,26 @@ pub(super) fn add(parameters: &mut Parameters, target: &mut ShapeTarget) -> Shap
         vertices,
         corners,
         uv,
+    };
+    patches.add_to(parameters, target)
+}
+
+/// Adds the one patch of `bilinearPatch`, as forks of pbrt call it, by the names of its corners.
+pub(super) fn add_patch(parameters: &mut Parameters, target: &mut ShapeTarget) -> ShapeResult<()> {
+    let mut vertices = Vec::new();
+    for name in ["P00", "P10", "P01", "P11"] {
+        let Some(corner) = parameters.fixed_numbers::<3>(name, DeclaredType::POINT)? else {
+            let message = format!("a bilinear patch without the corner `{name}`");
+            let error = parameters.missing(name, message);
+            let error = error.note("expected \"point3 P00\", `P10`, `P01` and `P11`");
+            return Err(ShapeRefusal::shape("without a corner", error));
+        };
+        vertices.push(corner.into());
+    }
+    let patches = Patches {
+        vertices,
+        corners: vec![[0, 1, 2, 3]],
+        uv: None,
     };
     patches.add_to(parameters, target)
 }

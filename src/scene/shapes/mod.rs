@@ -24,7 +24,7 @@ use target::{ShapeRefusal, ShapeResult};
 type AddShape = fn(&mut Parameters, &mut ShapeTarget) -> ShapeResult<()>;
 
 /// The shapes of pbrt that feimos supports, and its own.
-const SUPPORTED: [(&str, AddShape); 14] = [
+const SUPPORTED: [(&str, AddShape); 15] = [
     ("sphere", quadrics::add_sphere),
     ("cylinder", quadrics::add_cylinder),
     ("disk", quadrics::add_disk),
@@ -35,6 +35,7 @@ const SUPPORTED: [(&str, AddShape); 14] = [
     ("trianglemesh", triangle_mesh::add),
     ("loopsubdiv", subdivision_surface::add),
     ("bilinearmesh", bilinear_mesh::add),
+    ("bilinearPatch", bilinear_mesh::add_patch),
     ("plymesh", mesh_file::add_ply),
     ("objmesh", mesh_file::add_obj),
     ("nurbs", grids::add_nurbs),
