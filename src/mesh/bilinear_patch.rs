@@ -1,9 +1,8 @@
-//! Approximates bilinear patches by triangles.
+//! Bilinear patches that are triangles.
 //!
 //! A patch is the surface `(1-u)(1-v) p00 + u(1-v) p10 + (1-u)v p01 + uv p11`, with u and v from 0
 //! to 1 ("Physically Based Rendering", 4th edition, section 6.6). If its corners form a flat convex
-//! quadrilateral, two triangles are the same set of points. Otherwise it is curved or folded, and
-//! they are an approximation that shares its corners and edges.
+//! quadrilateral, two triangles are the same set of points. Otherwise it is curved or folded.
 
 use crate::exact::{ExactVector, UNIT_ROUNDOFF};
 use crate::geometry::Point;

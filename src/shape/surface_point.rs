@@ -17,8 +17,9 @@ pub struct SurfacePoint {
     ///
     /// For a triangle it is (b - a) x (c - a), with the corners in the order of the file and in
     /// world space. For a quadric it is dp/du x dp/dv in object space, mapped to the world by the
-    /// transposed inverse: away from the centre or the axis, or, for a disk, along its z axis. It
-    /// is turned round if either `ReverseOrientation` holds or the current transform swaps
+    /// transposed inverse: away from the centre or the axis, or, for a disk, along its z axis. That
+    /// of a hyperboloid is across the line that turns, and points to the axis if z falls from p1 to
+    /// p2. For a bilinear patch it is dp/du x dp/dv of its corners in the world. It is turned round if either `ReverseOrientation` holds or the current transform swaps
     /// handedness, but not if both do. So a mirrored mesh shows the same side as before, and a
     /// mirrored sphere the other one, as in pbrt-v3. In an instance it is the normal of the object
     /// as defined, mapped to the world by the transposed inverse of the instance's transform: there

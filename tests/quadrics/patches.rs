@@ -23,7 +23,7 @@ fn a_saddle_seen_from_the_side() {
     // The view's x is the saddle's z, and the view's z minus its x.
     assert_grid(turned, |x, y| {
         let at = f64::from(x) / f64::from(y);
-        (y != 0 && y.abs() <= 4 && at.abs() <= 4.0).then(|| 10.0 - at)
+        (y != 0 && y.abs() <= 4 && at.abs() <= 4.0).then_some(10.0 - at)
     });
 }
 

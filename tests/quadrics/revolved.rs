@@ -153,26 +153,28 @@ fn the_sector_of_a_hyperboloid_turns_with_its_line() {
     });
 }
 
+/// The messages about some shapes, with their notes, and how often each occurs.
+fn warnings(shapes: &[&str]) -> Vec<(String, u64)> {
+    let text: String = shapes
+        .iter()
+        .map(|shape| format!("Shape {shape} "))
+        .collect();
+    let scene = load(&format!("{GRID} WorldBegin {text}"));
+    assert_eq!(scene.geometry.quadric_count(), shapes.len());
+    let all = scene.warnings.iter();
+    let text = |warning: &feimos::scene::Warning| {
+        let notes = warning.first.notes.join("; ");
+        (
+            format!("{} ({notes})", warning.first.message),
+            warning.count,
+        )
+    };
+    all.map(text).collect()
+}
+
 /// Messages about shapes that are never hit, in the order of the file.
 #[test]
 fn shapes_without_points_are_named() {
-    let warnings = |shapes: &[&str]| {
-        let text: String = shapes
-            .iter()
-            .map(|shape| format!("Shape {shape} "))
-            .collect();
-        let scene = load(&format!("{GRID} WorldBegin {text}"));
-        assert_eq!(scene.geometry.quadric_count(), shapes.len());
-        let all = scene.warnings.iter();
-        let text = |warning: &feimos::scene::Warning| {
-            let notes = warning.first.notes.join("; ");
-            (
-                format!("{} ({notes})", warning.first.message),
-                warning.count,
-            )
-        };
-        all.map(text).collect::<Vec<_>>()
-    };
     let cones = [
         "\"cone\" \"float radius\" 0",
         "\"cone\" \"float height\" 0",
@@ -205,6 +207,10 @@ fn shapes_without_points_are_named() {
     let expected = "a hyperboloid without points is never hit (expected points at different \
                     finite z, whose line does not meet the axis at z = 0)";
     assert_eq!(warnings(&hyperboloids), [(expected.to_owned(), 3)]);
+}
+
+#[test]
+fn surfaces_under_a_singular_transform_are_named() {
     let singular = load(&format!(
         "{GRID} WorldBegin Scale 1 0 1 Shape \"cone\" Shape \"paraboloid\""
     ));

@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod coordinates;
+mod curved;
 mod normals;
 mod rendering;
 mod vertex_normals;

@@ -133,8 +133,8 @@ fn surface(quadric: &Quadric, at: &ObjectRay) -> Option<Surface> {
     }
 }
 
-/// A hyperboloid by pbrt's coefficients. Its angles count from the line p1 + v (p2 - p1), here times
-/// the determinant and the positive number |p2.z - p1.z|.
+/// A hyperboloid by pbrt's coefficients. Its angles count from the line p1 + v (p2 - p1), here
+/// times the determinant and the positive number |p2.z - p1.z|.
 fn hyperboloid(of: &Hyperboloid, at: &ObjectRay) -> Option<Surface> {
     let number = Polynomial::number;
     let ([a, b, c], [d, e, f]) = (of.p1, of.p2);

@@ -111,7 +111,7 @@ impl UnitSpace {
             Form::Revolved(revolved) => {
                 let [first, last] = revolved.way();
                 let v = part(point.z * radius - first, last - first);
-                point = revolved.from_start(point);
+                point = revolved.relative_to_start(point);
                 (revolved.sector(), v)
             }
             Form::Patch => (None, 0.0),

@@ -17,10 +17,12 @@ use crate::accel::raster::depth_buffer::{COLUMNS, ROWS};
 use crate::accel::view::TileFrame;
 use crate::exact::Approximation;
 use crate::shape::{EyeEquation, LinearForm};
-use crate::simd::{F32s, F64s, Lanes, Mask};
+use crate::simd::{F32s, F64s, LANES, Lanes, Mask};
 
 /// Exceeds the roundings in `f64` of a few operations, relative to their absolute terms.
 const ROUNDING: f64 = 1.0 / (1u64 << 46) as f64;
+/// All lanes of a mask.
+const ALL: u32 = (1 << LANES) - 1;
 /// The relative error that nearness may have. Tolerances are 0.9 * 2^-16.
 const OF_NEARNESS: f64 = 1.0 / (1u64 << 17) as f64;
 
@@ -57,6 +59,14 @@ pub(crate) struct TileQuadratic {
     planes: [TilePlane; 4],
     count: usize,
     is_complete: bool,
+}
+
+/// What is known of the point of one root at sixteen pixels.
+struct Side<S: Lanes> {
+    /// It is in front of the eye and within all planes.
+    is_within: S::M,
+    /// It is not.
+    is_beyond: S::M,
 }
 
 impl TileForm {
@@ -102,8 +112,6 @@ impl TileForm {
 
 impl TileQuadratic {
     /// The surface with this equation; `None` if the bounds do not hold for it.
-    // Not compiled into the kernels: it uses no lanes.
-    #[inline(never)]
     pub(crate) fn of(frame: &TileFrame, equation: &EyeEquation) -> Option<TileQuadratic> {
         let constant = equation.constant;
         let (c, error_of_c) = (constant.value(), constant.error());
@@ -149,31 +157,58 @@ impl TileQuadratic {
         })
     }
 
-    /// Whether the point of a root is surely in front of the eye and within all planes, and whether
-    /// it surely is not. The root is off by `off`.
+    /// What the planes say of both roots, which are off by `off`.
     #[inline(always)]
-    fn sides<S: Lanes>(&self, simd: S, root: S::D, off: S::D, x: S::D, y: S::D) -> (S::M, S::M) {
-        let (nothing, zero) = (simd.splat_wide(0.0), simd.splat(0.0));
-        let mut is_within = (root - off).narrow().above(zero);
-        let mut is_beyond = (nothing - root - off).narrow().above(zero);
+    fn sides<S: Lanes>(
+        &self,
+        simd: S,
+        [near, far]: [S::D; 2],
+        off: S::D,
+        pixel: [S::D; 2],
+    ) -> [Side<S>; 2] {
+        let zero = simd.splat_wide(0.0);
+        let (mut first, mut second) = (Side::of(simd, near, off), Side::of(simd, far, off));
         for plane in &self.planes[..self.count] {
+            let form = plane.form.at(simd, pixel[0], pixel[1]);
             let factor = simd.splat_wide(plane.factor);
-            let height = factor.fused_or_not(root, plane.form.at(simd, x, y));
-            let of_root = off * simd.splat_wide(plane.factor.abs() + plane.error);
-            let of_factor = (root * root).sqrt() * simd.splat_wide(plane.error);
-            let error = of_root + of_factor + simd.splat_wide(plane.form.error);
-            is_within = is_within & (height - error).narrow().above(zero);
-            is_beyond = is_beyond | (nothing - height - error).narrow().above(zero);
+            let of_factor = simd.splat_wide(plane.error);
+            let fixed = off.fused_or_not(
+                simd.splat_wide(plane.factor.abs() + 2.0 * plane.error),
+                simd.splat_wide(plane.form.error),
+            );
+            // A root that counts is not below 0, or by less than its error.
+            let error = near.fused_or_not(of_factor, fixed);
+            first.limit(simd, factor.fused_or_not(near, form), error, zero);
+            let error = far.fused_or_not(of_factor, fixed);
+            second.limit(simd, factor.fused_or_not(far, form), error, zero);
         }
-        (is_within, is_beyond)
+        [first, second]
+    }
+}
+
+impl<S: Lanes> Side<S> {
+    #[inline(always)]
+    fn of(simd: S, root: S::D, off: S::D) -> Side<S> {
+        let nothing = simd.splat(0.0);
+        Side {
+            is_within: (root - off).narrow().above(nothing),
+            is_beyond: (simd.splat_wide(0.0) - root - off).narrow().above(nothing),
+        }
+    }
+
+    #[inline(always)]
+    fn limit(&mut self, simd: S, height: S::D, error: S::D, zero: S::D) {
+        let nothing = simd.splat(0.0);
+        self.is_within = self.is_within & (height - error).narrow().above(nothing);
+        self.is_beyond = self.is_beyond | (zero - height - error).narrow().above(nothing);
     }
 }
 
 impl TileSurface for TileQuadratic {
     #[inline(always)]
     fn samples<S: Lanes>(&self, simd: S, _: &TileFrame, block: usize) -> Samples<S> {
-        let x = simd.load(&COLUMNS[block]).widen();
-        let y = simd.load(&ROWS[block]).widen();
+        let (x, y) = (simd.load(&COLUMNS[block]), simd.load(&ROWS[block]));
+        let (x, y) = (x.widen(), y.widen());
         let (nothing, zero) = (simd.splat_wide(0.0), simd.splat(0.0));
         let mut a = nothing;
         for (weight, form) in &self.squares {
@@ -185,28 +220,35 @@ impl TileSurface for TileQuadratic {
         let error = simd.splat_wide(self.error);
         let is_crossed = (under_root - error).narrow().above(zero);
         let is_passed = (nothing - under_root - error).narrow().above(zero);
+        if is_passed.bits() == ALL {
+            return Samples {
+                sure: is_crossed,
+                possible: is_crossed,
+                nearness: zero,
+            };
+        }
         let root = under_root.sqrt();
         let size = simd.splat_wide(self.inverse.abs());
         let middle = nothing - b * simd.splat_wide(self.inverse);
         // The error of both roots, none of which is above the last root times the size and 2.
         let off = (error / root + simd.splat_wide(self.middle.error)) * size
             + b.fused_or_not(b, under_root).sqrt() * size * simd.splat_wide(self.relative);
-        let (nearer, farther) = (middle + root * size, middle - root * size);
-        let near = self.sides(simd, nearer, off, x, y);
-        let far = self.sides(simd, farther, off, x, y);
-        let allowed = simd.splat_wide(OF_NEARNESS);
-        let first = near.0 & (nearer * allowed - off).narrow().above(zero);
-        let second = near.1 & far.0 & (farther * allowed - off).narrow().above(zero);
-        let nearness = first.select(nearer.narrow(), farther.narrow());
+        let (near, far) = (middle + root * size, middle - root * size);
+        let [first, second] = self.sides(simd, [near, far], off, [x, y]);
+        let precision = simd.splat_wide(OF_NEARNESS);
+        let is_first = first.is_within & (near * precision - off).narrow().above(zero);
+        let is_second =
+            first.is_beyond & second.is_within & (far * precision - off).narrow().above(zero);
+        let nearness = is_first.select(near.narrow(), far.narrow());
         let known = if self.is_complete {
-            is_crossed & (first | second)
+            is_crossed & (is_first | is_second)
         } else {
             // A comparison of a number with itself: no lane.
             zero.above(zero)
         };
         Samples {
             sure: known,
-            possible: !(is_passed | (is_crossed & near.1 & far.1)),
+            possible: !(is_passed | (is_crossed & first.is_beyond & second.is_beyond)),
             nearness,
         }
     }
@@ -228,3 +270,6 @@ impl TilePlane {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -146,7 +146,8 @@ impl Hit<'_> {
         }
         match self.clearance {
             _ if self.on_rim => {
-                "the ray touches it exactly, which counts as hit (rules E2 and E5)".to_owned()
+                "the ray touches it exactly, which counts as hit (rules E2, E5 and E8 to E10)"
+                    .to_owned()
             }
             Some(clearance) => format!(
                 "(b^2 - ac) / b^2 of its equation is {clearance}: 0 would be a ray that touches it"

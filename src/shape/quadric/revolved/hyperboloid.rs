@@ -93,7 +93,7 @@ impl Hyperboloid {
     /// The coordinates of a point in a frame that turns with the line, times the distance of the
     /// line from the axis and the sign of p2.z - p1.z: along the direction of the line at the z of
     /// the point, and across it.
-    pub(in crate::shape::quadric) fn from_line(&self, [x, y, z]: [f64; 3]) -> [f64; 2] {
+    pub(in crate::shape::quadric) fn relative_to_line(&self, [x, y, z]: [f64; 3]) -> [f64; 2] {
         let [a, b] = [self.p2[2] - z, z - self.p1[2]];
         let sign = (self.p2[2] - self.p1[2]).signum();
         let line = |k: usize| sign * (a * self.p1[k] + b * self.p2[k]);
@@ -116,7 +116,7 @@ mod tests {
             let [x, y, z] =
                 [0, 1, 2].map(|k: usize| (1.0 - v) * hyperboloid.p1[k] + v * hyperboloid.p2[k]);
             assert_eq!(x * x + y * y - 0.25 * z * z, 1.0, "{v}");
-            let [along, across] = hyperboloid.from_line([x, y, z]);
+            let [along, across] = hyperboloid.relative_to_line([x, y, z]);
             assert!(along > 0.0 && across == 0.0, "{v}: on the line");
         }
         assert_eq!(hyperboloid.ends(), [-2.0, 4.0]);

@@ -136,7 +136,7 @@ impl Revolved {
             dot.partial_cmp(&plane.offset)
         };
         let beyond_line = |hyperboloid: &Hyperboloid, weights: [f64; 2]| {
-            let [across, aside] = hyperboloid.from_line([x, y, z]);
+            let [across, aside] = hyperboloid.relative_to_line([x, y, z]);
             let sum = weights[0] * across + weights[1] * aside;
             sum.partial_cmp(&0.0).map(|side| side != Less)
         };

@@ -44,10 +44,10 @@ impl Revolved {
     }
 
     /// A point as seen from where the angles start: turned about the axis, and scaled.
-    pub(in crate::shape::quadric) fn from_start(&self, point: Vector) -> Vector {
+    pub(in crate::shape::quadric) fn relative_to_start(&self, point: Vector) -> Vector {
         match self {
             Revolved::Hyperboloid(hyperboloid) => {
-                let [x, y] = hyperboloid.from_line(point.to_array());
+                let [x, y] = hyperboloid.relative_to_line(point.to_array());
                 Vector::new(x, y, point.z)
             }
             _ => point,
