@@ -65,3 +65,4 @@ pub mod scene;
 pub mod shape;
 pub mod simd;
 pub mod terminal_text;
+pub mod texture;

@@ -60,7 +60,7 @@ impl Depth {
         known: (Option<f32>, Option<f32>),
         distance: &Bracket,
     ) -> Depth {
-        let root = geometry.surface(hit.primitive).exact_t(ray);
+        let root = geometry.exact_t(hit.primitive, ray);
         let direction = ExactVector::from(ray.direction);
         let square = direction.dot(&direction);
         let z = || nearest_f32(&hit.t, |x: &Dyadic| root.compare_with(x));

@@ -97,7 +97,7 @@ struct Account {
     decompressed: u64,
     /// The bytes of text that was read again.
     repeated: u64,
-    /// The bytes of stored meshes.
+    /// The bytes of stored meshes and images.
     stored: u64,
     files: u64,
     control_faces: u64,
@@ -183,7 +183,7 @@ impl Budget {
         })
     }
 
-    /// Charges a stored mesh.
+    /// Charges a stored mesh or image.
     pub(crate) fn charge_stored(&self, bytes: u64) -> Result<(), Error> {
         let mut account = self.account();
         account.stored = account.stored.saturating_add(bytes);
@@ -196,7 +196,7 @@ impl Budget {
         let read = account.distinct;
         self.check(account.stored, limit, |limit| {
             format!(
-                "the scene's meshes take more than {limit} bytes of memory, \
+                "the scene's meshes and textures take more than {limit} bytes of memory, \
                  though its files have only {read}"
             )
         })

@@ -65,7 +65,7 @@ impl Loaded {
 }
 
 /// What to read of a mesh besides its triangles. Wanting more takes slower readers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct CornerWants {
     /// [`TriangleMesh::uv`].
     pub uv: bool,

@@ -42,7 +42,7 @@ impl HitDetails {
     ) -> HitDetails {
         let geometry = &scene.geometry;
         let surface = geometry.surface(primitive);
-        let bracket = surface.exact_t(ray).bracket();
+        let bracket = geometry.exact_t(primitive, ray).bracket();
         let t = bracket.low + (bracket.high - bracket.low) / 2.0;
         let z = match scene.camera.projection.is_planar() {
             true => bracket,

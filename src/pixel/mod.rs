@@ -12,7 +12,7 @@ mod tests;
 pub use answer::{Answer, Found};
 pub use hit::HitDetails;
 pub use margin::Margin;
-pub use scan::{MAX_SCANNED, Missed, Next, Scan};
+pub use scan::{CutHit, MAX_SCANNED, Missed, Next, Scan};
 
 use crate::accel::{Aggregate, BuildOptions, Precision, SplitMethod, Tracer, TraversalCounts};
 use crate::error::Result;

@@ -23,6 +23,8 @@ pub struct Scan {
     pub next: Option<Next>,
     /// The triangle that it passes most closely, if it hits nothing.
     pub missed: Option<Missed>,
+    /// The nearest hit that an alpha cuts away (rule A1).
+    pub cut: Option<CutHit>,
     /// The number of quadrics, whose distance to a ray that misses them is not measured.
     pub unmeasured: u64,
 }
@@ -40,6 +42,19 @@ pub struct Next {
     pub is_tie: bool,
 }
 
+/// A hit that the alpha of its surface cuts away: the ray goes on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CutHit {
+    /// The primitive and its instance.
+    pub primitive: InstancedId,
+    /// The planar depth, rounded.
+    pub z: f64,
+    /// u and v there.
+    pub uv: [f64; 2],
+    /// The alpha there.
+    pub alpha: f64,
+}
+
 /// A triangle beside the ray.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Missed {
@@ -54,6 +69,7 @@ pub struct Missed {
 struct Part {
     hits: Vec<(InstancedId, Bracket)>,
     missed: Option<Missed>,
+    cut: Option<CutHit>,
 }
 
 impl Scan {
@@ -72,9 +88,10 @@ impl Scan {
             part.hits.extend(
                 filter_ray
                     .as_ref()
-                    .and_then(|ray| bracket_of_hit(&surface, ray))
+                    .and_then(|ray| bracket_of_hit(geometry, placed, &surface, ray))
                     .map(|t| (placed, t)),
             );
+            part.cut = nearer(part.cut, cut_hit(geometry, placed, ray), geometry);
             if let (Primitive::Triangle(triangle), Some(film)) = (&surface, &film) {
                 let missed = film.distance(triangle).map(|on_film| Missed {
                     primitive: placed,
@@ -90,6 +107,7 @@ impl Scan {
                 .reduce(Part::default, |mut part, other| {
                     part.hits.extend(other.hits);
                     Part {
+                        cut: nearer(part.cut, other.cut, geometry),
                         missed: closer(part.missed, other.missed, geometry),
                         hits: part.hits,
                     }
@@ -109,6 +127,7 @@ impl Scan {
             first,
             next,
             missed: part.missed,
+            cut: part.cut,
             unmeasured: unmeasured as u64,
         })
     }
@@ -141,15 +160,48 @@ fn all(geometry: &Geometry) -> impl ParallelIterator<Item = (InstancedId, Primit
         .chain(instanced)
 }
 
-fn bracket_of_hit(surface: &Primitive, ray: &FilterRay) -> Option<Bracket> {
+fn bracket_of_hit(
+    geometry: &Geometry,
+    placed: InstancedId,
+    surface: &Primitive,
+    ray: &FilterRay,
+) -> Option<Bracket> {
     if !surface.can_be_hit() {
         return None;
+    }
+    if geometry.alpha_of(placed).is_some() {
+        return geometry.exact(placed, &ray.ray).map(|t| t.bracket());
     }
     match surface.filter(ray) {
         FilterResult::Miss => None,
         FilterResult::Hit(t) => Some(t),
         FilterResult::Unsure => surface.exact(&ray.ray).map(|t| t.bracket()),
     }
+}
+
+/// The first hit of `ray` with `placed`, if its alpha cuts it away.
+fn cut_hit(geometry: &Geometry, placed: InstancedId, ray: &Ray) -> Option<CutHit> {
+    let alpha = geometry.alpha_of(placed)?;
+    let surface = geometry.surface(placed);
+    if !ray.can_hit() || !surface.can_be_hit() || geometry.keeps(placed, ray, 0) {
+        return None;
+    }
+    let t = surface.exact(ray)?.bracket();
+    let uv = geometry.uv_of_hit(placed, ray, 0)?;
+    Some(CutHit {
+        primitive: placed,
+        z: t.low + (t.high - t.low) / 2.0,
+        uv,
+        alpha: alpha.at(uv),
+    })
+}
+
+fn nearer(a: Option<CutHit>, b: Option<CutHit>, geometry: &Geometry) -> Option<CutHit> {
+    let key = |cut: &CutHit| (cut.z, geometry.number(cut.primitive));
+    a.into_iter().chain(b).min_by(|a, b| {
+        let ((a, p), (b, q)) = (key(a), key(b));
+        a.total_cmp(&b).then(p.cmp(&q))
+    })
 }
 
 fn closer(a: Option<Missed>, b: Option<Missed>, geometry: &Geometry) -> Option<Missed> {
@@ -176,7 +228,7 @@ fn nearest_two(
     }
     let mut best: Vec<(Root, InstancedId)> = Vec::with_capacity(3);
     for (placed, _) in hits {
-        best.push((geometry.surface(placed).exact_t(ray), placed));
+        best.push((geometry.exact_t(placed, ray), placed));
         best.sort_by(|(a, p), (b, q)| {
             a.cmp(b)
                 .then_with(|| geometry.number(*p).cmp(&geometry.number(*q)))

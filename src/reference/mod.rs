@@ -16,7 +16,7 @@ mod pixels;
 pub use pixels::{MAX_PRIMITIVES, answers, candidates};
 
 use crate::camera::Projection;
-use crate::exact::{Bracket, ExactVector, nearest_f32};
+use crate::exact::{Bracket, ExactVector, Root, nearest_f32};
 use crate::geometry::Ray;
 use crate::shape::{Geometry, InstancedId};
 use meet::intersect;
@@ -52,6 +52,19 @@ pub fn closest_hit(geometry: &Geometry, ray: &Ray) -> Option<ReferenceHit> {
     closest_hit_among(geometry.all(), geometry, ray)
 }
 
+/// The first hit of a primitive that its alpha keeps (rule A1). u, v and the texture are shared with
+/// the rest of the program: the rule is their definition.
+fn first_hit(geometry: &Geometry, placed: InstancedId, ray: &Ray) -> Option<Root> {
+    let surface = geometry.surface(placed);
+    for number in 0.. {
+        let root = intersect(&surface, ray, number)?;
+        if geometry.keeps(placed, ray, number) {
+            return Some(root);
+        }
+    }
+    None
+}
+
 /// The nearest hit among some of the primitives.
 fn closest_hit_among(
     primitives: impl Iterator<Item = InstancedId>,
@@ -61,8 +74,7 @@ fn closest_hit_among(
     if !ray.can_hit() {
         return None;
     }
-    let hits =
-        primitives.filter_map(|placed| Some((intersect(&geometry.surface(placed), ray)?, placed)));
+    let hits = primitives.filter_map(|placed| Some((first_hit(geometry, placed, ray)?, placed)));
     let number = |placed: &InstancedId| geometry.number(*placed);
     let (root, primitive) =
         hits.min_by(|(a, p), (b, q)| a.cmp(b).then(number(p).cmp(&number(q))))?;

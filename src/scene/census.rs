@@ -15,6 +15,8 @@ pub struct Census {
     shapes: BTreeMap<String, ShapeCount>,
     boundaries: Listed<Boundary>,
     unused_objects: Listed<UnusedObject>,
+    hidden: Listed<Boundary>,
+    textures: Listed<AlphaTexture>,
 }
 
 /// The first 20 items, and the number of all.
@@ -26,12 +28,21 @@ pub struct Listed<T> {
     pub count: u64,
 }
 
-/// A shape that only bounds a medium: rays pass through it.
+/// A shape that rays pass through, since it only bounds a medium or its alpha hides it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Boundary {
     /// The type of the shape.
     pub shape: String,
     /// File, line and column of the `Shape` statement.
+    pub place: String,
+}
+
+/// A texture that shapes use as their alpha.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct AlphaTexture {
+    /// Its name as the file spells it.
+    pub name: String,
+    /// File, line and column of the name in its definition.
     pub place: String,
 }
 
@@ -46,6 +57,15 @@ pub struct UnusedObject {
 
 /// The most items that are listed.
 pub(super) const MAX_LISTED: usize = 20;
+
+impl<T> Listed<T> {
+    fn add(&mut self, item: impl FnOnce() -> T) {
+        self.count += 1;
+        if self.first.len() < MAX_LISTED {
+            self.first.push(item());
+        }
+    }
+}
 
 impl<T> Default for Listed<T> {
     fn default() -> Listed<T> {
@@ -104,13 +124,26 @@ impl Census {
 
     /// Notes a shape that only bounds a medium.
     pub(super) fn add_boundary(&mut self, shape: &str, place: impl FnOnce() -> Place) {
-        self.boundaries.count += 1;
-        if self.boundaries.first.len() < MAX_LISTED {
-            self.boundaries.first.push(Boundary {
-                shape: shape.to_owned(),
-                place: place().to_string(),
-            });
-        }
+        self.boundaries.add(|| Boundary {
+            shape: shape.to_owned(),
+            place: place().to_string(),
+        });
+    }
+
+    /// Notes a shape that its alpha hides.
+    pub(super) fn add_hidden(&mut self, shape: &str, place: impl FnOnce() -> Place) {
+        self.hidden.add(|| Boundary {
+            shape: shape.to_owned(),
+            place: place().to_string(),
+        });
+    }
+
+    /// Notes a texture that a shape is the first to use as its alpha.
+    pub(super) fn add_texture(&mut self, name: &str, place: impl FnOnce() -> Place) {
+        self.textures.add(|| AlphaTexture {
+            name: name.to_owned(),
+            place: place().to_string(),
+        });
     }
 
     /// Notes the objects that no instance shows: the first ones, and the number of all.
@@ -121,6 +154,16 @@ impl Census {
     /// Shapes that only bound a medium, in the order of the file.
     pub fn boundaries(&self) -> &Listed<Boundary> {
         &self.boundaries
+    }
+
+    /// Shapes that their alpha hides, in the order of the file.
+    pub fn hidden(&self) -> &Listed<Boundary> {
+        &self.hidden
+    }
+
+    /// Textures that shapes use as their alpha, in the order of their first use.
+    pub fn textures(&self) -> &Listed<AlphaTexture> {
+        &self.textures
     }
 
     /// Objects that no instance shows, sorted by name.
@@ -188,7 +231,12 @@ impl Census {
                 "left out, as in pbrt: {count} shapes that only bound a medium"
             )),
         };
-        let parts: Vec<String> = skipped.into_iter().chain(left_out).collect();
+        let hidden = match self.hidden.count {
+            0 => None,
+            1 => Some("hidden by its alpha, as in pbrt: 1 shape".to_owned()),
+            count => Some(format!("hidden by their alpha, as in pbrt: {count} shapes")),
+        };
+        let parts: Vec<String> = skipped.into_iter().chain(left_out).chain(hidden).collect();
         (!parts.is_empty()).then(|| parts.join("; "))
     }
 }
@@ -203,6 +251,8 @@ impl Default for Census {
             shapes: BTreeMap::new(),
             boundaries: Listed::default(),
             unused_objects: Listed::default(),
+            hidden: Listed::default(),
+            textures: Listed::default(),
         }
     }
 }

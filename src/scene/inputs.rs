@@ -1,12 +1,17 @@
 //! The files that a scene reads: where they are, how much they may expand to, meshes read twice.
 
+use super::textures::encoding::Encoding;
+use super::textures::image_cache::ImageCache;
+use super::textures::image_refusal::ImageRefusal;
 use crate::error::Result;
 use crate::file_id::InputFiles;
 use crate::input::{self, Budget, BudgetFactor};
 use crate::mesh::{self, CornerWants, Loaded, MeshFormat};
+use crate::texture::Texels;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// All files of one scene.
 pub(super) struct Inputs {
@@ -15,6 +20,7 @@ pub(super) struct Inputs {
     files: InputFiles,
     budget: Budget,
     meshes: MeshCache,
+    images: ImageCache,
 }
 
 impl Inputs {
@@ -25,6 +31,7 @@ impl Inputs {
             files: InputFiles::default(),
             budget: Budget::new(factor),
             meshes: MeshCache::default(),
+            images: ImageCache::default(),
         }
     }
 
@@ -52,7 +59,17 @@ impl Inputs {
         &self.budget
     }
 
-    /// Reads the mesh file `path`. All calls have the same `wants`.
+    /// Reads the image file `path` as a texture of numbers, once for each encoding.
+    pub(super) fn read_texels(
+        &mut self,
+        path: &Path,
+        encoding: Encoding,
+    ) -> std::result::Result<Arc<Texels>, ImageRefusal> {
+        self.files.add(path);
+        self.images.read(path, encoding, &self.budget)
+    }
+
+    /// Reads the mesh file `path`.
     pub(super) fn read_mesh(
         &mut self,
         path: &Path,
@@ -72,8 +89,8 @@ const MOST_BYTES: u64 = 256 << 20;
 /// memory.
 #[derive(Debug, Default)]
 struct MeshCache {
-    /// By path and format; `None` if the mesh was named once, or is too large.
-    meshes: HashMap<(PathBuf, MeshFormat), Option<Loaded>>,
+    /// By path, format, and what of corners was read; `None` if the mesh was named once, or is too large.
+    meshes: HashMap<(PathBuf, MeshFormat, CornerWants), Option<Loaded>>,
     bytes: u64,
 }
 
@@ -86,7 +103,7 @@ impl MeshCache {
         budget: &Budget,
     ) -> Result<Loaded> {
         let read = || mesh::read_within(path, format, wants, budget);
-        let mut place = match self.meshes.entry((path.to_path_buf(), format)) {
+        let mut place = match self.meshes.entry((path.to_path_buf(), format, wants)) {
             Entry::Vacant(place) => {
                 let loaded = read()?;
                 place.insert(None);

@@ -10,6 +10,7 @@ mod inputs;
 mod interpreter;
 mod load;
 mod locations;
+mod name;
 mod parameters;
 pub mod parser;
 mod place;
@@ -18,12 +19,13 @@ mod shapes;
 mod source_file;
 mod source_span;
 pub mod spelling;
+mod textures;
 mod transform_history;
 mod warnings;
 
 pub use accelerator::AcceleratorParameters;
 pub use cameras::{Pose, parse_poses, read_poses};
-pub use census::{Boundary, Census, Listed, ShapeCount, UnusedObject};
+pub use census::{AlphaTexture, Boundary, Census, Listed, ShapeCount, UnusedObject};
 pub use digest::SceneDigest;
 pub use film::Film;
 pub use load::{is_bare_mesh, is_top_level, load, load_listing_files, parse, read_film_filename};
@@ -37,7 +39,7 @@ pub use warnings::{Warning, Warnings};
 use crate::camera::Camera;
 use crate::input::BudgetFactor;
 use crate::mesh::CornerWants;
-use crate::shape::Geometry;
+use crate::shape::{AlphaCutoff, Geometry};
 
 /// Everything that the picture depends on.
 #[derive(Debug)]
@@ -81,6 +83,8 @@ pub struct LoadOptions {
     pub orientation: bool,
     /// Whether to keep the surface coordinates of meshes, for the channels `u` and `v`.
     pub uv: bool,
+    /// Hits with an alpha up to this number do not count (rule A1).
+    pub alpha_cutoff: AlphaCutoff,
     /// The files of the scene may expand to this many times the usual limits.
     pub input_budget: BudgetFactor,
 }

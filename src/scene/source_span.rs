@@ -38,6 +38,10 @@ impl SourceSpan {
         &self.file
     }
 
+    pub(super) fn span(&self) -> &Span {
+        &self.span
+    }
+
     /// Where it begins.
     pub(super) fn start(&self) -> usize {
         self.span.start

@@ -3,12 +3,14 @@
 //! Each kind of primitive has three tests: `filter`, in `f64`, which reports when it cannot decide;
 //! `exact`, which always decides; and `single`, in `f32`, which ignores rounding errors.
 
+mod alpha;
 mod coincidence;
 mod extent;
 mod filter_ray;
 mod filter_result;
 mod geometry;
 mod instanced_id;
+mod kept_hits;
 mod numbers;
 mod primitive;
 mod primitive_id;
@@ -18,11 +20,12 @@ mod surface_point;
 mod triangle;
 pub(crate) mod vector32;
 
+pub use alpha::{Alpha, AlphaCutoff};
 pub use coincidence::Coincidence;
 pub use filter_ray::FilterRay;
 pub use filter_result::FilterResult;
 pub use geometry::{
-    CapacityError, CornerNormals, CornerUv, CurvePiece, CurvePoint, Geometry, Instance,
+    CapacityError, CornerNormals, CornerUv, Counts, CurvePiece, CurvePoint, Geometry, Instance,
     NonFiniteCounts, PatchUv, Pose,
 };
 pub use instanced_id::InstancedId;
@@ -34,6 +37,7 @@ pub use segment::Segment;
 pub use surface_point::{SurfacePoint, SurfacePoints, SurfaceWants};
 pub use triangle::Triangle;
 
+pub(crate) use kept_hits::SpaceCache;
 pub(crate) use quadric::{Ellipsoid, EyeEquation, LinearForm, SingleQuadric, intersect_patch};
 pub(crate) use segment::{PlacedAxis, SingleSegment};
 pub(crate) use triangle::intersect_single;

@@ -27,6 +27,16 @@ impl Primitive {
         }
     }
 
+    /// The same for the hit of number `number`, counted from 0 in the order of `t`.
+    pub fn filter_number(&self, ray: &FilterRay, number: usize) -> FilterResult {
+        match self {
+            Primitive::Triangle(triangle) if number == 0 => triangle.filter(ray),
+            Primitive::Segment(segment) if number == 0 => segment.filter(ray),
+            Primitive::Triangle(_) | Primitive::Segment(_) => FilterResult::Miss,
+            Primitive::Quadric(quadric) => quadric.filter_number(ray, number),
+        }
+    }
+
     /// The `t` at which `ray` hits it first, if it does. The primitive [can be
     /// hit](Primitive::can_be_hit), and the [ray can hit](Ray::can_hit).
     pub fn exact(&self, ray: &Ray) -> Option<Root> {
@@ -34,6 +44,17 @@ impl Primitive {
             Primitive::Triangle(triangle) => triangle.exact(ray),
             Primitive::Quadric(quadric) => quadric.exact(ray),
             Primitive::Segment(segment) => segment.exact(ray),
+        }
+    }
+
+    /// The same for the hit of number `number`, counted from 0 in the order of `t`. A surface that
+    /// the ray touches is hit twice there.
+    pub fn exact_number(&self, ray: &Ray, number: usize) -> Option<Root> {
+        match self {
+            Primitive::Triangle(triangle) if number == 0 => triangle.exact(ray),
+            Primitive::Segment(segment) if number == 0 => segment.exact(ray),
+            Primitive::Triangle(_) | Primitive::Segment(_) => None,
+            Primitive::Quadric(quadric) => quadric.exact_number(ray, number),
         }
     }
 

@@ -1,10 +1,8 @@
 //! The surface at the point where a ray meets it.
 
+use super::kept_hits::{SpaceCache, is_narrow, middle, t_on_quadric};
 use super::quadric::{PatchPoint, UnitSpace};
-use super::{
-    FilterRay, Form, Geometry, InstancedId, PatchUv, Primitive, Quadric, Segment, Triangle,
-};
-use crate::exact::Bracket;
+use super::{FilterRay, Form, Geometry, InstancedId, Primitive, Quadric, Segment, Triangle};
 use crate::geometry::{Point, Ray, Vector};
 
 /// What a surface is like where a ray meets it, in world space.
@@ -60,11 +58,8 @@ pub struct SurfacePoints<'a> {
     geometry: &'a Geometry,
     wants: SurfaceWants,
     /// The space of the last quadric.
-    space: Option<(InstancedId, UnitSpace)>,
+    spaces: SpaceCache,
 }
-
-/// pbrt's u and v at the corners of a triangle that has none.
-const DEFAULT_UV: [[f32; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]];
 
 impl<'a> SurfacePoints<'a> {
     /// The points of `geometry`.
@@ -72,13 +67,13 @@ impl<'a> SurfacePoints<'a> {
         SurfacePoints {
             geometry,
             wants,
-            space: None,
+            spaces: SpaceCache::default(),
         }
     }
 
-    /// The point where `ray` first meets `placed`. If it just misses, which `f32` may take for a
-    /// hit, the point where it meets the whole of a cut surface or the plane of a triangle, or else
-    /// where it comes nearest.
+    /// The point where `ray` first meets `placed`, at a hit that its alpha keeps. If it just misses,
+    /// which `f32` may take for a hit, the point where it meets the whole of a cut surface or the
+    /// plane of a triangle, or else where it comes nearest.
     pub fn of(&mut self, placed: InstancedId, ray: &Ray) -> SurfacePoint {
         let surface = self.geometry.surface(placed);
         if !ray.can_hit() || !surface.can_be_hit() {
@@ -111,10 +106,7 @@ impl<'a> SurfacePoints<'a> {
             found.point = ray.origin + ray.direction * t_on_triangle(triangle, ray);
         }
         if self.wants.uv {
-            let corners = self.geometry.uv_of(placed).unwrap_or(&DEFAULT_UV);
-            let weights = triangle.weights(ray);
-            let corner = |k: usize, axis: usize| weights[k] * f64::from(corners[k][axis]);
-            found.uv = [0, 1].map(|axis| (corner(0, axis) + corner(1, axis)) + corner(2, axis));
+            found.uv = self.geometry.uv_on_triangle(placed, triangle, ray);
         }
         found
     }
@@ -133,9 +125,11 @@ impl<'a> SurfacePoints<'a> {
         })
     }
 
-    fn of_patch(&self, placed: InstancedId, quadric: &Quadric, ray: &Ray) -> SurfacePoint {
+    fn of_patch(&mut self, placed: InstancedId, quadric: &Quadric, ray: &Ray) -> SurfacePoint {
         let patch = quadric.patch();
-        let t = t_on_quadric(quadric, ray).unwrap_or_else(|| patch.nearest(ray));
+        let t = self
+            .t_of_hit(placed, quadric, ray)
+            .unwrap_or_else(|| patch.nearest(ray));
         let mut found = SurfacePoint::default();
         if self.wants.point {
             found.point = ray.origin + ray.direction * t;
@@ -150,11 +144,21 @@ impl<'a> SurfacePoints<'a> {
                 };
             }
             if self.wants.uv {
-                let corners = self.geometry.uv_of_patch(placed);
-                found.uv = corners.map_or(uv, |corners| between(corners, uv));
+                found.uv = self.geometry.uv_on_patch(placed, uv);
             }
         }
         found
+    }
+
+    /// The `t` of the hit that counts, or else of the whole surface.
+    fn t_of_hit(&mut self, placed: InstancedId, quadric: &Quadric, ray: &Ray) -> Option<f64> {
+        let filter_ray = FilterRay::new(ray);
+        let surface = Primitive::Quadric(*quadric);
+        let number = self
+            .geometry
+            .number_of_hit(placed, &surface, &filter_ray, &mut self.spaces);
+        t_on_quadric(quadric, &filter_ray, number)
+            .or_else(|| Some(middle(quadric.exact_whole(ray)?.bracket())))
     }
 
     fn of_quadric(&mut self, placed: InstancedId, quadric: &Quadric, ray: &Ray) -> SurfacePoint {
@@ -163,14 +167,15 @@ impl<'a> SurfacePoints<'a> {
         }
         let wants = self.wants;
         let is_turned = wants.normal && self.geometry.turns_normal_of(placed);
-        let t =
-            t_on_quadric(quadric, ray).unwrap_or_else(|| self.space(placed, quadric).nearest(ray));
+        let t = self
+            .t_of_hit(placed, quadric, ray)
+            .unwrap_or_else(|| self.spaces.space(placed, quadric).nearest(ray));
         let mut found = SurfacePoint::default();
         if wants.point {
             found.point = ray.origin + ray.direction * t;
         }
         if wants.normal || wants.uv {
-            let space = self.space(placed, quadric);
+            let space = self.spaces.space(placed, quadric);
             let point = space.point(ray, t);
             if wants.normal {
                 let normal = space.normal(point);
@@ -197,33 +202,21 @@ impl<'a> SurfacePoints<'a> {
             let t = t.or_else(exact).unwrap_or_else(start);
             found.point = ray.origin + ray.direction * t;
         }
-        if self.wants.normal || self.wants.uv {
-            let place = segment.place_at(ray);
+        if self.wants.normal {
             let piece = self.geometry.curve_piece_of(placed);
-            if self.wants.normal {
-                let normal = match piece {
-                    Some(piece) if piece.is_round => segment.round_normal(ray, place.across),
-                    _ => segment.normal(ray),
-                };
-                let is_turned = self.geometry.turns_normal_of(placed);
-                found.normal = if is_turned { -normal } else { normal };
-            }
-            if self.wants.uv {
-                let index = placed.primitive().index() as u32;
-                let u = piece.map_or(place.along, |piece| piece.u_at(index, place.along));
-                found.uv = [u, place.across];
-            }
+            let normal = match piece {
+                Some(piece) if piece.is_round => {
+                    segment.round_normal(ray, segment.place_at(ray).across)
+                }
+                _ => segment.normal(ray),
+            };
+            let is_turned = self.geometry.turns_normal_of(placed);
+            found.normal = if is_turned { -normal } else { normal };
+        }
+        if self.wants.uv {
+            found.uv = self.geometry.uv_on_segment(placed, segment, ray);
         }
         found
-    }
-
-    /// The space of `quadric`, which is `placed`.
-    fn space(&mut self, placed: InstancedId, quadric: &Quadric) -> &UnitSpace {
-        if self.space.as_ref().is_none_or(|(last, _)| *last != placed) {
-            self.space = Some((placed, UnitSpace::new(quadric)));
-        }
-        let (_, space) = self.space.as_ref().expect("made above");
-        space
     }
 }
 
@@ -239,15 +232,6 @@ impl Quadric {
     }
 }
 
-/// The bilinear mean of the coordinates at the corners of a patch; each product and sum is rounded.
-fn between(corners: &PatchUv, [u, v]: [f64; 2]) -> [f64; 2] {
-    let mean = |a: f64, b: f64, weight: f64| (1.0 - weight) * a + weight * b;
-    [0, 1].map(|axis| {
-        let [p00, p10, p01, p11] = corners.map(|corner| f64::from(corner[axis]));
-        mean(mean(p00, p10, u), mean(p01, p11, u), v)
-    })
-}
-
 fn t_on_triangle(triangle: &Triangle, ray: &Ray) -> f64 {
     let exact = || triangle.exact_crossing(ray).map(|t| t.bracket());
     let t = triangle
@@ -257,27 +241,4 @@ fn t_on_triangle(triangle: &Triangle, ray: &Ray) -> f64 {
         .filter(|t| t.high > 0.0);
     let d = ray.direction;
     t.map_or_else(|| (triangle.0[0] - ray.origin).dot(d) / d.dot(d), middle)
-}
-
-fn t_on_quadric(quadric: &Quadric, ray: &Ray) -> Option<f64> {
-    let narrow = Primitive::Quadric(*quadric)
-        .t_of_hit(&FilterRay::new(ray))
-        .filter(is_narrow);
-    let exact = || {
-        quadric
-            .exact(ray)
-            .or_else(|| quadric.exact_whole(ray))
-            .map(|t| t.bracket())
-    };
-    narrow.or_else(exact).map(middle)
-}
-
-/// Whether the middle of the bracket is off by at most 2^-45 of the number: the ray itself is
-/// rounded more coarsely.
-fn is_narrow(t: &Bracket) -> bool {
-    t.low > 0.0 && t.high - t.low <= t.low / (1u64 << 44) as f64
-}
-
-fn middle(t: Bracket) -> f64 {
-    t.low + (t.high - t.low) / 2.0
 }

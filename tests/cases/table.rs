@@ -18,6 +18,8 @@ pub(crate) const CASES: &[(&str, Right)] = &[
         "a-name-commands-the-terminal",
         Ends("render s.pbrt --color always", 65, &["control character"]),
     ),
+    ("alpha-zero", Same),
+    ("attribute-alpha-zero", Same),
     ("attribute-end-before-object-end", SameWarned("pbrt-v4")),
     ("begin-without-end", SameWarned("AttributeBegin")),
     ("coordsys-nfc-nfd", Same),

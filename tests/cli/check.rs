@@ -226,7 +226,7 @@ fn every_kind_of_warning_counts_under_strict() {
         "WorldBegin Shape \"sphere\" \"float radius\" 0",
         "WorldBegin Scale 0 1 1 Shape \"sphere\"",
         "WorldBegin ActiveTransform EndTime Scale 2 2 2 Shape \"sphere\"",
-        &format!("WorldBegin {mesh} \"float alpha\" 0"),
+        &format!("WorldBegin {mesh} \"texture alpha\" \"leaf\""),
         &format!("WorldBegin {mesh} \"texture displacement\" \"d\""),
         &format!("WorldBegin Scale 0 1 1 {mesh}"),
         "WorldBegin Shape \"trianglemesh\" \"point P\" [ 0 0 0 1 0 0 0 1e999 0 ]",

@@ -1,5 +1,6 @@
 //! The program as users run it: flags, files, streams, exit codes and messages.
 
+mod alpha;
 mod batch;
 mod batch_existing;
 mod bench;

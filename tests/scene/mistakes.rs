@@ -57,7 +57,7 @@ fn everything_left_out_is_a_warning() {
         "Film \"image\" has no parameter `xresolutoin`: ignored",
         "Accelerator \"bvh\" has no parameter `splitmethd`: ignored",
         "displacement is ignored: the surface stays where it is",
-        "alpha is ignored: the whole surface is solid",
+        "there is no float texture called `leaf`: the whole surface is solid",
         "what follows WorldEnd is ignored: one world is one picture",
     ];
     assert_eq!(

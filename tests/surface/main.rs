@@ -13,6 +13,7 @@ use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::film::{Channel, ChannelName, Image, PixelBounds};
 use feimos::input::BudgetFactor;
 use feimos::scene::{LoadOptions, Scene, parse};
+use feimos::shape::AlphaCutoff;
 use std::path::Path;
 
 const SURFACE: LoadOptions = LoadOptions {
@@ -22,6 +23,7 @@ const SURFACE: LoadOptions = LoadOptions {
     orientation: true,
     uv: true,
     time: None,
+    alpha_cutoff: AlphaCutoff::ZERO,
     input_budget: BudgetFactor::ONCE,
 };
 

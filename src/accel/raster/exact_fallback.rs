@@ -158,7 +158,7 @@ impl Fallback<'_> {
             f64::from(self.view.tolerance) / 8.0
         };
         if width > allowed || width.is_nan() {
-            hit.t = surface.exact_t(&ray).bracket();
+            hit.t = self.geometry.exact_t(primitive, &ray).bracket();
         }
         Some((hit, self.view.nearness(hit.t.low)))
     }

@@ -5,8 +5,8 @@ use super::depth_buffer::{DepthBuffer, TilePixel};
 use super::exact_fallback::{Coincidences, Fallback, Unresolved};
 use super::fronts::Fronts;
 use super::rasterize::{
-    PrimitiveBatch, Rasterizer, Rule, TileQuadratic, TileSegment, TileSphere, TileSurface,
-    TriangleSource,
+    CutOutRays, PrimitiveBatch, Rasterizer, Rule, TileQuadratic, TileSegment, TileSphere,
+    TileSurface, TriangleSource,
 };
 use super::resolve::WantedDepths;
 use super::setup::{
@@ -120,8 +120,16 @@ impl Tile<'_> {
         source: TriangleSource,
     ) {
         let (frame, fallback) = (&self.frame, &self.fallback);
+        let cut_out = batch.cut_outs(fallback.geometry, lanes);
         let (mut rasterizer, planes) = self.buffers.rasterizer(frame, fallback, batch, source);
-        rasterizer.rasterize::<S, EXACT>(simd, planes, lanes);
+        if cut_out != 0 {
+            let rays = CutOutRays {
+                camera: fallback.camera,
+                first: frame.first,
+            };
+            rasterizer.rasterize_cut_outs::<S, EXACT>(simd, planes, cut_out, rays);
+        }
+        rasterizer.rasterize::<S, EXACT>(simd, planes, lanes & !cut_out);
     }
 
     /// Sets triangles up again from their corners in `f64`. Those that are still not sure enough
@@ -164,7 +172,10 @@ impl Tile<'_> {
             let lane = lanes.trailing_zeros() as usize;
             lanes &= lanes - 1;
             let footprint = bounds.footprints.of(lane);
-            let is_in_front = EXACT && footprint.nearest < f32::INFINITY;
+            // Only single rays can tell whether a hit of a surface with an alpha counts.
+            let is_in_front = EXACT
+                && footprint.nearest < f32::INFINITY
+                && batch.cut_outs(self.fallback.geometry, 1 << lane) == 0;
             if !(is_in_front && self.add_in_lanes(simd, block, batch, lane, footprint)) {
                 self.buffers.add_unresolved(hi_z, footprint, batch.of(lane));
             }

@@ -6,8 +6,8 @@ use crate::accel::space::{AnchorSpace, SingleRay, SlabRay};
 use crate::exact::Bracket;
 use crate::geometry::{Point, Ray};
 use crate::shape::{
-    Form, Geometry, InstancedId, Primitive, SingleQuadric, SingleSegment, intersect_patch,
-    intersect_single,
+    FilterRay, Form, Geometry, InstancedId, Primitive, SingleQuadric, SingleSegment, SpaceCache,
+    intersect_patch, intersect_single,
 };
 
 /// The best hit so far of a ray among the primitives that were tested, in `f32` relative to the
@@ -21,6 +21,8 @@ pub(crate) struct FastSearch<'a> {
     geometry: &'a Geometry,
     space: &'a AnchorSpace,
     ray: SingleRay,
+    /// The ray of the camera.
+    world_ray: &'a Ray,
     slab: &'a SlabRay,
     best: Option<(f32, InstancedId)>,
 }
@@ -29,13 +31,14 @@ impl<'a> FastSearch<'a> {
     pub(crate) fn new(
         geometry: &'a Geometry,
         space: &'a AnchorSpace,
-        ray: &Ray,
+        ray: &'a Ray,
         slab: &'a SlabRay,
     ) -> FastSearch<'a> {
         FastSearch {
             geometry,
             space,
             ray: space.single_ray(ray),
+            world_ray: ray,
             slab,
             best: None,
         }
@@ -75,6 +78,26 @@ impl<'a> FastSearch<'a> {
         }
     }
 
+    /// The `t` of a primitive with an alpha (rule A1). The hit of a triangle or a segment counts where
+    /// its alpha says so; that of a quadric is the exact one, rounded.
+    #[cold]
+    fn intersect_cut_out(&self, placed: InstancedId, surface: &Primitive) -> Option<f32> {
+        match surface {
+            Primitive::Triangle(_) | Primitive::Segment(_) => {
+                let t = self.intersect(surface)?;
+                self.geometry.keeps(placed, self.world_ray, 0).then_some(t)
+            }
+            Primitive::Quadric(_) => {
+                let ray = FilterRay::new(self.world_ray);
+                let mut spaces = SpaceCache::default();
+                let t = self
+                    .geometry
+                    .t_of_kept(placed, surface, &ray, &mut spaces)?;
+                Some(self.ray.scaled(t.low))
+            }
+        }
+    }
+
     fn offer(&mut self, t: f32, primitive: InstancedId, surface: &Primitive) {
         if self.best.is_some_and(|(best, _)| t > best) {
             return;
@@ -99,7 +122,11 @@ impl Search for FastSearch<'_> {
         let Some(surface) = self.geometry.surface_in_tree(primitive) else {
             return;
         };
-        if let Some(t) = self.intersect(&surface) {
+        let t = match self.geometry.alpha_of(primitive) {
+            None => self.intersect(&surface),
+            Some(_) => self.intersect_cut_out(primitive, &surface),
+        };
+        if let Some(t) = t {
             self.offer(t, primitive, &surface);
         }
     }

@@ -16,6 +16,8 @@ use std::cmp::Ordering;
 /// compared.
 pub(crate) struct Nearest<'a> {
     geometry: &'a Geometry,
+    /// Whether some primitives have an alpha, which decides whether a hit counts (rule A1).
+    has_cut_outs: bool,
     ray: FilterRay,
     best: Option<Candidate>,
     ties: &'a mut Ties,
@@ -38,6 +40,7 @@ impl<'a> Nearest<'a> {
     ) -> Nearest<'a> {
         Nearest {
             geometry,
+            has_cut_outs: geometry.has_cut_outs(),
             ray: FilterRay::new(ray),
             best: None,
             ties,
@@ -63,14 +66,38 @@ impl<'a> Nearest<'a> {
     /// Tests a primitive that can be hit. Returns whether it is now the best hit.
     #[inline]
     pub(crate) fn test(&mut self, primitive: InstancedId, surface: &Primitive) -> bool {
+        if self.has_cut_outs && self.geometry.alpha_of(primitive).is_some() {
+            return self.test_cut_out(primitive, surface);
+        }
         self.decide(primitive, surface.filter(&self.ray), || *surface)
     }
 
     /// Like [`Nearest::test`], for a triangle.
     #[inline]
     pub(crate) fn test_triangle(&mut self, primitive: InstancedId, triangle: &Triangle) -> bool {
+        if self.has_cut_outs && self.geometry.alpha_of(primitive).is_some() {
+            return self.test_cut_out(primitive, &Primitive::Triangle(*triangle));
+        }
         let result = triangle.filter(&self.ray);
         self.decide(primitive, result, || Primitive::Triangle(*triangle))
+    }
+
+    /// Tests a primitive with an alpha: its first hit that counts.
+    #[cold]
+    fn test_cut_out(&mut self, primitive: InstancedId, surface: &Primitive) -> bool {
+        let first = surface.filter(&self.ray);
+        if let (Some(best), FilterResult::Hit(t)) = (&self.best, &first)
+            && best.t.is_below(t)
+        {
+            // No hit of it is nearer, whichever counts.
+            return false;
+        }
+        let (geometry, spaces) = (self.geometry, &mut self.ties.spaces);
+        let (result, number) = geometry.kept_after((primitive, surface), first, &self.ray, spaces);
+        match result {
+            FilterResult::Unsure => self.offer_root(primitive, surface, number),
+            result => self.decide(primitive, result, || *surface),
+        }
     }
 
     /// Takes the result of the filter, or else tests the primitive exactly.
@@ -110,8 +137,13 @@ impl<'a> Nearest<'a> {
 
     #[cold]
     fn test_exactly(&mut self, primitive: InstancedId, surface: &Primitive) -> bool {
+        self.offer_root(primitive, surface, 0)
+    }
+
+    /// Takes the hit of number `number`, if there is one, by an exact test.
+    fn offer_root(&mut self, primitive: InstancedId, surface: &Primitive, number: usize) -> bool {
         self.fallbacks.unsure_tests += 1;
-        let root = surface.exact(&self.ray.ray);
+        let root = surface.exact_number(&self.ray.ray, number);
         root.is_some_and(|root| {
             self.offer(Candidate {
                 primitive,
@@ -166,6 +198,6 @@ impl<'a> Nearest<'a> {
 impl Candidate {
     fn root(&mut self, geometry: &Geometry, ray: &Ray) -> &Root {
         self.root
-            .get_or_insert_with(|| Box::new(geometry.surface(self.primitive).exact_t(ray)))
+            .get_or_insert_with(|| Box::new(geometry.exact_t(self.primitive, ray)))
     }
 }

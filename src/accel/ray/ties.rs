@@ -1,6 +1,6 @@
 //! A cache of coincident primitives, which every ray hits at the same `t`.
 
-use crate::shape::{Coincidence, Geometry, InstancedId, Primitive};
+use crate::shape::{Coincidence, Form, Geometry, InstancedId, Primitive, SpaceCache};
 
 /// The coincidences that a thread has found.
 ///
@@ -13,6 +13,8 @@ pub(crate) struct Ties {
     leaders: PairCache<InstancedId>,
     /// Pairs that look coplanar but are not.
     apart: PairCache<()>,
+    /// The space of the last quadric whose alpha was asked.
+    pub(super) spaces: SpaceCache,
 }
 
 impl Ties {
@@ -40,6 +42,7 @@ impl Ties {
         if leaders[0].is_some() && leaders[0] == leaders[1] {
             return Coincidence::SameHit;
         }
+        let has_alpha = |placed: &InstancedId| geometry.alpha_of(*placed).is_some();
         match (geometry.surface(a), geometry.surface(b)) {
             (p, q) if p.is_flat() && q.is_flat() => {
                 let leaders = [leaders[0].unwrap_or(a), leaders[1].unwrap_or(b)];
@@ -49,7 +52,15 @@ impl Ties {
                     Coincidence::None
                 }
             }
-            (Primitive::Quadric(p), Primitive::Quadric(q)) => p.coincidence(&q),
+            (Primitive::Quadric(p), Primitive::Quadric(q)) => match p.coincidence(&q) {
+                // Of two equal surfaces with holes, a ray may hit the near side of one and the far
+                // side of the other. Brackets do not tell the sides of a patch apart.
+                Coincidence::SameHit if [a, b].iter().any(has_alpha) => match p.form {
+                    Form::Patch => Coincidence::None,
+                    _ => Coincidence::SameRoots,
+                },
+                known => known,
+            },
             (Primitive::Segment(p), Primitive::Segment(q)) if p == q => Coincidence::SameHit,
             _ => Coincidence::None,
         }

@@ -201,6 +201,11 @@ impl SingleRay {
     pub(crate) fn unscaled(&self, scaled: f32) -> f64 {
         f64::from(scaled) * self.direction_scale / self.space.before / self.space.scale
     }
+
+    /// Converts `t` from world space to anchor space, rounded.
+    pub(crate) fn scaled(&self, t: f64) -> f32 {
+        (t * self.space.scale * self.space.before / self.direction_scale) as f32
+    }
 }
 
 #[cfg(test)]

@@ -10,7 +10,9 @@ mod watertight;
 use crate::accel::{Depth, Tracer, TraversalCounts};
 use crate::geometry::{Point, Ray};
 use crate::shape::vector32::dot;
-use crate::shape::{Geometry, InstancedId, Primitive, PrimitiveKind, Triangle};
+use crate::shape::{
+    FilterRay, Geometry, InstancedId, Primitive, PrimitiveKind, SpaceCache, Triangle,
+};
 use quadric::{Quadratic, Quadric32};
 use ray32::{Corners, Ray32};
 use rayon::prelude::*;
@@ -54,8 +56,11 @@ impl<'a> BaselineKernel<'a> {
     /// A function from a primitive to the `t` at which `ray` hits it.
     #[inline]
     pub fn of_ray(&self, ray: &Ray) -> impl FnMut(InstancedId) -> Option<f32> {
-        let ray = Ray32::new(ray);
-        move |placed| self.intersect(&ray, placed)
+        let (world_ray, ray) = (*ray, Ray32::new(ray));
+        move |placed| match self.geometry.alpha_of(placed) {
+            None => self.intersect(&ray, placed),
+            Some(_) => self.intersect_cut_out(&world_ray, &ray, placed),
+        }
     }
 
     /// The closest hit of `ray` and its depth.
@@ -85,6 +90,25 @@ impl<'a> BaselineKernel<'a> {
                 Primitive::Segment(segment) => segment::intersect(ray, &segment),
             },
         }
+    }
+
+    /// The hit with a primitive that has an alpha, which decides whether it counts. Kernels differ in
+    /// triangles and segments only: the hit of a quadric is the exact one, rounded.
+    #[cold]
+    fn intersect_cut_out(&self, ray: &Ray, ray32: &Ray32, placed: InstancedId) -> Option<f32> {
+        if placed.primitive().kind() != PrimitiveKind::Quadric {
+            let t = self.intersect(ray32, placed)?;
+            return self.geometry.keeps(placed, ray, 0).then_some(t);
+        }
+        let surface = self.geometry.surface(placed);
+        if !surface.can_be_hit() {
+            return None;
+        }
+        let (ray, mut spaces) = (FilterRay::new(ray), SpaceCache::default());
+        let t = self
+            .geometry
+            .t_of_kept(placed, &surface, &ray, &mut spaces)?;
+        Some(t.low as f32)
     }
 
     #[inline]

@@ -1,8 +1,8 @@
 //! Options of `bench` as typed.
 
 use crate::cli::options::engine::{SimdArgs, ThreadArgs};
-use crate::cli::options::input::{InputArgs, MomentArgs};
 use crate::cli::options::messages::MessageArgs;
+use crate::cli::options::scene::SceneArgs;
 use crate::cli::options::values::{integer, named};
 use clap::{Args, ValueEnum};
 use feimos::accel::Accelerator;
@@ -21,9 +21,7 @@ pub(crate) struct BenchArgs {
     #[command(flatten, next_help_heading = "Output")]
     pub(super) output: OutputArgs,
     #[command(flatten, next_help_heading = "Input")]
-    pub(super) moment: MomentArgs,
-    #[command(flatten, next_help_heading = "Input")]
-    pub(super) input: InputArgs,
+    pub(super) input: SceneArgs,
     #[command(flatten, next_help_heading = "Messages")]
     pub(crate) messages: MessageArgs,
 }

@@ -43,9 +43,7 @@ impl<'a> Runner<'a> {
             with_pictures,
             load_options: LoadOptions {
                 transform_history: args.measurement.reference == Reference::Exact,
-                time: args.moment.time,
-                input_budget: args.input.input_budget,
-                ..LoadOptions::default()
+                ..args.input.load_options()
             },
             reporter,
             bars: ProgressBars::new(&args.messages),

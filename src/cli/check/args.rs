@@ -1,8 +1,8 @@
 //! Options of `check` as typed.
 
 use crate::cli::options::engine::ThreadArgs;
-use crate::cli::options::input::{InputArgs, MomentArgs};
 use crate::cli::options::messages::MessageArgs;
+use crate::cli::options::scene::SceneArgs;
 use clap::Args;
 use std::path::PathBuf;
 
@@ -24,9 +24,7 @@ pub(crate) struct CheckArgs {
     #[command(flatten, next_help_heading = "Checking")]
     pub(super) threads: ThreadArgs,
     #[command(flatten, next_help_heading = "Input")]
-    pub(super) moment: MomentArgs,
-    #[command(flatten, next_help_heading = "Input")]
-    pub(super) input: InputArgs,
+    pub(super) input: SceneArgs,
     #[command(flatten, next_help_heading = "Messages")]
     pub(crate) messages: MessageArgs,
 }

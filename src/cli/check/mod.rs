@@ -17,7 +17,7 @@ use super::terminal::reporter::Reporter;
 use super::terminal::stdout::{self, write_json_line, write_to_stdout};
 use feimos::error::Result;
 use feimos::progress::Progress;
-use feimos::scene::{self, LoadOptions, Scene};
+use feimos::scene::{self, Scene};
 use report::Report;
 use scenes::scenes_of;
 use std::path::{Path, PathBuf};
@@ -82,11 +82,7 @@ impl Check<'_> {
     /// Does everything that `render` does before it builds an aggregate.
     fn load(&self, path: &Path) -> Result<Scene> {
         let start = Instant::now();
-        let options = LoadOptions {
-            time: self.args.moment.time,
-            input_budget: self.args.input.input_budget,
-            ..LoadOptions::default()
-        };
+        let options = self.args.input.load_options();
         let load = |progress: Progress<'_>| scene::load(path, &options, progress);
         let loaded = self.bars.during(Phase::Loading, load);
         let ms = start.elapsed().as_secs_f64() * 1e3;

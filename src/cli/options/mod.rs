@@ -6,4 +6,5 @@ pub(super) mod input;
 pub(super) mod messages;
 pub(super) mod output;
 pub(super) mod region;
+pub(super) mod scene;
 pub(super) mod values;

@@ -1,8 +1,8 @@
 //! Options of `pixel` as typed.
 
 use crate::cli::options::engine::ThreadArgs;
-use crate::cli::options::input::{InputArgs, MomentArgs};
 use crate::cli::options::messages::MessageArgs;
+use crate::cli::options::scene::SceneArgs;
 use crate::cli::options::values::{integers, named, resolution};
 use clap::Args;
 use feimos::accel::SplitMethod;
@@ -29,9 +29,7 @@ pub(crate) struct PixelArgs {
     #[command(flatten, next_help_heading = "Engine")]
     pub(super) threads: ThreadArgs,
     #[command(flatten, next_help_heading = "Input")]
-    pub(super) moment: MomentArgs,
-    #[command(flatten, next_help_heading = "Input")]
-    pub(super) input: InputArgs,
+    pub(super) input: SceneArgs,
     #[command(flatten, next_help_heading = "Messages")]
     pub(crate) messages: MessageArgs,
 }

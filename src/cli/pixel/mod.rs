@@ -24,10 +24,8 @@ pub(crate) fn pixel(args: &PixelArgs, reporter: &Reporter) -> Result<u8> {
     let pool = thread_pool(args.threads.count, reporter)?;
     let options = LoadOptions {
         resolution: args.resolution,
-        time: args.moment.time,
         locations: true,
-        input_budget: args.input.input_budget,
-        ..LoadOptions::default()
+        ..args.input.load_options()
     };
     let load =
         |progress: Progress<'_>| pool.install(|| scene::load(&args.scene, &options, progress));

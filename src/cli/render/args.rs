@@ -2,10 +2,10 @@
 
 use crate::cli::options::batch::{BatchArgs, CameraArgs};
 use crate::cli::options::engine::EngineArgs;
-use crate::cli::options::input::{InputArgs, MomentArgs};
 use crate::cli::options::messages::{MessageArgs, ReportArgs};
 use crate::cli::options::output::OutputArgs;
 use crate::cli::options::region::RegionArgs;
+use crate::cli::options::scene::SceneArgs;
 use clap::Args;
 use std::path::PathBuf;
 
@@ -25,9 +25,7 @@ pub(crate) struct RenderArgs {
     #[command(flatten, next_help_heading = "Batch")]
     pub(crate) batch: BatchArgs,
     #[command(flatten, next_help_heading = "Input")]
-    pub(crate) moment: MomentArgs,
-    #[command(flatten, next_help_heading = "Input")]
-    pub(crate) input: InputArgs,
+    pub(crate) input: SceneArgs,
     #[command(flatten, next_help_heading = "Messages")]
     pub(crate) messages: MessageArgs,
     #[command(flatten, next_help_heading = "Messages")]

@@ -57,11 +57,9 @@ impl Plan {
         let has_aov = |wanted| output.aov.iter().flatten().any(|aov| *aov == wanted);
         let load = LoadOptions {
             resolution: args.region.resolution,
-            time: args.moment.time,
             orientation: has_aov(Aov::Normal) || output.view == Some(View::Normal),
             uv: has_aov(Aov::Uv),
-            input_budget: args.input.input_budget,
-            ..LoadOptions::default()
+            ..args.input.load_options()
         };
         let plan = Plan {
             output_name: OutputName::new(output.output.clone(), poses.is_some())?,

@@ -17,16 +17,16 @@ use crate::geometry::Ray;
 use crate::shape::{Form, Primitive, Quadric};
 use columns::{columns, determinant};
 
-/// The least `t` at which `ray` meets `surface`.
-pub(super) fn intersect(surface: &Primitive, ray: &Ray) -> Option<Root> {
+/// The `t` at which `ray` meets `surface` for the first time, or after `number` times before.
+pub(super) fn intersect(surface: &Primitive, ray: &Ray, number: usize) -> Option<Root> {
     match surface {
-        Primitive::Triangle(triangle) => triangle::meet(triangle, ray),
-        Primitive::Quadric(quadric) => meet_quadric(quadric, ray),
-        Primitive::Segment(segment) => segment::meet(segment, ray),
+        Primitive::Triangle(triangle) => triangle::meet(triangle, ray).filter(|_| number == 0),
+        Primitive::Quadric(quadric) => meet_quadric(quadric, ray, number),
+        Primitive::Segment(segment) => segment::meet(segment, ray).filter(|_| number == 0),
     }
 }
 
-fn meet_quadric(quadric: &Quadric, ray: &Ray) -> Option<Root> {
+fn meet_quadric(quadric: &Quadric, ray: &Ray, number: usize) -> Option<Root> {
     let Quadric {
         world_from_object: m,
         radius,
@@ -35,13 +35,14 @@ fn meet_quadric(quadric: &Quadric, ray: &Ray) -> Option<Root> {
     let is_valid = m.is_finite() && radius.is_finite() && *radius > 0.0;
     is_valid.then_some(())?;
     if let Form::Patch = form {
-        return patch::meet([0, 1, 2, 3].map(|k| ExactVector::from(m.column(k))), ray);
+        let corners = [0, 1, 2, 3].map(|k| ExactVector::from(m.column(k)));
+        return patch::meet(corners, ray, number);
     }
     if determinant(&columns(m)).is_zero() {
         return None;
     }
     match form {
-        Form::Disk(disk) => disk::meet(m, *radius, disk, ray),
-        _ => revolution::meet(quadric, ray),
+        Form::Disk(disk) => disk::meet(m, *radius, disk, ray).filter(|_| number == 0),
+        _ => revolution::meet(quadric, ray, number),
     }
 }

@@ -9,7 +9,7 @@ use std::cmp::Ordering::{Equal, Greater, Less};
 /// Rule E11. With the edges e1 and e2 at p00 and f = p11 - p10 - p01 + p00 as axes, the surface is
 /// w = u v: the ray meets it at the roots of a polynomial in its parameter. If the corners are in
 /// one plane, the rulings are found in that plane.
-pub(super) fn meet(corners: [ExactVector; 4], ray: &Ray) -> Option<Root> {
+pub(super) fn meet(corners: [ExactVector; 4], ray: &Ray, number: usize) -> Option<Root> {
     let [p00, p10, p01, p11] = &corners;
     let (e1, e2) = (p10.minus(p00), p01.minus(p00));
     let f = p11.minus(p10).minus(&e2);
@@ -17,7 +17,7 @@ pub(super) fn meet(corners: [ExactVector; 4], ray: &Ray) -> Option<Root> {
     let start = ExactVector::from(ray.origin).minus(p00);
     let step = ExactVector::from(ray.direction);
     if volume.is_zero() {
-        return meet_flat(&[e1, e2, f], &start, &step);
+        return meet_flat(&[e1, e2, f], &start, &step).filter(|_| number == 0);
     }
     // Coordinates in these axes times the volume, as in Cramer's rule.
     let coordinate = |of: &dyn Fn(&ExactVector) -> [ExactVector; 3]| {
@@ -36,7 +36,7 @@ pub(super) fn meet(corners: [ExactVector; 4], ray: &Ray) -> Option<Root> {
         })
     };
     let is_there = |t: &Root| t.sign() == Greater && is_within(&u, t) && is_within(&v, t);
-    equation.roots().into_iter().find(is_there)
+    equation.roots().into_iter().filter(is_there).nth(number)
 }
 
 /// A patch in a plane. The ray crosses it at one point. Relative to p00 the ruling at u starts at

@@ -59,7 +59,7 @@ struct Surface {
 }
 
 /// The smallest root above 0 whose point fulfils all conditions.
-pub(super) fn meet(quadric: &Quadric, ray: &Ray) -> Option<Root> {
+pub(super) fn meet(quadric: &Quadric, ray: &Ray, number: usize) -> Option<Root> {
     let at = ObjectRay::new(quadric, ray);
     let surface = surface(quadric, &at)?;
     let mirrors = at.determinant.sign() == Less;
@@ -87,8 +87,10 @@ pub(super) fn meet(quadric: &Quadric, ray: &Ray) -> Option<Root> {
         };
         is_between && is_within(surface.sector.as_ref(), sign)
     };
-    let mut roots = surface.equation.roots().into_iter();
-    roots.find(|t| t.sign() == Greater && is_there(t))
+    let roots = surface.equation.roots().into_iter();
+    roots
+        .filter(|t| t.sign() == Greater && is_there(t))
+        .nth(number)
 }
 
 fn surface(quadric: &Quadric, at: &ObjectRay) -> Option<Surface> {

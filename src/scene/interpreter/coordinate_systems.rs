@@ -1,7 +1,7 @@
 //! Coordinate systems: transforms with names.
 
-use super::name::{Name, key};
 use super::transforms::Transforms;
+use crate::scene::name::{Name, key};
 use crate::scene::parser::Text;
 use std::collections::HashMap;
 

@@ -1,12 +1,12 @@
 //! The current transform and what directives do to it (rules R2 and R3).
 
 use super::coordinate_systems::CoordinateSystems;
-use super::name::Name;
 use super::transforms::{Transforms, Unusable};
 use super::unfit_matrices::{why_not_finite, why_unusable};
 use crate::error::Result;
 use crate::geometry::{Matrix, Point, Transform, Vector};
 use crate::scene::LoadOptions;
+use crate::scene::name::Name;
 use crate::scene::parser::{ActiveTransform, Text, TransformDirective};
 use crate::scene::source_span::SourceSpan;
 use crate::scene::transform_history::{TransformHistory, TransformStep};

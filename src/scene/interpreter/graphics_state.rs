@@ -15,6 +15,7 @@ use crate::scene::parser::Entity;
 use crate::scene::source_file::SourceFile;
 use crate::scene::source_span::SourceSpan;
 use crate::scene::spelling;
+use crate::scene::textures::Textures;
 use crate::scene::warnings::Warnings;
 
 /// The state and the blocks around it.
@@ -25,6 +26,7 @@ pub(super) struct GraphicsState {
     /// The parameters that `Attribute "shape"` has set.
     pub(super) defaults: ShapeDefaults,
     pub(super) material: Material,
+    pub(super) textures: Textures,
     /// Whether shapes emit light: `AreaLightSource`.
     pub(super) is_light: bool,
     open: Vec<OpenBlock>,
@@ -42,6 +44,8 @@ struct OpenBlock {
     is_light: bool,
     /// The number of defaults.
     defaults: usize,
+    /// The number of textures that were replaced before.
+    textures: usize,
 }
 
 impl GraphicsState {
@@ -51,6 +55,7 @@ impl GraphicsState {
             reverses_orientation: false,
             defaults: ShapeDefaults::default(),
             material: Material::default(),
+            textures: Textures::default(),
             is_light: false,
             open: Vec::new(),
             settled: 0,
@@ -77,6 +82,7 @@ impl GraphicsState {
             material: self.material.clone(),
             is_light: self.is_light,
             defaults: self.defaults.len(),
+            textures: self.textures.save(),
         });
     }
 
@@ -126,6 +132,7 @@ impl GraphicsState {
         self.reverses_orientation = before.reverses_orientation;
         (self.material, self.is_light) = (before.material, before.is_light);
         self.defaults.truncate(before.defaults);
+        self.textures.restore(before.textures);
     }
 
     /// Sets defaults by pbrt-v4's `Attribute`. Only those of shapes matter.

@@ -1,6 +1,6 @@
 //! Materials, as far as geometry depends on them: some surfaces only bound a medium.
 
-use super::name::{Name, key};
+use crate::scene::name::{Name, key};
 use crate::scene::parser::{Entity, Text, Values};
 use crate::scene::source_span::SourceSpan;
 use crate::scene::warnings::Warnings;

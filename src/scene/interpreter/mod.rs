@@ -7,7 +7,6 @@ mod entities;
 mod graphics_state;
 mod includes;
 mod materials;
-mod name;
 mod objects;
 mod scene_builder;
 #[cfg(test)]

@@ -1,9 +1,9 @@
 //! The geometry of the scene and of its object definitions, each stored once.
 
-use super::name::{Name, key};
 use crate::error::Result;
 use crate::geometry::Matrix;
 use crate::scene::census::UnusedObject;
+use crate::scene::name::{Name, key};
 use crate::scene::parser::Text;
 use crate::scene::place::Place;
 use crate::scene::shapes::TransformCache;

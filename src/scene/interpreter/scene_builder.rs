@@ -149,6 +149,11 @@ impl SceneBuilder {
                 self.entities.set_accelerator(entity, keyword, warnings)?;
             }
             Statement::ObjectInstance(name) => self.instance(name, keyword)?,
+            Statement::Texture(texture) => {
+                state
+                    .textures
+                    .define(texture, &keyword.beside(&directive.span));
+            }
             Statement::Shape(entity) => self.shape(entity, keyword, inputs)?,
             Statement::Unknown(name) => warnings.add_unknown_directive(name, keyword),
             Statement::Include(_) | Statement::Import(_) | Statement::Skipped => {}
@@ -233,11 +238,22 @@ impl SceneBuilder {
             reverses_orientation,
             is_turned,
             bounds_medium,
+            is_hidden: false,
+            keeps_uv: self.options.uv,
+            textures: &self.state.textures,
+            new_texture: None,
         };
         let before = target.geometry.own_count();
         let parameters = Parameters::of_shape(entity, keyword.file(), &self.state.defaults)?;
         let is_added = shapes::add(parameters, &mut target)?;
         let added = target.geometry.own_count() - before;
+        if target.is_hidden {
+            self.census.add_hidden(name, || keyword.place());
+        }
+        if let Some(texture) = target.new_texture {
+            self.census
+                .add_texture(texture.name(), || texture.at().place());
+        }
         self.census.count_shape(name, is_added.then_some(added));
         Ok(())
     }

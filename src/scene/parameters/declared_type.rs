@@ -10,6 +10,7 @@ pub(crate) struct DeclaredType(&'static [&'static str]);
 
 impl DeclaredType {
     pub(crate) const FLOAT: DeclaredType = DeclaredType(&["float"]);
+    pub(crate) const BOOLEAN: DeclaredType = DeclaredType(&["bool"]);
     pub(crate) const INTEGER: DeclaredType = DeclaredType(&["integer"]);
     pub(crate) const POINT2: DeclaredType = DeclaredType(&["point2", "float"]);
     pub(crate) const POINT: DeclaredType = DeclaredType(&["point3", "point"]);

@@ -3,6 +3,7 @@
 mod declared_type;
 mod known_names;
 mod lone_numbers;
+mod references;
 mod shape_defaults;
 
 pub(super) use declared_type::DeclaredType;

@@ -1,6 +1,8 @@
 //! The table of directives: keyword, arguments, where each is legal, and what it means.
 
-use super::statement::{ActiveTransform, Entity, Statement, Text, TransformDirective};
+use super::statement::{
+    ActiveTransform, Entity, Statement, Text, TextureDirective, TransformDirective,
+};
 use crate::scene::source_file::Span;
 
 /// One directive and where it stands.
@@ -55,6 +57,8 @@ pub(super) enum Arguments<'a> {
     Type(fn(Text<'a>) -> Statement<'a>),
     /// A string and parameters.
     Entity(fn(Entity<'a>) -> Statement<'a>),
+    /// Three strings and parameters; `None` unless its values are numbers.
+    Texture(fn(Option<TextureDirective<'a>>) -> Statement<'a>),
     /// Arguments that are checked and dropped.
     Dropped(&'static [Dropped], fn() -> Statement<'a>),
 }
@@ -85,7 +89,7 @@ impl<'a> Row<'a> {
     /// Every directive of pbrt-v2, v3 and v4, sorted by keyword.
     pub(super) const ALL: [Row<'a>; COUNT] = {
         use Arguments::{
-            Dropped, Entity, Four, Identity, Name, Nine, None, Sixteen, Three, Times, Type,
+            Dropped, Entity, Four, Identity, Name, Nine, None, Sixteen, Texture, Three, Times, Type,
         };
         use Legal::{Anywhere, BeforeWorld, InWorld};
         use Statement as S;
@@ -132,7 +136,7 @@ impl<'a> Row<'a> {
             Row::skipped("SurfaceIntegrator", dropped(&ENTITY)),
             Row::skipped(
                 "Texture",
-                dropped(&[D::Text, D::Text, D::Text, D::Parameters]),
+                Texture(|texture| texture.map_or(S::Skipped, S::Texture)),
             ),
             Row::new("Transform", Sixteen(T::Transform), Anywhere),
             Row::new("TransformBegin", None(|| S::TransformBegin), Anywhere),

@@ -11,11 +11,12 @@ use super::directive::{self, Arguments, Description, Directive, Dropped, KEYWORD
 use super::lexer::{Parsed, Token, blanks, commas, word, wrong};
 use super::numbers::Keep;
 use super::statement::{
-    ActiveTransform, Declaration, Entity, Parameter, Statement, Text, TransformDirective, Values,
+    ActiveTransform, Declaration, Entity, Parameter, Statement, Text, TextureDirective,
+    TransformDirective, Values,
 };
+use super::unknown::unknown_directive;
 use super::values::{fixed, string, text, values};
 use crate::error::Result;
-use crate::scene::spelling;
 
 /// The directive at the start of `input`, and its keyword. `previous` is the keyword before it.
 pub(super) fn directive<'a>(
@@ -78,6 +79,20 @@ fn arguments<'a>(
             let (rest, name) = string(errors, keyword, input)?;
             let (rest, parameters) = parameters(errors, Keep::All, rest)?;
             Ok((rest, make(Entity { name, parameters })))
+        }
+        Arguments::Texture(make) => {
+            let (rest, name) = string(errors, keyword, input)?;
+            let (rest, value_type) = string(errors, keyword, rest)?;
+            let (rest, class) = string(errors, keyword, rest)?;
+            let is_number = value_type.text == "float";
+            let keep = if is_number { Keep::All } else { Keep::Nothing };
+            let (rest, parameters) = parameters(errors, keep, rest)?;
+            let entity = Entity {
+                name: class,
+                parameters,
+            };
+            let texture = TextureDirective { name, entity };
+            Ok((rest, make(is_number.then_some(texture))))
         }
         Arguments::Dropped(arguments, make) => {
             let mut rest = input;
@@ -211,90 +226,6 @@ fn two_words<'a>(text: &Cow<'a, str>) -> (Cow<'a, str>, Cow<'a, str>) {
                 Cow::Owned(first.into_owned()),
                 Cow::Owned(second.into_owned()),
             )
-        }
-    }
-}
-
-/// A directive that no version of pbrt knows, with its arguments: forks have some of their own.
-///
-/// A misspelt known one is an error: geometry might be lost with it.
-fn unknown_directive<'a>(
-    errors: Diagnostics,
-    previous: Option<&str>,
-    input: &'a [u8],
-) -> Parsed<'a, (&'a str, Directive<'a>)> {
-    let named = word(input)
-        .ok()
-        .and_then(|(rest, word)| Some((rest, directive_name(word)?)));
-    let Some((after, name)) =
-        named.filter(|(_, name)| spelling::closest(name, KEYWORDS.into_iter()).is_none())
-    else {
-        return wrong(errors.no_directive(previous, input));
-    };
-    let (rest, ()) = any_arguments(errors, after)?;
-    let directive = Directive {
-        span: errors.span(input, rest),
-        keyword: errors.span(input, after),
-        description: None,
-        statement: Statement::Unknown(name),
-    };
-    Ok((rest, (name, directive)))
-}
-
-/// `word` if it looks like a directive: a capital letter, then letters, digits and `_`.
-fn directive_name(word: &[u8]) -> Option<&str> {
-    let (first, others) = word.split_first()?;
-    let is_in_name = |byte: &u8| byte.is_ascii_alphanumeric() || *byte == b'_';
-    if !first.is_ascii_uppercase() || !others.iter().all(is_in_name) {
-        return None;
-    }
-    std::str::from_utf8(word).ok()
-}
-
-/// Strings, numbers, booleans and nested brackets of them, up to anything else.
-fn any_arguments<'a>(errors: Diagnostics, input: &'a [u8]) -> Parsed<'a, ()> {
-    let mut end = input;
-    let mut open: Vec<&[u8]> = Vec::new();
-    loop {
-        let (token, at) = Token::next(end);
-        match token {
-            Token::Quoted(_) => end = text(errors, at)?.0,
-            Token::Open => open.push(at),
-            Token::Close if !open.is_empty() => _ = open.pop(),
-            Token::Number(_) | Token::Word(b"true" | b"false") => {}
-            Token::Comma if !open.is_empty() => {}
-            _ => match open.last() {
-                Some(bracket) => return wrong(errors.unclosed(bracket, at)),
-                None => return Ok((end, ())),
-            },
-        }
-        if !matches!(token, Token::Quoted(_)) {
-            end = &at[token.length()..];
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::directive_name;
-
-    #[test]
-    fn directive_names_begin_with_a_capital_letter() {
-        for name in ["A", "Mesh", "RenderPass_2", "USDStage"] {
-            assert_eq!(directive_name(name.as_bytes()), Some(name));
-        }
-        let others = [
-            "",
-            "mesh",
-            "_Mesh",
-            "2Mesh",
-            "Me-sh",
-            "Mesh:",
-            "\u{c4}rger",
-            "Gr\u{fc}n",
-        ];
-        for word in others {
-            assert_eq!(directive_name(word.as_bytes()), None, "{word}");
         }
     }
 }

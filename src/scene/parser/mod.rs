@@ -17,6 +17,7 @@ mod numbers;
 mod statement;
 #[cfg(test)]
 mod tests;
+mod unknown;
 mod values;
 mod world;
 
@@ -25,7 +26,8 @@ pub(super) use self::completeness::may_be_long;
 pub use self::directive::{Description, Directive, KEYWORDS, Legal};
 pub(super) use self::encoding::{BYTES_TO_JUDGE_BY, check as check_encoding};
 pub use self::statement::{
-    ActiveTransform, Entity, NUMBER_TYPES, Parameter, Statement, Text, TransformDirective, Values,
+    ActiveTransform, Entity, NUMBER_TYPES, Parameter, Statement, Text, TextureDirective,
+    TransformDirective, Values,
 };
 pub(super) use self::values::number_in;
 pub(super) use self::world::WorldSearch;

@@ -56,6 +56,8 @@ pub enum Statement<'a> {
     MakeNamedMaterial(Entity<'a>),
     /// `NamedMaterial "name"`
     NamedMaterial(Text<'a>),
+    /// `Texture "name" "float" "type" parameters`
+    Texture(TextureDirective<'a>),
     /// `AreaLightSource "type" parameters`: only its presence is kept.
     AreaLightSource,
     /// A directive that hits and depths do not depend on. Its syntax has been checked.
@@ -160,6 +162,25 @@ pub struct Entity<'a> {
     pub name: Text<'a>,
     /// Its parameters in the order of the file; a name may occur twice.
     pub parameters: Vec<Parameter<'a>>,
+}
+
+/// A texture whose values are numbers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TextureDirective<'a> {
+    /// The name that shapes and other textures use.
+    pub name: Text<'a>,
+    /// Its type, such as `imagemap`, and its parameters.
+    pub entity: Entity<'a>,
+}
+
+impl Entity<'_> {
+    /// A copy that outlives the text.
+    pub fn to_owned(&self) -> Entity<'static> {
+        Entity {
+            name: self.name.to_owned(),
+            parameters: self.parameters.iter().map(Parameter::to_owned).collect(),
+        }
+    }
 }
 
 /// A declaration such as `"float fov"`, and its values.

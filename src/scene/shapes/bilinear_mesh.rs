@@ -33,7 +33,7 @@ pub(super) fn add(parameters: &mut Parameters, target: &mut ShapeTarget) -> Shap
             return Err(ShapeRefusal::shape("without indices", error));
         }
     };
-    let uv = match target.options.uv {
+    let uv = match target.keeps_uv {
         true => uv_of(parameters, count, target.warnings)?,
         false => None,
     };
@@ -70,7 +70,7 @@ impl Patches {
         let is_flat = |patch: &[u32; 4]| bilinear_patch::is_flat_and_convex(self.points(patch));
         let are_flat: Vec<bool> = self.corners.par_iter().map(is_flat).collect();
         if are_flat.iter().all(|is_flat| *is_flat) {
-            let mesh = triangles_of(self.vertices, &self.corners, self.uv, target.options.uv);
+            let mesh = triangles_of(self.vertices, &self.corners, self.uv, target.keeps_uv);
             return Ok(target.add_mesh(parameters, mesh)?);
         }
         // Numbers follow the file: runs of flat patches and of others take turns.
@@ -114,7 +114,7 @@ impl Patches {
             .map(|uv| corners.map(|c| uv[*c as usize]).collect());
         let own = |k: u32| [4 * k, 4 * k + 1, 4 * k + 2, 4 * k + 3];
         let own: Vec<[u32; 4]> = (0..patches.len() as u32).map(own).collect();
-        let mesh = triangles_of(vertices, &own, uv, target.options.uv);
+        let mesh = triangles_of(vertices, &own, uv, target.keeps_uv);
         Ok(target.add_mesh(parameters, mesh)?)
     }
 }

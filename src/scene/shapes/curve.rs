@@ -180,7 +180,7 @@ fn add_ribbon(
     let count = curve::triangle_count(pieces, normals);
     check_room(parameters, target, count, BYTES)?;
     let mut mesh = curve::ribbon(pieces, normals);
-    if !target.options.uv {
+    if !target.keeps_uv {
         mesh.uv = None;
     }
     Ok(target.add_mesh(parameters, mesh)?)

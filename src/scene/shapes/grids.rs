@@ -18,7 +18,7 @@ pub(super) fn add_nurbs(parameters: &mut Parameters, target: &mut ShapeTarget) -
     let u = direction(parameters, counts[0], ["uorder", "uknots", "u0", "u1"])?;
     let v = direction(parameters, counts[1], ["vorder", "vknots", "v0", "v1"])?;
     let control = control_points(parameters, counts)?;
-    let mesh = Nurbs { u, v, control }.diced(target.options.corners());
+    let mesh = Nurbs { u, v, control }.diced(target.corners());
     Ok(target.add_mesh(parameters, mesh)?)
 }
 
@@ -49,7 +49,7 @@ pub(super) fn add_height_field(
     }
     // As long as the array of heights: both sides fit 32 bits.
     let size = [width as u32, height as u32];
-    let mesh = height_field::height_field(heights, size, target.options.uv);
+    let mesh = height_field::height_field(heights, size, target.keeps_uv);
     Ok(target.add_mesh(parameters, mesh)?)
 }
 

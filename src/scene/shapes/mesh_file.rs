@@ -28,9 +28,8 @@ fn add(
             .into());
     };
     let path = target.inputs.resolve(&filename);
-    let read = target
-        .inputs
-        .read_mesh(&path, format, target.options.corners());
+    let wants = target.corners();
+    let read = target.inputs.read_mesh(&path, format, wants);
     let loaded = read.map_err(|error| {
         let place = parameters.place_of("filename");
         advise_beside(&place.path, &filename, &path, error).note(format!("named in {place}"))

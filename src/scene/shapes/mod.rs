@@ -1,5 +1,6 @@
 //! Turns `Shape` directives into geometry.
 
+mod alpha;
 mod arrays;
 mod bilinear_mesh;
 mod curve;
@@ -18,6 +19,7 @@ pub(super) use transform_cache::TransformCache;
 use super::parameters::Parameters;
 use super::spelling;
 use crate::error::{Diagnostic, Result};
+use alpha::Cover;
 use target::{ShapeRefusal, ShapeResult};
 
 /// Adds the shape with these parameters.
@@ -63,6 +65,13 @@ pub(super) fn add(mut parameters: Parameters, target: &mut ShapeTarget) -> Resul
         warn_unsupported(&parameters, target);
         return Ok(false);
     };
+    let cover = alpha::read(&mut parameters, target)?;
+    match &cover {
+        Cover::Solid => {}
+        Cover::Hidden => target.hide(),
+        Cover::CutOut(_) => target.keeps_uv = true,
+    }
+    let before = target.geometry.counts();
     match add_shape(&mut parameters, target) {
         Ok(()) => target.turn_normals(),
         Err(ShapeRefusal::Scene(error)) => return Err(error),
@@ -72,21 +81,16 @@ pub(super) fn add(mut parameters: Parameters, target: &mut ShapeTarget) -> Resul
             target.warnings.add(format!("{name} {kind}"), diagnostic);
         }
     }
-    warn_of_textures(&mut parameters, target);
+    if let Cover::CutOut(alpha) = cover {
+        target.geometry.cut_out(before, alpha);
+    }
+    warn_of_displacement(&mut parameters, target);
     parameters.finish(target.warnings);
     Ok(true)
 }
 
-/// Warns of textures that would cut holes into the shape or move it.
-fn warn_of_textures(parameters: &mut Parameters, target: &mut ShapeTarget) {
-    // An alpha of 1 is solid everywhere; a texture may be anything.
-    let is_solid = parameters
-        .lone_number("alpha")
-        .is_some_and(|alpha| alpha >= 1.0);
-    if parameters.has("alpha") && !is_solid {
-        let message = "alpha is ignored: the whole surface is solid";
-        parameters.warn("alpha", message, target.warnings);
-    }
+/// Warns of textures that would move the surface.
+fn warn_of_displacement(parameters: &mut Parameters, target: &mut ShapeTarget) {
     if parameters.has("displacement") {
         let message = "displacement is ignored: the surface stays where it is";
         parameters.warn("displacement", message, target.warnings);

@@ -3,13 +3,16 @@
 use super::transform_cache::TransformCache;
 use crate::error::{Diagnostic, Error, Result};
 use crate::geometry::{Matrix, Point};
+use crate::mesh::CornerWants;
 use crate::mesh::TriangleMesh;
 use crate::mesh::curve::Diced;
 use crate::scene::LoadOptions;
 use crate::scene::inputs::Inputs;
 use crate::scene::parameters::Parameters;
+use crate::scene::textures::{Definition, Textures};
 use crate::scene::warnings::Warnings;
 use crate::shape::{CapacityError, Form, Geometry, NonFiniteCounts, PatchUv};
+use std::sync::Arc;
 
 /// Where one shape goes.
 pub(crate) struct ShapeTarget<'a> {
@@ -28,8 +31,17 @@ pub(crate) struct ShapeTarget<'a> {
     pub(crate) reverses_orientation: bool,
     /// Whether the normals are on the other side than the shape alone would have them.
     pub(crate) is_turned: bool,
-    /// Whether the shape only bounds a medium: then its primitives only have numbers.
+    /// Whether rays do not meet the shape, since it only bounds a medium or is hidden by its alpha:
+    /// then its primitives only have numbers.
     pub(crate) bounds_medium: bool,
+    /// Whether an alpha at or below the cutoff hides the shape.
+    pub(crate) is_hidden: bool,
+    /// Whether to keep the surface coordinates of meshes: for the options, or for an alpha.
+    pub(crate) keeps_uv: bool,
+    /// The textures that the shape may name.
+    pub(crate) textures: &'a Textures,
+    /// The texture that the shape is the first to use as its alpha.
+    pub(crate) new_texture: Option<Arc<Definition>>,
 }
 
 /// What a patch takes besides its corners, in bytes, as charged to the budget.
@@ -76,6 +88,19 @@ pub(super) const SURFACE: [&str; 8] = [
 ];
 
 impl ShapeTarget<'_> {
+    /// Leaves the shape out of the picture.
+    pub(super) fn hide(&mut self) {
+        (self.is_hidden, self.bounds_medium) = (true, true);
+    }
+
+    /// What to keep of the corners of meshes.
+    pub(super) fn corners(&self) -> CornerWants {
+        CornerWants {
+            uv: self.keeps_uv,
+            ..self.options.corners()
+        }
+    }
+
     /// Puts the normals on the other side.
     pub(super) fn turn_round(&mut self) {
         self.is_turned = !self.is_turned;
@@ -119,7 +144,7 @@ impl ShapeTarget<'_> {
             let transform = self
                 .transforms
                 .intern(&self.world_from_object, self.geometry);
-            if self.options.orientation || self.options.uv {
+            if self.options.orientation || self.keeps_uv {
                 self.geometry.add_curve_pieces(&diced.pieces);
             }
             self.geometry

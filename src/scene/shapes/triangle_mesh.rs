@@ -20,7 +20,7 @@ pub(super) fn add(parameters: &mut Parameters, target: &mut ShapeTarget) -> Shap
             return Err(ShapeRefusal::shape("without indices", error));
         }
     };
-    let uv = match target.options.uv {
+    let uv = match target.keeps_uv {
         true => uv_of(parameters, count, target.warnings)?,
         false => None,
     };

@@ -45,6 +45,11 @@ impl Geometry {
         self.attributes
             .iter()
             .for_each(|attributes| attributes.digest(digester));
+        // A word only if there are some: pictures without them keep their digests.
+        if let Some(cut_outs) = &self.cut_outs {
+            digester.word(CUT_OUTS);
+            cut_outs.digest(digester);
+        }
         digester.word(self.objects.len() as u64);
         self.objects
             .iter()
@@ -76,6 +81,8 @@ impl Curves {
         });
     }
 }
+/// Begins the alphas; no geometry has as many objects.
+const CUT_OUTS: u64 = u64::MAX;
 
 fn words_of(number: FirstNumber) -> [u64; 2] {
     [number.alone.into(), number.instanced]

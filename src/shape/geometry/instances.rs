@@ -13,6 +13,7 @@ const UNDEFINED: u32 = u32::MAX;
 impl Geometry {
     /// Adds an object, and returns its number. Its geometry has no instances.
     pub fn add_object(&mut self, geometry: Geometry) -> usize {
+        self.has_cut_outs |= geometry.has_cut_outs;
         self.objects.push(geometry);
         self.objects.len() - 1
     }

@@ -1,7 +1,9 @@
 //! All geometry of a scene, in the order of the file.
 
+mod alphas;
 mod attributes;
 mod curves;
+mod cut_outs;
 mod digest;
 mod forms;
 mod hidden;
@@ -21,6 +23,7 @@ mod vertex_normals;
 
 pub use attributes::{CornerUv, CurvePiece, PatchUv};
 pub use curves::CurvePoint;
+pub use cut_outs::Counts;
 pub use instance::Instance;
 pub use non_finite::NonFiniteCounts;
 pub use pose::Pose;
@@ -31,6 +34,7 @@ use crate::geometry::{Matrix, Point};
 use crate::shape::{Cut, Form, Primitive, PrimitiveId, PrimitiveKind, Quadric, Triangle};
 use attributes::Attributes;
 use curves::Curves;
+use cut_outs::CutOuts;
 use forms::Forms;
 use non_finite::move_to_world;
 use rayon::prelude::*;
@@ -70,6 +74,10 @@ pub struct Geometry {
     ends_run: bool,
     /// The attributes of surfaces, if they are wanted.
     attributes: Option<Box<Attributes>>,
+    /// The alphas of surfaces that have one.
+    cut_outs: Option<Box<CutOuts>>,
+    /// Whether it or one of its objects has some.
+    has_cut_outs: bool,
 }
 
 impl Geometry {

@@ -1,6 +1,7 @@
 //! The number of primitives, and their memory.
 
 use super::Geometry;
+use std::collections::HashSet;
 
 impl Geometry {
     /// The number of primitives in no instance, including those left out.
@@ -43,6 +44,11 @@ impl Geometry {
 
     /// The memory that the geometry takes, in bytes.
     pub fn bytes(&self) -> usize {
+        self.bytes_but_known(&mut HashSet::new())
+    }
+
+    /// The same, without images that are `known`, and adds those that are not.
+    fn bytes_but_known(&self, known: &mut HashSet<usize>) -> usize {
         size_of_val(&self.vertices[..])
             + size_of_val(&self.triangles[..])
             + size_of_val(&self.meshes[..])
@@ -58,9 +64,13 @@ impl Geometry {
                 .as_ref()
                 .map_or(0, |attributes| attributes.bytes())
             + self
+                .cut_outs
+                .as_ref()
+                .map_or(0, |cut_outs| cut_outs.bytes(known))
+            + self
                 .objects
                 .iter()
-                .map(|object| size_of::<Geometry>() + object.bytes())
+                .map(|object| size_of::<Geometry>() + object.bytes_but_known(known))
                 .sum::<usize>()
     }
 }

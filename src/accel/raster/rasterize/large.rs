@@ -9,19 +9,19 @@ use crate::shape::InstancedId;
 use crate::simd::{F32s, LANES, Lanes, Mask};
 
 /// The numbers of one triangle in all lanes.
-struct Broadcast<S: Lanes> {
-    primitive: InstancedId,
+pub(super) struct Broadcast<S: Lanes> {
+    pub(super) primitive: InstancedId,
     /// The slot that the triangle gets if a pixel sees it.
-    slot: Slot,
+    pub(super) slot: Slot,
     edges: [PixelFunction<S>; 3],
     nearness: PixelFunction<S>,
     /// An upper bound of nearness.
-    nearest: S::F,
+    pub(super) nearest: S::F,
     /// See [`Rule::surely_nearer`].
-    surely_nearer: [S::F; 2],
+    pub(super) surely_nearer: [S::F; 2],
     error: S::F,
-    minus_error: S::F,
-    infinity: S::F,
+    pub(super) minus_error: S::F,
+    pub(super) infinity: S::F,
     /// Column and row of the first pixel of the footprint.
     origin: [S::F; 2],
     /// The last ones, relative to the first.
@@ -29,13 +29,13 @@ struct Broadcast<S: Lanes> {
 }
 
 /// The triangle at the pixels of a block.
-struct Samples<S: Lanes> {
+pub(super) struct Samples<S: Lanes> {
     /// Columns and rows relative to the first pixel of the footprint.
     x: S::F,
     y: S::F,
     /// The least edge function.
-    edge: S::F,
-    nearness: S::F,
+    pub(super) edge: S::F,
+    pub(super) nearness: S::F,
 }
 
 impl Rasterizer<'_> {
@@ -159,7 +159,7 @@ fn broadcast<S: Lanes>(simd: S, function: &[[f32; LANES]; 3], lane: usize) -> Pi
 
 impl<S: Lanes> Broadcast<S> {
     #[inline(always)]
-    fn of(
+    pub(super) fn of(
         simd: S,
         planes: &EdgePlanes,
         lane: usize,
@@ -192,7 +192,7 @@ impl<S: Lanes> Broadcast<S> {
 
     /// The triangle at the pixels of a block.
     #[inline(always)]
-    fn samples<const EXACT: bool>(&self, simd: S, block: usize) -> Samples<S> {
+    pub(super) fn samples<const EXACT: bool>(&self, simd: S, block: usize) -> Samples<S> {
         let x = simd.load(&COLUMNS[block]) - self.origin[0];
         let y = simd.load(&ROWS[block]) - self.origin[1];
         let [a, b, c] = &self.edges;
@@ -208,7 +208,7 @@ impl<S: Lanes> Broadcast<S> {
     /// The pixels that the triangle covers by the computed numbers, in its footprint: that is all
     /// that trees know of it.
     #[inline(always)]
-    fn inside(&self, simd: S, rule: &Rule, samples: &Samples<S>) -> S::M {
+    pub(super) fn inside(&self, simd: S, rule: &Rule, samples: &Samples<S>) -> S::M {
         let (zero, x, y) = (simd.splat(0.0), samples.x, samples.y);
         let is_covered = !zero.above(samples.edge) & rule.in_front(simd, samples.nearness);
         let in_footprint =

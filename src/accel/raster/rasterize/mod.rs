@@ -1,6 +1,7 @@
 //! Rasterization: tests sixteen triangles, or sixteen pixels, at once against the depth buffer.
 
 mod curved;
+mod cut_out;
 mod large;
 mod quadratic;
 mod rasterizer;
@@ -10,6 +11,7 @@ mod small;
 mod sphere;
 
 pub(super) use self::curved::TileSurface;
+pub(super) use self::cut_out::CutOutRays;
 pub(super) use self::quadratic::TileQuadratic;
 pub(super) use self::rasterizer::{PrimitiveBatch, Rasterizer, Rule, TriangleSource};
 pub(super) use self::segment::TileSegment;

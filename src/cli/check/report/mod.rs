@@ -58,6 +58,10 @@ struct Content<'a> {
     medium_boundaries: List<'a>,
     /// Objects without an instance.
     unused_objects: List<'a>,
+    /// Textures that cut holes into shapes.
+    alpha_textures: List<'a>,
+    /// Shapes that their alpha hides.
+    hidden_shapes: List<'a>,
 }
 
 #[derive(Debug, Serialize)]
@@ -197,6 +201,8 @@ impl<'a> Content<'a> {
             unknown: census.unknown().collect(),
             medium_boundaries: List::new(census.boundaries(), |of| (&of.shape, &of.place)),
             unused_objects: List::new(census.unused_objects(), |of| (&of.name, &of.place)),
+            alpha_textures: List::new(census.textures(), |of| (&of.name, &of.place)),
+            hidden_shapes: List::new(census.hidden(), |of| (&of.shape, &of.place)),
         }
     }
 }

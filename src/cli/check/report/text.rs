@@ -42,7 +42,11 @@ impl Display for Report<'_> {
             f,
             "unused",
             content.unused_objects.lines("objects without an instance"),
-        )
+        )?;
+        let textures = "textures that cut holes into shapes: their alpha";
+        lines(f, "alpha", content.alpha_textures.lines(textures))?;
+        let hidden = "shapes that their alpha hides";
+        lines(f, "hidden", content.hidden_shapes.lines(hidden))
     }
 }
 

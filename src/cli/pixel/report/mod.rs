@@ -3,7 +3,7 @@
 mod text;
 
 use feimos::accel::{Precision, SplitMethod, TraversalCounts};
-use feimos::pixel::{Answer, Explanation, HitDetails, Margin, Missed, Next, Scan};
+use feimos::pixel::{Answer, CutHit, Explanation, HitDetails, Margin, Missed, Next, Scan};
 use feimos::scene::Scene;
 use feimos::shape::{InstancedId, Primitive};
 use serde::Serialize;
@@ -24,6 +24,8 @@ pub(super) struct Report<'a> {
     met: Option<u64>,
     behind: Option<Behind<'a>>,
     nearest_missed: Option<NearestMissed<'a>>,
+    /// The nearest hit that an alpha cuts away, if it is nearer than the hit.
+    cut: Option<Cut<'a>>,
     unmeasured: Option<u64>,
     answers: Vec<AnswerLine>,
     costs: Vec<Cost>,
@@ -101,6 +103,17 @@ struct AnswerLine {
 }
 
 #[derive(Debug, Serialize)]
+struct Cut<'a> {
+    #[serde(flatten)]
+    primitive: PrimitiveName<'a>,
+    #[serde(rename = "Z")]
+    z: f64,
+    u: f64,
+    v: f64,
+    alpha: f64,
+}
+
+#[derive(Debug, Serialize)]
 struct Cost {
     accel: &'static str,
     nodes: u64,
@@ -136,6 +149,7 @@ impl<'a> Report<'a> {
             met: scan.map(|scan| scan.met),
             behind: scan.and_then(|scan| Behind::new(scene, scan)),
             nearest_missed: scan.and_then(|scan| NearestMissed::new(scene, scan)),
+            cut: scan.and_then(|scan| Cut::new(scene, scan, hit.as_ref())),
             unmeasured: scan.map(|scan| scan.unmeasured),
             answers: explanation.answers.iter().map(AnswerLine::new).collect(),
             costs: explanation.costs.iter().map(cost).collect(),
@@ -220,6 +234,25 @@ impl<'a> NearestMissed<'a> {
         Some(NearestMissed {
             primitive: PrimitiveName::new(scene, primitive),
             on_film,
+        })
+    }
+}
+
+impl<'a> Cut<'a> {
+    fn new(scene: &'a Scene, scan: &Scan, hit: Option<&HitDetails>) -> Option<Cut<'a>> {
+        let CutHit {
+            primitive,
+            z,
+            uv: [u, v],
+            alpha,
+        } = scan.cut?;
+        let is_nearer = hit.is_none_or(|hit| z < hit.z.high);
+        is_nearer.then(|| Cut {
+            primitive: PrimitiveName::new(scene, primitive),
+            z,
+            u,
+            v,
+            alpha,
         })
     }
 }

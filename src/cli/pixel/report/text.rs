@@ -1,6 +1,6 @@
 //! The report on a pixel as text.
 
-use super::{AnswerLine, BASELINE, Behind, Cost, Hit, NearestMissed, PrimitiveName, Report};
+use super::{AnswerLine, BASELINE, Behind, Cost, Cut, Hit, NearestMissed, PrimitiveName, Report};
 use crate::cli::terminal::words::{counted, line, lines};
 use feimos::accel::Precision;
 use feimos::error::printable;
@@ -52,6 +52,9 @@ impl Report<'_> {
             let text = format!("not scanned: more than {MAX_SCANNED} primitives");
             return line(f, "others", &text);
         };
+        if let Some(cut) = &self.cut {
+            line(f, "cut away", &cut.to_string())?;
+        }
         match &self.behind {
             Some(behind) => line(f, "behind", &behind.to_string())?,
             None if met > 0 => line(f, "behind", "nothing")?,
@@ -154,6 +157,22 @@ impl Hit<'_> {
             ),
             None => "not measured".to_owned(),
         }
+    }
+}
+
+impl Display for Cut<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let Cut {
+            primitive,
+            z,
+            u,
+            v,
+            alpha,
+        } = self;
+        write!(
+            f,
+            "{primitive}, Z about {z}: its alpha is {alpha} at u {u}, v {v} (rule A1)"
+        )
     }
 }
 

@@ -1,6 +1,8 @@
 //! Every form of directive and of value.
 
-use super::super::{ActiveTransform, KEYWORDS, Statement as S, TransformDirective as T, Values};
+use super::super::{
+    ActiveTransform, KEYWORDS, Statement as S, TextureDirective, TransformDirective as T, Values,
+};
 use super::{parameters, parse, statement, statements, values};
 
 const MATRIX: [f64; 16] = [
@@ -141,13 +143,34 @@ fn directives_without_influence() {
         "Option \"bool disablepixeljitter\" \"true\"",
         "Option \"string rendercoordsys\" [\"world\"]",
         "Texture \"t\" \"spectrum\" \"checkerboard\" \"float uscale\" [16] \"rgb tex1\" [.1 .1 .1]",
-        "Texture \"t\" \"float\" \"constant\"",
-        "Texture \"t\" \"float\" \"mix\" \"texture a\" \"t\" \"bool remap\" false \"spectrum k\" []",
         "LightSource \"distant\" \"blackbody L\" [3000 1] \"point from\" [0 0 0]",
     ];
     for case in cases {
         assert_eq!(statement(case), S::Skipped, "{case}");
     }
+}
+
+/// Shapes may use textures of numbers, whatever their parameters.
+#[test]
+fn textures_of_numbers_are_kept() {
+    let kept = |text: &str| match statement(text) {
+        S::Texture(TextureDirective { name, entity }) => (
+            name.text.into_owned(),
+            entity.name.text.into_owned(),
+            entity.parameters.len(),
+        ),
+        other => panic!("{other:?}"),
+    };
+    let texture = "Texture \"t\" \"float\"";
+    assert_eq!(
+        kept(&format!("{texture} \"constant\"")),
+        ("t".into(), "constant".into(), 0)
+    );
+    let parameters = "\"texture a\" \"t\" \"bool remap\" false \"spectrum k\" []";
+    assert_eq!(
+        kept(&format!("{texture} \"mix\" {parameters}")),
+        ("t".into(), "mix".into(), 3)
+    );
 }
 
 #[test]

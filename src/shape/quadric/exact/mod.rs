@@ -24,8 +24,13 @@ impl Quadric {
     /// counts (rules E2, E5, E6 and E8 to E11). The surface [can be hit](Quadric::can_be_hit), and
     /// the ray is finite and has a direction.
     pub fn exact(&self, ray: &Ray) -> Option<Root> {
+        self.exact_number(ray, 0)
+    }
+
+    /// The same for the hit of number `number`, counted from 0 in the order of `t`.
+    pub fn exact_number(&self, ray: &Ray, number: usize) -> Option<Root> {
         if let Form::Patch = self.form {
-            return self.patch().exact(ray);
+            return self.patch().exact(ray, number);
         }
         let space = ScaledSpace::new(self, ray);
         let first = |is_there: &dyn Fn(&Root) -> bool| {
@@ -34,14 +39,15 @@ impl Quadric {
                 .into_iter()
                 .flatten()
                 .flatten()
-                .find(|t| t.sign() == Ordering::Greater && is_there(t))
+                .filter(|t| t.sign() == Ordering::Greater && is_there(t))
+                .nth(number)
         };
         match &self.form {
             Form::Sphere(None) => first(&|_| true),
             Form::Sphere(Some(cut)) | Form::Cylinder(cut) => first(&|t| space.is_there(t, cut)),
             Form::Revolved(revolved) => first(&|t| space.is_on_revolved(t, revolved)),
-            Form::Disk(disk) => space.crossing(disk, self.radius),
-            Form::Patch => None,
+            Form::Disk(disk) if number == 0 => space.crossing(disk, self.radius),
+            Form::Disk(_) | Form::Patch => None,
         }
     }
 

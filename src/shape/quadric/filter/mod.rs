@@ -46,24 +46,33 @@ impl Quadric {
     /// "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019). Every number
     /// carries a bound on its error. A cylinder is a sphere of two dimensions.
     pub fn filter(&self, ray: &FilterRay) -> FilterResult {
+        self.filter_number(ray, 0)
+    }
+
+    /// The same for the hit of number `number`, counted from 0 in the order of `t`.
+    pub fn filter_number(&self, ray: &FilterRay, number: usize) -> FilterResult {
         if let Form::Patch = self.form {
-            return self.patch().filter(ray);
+            return self.patch().filter(ray, number);
         }
         let space = ScaledSpace::new(self, ray);
         let (o, d) = (&space.origin, &space.direction);
         match &self.form {
-            Form::Sphere(None) => first_hit(space.roots(o, d), |_| Some(true)),
-            Form::Sphere(Some(cut)) => first_hit(space.roots(o, d), |t| space.is_there(t, cut)),
-            Form::Cylinder(cut) => match first_hit(space.roots(&across(o), &across(d)), |t| {
-                space.is_there(t, cut)
-            }) {
-                FilterResult::Unsure if space.misses_between_ends(cut) => FilterResult::Miss,
-                verdict => verdict,
-            },
-            Form::Disk(disk) => first_hit(space.crossing(disk), |t| {
+            Form::Sphere(None) => hit_of_number(number, space.roots(o, d), |_| Some(true)),
+            Form::Sphere(Some(cut)) => {
+                hit_of_number(number, space.roots(o, d), |t| space.is_there(t, cut))
+            }
+            Form::Cylinder(cut) => {
+                match hit_of_number(number, space.roots(&across(o), &across(d)), |t| {
+                    space.is_there(t, cut)
+                }) {
+                    FilterResult::Unsure if space.misses_between_ends(cut) => FilterResult::Miss,
+                    verdict => verdict,
+                }
+            }
+            Form::Disk(disk) => hit_of_number(number, space.crossing(disk), |t| {
                 space.is_in_ring(t, disk, self.radius)
             }),
-            Form::Revolved(revolved) => space.meet_revolved(revolved, self.radius),
+            Form::Revolved(revolved) => space.meet_revolved(revolved, self.radius, number),
             Form::Patch => FilterResult::Unsure,
         }
     }
@@ -86,6 +95,16 @@ impl Quadric {
 /// The first of the roots that is there.
 #[inline]
 fn first_hit(roots: Roots, is_there: impl Fn(Approximation) -> Option<bool>) -> FilterResult {
+    hit_of_number(0, roots, is_there)
+}
+
+/// The root of number `number`, counted from 0, among those that are there.
+#[inline]
+fn hit_of_number(
+    mut number: usize,
+    roots: Roots,
+    is_there: impl Fn(Approximation) -> Option<bool>,
+) -> FilterResult {
     let Some(roots) = roots else {
         return FilterResult::Unsure;
     };
@@ -98,6 +117,7 @@ fn first_hit(roots: Roots, is_there: impl Fn(Approximation) -> Option<bool>) -> 
     }
     for t in roots.into_iter().flatten() {
         match is_there(t) {
+            Some(true) if number > 0 => number -= 1,
             Some(true) => {
                 let bracket = t.bracket();
                 return if bracket.low > 0.0 {

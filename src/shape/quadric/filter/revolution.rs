@@ -1,6 +1,6 @@
 //! Surfaces of revolution in `f64`, with error bounds.
 
-use super::{Approximations, ScaledSpace, cross, first_hit};
+use super::{Approximations, ScaledSpace, cross, first_hit, hit_of_number};
 use crate::exact::Approximation;
 use crate::shape::FilterResult;
 use crate::shape::quadric::revolved::{Equation, Hyperboloid, Revolved};
@@ -138,7 +138,12 @@ impl Quadratic {
 
 impl ScaledSpace {
     /// Whether the ray meets the part of a surface of revolution, and where first.
-    pub(super) fn meet_revolved(&self, revolved: &Revolved, radius: f64) -> FilterResult {
+    pub(super) fn meet_revolved(
+        &self,
+        revolved: &Revolved,
+        radius: f64,
+        number: usize,
+    ) -> FilterResult {
         let equation = ScaledEquation::new(&Equation::of(revolved, radius), self.determinant);
         let quadratic = equation.of_ray(&self.origin, &self.direction);
         let or_miss = |result| match result {
@@ -151,7 +156,8 @@ impl ScaledSpace {
             return or_miss(FilterResult::Unsure);
         };
         let is_there = |t| self.is_on_revolved(t, revolved);
-        match (first_hit(Some(roots.known), is_there), roots.unknown_beyond) {
+        let found = hit_of_number(number, Some(roots.known), is_there);
+        match (found, roots.unknown_beyond) {
             (FilterResult::Miss, Some(beyond)) if !self.ends_within(revolved, beyond) => {
                 or_miss(FilterResult::Unsure)
             }

@@ -29,7 +29,8 @@ impl Linear {
 
 impl Patch {
     /// The smallest positive `t` at which `ray` meets the patch (rule E11).
-    pub(in crate::shape::quadric) fn exact(&self, ray: &Ray) -> Option<Root> {
+    /// That is the hit of number 0; the other one has number 1.
+    pub(in crate::shape::quadric) fn exact(&self, ray: &Ray, number: usize) -> Option<Root> {
         let origin = ExactVector::from(ray.origin);
         let d = ExactVector::from(ray.direction);
         let [p00, p10, p01, p11] = self.corners.map(ExactVector::from);
@@ -39,7 +40,9 @@ impl Patch {
         let start = Linear(p00.minus(&origin), p10.minus(&p00));
         let us = roots_of(&start.dot(&along.cross(&d)));
         let met = us.into_iter().filter_map(|u| meet(&start, &along, &d, &u));
-        met.min()
+        let mut met: Vec<Root> = met.collect();
+        met.sort();
+        met.into_iter().nth(number)
     }
 }
 

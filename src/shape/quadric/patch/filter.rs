@@ -47,8 +47,9 @@ fn one() -> Approximation {
 }
 
 impl Patch {
-    /// Whether `ray` meets the patch, and where first, as far as `f64` can tell (rule E11).
-    pub(in crate::shape::quadric) fn filter(&self, ray: &FilterRay) -> FilterResult {
+    /// Whether `ray` meets the patch, and where first, as far as `f64` can tell (rule E11); or at
+    /// the hit of number `number`, counted from 0 in the order of `t`.
+    pub(in crate::shape::quadric) fn filter(&self, ray: &FilterRay, number: usize) -> FilterResult {
         if self.is_surely_beside(ray) {
             return FilterResult::Miss;
         }
@@ -56,21 +57,19 @@ impl Patch {
         let Some(us) = rulings.roots() else {
             return FilterResult::Unsure;
         };
-        let mut first: Option<Bracket> = None;
-        for u in us.into_iter().flatten() {
-            match rulings.meet(u) {
-                Found::Nothing => {}
-                Found::Unsure => return FilterResult::Unsure,
-                // The nearer of two numbers lies between the lower ends and the upper ends.
-                Found::Hit(t) => {
-                    first = Some(first.map_or(t, |other| Bracket {
-                        low: t.low.min(other.low),
-                        high: t.high.min(other.high),
-                    }));
-                }
+        let mut hits = [None; 2];
+        for (u, hit) in us.into_iter().zip(&mut hits) {
+            match u.map(|u| rulings.meet(u)) {
+                None | Some(Found::Nothing) => {}
+                Some(Found::Unsure) => return FilterResult::Unsure,
+                Some(Found::Hit(t)) => *hit = Some(t),
             }
         }
-        first.map_or(FilterResult::Miss, FilterResult::Hit)
+        match hits {
+            [Some(a), Some(b)] => two_hits(a, b, number),
+            [Some(t), None] | [None, Some(t)] if number == 0 => FilterResult::Hit(t),
+            _ => FilterResult::Miss,
+        }
     }
 
     /// Whether all corners are surely on one side of a plane through the ray, along an axis.
@@ -92,6 +91,21 @@ impl Patch {
             let sign = sides[0][k];
             sign != 0.0 && sides[1..].iter().all(|side| side[k] == sign)
         })
+    }
+}
+
+/// The hit of number `number` of two.
+fn two_hits(a: Bracket, b: Bracket, number: usize) -> FilterResult {
+    match number {
+        // The nearer of two numbers lies between the lower ends and the upper ends.
+        0 => FilterResult::Hit(Bracket {
+            low: a.low.min(b.low),
+            high: a.high.min(b.high),
+        }),
+        1 if a.is_below(&b) => FilterResult::Hit(b),
+        1 if b.is_below(&a) => FilterResult::Hit(a),
+        1 => FilterResult::Unsure,
+        _ => FilterResult::Miss,
     }
 }
 

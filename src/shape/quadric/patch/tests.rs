@@ -29,8 +29,8 @@ fn ray(origin: [f64; 3], direction: [f64; 3]) -> Ray {
 
 /// The exact `t`, with which the filter must not disagree.
 fn intersect(patch: &Patch, ray: &Ray) -> Option<f64> {
-    let exact = patch.exact(ray).map(|t| t.bracket());
-    match (patch.filter(&FilterRay::new(ray)), exact) {
+    let exact = patch.exact(ray, 0).map(|t| t.bracket());
+    match (patch.filter(&FilterRay::new(ray), 0), exact) {
         (FilterResult::Miss, None) | (FilterResult::Unsure, _) => {}
         (FilterResult::Hit(filtered), Some(exact)) => {
             assert!(filtered.low <= exact.high && exact.low <= filtered.high);
@@ -205,7 +205,7 @@ proptest! {
         let direction = Point::new(at(0), at(1), at(2)) - origin;
         let ray = Ray { origin, direction };
         prop_assume!(ray.can_hit());
-        match (patch.filter(&FilterRay::new(&ray)), patch.exact(&ray)) {
+        match (patch.filter(&FilterRay::new(&ray), 0), patch.exact(&ray, 0)) {
             (FilterResult::Unsure, _) | (FilterResult::Miss, None) => {}
             (FilterResult::Hit(bracket), Some(t)) => {
                 prop_assert!(t.compare_with(&Dyadic::from(bracket.low)) != Ordering::Less);

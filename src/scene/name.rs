@@ -1,4 +1,4 @@
-//! Names that a scene gives to objects, coordinate systems and materials.
+//! Names that a scene gives to objects, coordinate systems, materials and textures.
 
 use crate::scene::parser::Text;
 use std::borrow::{Borrow, Cow};
@@ -8,10 +8,10 @@ use unicode_normalization::{IsNormalized, UnicodeNormalization, is_nfc_quick};
 /// A name in Unicode's normalisation form C, in which pbrt-v4 compares names, too. A name that is
 /// not UTF-8 is kept as it is.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub(super) struct Name(Box<[u8]>);
+pub(crate) struct Name(Box<[u8]>);
 
 impl Name {
-    pub(super) fn new(text: &Text) -> Name {
+    pub(crate) fn new(text: &Text) -> Name {
         Name(key(text).into_owned().into_boxed_slice())
     }
 }
@@ -36,7 +36,7 @@ impl Display for Name {
 }
 
 /// The bytes that all spellings of one name share.
-pub(super) fn key<'a>(text: &'a Text) -> Cow<'a, [u8]> {
+pub(crate) fn key<'a>(text: &'a Text) -> Cow<'a, [u8]> {
     match &text.raw {
         Some(raw) => Cow::Borrowed(raw),
         None => normalized(&text.text),
