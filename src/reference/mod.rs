@@ -52,8 +52,8 @@ pub fn closest_hit(geometry: &Geometry, ray: &Ray) -> Option<ReferenceHit> {
     closest_hit_among(geometry.all(), geometry, ray)
 }
 
-/// The first hit of a primitive that its alpha keeps (rule A1). u, v and the texture are shared with
-/// the rest of the program: the rule is their definition.
+/// The first hit of a primitive that its alpha keeps (rule A1). u, v and the texture are shared
+/// with the rest of the program: the rule is their definition.
 fn first_hit(geometry: &Geometry, placed: InstancedId, ray: &Ray) -> Option<Root> {
     let surface = geometry.surface(placed);
     for number in 0.. {

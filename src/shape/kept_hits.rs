@@ -1,7 +1,7 @@
 //! The hits of a primitive that its alpha keeps (rule A1).
 //!
-//! Hits of one primitive are numbered from 0 in the order of `t`: a quadric has two at most. u and v
-//! at a hit depend on the primitive, the ray and the number alone, and so does the hit that counts.
+//! Hits of one primitive are numbered from 0 in the order of `t`: a quadric has two at most. u and
+//! v at a hit depend on the primitive, the ray and the number alone, and so does the hit that counts.
 
 use super::quadric::UnitSpace;
 use super::{

@@ -105,7 +105,8 @@ fn leaves_are_seen_through_leaves_in_both_orders() {
     write_disc(&folder.path().join("disc.png"));
     let leaf = |z: f64, shift: f64| {
         format!(
-            "AttributeBegin Translate {shift} 0 {z} {SQUARE} \"texture alpha\" \"disc\" AttributeEnd\n"
+            "AttributeBegin Translate {shift} 0 {z} {SQUARE} \"texture alpha\" \"disc\" \
+             AttributeEnd\n"
         )
     };
     let (near, far) = (leaf(-0.5, 0.3), leaf(0.5, -0.3));

@@ -243,8 +243,8 @@ pub(crate) fn world() -> impl Strategy<Value = World> {
     })
 }
 
-/// Quadrics that are all the same, or parts of the same, with holes of their own. Some are away from
-/// the grid by half a unit in the last place of their depth.
+/// Quadrics that are all the same, or parts of the same, with holes of their own. Some are away
+/// from the grid by half a unit in the last place of their depth.
 pub(crate) fn shells() -> impl Strategy<Value = World> {
     let whole_sphere = Form::Sphere(None);
     let forms = vec![

@@ -284,7 +284,8 @@ fn coordinates_of_mesh_files_are_kept() {
     };
     let far = "AttributeBegin Translate 0 0 5 ";
     let world = format!(
-        "{BOARD}{far}{mesh}{mesh}AttributeEnd {mesh} \"texture alpha\" \"t\"\n{far}{mesh}AttributeEnd"
+        "{BOARD}{far}{mesh}{mesh}AttributeEnd {mesh} \"texture alpha\" \"t\"\n\
+         {far}{mesh}AttributeEnd"
     );
     let expected = scene(&format!("{BOARD}{QUAD} \"texture alpha\" \"t\""));
     assert_eq!(count(&ids(&loaded(&world)), 3), count(&ids(&expected), 1));

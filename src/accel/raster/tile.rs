@@ -123,10 +123,7 @@ impl Tile<'_> {
         let cut_out = batch.cut_outs(fallback.geometry, lanes);
         let (mut rasterizer, planes) = self.buffers.rasterizer(frame, fallback, batch, source);
         if cut_out != 0 {
-            let rays = CutOutRays {
-                camera: fallback.camera,
-                first: frame.first,
-            };
+            let rays = CutOutRays::new(fallback.camera, frame.first);
             rasterizer.rasterize_cut_outs::<S, EXACT>(simd, planes, cut_out, rays);
         }
         rasterizer.rasterize::<S, EXACT>(simd, planes, lanes & !cut_out);
@@ -172,7 +169,6 @@ impl Tile<'_> {
             let lane = lanes.trailing_zeros() as usize;
             lanes &= lanes - 1;
             let footprint = bounds.footprints.of(lane);
-            // Only single rays can tell whether a hit of a surface with an alpha counts.
             let is_in_front = EXACT
                 && footprint.nearest < f32::INFINITY
                 && batch.cut_outs(self.fallback.geometry, 1 << lane) == 0;

@@ -78,8 +78,8 @@ impl<'a> FastSearch<'a> {
         }
     }
 
-    /// The `t` of a primitive with an alpha (rule A1). The hit of a triangle or a segment counts where
-    /// its alpha says so; that of a quadric is the exact one, rounded.
+    /// The `t` of a primitive with an alpha (rule A1). The hit of a triangle or a segment counts
+    /// where its alpha says so; that of a quadric is the exact one, rounded.
     #[cold]
     fn intersect_cut_out(&self, placed: InstancedId, surface: &Primitive) -> Option<f32> {
         match surface {

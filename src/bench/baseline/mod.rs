@@ -92,8 +92,8 @@ impl<'a> BaselineKernel<'a> {
         }
     }
 
-    /// The hit with a primitive that has an alpha, which decides whether it counts. Kernels differ in
-    /// triangles and segments only: the hit of a quadric is the exact one, rounded.
+    /// The hit with a primitive that has an alpha, which decides whether it counts. Kernels differ
+    /// in triangles and segments only: the hit of a quadric is the exact one, rounded.
     #[cold]
     fn intersect_cut_out(&self, ray: &Ray, ray32: &Ray32, placed: InstancedId) -> Option<f32> {
         if placed.primitive().kind() != PrimitiveKind::Quadric {

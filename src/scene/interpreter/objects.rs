@@ -2,7 +2,7 @@
 
 use crate::error::Result;
 use crate::geometry::Matrix;
-use crate::scene::census::UnusedObject;
+use crate::scene::listed::UnusedObject;
 use crate::scene::name::{Name, key};
 use crate::scene::parser::Text;
 use crate::scene::place::Place;

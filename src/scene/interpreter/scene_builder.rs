@@ -6,12 +6,13 @@ use super::graphics_state::GraphicsState;
 use super::materials::{Material, Materials};
 use super::objects::Objects;
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
-use crate::scene::census::{Census, MAX_LISTED};
+use crate::scene::census::Census;
 use crate::scene::inputs::Inputs;
+use crate::scene::listed::MAX_LISTED;
 use crate::scene::locations::Locations;
 use crate::scene::parameters::Parameters;
 use crate::scene::parser::{Directive, Entity, KEYWORDS, Legal, Statement, Text};
-use crate::scene::shapes::{self, ShapeTarget};
+use crate::scene::shapes::{self, AlphaTarget, ShapeTarget};
 use crate::scene::source_span::SourceSpan;
 use crate::scene::warnings::Warnings;
 use crate::scene::{LoadOptions, Scene};
@@ -105,11 +106,9 @@ impl SceneBuilder {
         inputs: &mut Inputs,
     ) -> Result<()> {
         let (state, warnings) = (&mut self.state, &mut self.warnings);
+        let whole = || keyword.beside(&directive.span);
         match &directive.statement {
-            Statement::Transform(transform) => {
-                let at = keyword.beside(&directive.span);
-                state.transform.apply(transform, &at, warnings);
-            }
+            Statement::Transform(by) => state.transform.apply(by, &whole(), warnings),
             Statement::ActiveTransform(active) => state.transform.set_active(*active),
             Statement::CoordinateSystem(name) => state.transform.set_coordinate_system(name),
             Statement::CoordSysTransform(name) => state.transform.recall(name, keyword, warnings),
@@ -149,11 +148,7 @@ impl SceneBuilder {
                 self.entities.set_accelerator(entity, keyword, warnings)?;
             }
             Statement::ObjectInstance(name) => self.instance(name, keyword)?,
-            Statement::Texture(texture) => {
-                state
-                    .textures
-                    .define(texture, &keyword.beside(&directive.span));
-            }
+            Statement::Texture(texture) => state.textures.define(texture, &whole()),
             Statement::Shape(entity) => self.shape(entity, keyword, inputs)?,
             Statement::Unknown(name) => warnings.add_unknown_directive(name, keyword),
             Statement::Include(_) | Statement::Import(_) | Statement::Skipped => {}
@@ -238,21 +233,18 @@ impl SceneBuilder {
             reverses_orientation,
             is_turned,
             bounds_medium,
-            is_hidden: false,
             keeps_uv: self.options.uv,
-            textures: &self.state.textures,
-            new_texture: None,
+            alpha: AlphaTarget::new(&self.state.textures),
         };
         let before = target.geometry.own_count();
         let parameters = Parameters::of_shape(entity, keyword.file(), &self.state.defaults)?;
         let is_added = shapes::add(parameters, &mut target)?;
         let added = target.geometry.own_count() - before;
-        if target.is_hidden {
+        if target.alpha.is_hidden {
             self.census.add_hidden(name, || keyword.place());
         }
-        if let Some(texture) = target.new_texture {
-            self.census
-                .add_texture(texture.name(), || texture.at().place());
+        if let Some(used) = target.alpha.new_texture {
+            self.census.add_texture(used.name(), || used.at().place());
         }
         self.census.count_shape(name, is_added.then_some(added));
         Ok(())

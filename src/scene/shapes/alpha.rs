@@ -38,7 +38,7 @@ pub(super) fn read(parameters: &mut Parameters, target: &mut ShapeTarget) -> Res
         };
         return Ok(of_constant(alpha));
     };
-    let Some(definition) = target.textures.find(name).cloned() else {
+    let Some(definition) = target.alpha.textures.find(name).cloned() else {
         warn_of_missing(name, parameters, target);
         return Ok(Cover::Solid);
     };
@@ -46,7 +46,7 @@ pub(super) fn read(parameters: &mut Parameters, target: &mut ShapeTarget) -> Res
     match definition.texture(target.inputs) {
         Ok(texture) => {
             if !was_made {
-                target.new_texture = Some(Arc::clone(&definition));
+                target.alpha.new_texture = Some(Arc::clone(&definition));
             }
             Ok(match texture.constant() {
                 Some(alpha) => of_constant(alpha),
@@ -70,7 +70,7 @@ fn warn_of_missing(name: &Text, parameters: &Parameters, target: &mut ShapeTarge
         "there is no float texture called `{}`: the whole surface is solid",
         name.text
     );
-    let names: Vec<String> = target.textures.names().collect();
+    let names: Vec<String> = target.alpha.textures.names().collect();
     let note = match spelling::closest(&name.text, names.iter().map(String::as_str)) {
         Some(known) => format!("did you mean `{known}`?"),
         None => "expected the name of a Texture \"float\" before the shape".to_owned(),

@@ -13,7 +13,7 @@ mod target;
 mod transform_cache;
 mod triangle_mesh;
 
-pub(super) use target::ShapeTarget;
+pub(super) use target::{AlphaTarget, ShapeTarget};
 pub(super) use transform_cache::TransformCache;
 
 use super::parameters::Parameters;

@@ -34,14 +34,29 @@ pub(crate) struct ShapeTarget<'a> {
     /// Whether rays do not meet the shape, since it only bounds a medium or is hidden by its alpha:
     /// then its primitives only have numbers.
     pub(crate) bounds_medium: bool,
-    /// Whether an alpha at or below the cutoff hides the shape.
-    pub(crate) is_hidden: bool,
     /// Whether to keep the surface coordinates of meshes: for the options, or for an alpha.
     pub(crate) keeps_uv: bool,
+    pub(crate) alpha: AlphaTarget<'a>,
+}
+
+/// What the alpha of a shape comes from, and leads to.
+pub(crate) struct AlphaTarget<'a> {
     /// The textures that the shape may name.
     pub(crate) textures: &'a Textures,
-    /// The texture that the shape is the first to use as its alpha.
+    /// Whether an alpha at or below the cutoff hides the shape.
+    pub(crate) is_hidden: bool,
+    /// The texture that the shape is the first to use.
     pub(crate) new_texture: Option<Arc<Definition>>,
+}
+
+impl<'a> AlphaTarget<'a> {
+    pub(crate) fn new(textures: &'a Textures) -> AlphaTarget<'a> {
+        AlphaTarget {
+            textures,
+            is_hidden: false,
+            new_texture: None,
+        }
+    }
 }
 
 /// What a patch takes besides its corners, in bytes, as charged to the budget.
@@ -90,7 +105,7 @@ pub(super) const SURFACE: [&str; 8] = [
 impl ShapeTarget<'_> {
     /// Leaves the shape out of the picture.
     pub(super) fn hide(&mut self) {
-        (self.is_hidden, self.bounds_medium) = (true, true);
+        (self.alpha.is_hidden, self.bounds_medium) = (true, true);
     }
 
     /// What to keep of the corners of meshes.

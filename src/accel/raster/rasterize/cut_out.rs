@@ -13,9 +13,16 @@ use crate::simd::{F32s, LANES, Lanes, Mask};
 /// The rays of a tile.
 #[derive(Clone, Copy)]
 pub(crate) struct CutOutRays<'a> {
-    pub(crate) camera: &'a Camera,
+    camera: &'a Camera,
     /// The tile's first pixel on the film.
-    pub(crate) first: [u32; 2],
+    first: [u32; 2],
+}
+
+impl<'a> CutOutRays<'a> {
+    /// The rays of the tile with the first pixel `first`.
+    pub(crate) fn new(camera: &'a Camera, first: [u32; 2]) -> CutOutRays<'a> {
+        CutOutRays { camera, first }
+    }
 }
 
 impl PrimitiveBatch<'_> {
