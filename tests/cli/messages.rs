@@ -48,7 +48,7 @@ fn verbose_reports_each_phase() {
     let folder = Folder::new();
     for flag in ["-v", "--verbose"] {
         let run = folder.render(&format!("ball.pbrt {flag}")).succeeded();
-        run.said("loaded 2 shapes: 1 triangle, 1 sphere")
+        run.said("loaded 2 shapes: 1 triangle, 1 quadric")
             .said("sorted 2 of 2 primitives into bins");
     }
     folder
@@ -105,7 +105,7 @@ fn statistics_are_printed_on_demand_even_if_quiet() {
         .map(|line| line.split_whitespace().next().unwrap())
         .collect();
     assert_eq!(found, labels.split_whitespace().collect::<Vec<_>>());
-    run.said("1 triangle, 1 sphere")
+    run.said("1 triangle, 1 quadric")
         .said("accelerator sah")
         .said("precision   exact");
     folder
@@ -149,7 +149,7 @@ fn json_has_the_documented_keys_in_their_order() {
         .render("ball.pbrt --json --accel sah")
         .succeeded();
     let documented = "scene output accel precision threads simd width height rays hits shapes \
-                      triangles spheres instances primitives ms load build trace write total \
+                      triangles spheres segments instances primitives ms load build trace write total \
                       trace_ms prepare divide tiles join single_rays idle bvh nodes leaves depth sah_cost bytes bins exact unsure_tests comparisons roundings \
                       fallback_rays peak_bytes";
     let line = String::from_utf8(run.stdout.clone()).unwrap();

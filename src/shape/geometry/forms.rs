@@ -122,7 +122,8 @@ mod tests {
 
     #[test]
     fn forms_come_back_and_are_as_small_as_a_disk() {
-        assert!(size_of::<StoredForm>() <= size_of::<Disk>() + 8);
+        assert_eq!(size_of::<StoredForm>(), size_of::<Disk>());
+        assert_eq!(size_of::<(u32, StoredForm)>(), 64);
         let hyperboloid = |x: f64| Revolved::hyperboloid([x, 0.0, 0.5], [1.0, 1.0, 1.0], 90.0);
         let forms = [
             Form::Sphere(None),
