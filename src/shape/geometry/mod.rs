@@ -7,6 +7,7 @@ mod cut_outs;
 mod digest;
 mod forms;
 mod hidden;
+mod ids;
 mod instance;
 mod instances;
 mod non_finite;
@@ -38,7 +39,7 @@ use cut_outs::CutOuts;
 use forms::Forms;
 use non_finite::move_to_world;
 use rayon::prelude::*;
-use runs::{FirstNumber, MeshRun, PatchRun, QuadricRun, StoredQuadric};
+use runs::{FirstNumber, MeshRun, PatchRun, QuadricRun, StoredQuadric, check_room};
 
 /// The geometry of a scene, or of an object. Meshes are in world space, quadrics refer to their
 /// transforms, and objects are stored once, with their instances.
@@ -285,27 +286,6 @@ impl Geometry {
         }
     }
 
-    /// All primitives in no instance, kind by kind.
-    pub fn primitives(&self) -> impl Iterator<Item = PrimitiveId> + use<> {
-        let triangles = (0..self.triangles.len()).map(PrimitiveId::triangle);
-        triangles.chain((0..self.curved_count()).map(self.curved_ids()))
-    }
-
-    /// The number of quadrics and segments in no instance, including those that can never be hit.
-    pub fn curved_count(&self) -> usize {
-        self.quadric_count() + self.segment_count()
-    }
-
-    /// The ids of all quadrics and then all segments, by a number below
-    /// [`Geometry::curved_count`].
-    pub fn curved_ids(&self) -> impl Fn(usize) -> PrimitiveId + Copy + Send + Sync + use<> {
-        let quadrics = self.quadric_count();
-        move |place| match place.checked_sub(quadrics) {
-            None => PrimitiveId::quadric(place),
-            Some(segment) => PrimitiveId::segment(segment),
-        }
-    }
-
     #[inline]
     fn mesh_of(&self, triangle: u32) -> &MeshRun {
         if let [mesh] = &self.meshes[..] {
@@ -315,14 +295,5 @@ impl Geometry {
             .meshes
             .partition_point(|run| run.first_triangle <= triangle)
             - 1]
-    }
-}
-
-fn check_room(count: usize, limit: usize, what: &'static str) -> Result<(), CapacityError> {
-    if count > limit {
-        let limit = limit as u64;
-        Err(CapacityError { what, limit })
-    } else {
-        Ok(())
     }
 }

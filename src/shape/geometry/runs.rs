@@ -61,3 +61,17 @@ impl fmt::Display for CapacityError {
         write!(f, "the scene has more than {} {}", self.limit, self.what)
     }
 }
+
+/// Refuses more of `what` than a limit.
+pub(super) fn check_room(
+    count: usize,
+    limit: usize,
+    what: &'static str,
+) -> Result<(), CapacityError> {
+    if count > limit {
+        let limit = limit as u64;
+        Err(CapacityError { what, limit })
+    } else {
+        Ok(())
+    }
+}

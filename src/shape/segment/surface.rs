@@ -43,7 +43,7 @@ impl Segment {
     /// the strip, as in pbrt.
     pub fn normal(&self, ray: &Ray) -> Vector {
         let (_, axis, d) = self.in_object_space(ray);
-        self.to_world(axis.cross(d.cross(axis)))
+        self.normal_in_world(axis.cross(d.cross(axis)))
     }
 
     /// The same on a curve that is shaded like a cylinder: at pbrt's v, `across`, it is turned by
@@ -54,7 +54,7 @@ impl Segment {
         let angle = (across - 0.5) * PI;
         let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
         let (front, side) = (unit(axis.cross(side)), unit(side));
-        self.to_world(Vector::from(
+        self.normal_in_world(Vector::from(
             [0, 1, 2].map(|k| front[k] * cosine + side[k] * sine),
         ))
     }
@@ -75,7 +75,7 @@ impl Segment {
     }
 
     /// A normal in object space, mapped to the world by the transposed inverse.
-    fn to_world(&self, normal: Vector) -> Vector {
+    fn normal_in_world(&self, normal: Vector) -> Vector {
         let inverse = self.world_from_object.inverse();
         let component = |k: usize| Vector::from(inverse.column(k)).dot(normal);
         unit(Vector::new(component(0), component(1), component(2)))
