@@ -1,7 +1,7 @@
 //! The reference renderer: tests every primitive by exact arithmetic alone, without filters or
 //! aggregate.
 //!
-//! It is slow and written to be evidently right. It follows rules E1 to E11 with other polynomials
+//! It is slow and written to be evidently right. It follows rules E1 to E12 with other polynomials
 //! than the rest of the program, where others exist, and tests every primitive. It shares only the
 //! comparison and rounding of roots, and no decision.
 //!

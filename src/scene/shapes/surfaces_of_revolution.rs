@@ -29,7 +29,7 @@ pub(super) fn add_paraboloid(
     add_quadric(parameters, target, None, radius.abs(), form)
 }
 
-/// Adds a hyperboloid as pbrt-v3 reads it (rules R10 and E10).
+/// Adds a hyperboloid as pbrt-v3 reads it (rules R12 and E10).
 pub(super) fn add_hyperboloid(
     parameters: &mut Parameters,
     target: &mut ShapeTarget,

@@ -24,7 +24,7 @@ pub struct Hyperboloid {
 }
 
 impl Hyperboloid {
-    /// The hyperboloid as pbrt-v3 reads it (rule R10). If the z of `p2` is 0, both points change
+    /// The hyperboloid as pbrt-v3 reads it (rule R12). If the z of `p2` is 0, both points change
     /// places.
     ///
     /// pbrt takes a centre at z = 0 for granted. So the surface contains the circle of p2, but the
