@@ -39,8 +39,17 @@ impl<S: Lanes> BoxTest<S> for WorldBoxes<'_> {
             let far_face = simd.load(corners[1 - side]) - simd.splat(slab.far_origin[k]);
             slabs.cut(simd, slab, k, near_face, far_face);
         }
-        slabs.entered(simd, limit)
+        let mut entered = slabs.entered(simd, limit);
+        entered.lanes &= used(simd, node);
+        entered
     }
+}
+
+/// The lanes of a node that have a child, lane k as bit k. The corners of others are infinite, and
+/// differences with an infinite origin have no meaning.
+#[inline(always)]
+pub(super) fn used<S: Lanes>(simd: S, node: &WideNode) -> u32 {
+    (!simd.load(&node.low[0]).above(simd.load(&node.high[0]))).bits()
 }
 
 /// The intersection of the slabs of sixteen boxes along a ray.

@@ -22,13 +22,13 @@
 //! So every face is moved outward by 16 u T_k, the errors of `f64`, and a tiny number for
 //! underflow. An overflow makes this infinite, and faces infinite or NaN, which cut nothing off.
 
-use super::box_test::{BoxTest, Entered, Slabs};
+use super::box_test::{BoxTest, Entered, Slabs, used};
 use crate::accel::instance::Placement;
 use crate::accel::space::{AnchorSpace, SlabRay};
 use crate::accel::tree::WideNode;
 use crate::exact::UNIT_ROUNDOFF;
 use crate::geometry::Ray;
-use crate::simd::{F32s, Lanes, Mask};
+use crate::simd::{F32s, Lanes};
 
 /// A ray and the boxes of an object in an instance.
 pub(super) struct PlacedBoxes<'a> {
@@ -102,8 +102,7 @@ impl<S: Lanes> BoxTest<S> for PlacedBoxes<'_> {
             slabs.cut(simd, slab, k, faces[side], faces[1 - side]);
         }
         let mut entered = slabs.entered(simd, limit);
-        // Unused lanes have infinite corners, whose sums have no meaning.
-        entered.lanes &= (!simd.load(&node.low[0]).above(simd.load(&node.high[0]))).bits();
+        entered.lanes &= used(simd, node);
         entered
     }
 }
