@@ -34,8 +34,9 @@ static MEASURING: Mutex<()> = Mutex::new(());
 /// corners. Lists that grow are copied to longer ones.
 const BYTES_EACH: usize = 64;
 /// The same of a scene with curves: a piece of twenty bytes is divided into 1,024 segments, which
-/// take 40 bytes each, and twice that while their list grows.
-const BYTES_EACH_OF_CURVES: usize = 2 * 40 * 1024 / 20;
+/// take 40 bytes each, and twice that while their list grows. A NURBS surface of some hundred bytes
+/// becomes 1,682 triangles, of less than 200 bytes each.
+const BYTES_EACH_OF_DIVIDED: usize = 2 * 40 * 1024 / 20;
 /// Memory for a file of any size: messages, and what a reader sets aside.
 const BYTES_MORE: usize = 1 << 16;
 /// The same for a compressed file: two blocks of 2^19 bytes, and zlib's window.
@@ -100,9 +101,12 @@ impl Original {
 
     /// The memory that a byte may take.
     fn bytes_each(&self) -> usize {
-        let has_curves = self.bytes.windows(7).any(|word| word == b"\"curve\"");
-        if has_curves {
-            BYTES_EACH_OF_CURVES
+        let has = |shape: &str| {
+            let bytes = shape.as_bytes();
+            self.bytes.windows(bytes.len()).any(|word| word == bytes)
+        };
+        if has("\"curve\"") || has("\"nurbs\"") {
+            BYTES_EACH_OF_DIVIDED
         } else {
             BYTES_EACH
         }
