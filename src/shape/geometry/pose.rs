@@ -30,8 +30,16 @@ impl<'a> Pose<'a> {
     /// A primitive of the object, under the product of the transforms of instance and shape.
     #[inline]
     pub fn surface(&mut self, primitive: PrimitiveId) -> Primitive {
+        if primitive.is_triangle() {
+            return Primitive::Triangle(self.triangle(primitive.index()));
+        }
+        self.curved_surface(primitive)
+    }
+
+    /// A quadric or a segment of the object.
+    fn curved_surface(&self, primitive: PrimitiveId) -> Primitive {
         match self.object.own_surface(primitive) {
-            Primitive::Triangle(_) => Primitive::Triangle(self.triangle(primitive.index())),
+            triangle @ Primitive::Triangle(_) => triangle,
             Primitive::Quadric(quadric) if quadric.form == Form::Patch => {
                 let transform = self.object.transform_of_patch(primitive.index());
                 let world_from_file = self.world_from_instance.times(transform);
