@@ -11,7 +11,7 @@ use single_rays::assert_single_rays_agree;
 use feimos::accel::{
     Accelerator, Aggregate, Bins, BuildOptions, Precision, SplitMethod, Structure,
 };
-use feimos::camera::Camera;
+use feimos::camera::{Camera, Projection, ScreenWindow};
 use feimos::film::{ChannelName, Image, PixelBounds};
 use feimos::geometry::{Matrix, Point};
 use feimos::progress::Progress;
@@ -248,4 +248,29 @@ pub(crate) fn add_triangles(
     geometry
         .add_mesh(vertices, indices, world_from_object, shape)
         .unwrap();
+}
+
+/// A camera whose rays pass through the points of an integer grid.
+pub(crate) fn grid_camera(world_from_camera: Matrix, projection: Projection, size: u32) -> Camera {
+    let half = f64::from(size) / 2.0;
+    let screen_window = ScreenWindow {
+        x0: -half,
+        x1: half,
+        y0: -half,
+        y1: half,
+    };
+    Camera {
+        world_from_camera,
+        projection,
+        screen_window,
+        resolution: [size, size],
+    }
+}
+
+/// The scene of a file with this text, which must load.
+pub(crate) fn scene_of(text: &str) -> Scene {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.pbrt");
+    std::fs::write(&path, text).unwrap();
+    scene(&path)
 }

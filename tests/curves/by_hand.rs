@@ -1,24 +1,16 @@
 //! Curves with hits computed by hand, and by the formula of the curve.
 
-use super::common::{agreed_picture, bits_of, picture, scene, whole};
+use super::common::{agreed_picture, bits_of, picture, scene_of, whole};
 use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::film::ChannelName;
-use feimos::scene::Scene;
 
 /// Pixels at integer coordinates from -5 to 5, seen along z from z = 0.
 const GRID: &str = "Camera \"orthographic\" \"float screenwindow\" [ -5.5 5.5 -5.5 5.5 ]
     Film \"image\" \"integer xresolution\" 11 \"integer yresolution\" 11 WorldBegin ";
 
-fn load(text: &str) -> Scene {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("a.pbrt");
-    std::fs::write(&path, text).unwrap();
-    scene(&path)
-}
-
 /// Z at each (x, y) of the grid; `None` where nothing is hit.
 fn grid(text: &str) -> impl Fn(i32, i32) -> Option<f32> + use<> {
-    let scene = load(&format!("{GRID} {text}"));
+    let scene = scene_of(&format!("{GRID} {text}"));
     assert!(scene.warnings.is_empty(), "{text}");
     let image = agreed_picture(&scene.camera, &scene.geometry, Precision::Exact).image;
     let [hit, z] = [ChannelName::A, ChannelName::Z].map(|name| bits_of(&image, name));
@@ -87,7 +79,7 @@ fn transforms_stretch_a_strip() {
 #[test]
 fn smooth_joints_have_no_gaps() {
     let bent = "Shape \"curve\" \"point3 P\" [ -4 -4 7  -4 4 7  -4 4 7  4 4 7 ] \"float width\" 3";
-    let scene = load(&format!("{GRID} {bent}"));
+    let scene = scene_of(&format!("{GRID} {bent}"));
     assert!(scene.geometry.segment_count() >= 4);
     let found = grid(bent);
     // The curve at its parameter 1/2 is (-3, 3), and at 1/4 (-3.75, 1.0).
@@ -162,7 +154,7 @@ fn rays_hit_where_the_curve_is() {
         Shape \"curve\" \"point3 P\" [ {} ] \"float width\" {width}",
         points.join(" ")
     );
-    let scene = load(&text);
+    let scene = scene_of(&text);
     let window = whole(&scene.camera);
     let options = BuildOptions::new(SplitMethod::Sah);
     let image = picture(

@@ -1,6 +1,6 @@
 //! Random curves, cameras and matrices that the tests draw.
 
-use feimos::camera::{Camera, Projection, ScreenWindow};
+use feimos::camera::Projection;
 use feimos::geometry::{Matrix, Point, Transform, Vector};
 use feimos::shape::{CurvePoint, Geometry};
 use proptest::prelude::*;
@@ -53,23 +53,6 @@ pub(super) fn projection() -> impl Strategy<Value = Projection> {
         Projection::Perspective { tangent: 1.0 },
         Projection::Orthographic,
     ])
-}
-
-/// A camera whose rays pass through the points of an integer grid.
-pub(super) fn grid_camera(world_from_camera: Matrix, projection: Projection, size: u32) -> Camera {
-    let half = f64::from(size) / 2.0;
-    let screen_window = ScreenWindow {
-        x0: -half,
-        x1: half,
-        y0: -half,
-        y1: half,
-    };
-    Camera {
-        world_from_camera,
-        projection,
-        screen_window,
-        resolution: [size, size],
-    }
 }
 
 /// A turn and a stretch, one of which may be singular.

@@ -1,7 +1,9 @@
 //! Random curves against the reference, in every way that pictures are made.
 
-use super::common::{add_triangles, agreed_picture, cases, judged, picture, rendered, whole};
-use super::hair::{Hair, corner, grid_camera, hair, matrix, point, projection};
+use super::common::{
+    add_triangles, agreed_picture, cases, grid_camera, judged, picture, rendered, whole,
+};
+use super::hair::{Hair, corner, hair, matrix, point, projection};
 use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::camera::{Camera, Projection};
 use feimos::exact::times_power_of_two;

@@ -68,7 +68,7 @@ fn disks_facing_the_view() {
     });
     let edge_on = "Translate 0 0 7 Rotate 90 1 0 0 Shape \"disk\" \"float radius\" 5";
     assert_grid(edge_on, |_, _| None);
-    let nothing = load(&format!(
+    let nothing = scene_of(&format!(
         "{GRID} WorldBegin {disk} \"float innerradius\" 5.5 {disk} \"float height\" 1e999"
     ));
     let message = "a disk without points is never hit";
@@ -148,7 +148,7 @@ fn ends_do_not_cut_a_sphere_of_negative_radius() {
         "\"float zmax\" -1",
         "\"float zmin\" 1 \"float zmax\" 2",
     ] {
-        let scene = load(&format!("{GRID} {sphere} -4 {ends}"));
+        let scene = scene_of(&format!("{GRID} {sphere} -4 {ends}"));
         let messages: Vec<&str> = scene
             .warnings
             .iter()

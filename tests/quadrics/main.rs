@@ -6,25 +6,17 @@ mod cylinders_and_disks;
 mod patches;
 mod revolved;
 
-use common::{agreed_picture, bits_of, scene};
+use common::{agreed_picture, bits_of, scene_of};
 use feimos::accel::Precision;
 use feimos::film::ChannelName;
-use feimos::scene::Scene;
 
 /// Pixels at integer coordinates from -5 to 5, seen along z from z = 0.
 const GRID: &str = "Camera \"orthographic\" \"float screenwindow\" [ -5.5 5.5 -5.5 5.5 ]
     Film \"image\" \"integer xresolution\" 11 \"integer yresolution\" 11\n";
 
-fn load(text: &str) -> Scene {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("a.pbrt");
-    std::fs::write(&path, text).unwrap();
-    scene(&path)
-}
-
 /// Primitive, Z and t of every pixel, which must be the same for all accelerators.
 fn answers(text: &str) -> Vec<Option<(u32, f32, f32)>> {
-    let scene = load(text);
+    let scene = scene_of(text);
     assert!(scene.warnings.is_empty());
     let image = agreed_picture(&scene.camera, &scene.geometry, Precision::Exact).image;
     let [prim, z, t] =

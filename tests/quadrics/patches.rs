@@ -65,7 +65,7 @@ fn flat_patches_that_are_not_convex() {
 
 #[test]
 fn a_patch_under_a_singular_transform_is_rendered_flat() {
-    let scene = load(&format!(
+    let scene = scene_of(&format!(
         "{GRID} WorldBegin Translate 0 0 7 Scale 1 1 0 {}",
         &SADDLE[17..]
     ));

@@ -159,7 +159,7 @@ fn warnings(shapes: &[&str]) -> Vec<(String, u64)> {
         .iter()
         .map(|shape| format!("Shape {shape} "))
         .collect();
-    let scene = load(&format!("{GRID} WorldBegin {text}"));
+    let scene = scene_of(&format!("{GRID} WorldBegin {text}"));
     assert_eq!(scene.geometry.quadric_count(), shapes.len());
     let all = scene.warnings.iter();
     let text = |warning: &feimos::scene::Warning| {
@@ -211,7 +211,7 @@ fn shapes_without_points_are_named() {
 
 #[test]
 fn surfaces_under_a_singular_transform_are_named() {
-    let singular = load(&format!(
+    let singular = scene_of(&format!(
         "{GRID} WorldBegin Scale 1 0 1 Shape \"cone\" Shape \"paraboloid\""
     ));
     let messages: Vec<&str> = singular

@@ -6,9 +6,9 @@
 mod common;
 mod random;
 
-use common::{add_triangles, cases, judged, picture, rendered, whole};
+use common::{add_triangles, cases, grid_camera, judged, picture, rendered, whole};
 use feimos::accel::{BuildOptions, Precision, SplitMethod};
-use feimos::camera::{Camera, Projection, ScreenWindow};
+use feimos::camera::{Camera, Projection};
 use feimos::exact::times_power_of_two;
 use feimos::geometry::{Matrix, Point};
 use feimos::progress::Progress;
@@ -38,23 +38,6 @@ fn agrees_with_the_reference(camera: &Camera, geometry: &Geometry) -> Result<(),
         prop_assert_eq!(&rendered(&image), &expected, "{}", method);
     }
     Ok(())
-}
-
-/// A camera whose rays pass through the points of an integer grid.
-fn grid_camera(world_from_camera: Matrix, projection: Projection, size: u32) -> Camera {
-    let half = f64::from(size) / 2.0;
-    let screen_window = ScreenWindow {
-        x0: -half,
-        x1: half,
-        y0: -half,
-        y1: half,
-    };
-    Camera {
-        world_from_camera,
-        projection,
-        screen_window,
-        resolution: [size, size],
-    }
 }
 
 /// Only the small scenes; the dragon would take the reference hours.

@@ -1,7 +1,7 @@
 //! Normals of segments, and pbrt's parameters on them.
 
 use super::Segment;
-use crate::geometry::{Ray, Vector};
+use crate::geometry::{Matrix, Ray, Vector};
 use std::f64::consts::PI;
 
 /// Where a ray meets a segment.
@@ -16,7 +16,7 @@ pub(crate) struct SegmentPlace {
 impl Segment {
     /// The place where `ray` meets it, or the nearest one.
     pub(crate) fn place_at(&self, ray: &Ray) -> SegmentPlace {
-        let (start, axis, d) = self.in_object_space(ray);
+        let (start, axis, d) = self.in_object_space(&self.world_from_object.inverse(), ray);
         let across = d.cross(axis);
         let along = start.cross(d).dot(across) / across.dot(across);
         // Also where that is not a number.
@@ -42,26 +42,29 @@ impl Segment {
     /// The unit normal in the world where `ray` meets it: across the axis, and on the far side of
     /// the strip, as in pbrt.
     pub fn normal(&self, ray: &Ray) -> Vector {
-        let (_, axis, d) = self.in_object_space(ray);
-        self.normal_in_world(axis.cross(d.cross(axis)))
+        let inverse = self.world_from_object.inverse();
+        let (_, axis, d) = self.in_object_space(&inverse, ray);
+        normal_in_world(&inverse, axis.cross(d.cross(axis)))
     }
 
     /// The same on a curve that is shaded like a cylinder: at pbrt's v, `across`, it is turned by
     /// up to 90 degrees about the axis.
     pub(crate) fn round_normal(&self, ray: &Ray, across: f64) -> Vector {
-        let (_, axis, d) = self.in_object_space(ray);
+        let inverse = self.world_from_object.inverse();
+        let (_, axis, d) = self.in_object_space(&inverse, ray);
         let side = d.cross(axis);
         let angle = (across - 0.5) * PI;
         let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
         let (front, side) = (unit(axis.cross(side)), unit(side));
-        self.normal_in_world(Vector::from(
-            [0, 1, 2].map(|k| front[k] * cosine + side[k] * sine),
-        ))
+        normal_in_world(
+            &inverse,
+            Vector::from([0, 1, 2].map(|k| front[k] * cosine + side[k] * sine)),
+        )
     }
 
-    /// From the origin of the ray to the start, the axis, and the direction of the ray.
-    fn in_object_space(&self, ray: &Ray) -> (Vector, Vector, Vector) {
-        let inverse = self.world_from_object.inverse();
+    /// From the origin of the ray to the start, the axis, and the direction of the ray, given the
+    /// `inverse` of the matrix, which is exact and therefore slow.
+    fn in_object_space(&self, inverse: &Matrix, ray: &Ray) -> (Vector, Vector, Vector) {
         let [a, b] = self.ends;
         let start = self.world_from_object.apply(a) - ray.origin;
         let turned = |v: Vector| {
@@ -73,13 +76,12 @@ impl Segment {
         };
         (turned(start), b - a, turned(ray.direction))
     }
+}
 
-    /// A normal in object space, mapped to the world by the transposed inverse.
-    fn normal_in_world(&self, normal: Vector) -> Vector {
-        let inverse = self.world_from_object.inverse();
-        let component = |k: usize| Vector::from(inverse.column(k)).dot(normal);
-        unit(Vector::new(component(0), component(1), component(2)))
-    }
+/// A normal in object space, mapped to the world by the transposed `inverse`.
+fn normal_in_world(inverse: &Matrix, normal: Vector) -> Vector {
+    let component = |k: usize| Vector::from(inverse.column(k)).dot(normal);
+    unit(Vector::new(component(0), component(1), component(2)))
 }
 
 /// `v` with length 1; 0 stays 0.
