@@ -26,7 +26,6 @@
 //!     data_window: scene.film.crop,
 //!     channels: vec![ChannelName::Z],
 //!     miss: f32::INFINITY,
-//!     counted: false,
 //!     level: Level::detect(),
 //!     precision: Precision::Exact,
 //! };

@@ -7,7 +7,7 @@ use common::{scene, whole};
 use feimos::accel::{Aggregate, BuildOptions, Precision, SplitMethod, Tracer, TraversalCounts};
 use feimos::film::{ChannelName, Image, PixelBounds};
 use feimos::progress::Progress;
-use feimos::render::{RenderOptions, Rendering, render};
+use feimos::render::{RenderOptions, Rendering, count_tests, render};
 use feimos::scene::Scene;
 use feimos::simd::Level;
 use std::path::Path;
@@ -39,7 +39,6 @@ fn options(scene: &Scene, channels: &[ChannelName]) -> RenderOptions {
         channels: channels.to_vec(),
         precision: Precision::Exact,
         miss: f32::INFINITY,
-        counted: false,
         level: Level::detect(),
     }
 }
@@ -59,6 +58,19 @@ fn rendered(scene: &Scene, tree: &Aggregate, options: &RenderOptions, threads: u
         )
     })
     .unwrap()
+}
+
+/// The tests of all rays, each traced by itself.
+fn counted(scene: &Scene, tree: &Aggregate) -> TraversalCounts {
+    let window = whole(&scene.camera);
+    count_tests(
+        &scene.camera,
+        &scene.geometry,
+        tree,
+        window,
+        Precision::Exact,
+        Progress::SILENT,
+    )
 }
 
 fn costs(image: &Image) -> &[u32] {
@@ -87,15 +99,12 @@ fn cost_counts_the_tests_of_a_single_ray() {
             expected.push((work.nodes + work.primitives) as u32);
             sum += work;
         }
-        let counted = RenderOptions {
-            counted: true,
-            ..options(&scene, &[ChannelName::Cost])
-        };
-        let rendering = rendered(&scene, &tree, &counted, 2);
+        let rendering = rendered(&scene, &tree, &options(&scene, &[ChannelName::Cost]), 2);
+        let counts = counted(&scene, &tree);
         assert_eq!(costs(&rendering.image), expected, "{name} {method}");
         assert_eq!(
-            (rendering.traced.hits, rendering.traced.counts),
-            (hits, Some(sum)),
+            (rendering.traced.hits, counts),
+            (hits, sum),
             "{name} {method}"
         );
         assert!(
@@ -120,11 +129,6 @@ fn cost_does_not_depend_on_threads_crops_precision_simd_level_or_other_channels(
             },
             RenderOptions {
                 level: Level::Portable,
-                ..alone.clone()
-            },
-            RenderOptions {
-                counted: true,
-                precision: Precision::Fast,
                 ..alone.clone()
             },
             options(
@@ -167,10 +171,7 @@ fn cost_changes_no_other_channel() {
     let [usual, with] = [&ChannelName::USUAL[..], &with]
         .map(|names| rendered(&scene, &tree, &options(&scene, names), 2));
     assert_eq!(usual.image.channels[..], with.image.channels[..5]);
-    assert_eq!(
-        (usual.traced.hits, usual.traced.counts),
-        (with.traced.hits, None)
-    );
+    assert_eq!(usual.traced.hits, with.traced.hits);
 }
 
 #[test]

@@ -70,7 +70,6 @@ fn picture(scene: &Scene, accelerator: Accelerator, level: Level) -> Vec<u32> {
             .filter(|name| *name != ChannelName::Cost)
             .collect(),
         miss: f32::INFINITY,
-        counted: false,
         level,
         precision: Precision::Exact,
     };

@@ -118,7 +118,6 @@ fn in_tile(
         channels: vec![A, Z, T, Prim, Instance],
         precision,
         miss: f32::INFINITY,
-        counted: false,
         level: Level::detect(),
     };
     let Scene {

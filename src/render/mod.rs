@@ -11,7 +11,7 @@ mod trace_times;
 mod traced;
 mod tracers;
 
-use crate::accel::{Precision, Structure, TILE, TileTracer, Tiles};
+use crate::accel::{Aggregate, Precision, Structure, TILE, TileTracer, Tiles, TraversalCounts};
 use crate::camera::Camera;
 use crate::error::Result;
 use crate::film::{Channel, ChannelName, Image, PixelBounds, Samples};
@@ -22,7 +22,7 @@ use segment::Segment;
 use segment_totals::SegmentTotals;
 use segments::rows_of_tiles;
 use single_rays::SingleRays;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 use surface_tile::SurfaceTile;
 use tracers::Tracers;
 
@@ -67,7 +67,7 @@ pub fn render<'a>(
 /// Like [`render`], into an image that [`blank_image()`] made for these options. It may already
 /// have been rendered into.
 ///
-/// Costs and counts are those of rays in a tree: bins leave them at 0.
+/// Costs are those of rays in a tree: bins leave them at 0.
 pub fn render_into<'a>(
     image: &mut Image,
     camera: &'a Camera,
@@ -81,16 +81,6 @@ pub fn render_into<'a>(
         .channels
         .iter_mut()
         .partition(|channel| channel.name == ChannelName::Cost);
-    let single_rays = |precision, progress| {
-        structure.tree().map(|aggregate| SingleRays {
-            camera,
-            geometry,
-            aggregate,
-            window: options.data_window,
-            precision,
-            progress,
-        })
-    };
     // Single rays count hits as well: if only costs are requested, no tile is rasterized.
     let by_tiles = (!channels.is_empty() || costs.is_empty()).then(|| {
         let renderer = Renderer {
@@ -110,18 +100,44 @@ pub fn render_into<'a>(
             Some(_) => Progress::SILENT,
             None => progress,
         };
-        Some(single_rays(Precision::Exact, progress)?.fill(costs))
+        let single_rays = SingleRays {
+            camera,
+            geometry,
+            aggregate: structure.tree()?,
+            window: options.data_window,
+            precision: Precision::Exact,
+            progress,
+        };
+        Some(single_rays.fill(costs))
     });
-    let counts = match &by_cost {
-        _ if !options.counted => None,
-        Some(traced) if options.precision == Precision::Exact => traced.counts,
-        _ => single_rays(options.precision, Progress::SILENT)
-            .and_then(|single_rays| single_rays.count().counts),
-    };
+    let single_rays = by_cost.map_or(Duration::ZERO, |_| start.elapsed());
     let mut traced = by_tiles.or(by_cost).unwrap_or_default();
-    traced.times.single_rays = start.elapsed();
-    traced.counts = counts;
+    traced.times.single_rays = single_rays;
     traced
+}
+
+/// Counts the nodes and primitives that the rays of `window` test when each is traced by itself
+/// through `aggregate`, on the threads of the current rayon pool. Summed over all rays.
+///
+/// `precision` is that of the search: the hits that it finds determine which nodes it culls.
+/// `progress` counts pixels.
+pub fn count_tests(
+    camera: &Camera,
+    geometry: &Geometry,
+    aggregate: &Aggregate,
+    window: PixelBounds,
+    precision: Precision,
+    progress: Progress,
+) -> TraversalCounts {
+    let single_rays = SingleRays {
+        camera,
+        geometry,
+        aggregate,
+        window,
+        precision,
+        progress,
+    };
+    single_rays.count()
 }
 
 /// Renders tiles into segments.
@@ -157,7 +173,6 @@ impl Renderer<'_> {
         let totals = segments.map(fill).reduce_with(SegmentTotals::plus);
         let traced = |totals: SegmentTotals| Traced {
             hits: totals.hits,
-            counts: None,
             fallbacks: totals.fallbacks,
             times: TraceTimes::of_tiles(start, &totals, rayon::current_num_threads()),
         };

@@ -15,9 +15,6 @@ pub struct RenderOptions {
     pub precision: Precision,
     /// The value of `Z` and `t` where nothing is hit.
     pub miss: f32,
-    /// Count the nodes and primitives that rays test when each is traced by itself, with this
-    /// precision.
-    pub counted: bool,
     /// The SIMD level. The image does not depend on it.
     pub level: Level,
 }

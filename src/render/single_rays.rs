@@ -21,13 +21,19 @@ pub(super) struct SingleRays<'a> {
 }
 
 impl SingleRays<'_> {
-    /// Traces every ray.
-    pub(super) fn count(&self) -> Traced {
-        let PixelBounds { y0, y1, .. } = self.window;
-        (y0..y1)
-            .into_par_iter()
-            .map(|y| self.trace_row(y, |_, _| ()))
-            .reduce(Traced::default, Traced::plus)
+    /// Traces every ray and returns the sum of the counts.
+    pub(super) fn count(&self) -> TraversalCounts {
+        let count_row = |y| {
+            let mut sum = TraversalCounts::default();
+            self.trace_row(y, |_, counts| sum += counts);
+            sum
+        };
+        let rows = (self.window.y0..self.window.y1).into_par_iter();
+        rows.map(count_row)
+            .reduce(TraversalCounts::default, |mut sum, counts| {
+                sum += counts;
+                sum
+            })
     }
 
     /// Traces every ray and stores its cost in `costs`, which has one entry for each pixel of the
@@ -44,18 +50,16 @@ impl SingleRays<'_> {
     /// Traces the rays of a row and calls `each` with the index and the counts of each ray.
     fn trace_row(&self, y: u32, mut each: impl FnMut(usize, TraversalCounts)) -> Traced {
         let mut tracer = Tracer::new(self.aggregate, self.geometry, self.precision);
-        let (mut hits, mut sum) = (0, TraversalCounts::default());
+        let mut hits = 0;
         for (place, x) in (self.window.x0..self.window.x1).enumerate() {
             let mut counts = TraversalCounts::default();
             let hit = tracer.closest_hit_counted(&self.camera.ray(x, y), &mut counts);
             hits += u64::from(hit.is_some());
             each(place, counts);
-            sum += counts;
         }
         self.progress.advance(self.window.width() as usize);
         Traced {
             hits,
-            counts: Some(sum),
             fallbacks: tracer.fallbacks(),
             ..Traced::default()
         }

@@ -15,7 +15,7 @@ pub struct TraceTimes {
     pub tiles: Duration,
     /// Adds up the totals of all segments.
     pub join: Duration,
-    /// Traces single rays for costs and counts.
+    /// Traces single rays for costs.
     pub single_rays: Duration,
     /// The time in which a thread fills no segment during [`TraceTimes::tiles`], summed over all
     /// threads of the pool.

@@ -41,6 +41,7 @@ mod results;
 mod signals;
 mod spherical;
 mod standard_output;
+mod statistics;
 mod trace_parts;
 mod version;
 mod views;

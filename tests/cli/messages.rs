@@ -1,4 +1,4 @@
-//! Messages: quiet, verbose, statistics, progress, colours, JSON.
+//! Messages: quiet, verbose, progress, colours, JSON.
 
 use crate::folder::{BALL, Folder, WARNED};
 
@@ -91,50 +91,8 @@ fn colours_are_used_on_request() {
     }
 }
 
-#[test]
-fn statistics_are_printed_on_demand_even_if_quiet() {
-    let folder = Folder::new();
-    let labels =
-        "shapes primitives geometry precision accelerator nodes SAH tree per trace integers";
-    let run = folder
-        .render("ball.pbrt --stats -q --accel sah")
-        .succeeded();
-    let found: Vec<&str> = run
-        .stderr
-        .lines()
-        .map(|line| line.split_whitespace().next().unwrap())
-        .collect();
-    assert_eq!(found, labels.split_whitespace().collect::<Vec<_>>());
-    run.said("1 triangle, 1 quadric")
-        .said("accelerator sah")
-        .said("precision   exact");
-    folder
-        .render("ball.pbrt --stats -q")
-        .succeeded()
-        .said("accelerator raster")
-        .said("bins        2 primitives that rays may meet")
-        .did_not_say("per ray");
-    let run = folder
-        .render("ball.pbrt --stats -q --precision fast")
-        .succeeded();
-    run.said("precision   fast").did_not_say("integers");
-    folder
-        .render("ball.pbrt")
-        .succeeded()
-        .did_not_say("SAH cost");
-}
-
-#[test]
-fn statistics_do_not_change_the_image() {
-    let folder = Folder::new();
-    assert_eq!(
-        folder.rendered("ball.pbrt --stats"),
-        folder.rendered("ball.pbrt")
-    );
-}
-
 /// Every key of a line of JSON, in order.
-fn keys(line: &str) -> Vec<&str> {
+pub(crate) fn keys(line: &str) -> Vec<&str> {
     let before_colons = line.split("\":");
     let mut keys: Vec<&str> = before_colons
         .filter_map(|part| part.rsplit('"').next())

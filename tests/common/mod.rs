@@ -134,12 +134,11 @@ pub(crate) fn picture_by(
             .into_iter()
             .filter(|name| *name != ChannelName::Cost)
             .collect();
-        let (miss, counted, level) = (f32::INFINITY, false, way.level);
+        let (miss, level) = (f32::INFINITY, way.level);
         let options = RenderOptions {
             data_window: window,
             channels,
             miss,
-            counted,
             precision,
             level,
         };

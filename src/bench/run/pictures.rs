@@ -70,7 +70,6 @@ impl Pictures {
             channels: vec![ChannelName::Cost],
             precision: Precision::Exact,
             miss: f32::INFINITY,
-            counted: false,
             level,
         };
         let Scene {

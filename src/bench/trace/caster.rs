@@ -145,7 +145,6 @@ impl<'a> Caster<'a> {
             channels: ChannelName::USUAL.to_vec(),
             precision,
             miss: f32::INFINITY,
-            counted: false,
             level: self.level,
         }
     }

@@ -33,7 +33,8 @@ pub(crate) enum When {
 
 #[derive(Debug, Args)]
 pub(crate) struct ReportArgs {
-    /// Print statistics of the aggregate and of the rays [default: off].
+    /// Print statistics: what was traced and how fast, and what rays test in a tree, which are
+    /// counted after the image is written [default: off].
     #[arg(long)]
     pub(crate) stats: bool,
     /// Print a line of JSON for each image on standard output [default: off].

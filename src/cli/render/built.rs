@@ -1,7 +1,9 @@
 //! The structure that an image is traced through: bins of its view, or a tree.
 
+use crate::cli::terminal::words::counted;
 use feimos::accel::{Accelerator, Aggregate, Bins, SplitMethod, Statistics, Structure};
 use feimos::shape::Geometry;
+use indicatif::HumanCount;
 
 /// A tree and its statistics, which take a traversal to collect.
 pub(super) struct BuiltTree {
@@ -18,6 +20,18 @@ impl BuiltTree {
             aggregate,
             statistics,
         }
+    }
+
+    pub(super) fn method(&self) -> SplitMethod {
+        self.method
+    }
+
+    pub(super) fn aggregate(&self) -> &Aggregate {
+        &self.aggregate
+    }
+
+    pub(super) fn statistics(&self) -> Statistics {
+        self.statistics
     }
 }
 
@@ -40,7 +54,8 @@ pub(super) enum BuiltSize {
 }
 
 impl Built<'_> {
-    fn tree(&self) -> Option<&BuiltTree> {
+    /// The tree, unless the structure is bins.
+    pub(super) fn tree(&self) -> Option<&BuiltTree> {
         match self {
             Built::Bins(_) => None,
             Built::Tree(tree) => Some(tree),
@@ -74,22 +89,18 @@ impl Built<'_> {
 
     /// Its size in words.
     pub(super) fn summary(&self, geometry: &Geometry) -> String {
-        let count = geometry.primitive_count();
+        let all = counted(geometry.primitive_count(), "primitive");
         let tree = match self {
             Built::Bins(bins) => {
-                return format!("sorted {} of {count} primitives into bins", bins.seen());
+                let seen = HumanCount(bins.seen() as u64);
+                return format!("sorted {seen} of {all} into bins");
             }
             Built::Tree(tree) => tree,
             Built::Shared(tree) => *tree,
         };
-        let (nodes, held) = (
-            tree.statistics.nodes,
-            tree.aggregate.primitive_count(geometry),
-        );
-        format!(
-            "built {nodes} nodes by {} over {held} of {count} primitives",
-            tree.method
-        )
+        let nodes = counted(tree.statistics.nodes as u64, "node");
+        let held = HumanCount(tree.aggregate.primitive_count(geometry));
+        format!("built {nodes} by {} over {held} of {all}", tree.method)
     }
 
     /// The number of primitives in no instance that no ray can hit.

@@ -1,19 +1,18 @@
 //! Renders one image: builds, traces and writes.
 
-use super::built::{Built, BuiltTree};
-use super::encode::Content;
+use super::builder::Builder;
+use super::built::Built;
 use super::milliseconds::{Milliseconds, milliseconds_since, timed};
 use super::plan::Plan;
-use super::record::{Finished, Record};
+use super::record::{Finished, Record, peak_bytes};
 use super::scene::{LoadedScene, Viewpoint};
-use super::summary::{report_built, report_image, report_statistics};
+use super::summary::{report_image, report_statistics};
 use super::target::{Target, Targets};
+use super::tree_statistics::TreeStatistics;
 use crate::cli::files::destination::Destination;
-use crate::cli::options::engine::AcceleratorChoice;
 use crate::cli::terminal::progress::{Phase, ProgressBars};
 use crate::cli::terminal::reporter::Reporter;
-use feimos::accel::{Accelerator, Aggregate, Bins, Precision};
-use feimos::error::{Error, Result};
+use feimos::error::Result;
 use feimos::film::{CameraAttributes, PixelBounds};
 use feimos::progress::Progress;
 use feimos::render::{RenderOptions, render};
@@ -39,10 +38,6 @@ pub(super) enum Outcome {
     Skipped(Destination),
 }
 
-/// With so many views of one scene, a tree that all share is faster than bins for each:
-/// docs/performance.md has the measurements.
-const MANY_VIEWS: usize = 16;
-
 impl Renderer<'_> {
     /// Renders a view of the scene, on the threads of the current pool. The image was begun at
     /// `start` and took `load` milliseconds to read.
@@ -56,10 +51,14 @@ impl Renderer<'_> {
         let Some(target) = self.targets.find(loaded, view)? else {
             return Ok(Outcome::Skipped(self.targets.destination(loaded, view)));
         };
-        let mut finished = self.make(loaded, view, target)?;
+        let window = target.window;
+        let (mut finished, built) = self.make(loaded, view, target)?;
         finished.ms.load = load;
         finished.ms.total = milliseconds_since(start);
         report_image(&finished, self.reporter);
+        if self.plan.stats {
+            finished.tree = self.tree_statistics(loaded, view, &built, window);
+        }
         if self.plan.stats {
             report_statistics(&loaded.scene, &finished, self.reporter);
         }
@@ -70,8 +69,13 @@ impl Renderer<'_> {
         })
     }
 
-    /// Builds, traces and writes.
-    fn make(&self, loaded: &LoadedScene, view: &Viewpoint, target: Target) -> Result<Finished> {
+    /// Builds, traces and writes. Also returns the structure, for statistics.
+    fn make<'a>(
+        &self,
+        loaded: &'a LoadedScene,
+        view: &Viewpoint,
+        target: Target,
+    ) -> Result<(Finished, Built<'a>)> {
         let Target {
             destination,
             content,
@@ -79,12 +83,11 @@ impl Renderer<'_> {
             header,
         } = target;
         let geometry = &loaded.scene.geometry;
-        let (built, build_ms) = self.build(loaded, view, &content, &window)?;
+        let (built, build_ms) = self.builder().build(loaded, view, &content, &window)?;
         let options = RenderOptions {
             data_window: window,
             channels: content.channels(),
             miss: content.miss(),
-            counted: self.plan.stats,
             level: self.plan.simd,
             precision: self.plan.precision,
         };
@@ -108,7 +111,7 @@ impl Renderer<'_> {
             write: write_ms,
             ..Milliseconds::default()
         };
-        Ok(Finished {
+        let finished = Finished {
             destination,
             accelerator: built.accelerator(),
             size: built.size(),
@@ -117,109 +120,47 @@ impl Renderer<'_> {
             rendering,
             legend: legend?,
             ms,
-        })
+            peak_bytes: peak_bytes(),
+            tree: None,
+        };
+        Ok((finished, built))
     }
 
-    /// The structure for an image, and the milliseconds that building it took now.
-    fn build<'a>(
-        &self,
-        loaded: &'a LoadedScene,
-        view: &Viewpoint,
-        content: &Content,
-        window: &PixelBounds,
-    ) -> Result<(Built<'a>, f64)> {
-        let is_planar = view.camera.projection.is_planar();
-        let takes_bins = self.takes_bins(loaded, content)?;
-        if takes_bins && !is_planar && self.plan.accel != AcceleratorChoice::Auto {
-            let method = loaded.build.method;
-            self.reporter.note(format_args!(
-                "a spherical camera cannot be rasterized: its rays are traced one by one, \
-                 using {method}"
-            ));
-        }
-        if takes_bins && is_planar {
-            Bins::check_memory(&loaded.scene.geometry)?;
-            let (bins, ms) = self.bins(loaded, view, window);
-            if let Some(bins) = bins {
-                let built = Built::Bins(Box::new(bins));
-                report_built(&built, &loaded.scene.geometry, self.reporter);
-                return Ok((built, ms));
-            }
-            if self.plan.accel != AcceleratorChoice::Auto {
-                let method = loaded.build.method;
-                self.reporter.note(format_args!(
-                    "this view cannot be rasterized, because its numbers are too large or too \
-                     small: using {method}"
-                ));
-            }
-        }
-        self.tree(loaded, view, content)
-    }
-
-    /// Decides between bins and a tree.
-    ///
-    /// # Errors
-    /// Costs are asked for, and bins.
-    fn takes_bins(&self, loaded: &LoadedScene, content: &Content) -> Result<bool> {
-        let costs = content.needs_tree();
-        match self.plan.accel {
-            AcceleratorChoice::Fixed(Accelerator::Tree(_)) => Ok(false),
-            AcceleratorChoice::Fixed(Accelerator::Raster) if costs => {
-                let error =
-                    Error::usage("the cost of a ray is that in a tree, and raster has none");
-                Err(error.note("choose a tree, such as --accel sah"))
-            }
-            AcceleratorChoice::Fixed(Accelerator::Raster) => Ok(true),
-            // Answers in f32 are those of the eye's own structure.
-            AcceleratorChoice::Auto => {
-                let is_fast = self.plan.precision == Precision::Fast;
-                Ok(!costs && (is_fast || loaded.views.len() < MANY_VIEWS))
-            }
+    fn builder(&self) -> Builder<'_> {
+        Builder {
+            plan: self.plan,
+            reporter: self.reporter,
+            bars: &self.bars,
         }
     }
 
-    fn bins(
+    /// The statistics of an image that was traced through `built`, counted in a pass of their own.
+    /// For bins, those of a tree that the image could have been traced through; `None`, with a
+    /// note, if there is no memory for it.
+    fn tree_statistics(
         &self,
         loaded: &LoadedScene,
         view: &Viewpoint,
-        window: &PixelBounds,
-    ) -> (Option<Bins>, f64) {
-        let (geometry, build, simd) = (&loaded.scene.geometry, loaded.build, self.plan.simd);
-        let make = |progress: Progress<'_>| {
-            Bins::new(geometry, &view.camera, window, build, simd, progress)
+        built: &Built,
+        window: PixelBounds,
+    ) -> Option<TreeStatistics> {
+        let traced = built.tree();
+        let tree = match traced.map_or_else(|| self.builder().tree_beside_bins(loaded, view), Ok) {
+            Ok(tree) => tree,
+            Err(error) => {
+                self.reporter
+                    .note(format_args!("no statistics of a tree: {error}"));
+                return None;
+            }
         };
-        let phase = Phase::Building(Aggregate::item_count(geometry));
-        timed(|| self.bars.during(phase, make))
-    }
-
-    fn tree<'a>(
-        &self,
-        loaded: &'a LoadedScene,
-        view: &Viewpoint,
-        content: &Content,
-    ) -> Result<(Built<'a>, f64)> {
-        let (geometry, build) = (&loaded.scene.geometry, loaded.build);
-        // Answers in f32, and costs, depend on the anchor, where boxes are the most precise: each
-        // view has its own tree, as if it were rendered alone.
-        let depends_on_view = self.plan.precision == Precision::Fast || content.needs_tree();
-        let is_shared = loaded.views.len() > 1 && !depends_on_view;
-        if let (true, Some(built)) = (is_shared, loaded.shared()) {
-            return Ok((Built::Shared(built), 0.0));
-        }
-        Aggregate::check_memory(geometry)?;
-        let anchor = match is_shared {
-            true => loaded.middle(),
-            false => view.camera.anchor(),
+        let (geometry, precision) = (&loaded.scene.geometry, self.plan.precision);
+        let count = |progress: Progress<'_>| {
+            TreeStatistics::count(tree, geometry, &view.camera, window, precision, progress)
         };
-        let make = |progress: Progress<'_>| Aggregate::build(geometry, anchor, build, progress);
-        let phase = Phase::Building(Aggregate::item_count(geometry));
-        let (aggregate, ms) = timed(|| self.bars.during(phase, make));
-        let tree = BuiltTree::new(build.method, aggregate, geometry);
-        let built = match is_shared {
-            true => Built::Shared(loaded.share(tree)),
-            false => Built::Tree(Box::new(tree)),
-        };
-        report_built(&built, geometry, self.reporter);
-        Ok((built, ms))
+        let counted = self.bars.during(Phase::Counting(window.area()), count);
+        Some(TreeStatistics {
+            is_traced: traced.is_some(),
+            ..counted
+        })
     }
 }

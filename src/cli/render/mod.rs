@@ -2,6 +2,7 @@
 
 mod args;
 mod batch;
+mod builder;
 mod built;
 mod encode;
 mod image;
@@ -15,6 +16,7 @@ mod record;
 mod scene;
 mod summary;
 mod target;
+mod tree_statistics;
 
 pub(crate) use args::RenderArgs;
 pub(crate) use batch::render;

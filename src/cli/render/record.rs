@@ -3,6 +3,7 @@
 use super::built::BuiltSize;
 use super::milliseconds::{Milliseconds, TraceMilliseconds};
 use super::scene::{LoadedScene, Viewpoint};
+use super::tree_statistics::TreeStatistics;
 use crate::cli::files::destination::Destination;
 use feimos::accel::{Accelerator, ExactFallbacks, Precision, Statistics};
 use feimos::render::Rendering;
@@ -20,6 +21,10 @@ pub(super) struct Finished {
     /// The meaning of a view's colours.
     pub(super) legend: Option<String>,
     pub(super) ms: Milliseconds,
+    /// The most memory that the process has used so far, if the system knows.
+    pub(super) peak_bytes: Option<u64>,
+    /// With `--stats`, unless there is no memory for a tree.
+    pub(super) tree: Option<TreeStatistics>,
 }
 
 /// One line of JSON. Field names are its keys.
@@ -55,10 +60,37 @@ pub(super) struct Record {
     bvh: Option<Bvh>,
     /// The size of the bins, if there are any.
     bins: Option<BinSize>,
+    /// With `--stats`: a tree, and what the rays test in it.
+    #[serde(flatten)]
+    statistics: Option<RayStatistics>,
     /// Exact fallbacks; `None` unless the precision is `exact`.
     exact: Option<Fallbacks>,
     /// The most memory that the process has used so far, if the system knows.
     peak_bytes: Option<u64>,
+}
+
+/// Statistics of the rays. Field names are keys of the image's line.
+#[derive(Debug, Clone, Copy, Serialize)]
+struct RayStatistics {
+    tree: Tree,
+    per_ray: PerRay,
+}
+
+/// The tree in which tests are counted.
+#[derive(Debug, Clone, Copy, Serialize)]
+struct Tree {
+    method: &'static str,
+    /// False if the image was traced through bins.
+    traced: bool,
+    #[serde(flatten)]
+    size: Bvh,
+}
+
+/// What a ray tests when it is traced by itself, on average.
+#[derive(Debug, Clone, Copy, Serialize)]
+struct PerRay {
+    nodes: f64,
+    primitives: f64,
 }
 
 /// Tree statistics.
@@ -107,6 +139,23 @@ impl Bvh {
     }
 }
 
+impl RayStatistics {
+    fn new(tree: &TreeStatistics, rays: u64) -> RayStatistics {
+        let per_ray = |count: u64| count as f64 / rays as f64;
+        RayStatistics {
+            tree: Tree {
+                method: tree.method.name(),
+                traced: tree.is_traced,
+                size: Bvh::new(tree.size),
+            },
+            per_ray: PerRay {
+                nodes: per_ray(tree.counts.nodes),
+                primitives: per_ray(tree.counts.primitives),
+            },
+        }
+    }
+}
+
 impl Record {
     pub(super) fn new(loaded: &LoadedScene, view: &Viewpoint, finished: &Finished) -> Record {
         let window = finished.rendering.image.data_window;
@@ -150,14 +199,18 @@ impl Record {
             trace_ms: TraceMilliseconds::new(traced.times),
             bvh,
             bins,
+            statistics: finished
+                .tree
+                .as_ref()
+                .map(|tree| RayStatistics::new(tree, window.area())),
             exact: (finished.precision == Precision::Exact).then_some(fallbacks),
-            peak_bytes: peak_bytes(),
+            peak_bytes: finished.peak_bytes,
         }
     }
 }
 
 /// The high-water mark of resident memory, from Linux's `/proc`.
-fn peak_bytes() -> Option<u64> {
+pub(super) fn peak_bytes() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status
         .lines()

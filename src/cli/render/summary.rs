@@ -2,21 +2,25 @@
 
 use super::built::{Built, BuiltSize};
 use super::record::Finished;
+use super::tree_statistics::TreeStatistics;
 
 use crate::cli::terminal::reporter::Reporter;
 use crate::cli::terminal::scene_summary::StoredGeometry;
+use crate::cli::terminal::words::counted;
 use feimos::accel::{ExactFallbacks, Precision};
 use feimos::scene::Scene;
 use feimos::shape::Geometry;
+use indicatif::HumanCount;
 
-/// Prints the size of a structure, and a note on primitives that no ray can hit.
+/// If verbose, prints the size of a structure, and how many primitives no ray can hit.
 pub(super) fn report_built(built: &Built, geometry: &Geometry, reporter: &Reporter) {
     reporter.detail(built.summary(geometry));
     let dead = built.never_hit();
     if dead > 0 {
-        reporter.note(format_args!(
-            "{dead} of {} primitives can never be hit: no area, or not finite",
-            geometry.own_count()
+        reporter.detail(format_args!(
+            "{} of {} can never be hit: no area, or not finite",
+            HumanCount(dead as u64),
+            counted(geometry.own_count() as u64, "primitive")
         ));
     }
 }
@@ -33,82 +37,114 @@ pub(super) fn report_image(finished: &Finished, reporter: &Reporter) {
     let legend = legend.map_or(String::new(), |legend| format!(", {legend}"));
     let ms = &finished.ms;
     reporter.result(format_args!(
-        "{}: {width} x {height} pixels, {hits} hit{legend} \
+        "{}: {width} x {height} pixels, {} hit{legend} \
          (load {:.0}, build {:.0} by {}, trace {:.0}, write {:.0} ms)",
-        finished.destination, ms.load, ms.build, finished.accelerator, ms.trace, ms.write,
+        finished.destination,
+        HumanCount(hits),
+        ms.load,
+        ms.build,
+        finished.accelerator,
+        ms.trace,
+        ms.write,
     ));
 }
 
 /// Prints the lines of `--stats`.
 pub(super) fn report_statistics(scene: &Scene, finished: &Finished, reporter: &Reporter) {
-    let (ms, geometry) = (&finished.ms, &scene.geometry);
-    let rays = finished.rendering.image.data_window.area() as f64;
-    let mrays_per_s = rays / ms.trace / 1e3;
-    let Finished {
-        accelerator,
-        precision,
-        ..
-    } = finished;
-    let mut lines = vec![
-        (
-            "shapes",
-            format!(
-                "{} under {} transforms",
-                scene.shape_count, scene.transform_count
-            ),
-        ),
-        ("primitives", StoredGeometry::of(geometry).to_string()),
-        ("geometry", format!("{} bytes", geometry.bytes())),
-        ("precision", precision.to_string()),
-        (
-            "accelerator",
-            format!("{accelerator}, built in {:.1} ms", ms.build),
-        ),
-    ];
-    lines.extend(lines_on_size(finished.size));
-    if let Some(counts) = finished.rendering.traced.counts {
-        let (nodes, primitives) = (counts.nodes as f64 / rays, counts.primitives as f64 / rays);
-        let text = format!("{nodes:.2} nodes, {primitives:.2} primitives tested");
-        lines.push(("per ray", text));
+    let rays = finished.rendering.image.data_window.area();
+    let mut lines = lines_on_scene(scene);
+    lines.extend(lines_on_trace(finished, rays));
+    if let Some(tree) = &finished.tree {
+        lines.extend(lines_on_tree(tree, rays));
     }
-    lines.push((
-        "trace",
-        format!("{:.1} ms, {mrays_per_s:.2} million rays a second", ms.trace),
-    ));
     for (subject, text) in lines {
         reporter.line(format_args!("{subject:12}{text}"));
     }
-    if *precision == Precision::Exact {
+}
+
+/// A line of `--stats`: its subject and its text.
+type Line = (&'static str, String);
+
+fn lines_on_scene(scene: &Scene) -> Vec<Line> {
+    let geometry = &scene.geometry;
+    let shapes = counted(scene.shape_count.into(), "shape");
+    let transforms = counted(scene.transform_count as u64, "transform");
+    vec![
+        ("scene", format!("{shapes} under {transforms}")),
+        ("primitives", StoredGeometry::of(geometry).to_string()),
+        ("geometry", counted(geometry.bytes() as u64, "byte")),
+    ]
+}
+
+/// What the image was traced through, and how fast.
+fn lines_on_trace(finished: &Finished, rays: u64) -> Vec<Line> {
+    let (accelerator, ms) = (finished.accelerator, &finished.ms);
+    let structure = match finished.size {
+        BuiltSize::Bins { primitives, bytes } => format!(
+            "bins of this view, with {} that rays may meet, {}",
+            counted(primitives as u64, "primitive"),
+            counted(bytes as u64, "byte"),
+        ),
+        BuiltSize::Tree(_) => "a tree of the whole scene".to_owned(),
+    };
+    let mut lines = vec![
+        ("accelerator", format!("{accelerator}: {structure}")),
+        ("precision", finished.precision.to_string()),
+        ("build", format!("{:.1} ms", ms.build)),
+        (
+            "trace",
+            format!(
+                "{:.1} ms, {:.2} million rays a second",
+                ms.trace,
+                rays as f64 / ms.trace / 1e3
+            ),
+        ),
+    ];
+    if finished.precision == Precision::Exact {
         let ExactFallbacks {
             unsure_tests,
             comparisons,
             roundings,
             rays,
         } = finished.rendering.traced.fallbacks;
-        reporter.line(format_args!(
-            "integers    for {rays} rays: {unsure_tests} tests, {comparisons} comparisons, \
-             {roundings} roundings"
-        ));
+        let text = format!(
+            "for {}: {}, {}, {}",
+            counted(rays, "ray"),
+            counted(unsure_tests, "test"),
+            counted(comparisons, "comparison"),
+            counted(roundings, "rounding"),
+        );
+        lines.push(("integers", text));
     }
+    lines
 }
 
-/// The lines on the size of a structure.
-fn lines_on_size(size: BuiltSize) -> Vec<(&'static str, String)> {
-    match size {
-        BuiltSize::Bins { primitives, bytes } => vec![(
-            "bins",
-            format!("{primitives} primitives that rays may meet, {bytes} bytes"),
-        )],
-        BuiltSize::Tree(tree) => vec![
-            (
-                "nodes",
-                format!(
-                    "{} ({} leaves), depth {}",
-                    tree.nodes, tree.leaves, tree.depth
-                ),
+/// A tree, and what the rays test in it.
+fn lines_on_tree(tree: &TreeStatistics, rays: u64) -> Vec<Line> {
+    let (method, size) = (tree.method, tree.size);
+    let purpose = match tree.is_traced {
+        true => "the image was traced through it",
+        false => "built for these statistics, since bins have no nodes",
+    };
+    let per_ray = |count: u64| count as f64 / rays as f64;
+    let (nodes, primitives) = (per_ray(tree.counts.nodes), per_ray(tree.counts.primitives));
+    vec![
+        ("tree", format!("by {method}: {purpose}")),
+        (
+            "nodes",
+            format!(
+                "{} ({} {}), depth {}, {}",
+                HumanCount(size.nodes as u64),
+                HumanCount(size.leaves as u64),
+                if size.leaves == 1 { "leaf" } else { "leaves" },
+                size.depth,
+                counted(size.bytes as u64, "byte"),
             ),
-            ("SAH cost", format!("{:.2}", tree.sah_cost)),
-            ("tree", format!("{} bytes", tree.bytes)),
-        ],
-    }
+        ),
+        ("SAH cost", format!("{:.2}", size.sah_cost)),
+        (
+            "per ray",
+            format!("{nodes:.2} nodes, {primitives:.2} primitives tested, by each ray alone"),
+        ),
+    ]
 }

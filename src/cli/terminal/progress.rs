@@ -20,6 +20,8 @@ pub(crate) enum Phase {
     Building(usize),
     /// Renders this many pixels.
     Rendering(u64),
+    /// Counts the tests of this many rays.
+    Counting(u64),
     /// Computes the exact answers for this many pixels.
     Reference(u64),
     /// Runs this many builds and traces of `bench`.
@@ -64,6 +66,7 @@ fn bar(phase: Phase, target: ProgressDrawTarget) -> ProgressBar {
         Phase::Loading => ("loading", None, ""),
         Phase::Building(count) => ("building", Some(count as u64), "primitives"),
         Phase::Rendering(pixels) => ("rendering", Some(pixels), "pixels"),
+        Phase::Counting(rays) => ("counting", Some(rays), "rays"),
         Phase::Reference(pixels) => ("reference", Some(pixels), "pixels"),
         Phase::Measuring(runs) => ("measuring", Some(runs as u64), "runs"),
         Phase::Merging(crops) => ("merging", Some(crops as u64), "crops"),

@@ -15,11 +15,11 @@ pub(crate) fn report_scene(scene: &Scene, reporter: &Reporter) {
     }
     let geometry = &scene.geometry;
     reporter.detail(format_args!(
-        "loaded {} shapes: {}, {} transforms, {} bytes",
-        scene.shape_count,
+        "loaded {}: {}, {}, {}",
+        counted(scene.shape_count.into(), "shape"),
         StoredGeometry::of(geometry),
-        scene.transform_count,
-        geometry.bytes(),
+        counted(scene.transform_count as u64, "transform"),
+        counted(geometry.bytes() as u64, "byte"),
     ));
 }
 
@@ -53,14 +53,18 @@ impl StoredGeometry {
 
 impl Display for StoredGeometry {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        f.write_str(&counted(self.triangles as u64, "triangle"))?;
-        if self.spheres > 0 {
-            write!(f, ", {}", counted(self.spheres as u64, "quadric"))?;
+        let kinds = [
+            (self.triangles, "triangle", ""),
+            (self.spheres, "quadric", ""),
+            (self.segments, "segment", " of curves"),
+        ];
+        let kinds = kinds.into_iter().filter(|(count, ..)| *count > 0);
+        let kinds = kinds.map(|(count, noun, of)| counted(count as u64, noun) + of);
+        let kinds: Vec<String> = kinds.collect();
+        if kinds.is_empty() {
+            f.write_str("nothing")?;
         }
-        if self.segments > 0 {
-            let segments = counted(self.segments as u64, "segment");
-            write!(f, ", {segments} of curves")?;
-        }
+        f.write_str(&kinds.join(", "))?;
         if self.instances == 0 {
             return Ok(());
         }

@@ -146,7 +146,6 @@ impl Competitor for Feimos<'_> {
             data_window: self.window(),
             channels: channels.to_vec(),
             miss: f32::INFINITY,
-            counted: false,
             precision,
             level: self.level,
         };

@@ -95,7 +95,6 @@ pub(crate) fn print_phases(options: &PhaseOptions) -> Result<()> {
             ChannelName::Prim,
         ],
         miss: f32::INFINITY,
-        counted: false,
         precision: Precision::Exact,
         level: Level::detect(),
     };

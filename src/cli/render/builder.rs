@@ -1,0 +1,158 @@
+//! Builds the structure that an image is traced through: bins of its view, or a tree.
+
+use super::built::{Built, BuiltTree};
+use super::encode::Content;
+use super::milliseconds::timed;
+use super::plan::Plan;
+use super::scene::{LoadedScene, Viewpoint};
+use super::summary::report_built;
+use crate::cli::options::engine::AcceleratorChoice;
+use crate::cli::terminal::progress::{Phase, ProgressBars};
+use crate::cli::terminal::reporter::Reporter;
+use feimos::accel::{Accelerator, Aggregate, Bins, Precision};
+use feimos::error::{Error, Result};
+use feimos::film::PixelBounds;
+use feimos::geometry::Point;
+use feimos::progress::Progress;
+
+/// Builds structures as the plan has it.
+pub(super) struct Builder<'a> {
+    pub(super) plan: &'a Plan,
+    pub(super) reporter: &'a Reporter,
+    pub(super) bars: &'a ProgressBars,
+}
+
+/// With so many views of one scene, a tree that all share is faster than bins for each:
+/// docs/performance.md has the measurements.
+const MANY_VIEWS: usize = 16;
+
+impl Builder<'_> {
+    /// The structure for an image, and the milliseconds that building it took now.
+    pub(super) fn build<'a>(
+        &self,
+        loaded: &'a LoadedScene,
+        view: &Viewpoint,
+        content: &Content,
+        window: &PixelBounds,
+    ) -> Result<(Built<'a>, f64)> {
+        let is_planar = view.camera.projection.is_planar();
+        let takes_bins = self.takes_bins(loaded, content)?;
+        if takes_bins && !is_planar && self.plan.accel != AcceleratorChoice::Auto {
+            let method = loaded.build.method;
+            self.reporter.note(format_args!(
+                "a spherical camera cannot be rasterized: its rays are traced one by one, \
+                 using {method}"
+            ));
+        }
+        if takes_bins && is_planar {
+            Bins::check_memory(&loaded.scene.geometry)?;
+            let (bins, ms) = self.bins(loaded, view, window);
+            if let Some(bins) = bins {
+                let built = Built::Bins(Box::new(bins));
+                report_built(&built, &loaded.scene.geometry, self.reporter);
+                return Ok((built, ms));
+            }
+            if self.plan.accel != AcceleratorChoice::Auto {
+                let method = loaded.build.method;
+                self.reporter.note(format_args!(
+                    "this view cannot be rasterized, because its numbers are too large or too \
+                     small: using {method}"
+                ));
+            }
+        }
+        self.tree(loaded, view, content)
+    }
+
+    /// Decides between bins and a tree.
+    ///
+    /// # Errors
+    /// Costs are asked for, and bins.
+    fn takes_bins(&self, loaded: &LoadedScene, content: &Content) -> Result<bool> {
+        let costs = content.needs_tree();
+        match self.plan.accel {
+            AcceleratorChoice::Fixed(Accelerator::Tree(_)) => Ok(false),
+            AcceleratorChoice::Fixed(Accelerator::Raster) if costs => {
+                let error =
+                    Error::usage("the cost of a ray is that in a tree, and raster has none");
+                Err(error.note("choose a tree, such as --accel sah"))
+            }
+            AcceleratorChoice::Fixed(Accelerator::Raster) => Ok(true),
+            // Answers in f32 are those of the eye's own structure.
+            AcceleratorChoice::Auto => {
+                let is_fast = self.plan.precision == Precision::Fast;
+                Ok(!costs && (is_fast || loaded.views.len() < MANY_VIEWS))
+            }
+        }
+    }
+
+    fn bins(
+        &self,
+        loaded: &LoadedScene,
+        view: &Viewpoint,
+        window: &PixelBounds,
+    ) -> (Option<Bins>, f64) {
+        let (geometry, build, simd) = (&loaded.scene.geometry, loaded.build, self.plan.simd);
+        let make = |progress: Progress<'_>| {
+            Bins::new(geometry, &view.camera, window, build, simd, progress)
+        };
+        let phase = Phase::Building(Aggregate::item_count(geometry));
+        timed(|| self.bars.during(phase, make))
+    }
+
+    fn tree<'a>(
+        &self,
+        loaded: &'a LoadedScene,
+        view: &Viewpoint,
+        content: &Content,
+    ) -> Result<(Built<'a>, f64)> {
+        let geometry = &loaded.scene.geometry;
+        // Answers in f32, and costs, depend on the anchor, where boxes are the most precise: each
+        // view has its own tree, as if it were rendered alone.
+        let depends_on_view = self.plan.precision == Precision::Fast || content.needs_tree();
+        let is_shared = loaded.views.len() > 1 && !depends_on_view;
+        if let (true, Some(built)) = (is_shared, loaded.shared()) {
+            return Ok((Built::Shared(built), 0.0));
+        }
+        Aggregate::check_memory(geometry)?;
+        let anchor = match is_shared {
+            true => loaded.middle(),
+            false => view.camera.anchor(),
+        };
+        let (tree, ms) = self.build_tree(loaded, anchor);
+        let built = match is_shared {
+            true => Built::Shared(loaded.share(tree)),
+            false => Built::Tree(Box::new(tree)),
+        };
+        report_built(&built, geometry, self.reporter);
+        Ok((built, ms))
+    }
+
+    /// Builds a tree over the whole scene. Returns it with the milliseconds that this took.
+    fn build_tree(&self, loaded: &LoadedScene, anchor: Point) -> (BuiltTree, f64) {
+        let (geometry, build) = (&loaded.scene.geometry, loaded.build);
+        let make = |progress: Progress<'_>| Aggregate::build(geometry, anchor, build, progress);
+        let phase = Phase::Building(Aggregate::item_count(geometry));
+        let (aggregate, ms) = timed(|| self.bars.during(phase, make));
+        (BuiltTree::new(build.method, aggregate, geometry), ms)
+    }
+
+    /// A tree over the whole scene, which all views share.
+    ///
+    /// # Errors
+    /// There is no memory for it.
+    pub(super) fn tree_beside_bins<'a>(
+        &self,
+        loaded: &'a LoadedScene,
+        view: &Viewpoint,
+    ) -> Result<&'a BuiltTree> {
+        if let Some(tree) = loaded.shared() {
+            return Ok(tree);
+        }
+        Aggregate::check_memory(&loaded.scene.geometry)?;
+        let anchor = match loaded.views.len() {
+            1 => view.camera.anchor(),
+            _ => loaded.middle(),
+        };
+        Ok(loaded.share(self.build_tree(loaded, anchor).0))
+    }
+}
