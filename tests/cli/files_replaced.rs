@@ -1,4 +1,4 @@
-//! The owner and the mode of a file that replaces another.
+//! The owner and the mode of a file that replaces another; files that killed processes have left.
 #![cfg(unix)]
 
 use crate::folder::Folder;
@@ -70,4 +70,18 @@ fn a_replaced_file_keeps_neither_owner_nor_mode_if_the_owner_cannot_be_set() {
         (found.uid(), found.gid(), found.mode() & 0o7777),
         (50010, 50011, 0o640)
     );
+}
+
+/// Two days ago, so that the file may be of another machine.
+#[test]
+fn files_that_killed_processes_have_left_are_removed() {
+    let (left, new) = (".feimos-AbCdEf.tmp", ".feimos-GhIjKl.tmp");
+    let folder = Folder::new().with(left, "half").with(new, "half");
+    let days = std::time::Duration::from_secs(2 * 24 * 60 * 60);
+    let file = std::fs::File::options().write(true).open(folder.path(left));
+    file.unwrap()
+        .set_modified(std::time::SystemTime::now() - days)
+        .unwrap();
+    folder.render("ball.pbrt -o a.exr").succeeded();
+    assert_eq!(folder.images(), [new, "a.exr"]);
 }

@@ -4,8 +4,10 @@
 //! complete. Readers see the old file or the new one, and an error leaves the old one untouched.
 
 mod check;
+mod leftovers;
 mod permissions;
 mod target;
+mod temporary_file;
 #[cfg(test)]
 mod tests;
 mod unfinished;

@@ -1,14 +1,13 @@
 //! Unfinished files: those without their final name, and their removal at the end of the program.
 
-use super::permissions;
 use super::target::directory_of;
-use super::unnamed_file;
+use super::{leftovers, permissions, temporary_file, unnamed_file};
 use std::fs::{self, File};
 use std::io::{self, Seek};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError, TryLockError};
 use std::time::{Duration, Instant};
-use tempfile::{NamedTempFile, TempPath};
+use tempfile::TempPath;
 
 /// What to do with an existing file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -59,21 +58,22 @@ pub(super) struct Unfinished {
 }
 
 impl Unfinished {
-    /// Makes a file in the directory of `target`. It is opened like any file, so that the umask
-    /// decides who may read it: `tempfile` would make it private.
+    /// Makes a file in the directory of `target`. If it is the first one there, removes what dead
+    /// processes have left.
     pub(super) fn beside(target: &Path) -> io::Result<(File, Unfinished)> {
-        match unnamed_file::create(directory_of(target)) {
-            Some(file) => Ok((file, Unfinished { path: None })),
+        let (file, unfinished) = match unnamed_file::create(directory_of(target)) {
+            Some(file) => (file, Unfinished { path: None }),
             // If the file system does not only lack unnamed files, this reports the reason.
-            None => Unfinished::named(target),
-        }
+            None => Unfinished::named(target)?,
+        };
+        leftovers::remove(directory_of(target), &file);
+        Ok((file, unfinished))
     }
 
     /// Makes a file with a temporary name.
     pub(super) fn named(target: &Path) -> io::Result<(File, Unfinished)> {
-        let create = |path: &Path| File::options().write(true).create_new(true).open(path);
         let mut unfinished = unfinished();
-        let (file, path) = temporary(target, create)?.into_parts();
+        let (file, path) = temporary_file::create(target)?;
         unfinished.push(path.to_path_buf());
         Ok((file, Unfinished { path: Some(path) }))
     }
@@ -109,18 +109,6 @@ fn forget(unfinished: &mut Vec<PathBuf>, path: &Path) {
     unfinished.retain(|other| other != path);
 }
 
-/// Makes a file with a temporary name beside `target` by `create`. The name is short whatever the
-/// target, because names have a maximal length.
-fn temporary<F>(
-    target: &Path,
-    create: impl FnMut(&Path) -> io::Result<F>,
-) -> io::Result<NamedTempFile<F>> {
-    tempfile::Builder::new()
-        .prefix(".feimos-")
-        .suffix(".tmp")
-        .make_in(directory_of(target), create)
-}
-
 fn rename(path: TempPath, target: &Path, overwrite: Overwrite) -> io::Result<()> {
     let renamed = match overwrite {
         Overwrite::Yes => path.persist(target),
@@ -148,7 +136,8 @@ fn link_or_replace(file: &File, target: &Path, overwrite: Overwrite) -> io::Resu
         Err(error)
             if error.kind() == io::ErrorKind::AlreadyExists && overwrite == Overwrite::Yes =>
         {
-            let path = temporary(target, |path| unnamed_file::link(file, path))?.into_temp_path();
+            let link = |path: &Path| unnamed_file::link(file, path);
+            let path = temporary_file::link(file, target, link)?;
             rename(path, target, overwrite)
         }
         result => result,
