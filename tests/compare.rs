@@ -8,6 +8,7 @@ use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::compare::picture::{FALSE_HIT, MISSED_HIT, WRONG_PRIMITIVE};
 use feimos::compare::{Comparison, Details, Difference, difference_picture};
 use feimos::film::{ChannelName, Image, Metadata, Samples, exr_file, exr_reader};
+use feimos::progress::Progress;
 use proptest::prelude::*;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -136,7 +137,7 @@ fn put(image: &mut Image, pixel: usize, fault: Fault) -> Difference {
 
 fn through_a_file(image: &Image) -> (Vec<u8>, Image) {
     let mut file = Cursor::new(Vec::new());
-    exr_file::write(image, &Metadata::default(), &mut file).unwrap();
+    exr_file::write(image, &Metadata::default(), &mut file, Progress::SILENT).unwrap();
     let read = exr_reader::decode(Path::new("b.exr"), file.get_ref()).unwrap();
     (file.into_inner(), read)
 }

@@ -7,6 +7,7 @@
 use super::in_order::{rows_of_part, write_in_order};
 use super::interleaved::interleave;
 use super::{Channel, ChannelName, Image, Samples};
+use crate::progress::Progress;
 use std::io::{self, Write};
 
 /// A field: channels that belong together, and their name.
@@ -18,11 +19,16 @@ pub struct Field {
     pub channels: Vec<ChannelName>,
 }
 
-/// Writes the `fields` of `image`.
+/// Writes the `fields` of `image`. `progress` counts rows.
 ///
 /// # Errors
 /// The image lacks a channel, or writing fails.
-pub fn write(image: &Image, fields: &[Field], out: &mut (impl Write + Send)) -> io::Result<()> {
+pub fn write(
+    image: &Image,
+    fields: &[Field],
+    out: &mut (impl Write + Send),
+    progress: Progress,
+) -> io::Result<()> {
     let invalid = |problem: String| io::Error::new(io::ErrorKind::InvalidInput, problem);
     image.validate().map_err(invalid)?;
     let channel = |name: &ChannelName| {
@@ -55,6 +61,7 @@ pub fn write(image: &Image, fields: &[Field], out: &mut (impl Write + Send)) -> 
         Ok(())
     };
     write_in_order(height.div_ceil(rows), make, |part: &Vec<u8>| {
+        progress.advance(part.len() / row_bytes.max(1));
         out.write_all(part)
     })
 }
@@ -151,7 +158,7 @@ mod tests {
     /// The dictionary of the header, and the samples.
     fn written(fields: &[Field]) -> (String, Vec<u8>) {
         let mut file = Vec::new();
-        write(&image(), fields, &mut file).unwrap();
+        write(&image(), fields, &mut file, Progress::SILENT).unwrap();
         assert_eq!(file[..8], *b"\x93NUMPY\x01\x00");
         let end = 10 + usize::from(u16::from_le_bytes([file[8], file[9]]));
         assert!(end.is_multiple_of(64) && file[end - 1] == b'\n');
@@ -225,7 +232,7 @@ mod tests {
             field("prim", &[ChannelName::Prim]),
         ];
         let mut file = Vec::new();
-        write(&image, &fields, &mut file).unwrap();
+        write(&image, &fields, &mut file, Progress::SILENT).unwrap();
         let both = samples(1).zip(samples(3)).flat_map(|(a, b)| [a, b]);
         let expected: Vec<u8> = both.flat_map(u32::to_le_bytes).collect();
         assert!(file.ends_with(&expected));
@@ -233,7 +240,13 @@ mod tests {
 
     #[test]
     fn a_missing_channel_is_an_error() {
-        let error = write(&image(), &[field("A", &[ChannelName::A])], &mut Vec::new()).unwrap_err();
+        let error = write(
+            &image(),
+            &[field("A", &[ChannelName::A])],
+            &mut Vec::new(),
+            Progress::SILENT,
+        )
+        .unwrap_err();
         assert_eq!(error.to_string(), "no channel A");
     }
 }

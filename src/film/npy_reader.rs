@@ -111,6 +111,7 @@ fn parse_field(field: &str) -> Option<Aov> {
 mod tests {
     use super::*;
     use crate::film::npy_file::{self, Field};
+    use crate::progress::Progress;
 
     fn image(names: &[ChannelName]) -> Image {
         let samples = |name: ChannelName| match name.is_integer() {
@@ -137,7 +138,7 @@ mod tests {
         };
         let fields: Vec<Field> = aovs.iter().map(field).collect();
         let mut file = Vec::new();
-        npy_file::write(&image, &fields, &mut file).unwrap();
+        npy_file::write(&image, &fields, &mut file, Progress::SILENT).unwrap();
         (image, file)
     }
 

@@ -5,9 +5,10 @@
 use super::in_order::{rows_of_part, write_in_order};
 use super::interleaved::interleave;
 use super::{ChannelName, Image};
+use crate::progress::Progress;
 use std::io::{self, Write};
 
-/// Writes one or three channels of `image`.
+/// Writes one or three channels of `image`. `progress` counts rows.
 ///
 /// # Errors
 /// Channels are missing, integers, or not one or three; or writing fails.
@@ -15,6 +16,7 @@ pub fn write(
     image: &Image,
     channels: &[ChannelName],
     out: &mut (impl Write + Send),
+    progress: Progress,
 ) -> io::Result<()> {
     let invalid = |problem: String| io::Error::new(io::ErrorKind::InvalidInput, problem);
     image.validate().map_err(invalid)?;
@@ -56,6 +58,7 @@ pub fn write(
         Ok(())
     };
     write_in_order(height.div_ceil(rows), make, |part: &Vec<u8>| {
+        progress.advance(part.len() / row_bytes.max(1));
         out.write_all(part)
     })
 }
@@ -84,7 +87,7 @@ mod tests {
             ],
         };
         let mut file = Vec::new();
-        write(&image, channels, &mut file).map(|()| file)
+        write(&image, channels, &mut file, Progress::SILENT).map(|()| file)
     }
 
     #[test]
@@ -122,7 +125,7 @@ mod tests {
             }],
         };
         let mut file = Vec::new();
-        write(&image, &[ChannelName::Z], &mut file).unwrap();
+        write(&image, &[ChannelName::Z], &mut file, Progress::SILENT).unwrap();
         let rows = (0..height).rev().flat_map(values);
         let expected: Vec<u8> = rows.flat_map(f32::to_le_bytes).collect();
         assert!(file.ends_with(&expected));

@@ -68,6 +68,7 @@ fn parse(bytes: &[u8]) -> Option<([u32; 2], bool, &[u8])> {
 mod tests {
     use super::*;
     use crate::film::pfm_file;
+    use crate::progress::Progress;
 
     fn image() -> Image {
         let values = [0.5, f32::INFINITY, f32::NAN, -1.0, 3.0, 0.0];
@@ -83,7 +84,7 @@ mod tests {
 
     fn written() -> Vec<u8> {
         let mut file = Vec::new();
-        pfm_file::write(&image(), &[ChannelName::Z], &mut file).unwrap();
+        pfm_file::write(&image(), &[ChannelName::Z], &mut file, Progress::SILENT).unwrap();
         file
     }
 

@@ -2,6 +2,7 @@
 
 use super::color_map::Rgb;
 use super::png_deflate;
+use crate::progress::Progress;
 use png::{BitDepth, ColorType, Compression, Encoder, EncodingError, chunk};
 use std::io::{self, Write};
 
@@ -18,7 +19,7 @@ pub struct Text {
     pub text: String,
 }
 
-/// Writes colours, row by row from the top.
+/// Writes colours, row by row from the top. `progress` counts rows.
 ///
 /// # Errors
 /// There are not as many pixels as the size says, or writing fails.
@@ -27,16 +28,18 @@ pub fn write_rgb(
     pixels: &[Rgb],
     texts: &[Text],
     out: &mut impl Write,
+    progress: Progress,
 ) -> io::Result<()> {
     check_count(size, pixels.len())?;
     let pixels = Pixels {
         pixels,
         bytes_of: |rgb| rgb,
     };
-    encode(size, (ColorType::Rgb, BitDepth::Eight), &pixels, texts, out)
+    let kind = (ColorType::Rgb, BitDepth::Eight);
+    encode(size, kind, &pixels, texts, out, progress)
 }
 
-/// Writes 16-bit gray values, row by row from the top.
+/// Writes 16-bit gray values, row by row from the top. `progress` counts rows.
 ///
 /// # Errors
 /// Like [`write_rgb`].
@@ -45,6 +48,7 @@ pub fn write_gray16(
     pixels: &[u16],
     texts: &[Text],
     out: &mut impl Write,
+    progress: Progress,
 ) -> io::Result<()> {
     check_count(size, pixels.len())?;
     let kind = (ColorType::Grayscale, BitDepth::Sixteen);
@@ -52,7 +56,7 @@ pub fn write_gray16(
         pixels,
         bytes_of: u16::to_be_bytes,
     };
-    encode(size, kind, &pixels, texts, out)
+    encode(size, kind, &pixels, texts, out, progress)
 }
 
 fn check_count([width, height]: [u32; 2], count: usize) -> io::Result<()> {
@@ -90,6 +94,7 @@ fn encode<P: Copy + Sync, const N: usize>(
     pixels: &Pixels<P, N>,
     texts: &[Text],
     out: &mut impl Write,
+    progress: Progress,
 ) -> io::Result<()> {
     // The encoder writes in small pieces.
     let mut file = Vec::new();
@@ -109,7 +114,7 @@ fn encode<P: Copy + Sync, const N: usize>(
     let mut writer = encoder.write_header().map_err(into_io)?;
     let (width, height) = (width as usize, height as usize);
     let fill = |y: usize, row: &mut [u8]| pixels.fill(y * width, row);
-    match png_deflate::compress(height, width * N, fill)? {
+    match png_deflate::compress(height, width * N, fill, progress)? {
         Some(zlib) => {
             for part in zlib.chunks(MAX_CHUNK) {
                 writer.write_chunk(chunk::IDAT, part).map_err(into_io)?;
@@ -162,22 +167,22 @@ mod tests {
             [9; 3],
         ];
         let mut file = Vec::new();
-        write_rgb([2, 3], &colors, &[], &mut file).unwrap();
+        write_rgb([2, 3], &colors, &[], &mut file, Progress::SILENT).unwrap();
         let rgb = image::load_from_memory(&file).unwrap().into_rgb8();
         assert!(rgb.dimensions() == (2, 3) && rgb.pixels().map(|pixel| pixel.0).eq(colors));
-        assert!(write_rgb([3, 3], &colors, &[], &mut Vec::new()).is_err());
+        assert!(write_rgb([3, 3], &colors, &[], &mut Vec::new(), Progress::SILENT).is_err());
     }
 
     #[test]
     fn gray_values_of_16_bits_are_written_unchanged() {
         let shades = [0, 1, 255, 256, 0x1234, u16::MAX];
         let mut file = Vec::new();
-        write_gray16([3, 2], &shades, &texts(), &mut file).unwrap();
+        write_gray16([3, 2], &shades, &texts(), &mut file, Progress::SILENT).unwrap();
         let image::DynamicImage::ImageLuma16(gray) = image::load_from_memory(&file).unwrap() else {
             panic!("gray")
         };
         assert!(gray.dimensions() == (3, 2) && gray.pixels().map(|pixel| pixel.0[0]).eq(shades));
-        assert!(write_gray16([3, 3], &shades, &[], &mut Vec::new()).is_err());
+        assert!(write_gray16([3, 3], &shades, &[], &mut Vec::new(), Progress::SILENT).is_err());
     }
 
     #[test]
@@ -185,7 +190,7 @@ mod tests {
         let directory = tempfile::tempdir().unwrap();
         let path = directory.path().join("a.png");
         let mut file = std::fs::File::create(&path).unwrap();
-        write_rgb([1, 1], &[[7; 3]], &texts(), &mut file).unwrap();
+        write_rgb([1, 1], &[[7; 3]], &texts(), &mut file, Progress::SILENT).unwrap();
         for Text { keyword, text } in texts() {
             assert_eq!(
                 png_reader::read_text(&path, keyword).unwrap().as_deref(),

@@ -184,6 +184,7 @@ mod tests {
     use super::*;
     use crate::error::ErrorKind;
     use crate::film::png_file::{self, Text};
+    use crate::progress::Progress;
     use image::{DynamicImage, ImageFormat, RgbImage};
 
     fn file(steps: &[u16], header: Option<&str>) -> Vec<u8> {
@@ -194,7 +195,7 @@ mod tests {
         };
         let texts: Vec<Text> = header.map(text).into_iter().collect();
         let mut file = Cursor::new(Vec::new());
-        png_file::write_gray16([2, 2], steps, &texts, &mut file).unwrap();
+        png_file::write_gray16([2, 2], steps, &texts, &mut file, Progress::SILENT).unwrap();
         file.into_inner()
     }
 

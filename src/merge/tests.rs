@@ -56,7 +56,13 @@ impl Crops {
     fn add(&mut self, image: &Image, json: &str) {
         let path = self.folder.path().join(format!("{}.exr", self.paths.len()));
         let mut file = BufWriter::new(File::create(&path).unwrap());
-        exr_file::write(image, &Metadata::of_json(json.to_owned()), &mut file).unwrap();
+        exr_file::write(
+            image,
+            &Metadata::of_json(json.to_owned()),
+            &mut file,
+            Progress::SILENT,
+        )
+        .unwrap();
         self.paths.push(path);
     }
 

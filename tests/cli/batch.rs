@@ -152,3 +152,18 @@ fn a_manifest_continues_at_its_end() {
     }
     assert_eq!(json_lines(&folder.text("all.jsonl")).len(), 2);
 }
+
+#[test]
+fn the_progress_of_a_batch_is_shown_on_request() {
+    let folder = three();
+    let scenes = "ball.pbrt broken.pbrt second.pbrt -o {stem}.exr";
+    folder
+        .render(&format!("{scenes} --progress always"))
+        .exited(65)
+        .said("  0/3 images")
+        .said("  2/3 images");
+    folder
+        .render(&format!("{scenes} --force"))
+        .exited(65)
+        .did_not_say("/3 images");
+}

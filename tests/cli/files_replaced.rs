@@ -72,11 +72,11 @@ fn a_replaced_file_keeps_neither_owner_nor_mode_if_the_owner_cannot_be_set() {
     );
 }
 
-/// Two days ago, so that the file may be of another machine.
 #[test]
 fn files_that_killed_processes_have_left_are_removed() {
     let (left, new) = (".feimos-AbCdEf.tmp", ".feimos-GhIjKl.tmp");
     let folder = Folder::new().with(left, "half").with(new, "half");
+    // Files of other machines are left alone for a day.
     let days = std::time::Duration::from_secs(2 * 24 * 60 * 60);
     let file = std::fs::File::options().write(true).open(folder.path(left));
     file.unwrap()

@@ -64,6 +64,9 @@ fn progress_is_drawn_on_request() {
         .succeeded()
         .said("rendering [")
         .said("building  [")
+        .said("writing   [")
+        .said("/7 rows")
+        .did_not_say("images")
         .said(ESCAPE);
     for flag in ["", "--progress auto", "--progress never"] {
         folder

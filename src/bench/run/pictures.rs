@@ -159,7 +159,7 @@ impl Pictures {
 
 fn file(size: [u32; 2], pixels: &[[u8; 3]]) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    png_file::write_rgb(size, pixels, &[], &mut bytes).map(|()| bytes)
+    png_file::write_rgb(size, pixels, &[], &mut bytes, Progress::SILENT).map(|()| bytes)
 }
 
 /// The cost that 999 of 1000 rays do not exceed: a few grazing rays should not make all others look

@@ -49,6 +49,7 @@ fn check_all(args: &CheckArgs, reporter: &Reporter) -> Result<u8> {
         .iter()
         .map(|(_, found)| found.as_ref().map_or(1, Vec::len))
         .sum();
+    check.bars.begin_batch(count, "scenes");
     let mut code = 0;
     'all: for (path, found) in named {
         let results = match found {
@@ -94,6 +95,7 @@ impl Check<'_> {
     /// Reports on a scene and returns its exit code.
     fn report(&mut self, path: &Path, result: Result<Scene>) -> Result<u8> {
         self.tried += 1;
+        self.bars.advance_batch(1, true);
         let exit_code = match &result {
             Ok(scene) if self.args.strict && !scene.warnings.is_empty() => WARNED,
             Ok(_) => 0,

@@ -15,6 +15,7 @@ use feimos::compare::{Comparison, Details, Incomparable, difference_picture};
 use feimos::error::{Diagnostic, Error, Result};
 use feimos::film::atomic_file::{self, Overwrite};
 use feimos::film::{Format, Image, png_file, read_image};
+use feimos::progress::Progress;
 use report::{DIFFERENT, DifferentWindows, Report};
 use serde::Serialize;
 use std::fmt::Display;
@@ -85,7 +86,7 @@ fn report(
         let max_error = details.tally.max_ulps();
         let picture = difference_picture(comparison, pixels, max_error);
         let size = [window.width(), window.height()];
-        let write = |out: &mut _| png_file::write_rgb(size, &picture, &[], out);
+        let write = |out: &mut _| png_file::write_rgb(size, &picture, &[], out, Progress::SILENT);
         atomic_file::write_file(path, Overwrite::Yes, write)?;
         let kinds = if comparison.surfaces().is_empty() {
             "depth"

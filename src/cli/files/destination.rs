@@ -3,6 +3,7 @@
 use crate::cli::terminal::stdout::{self, write_to_stdout};
 use feimos::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
 use feimos::film::atomic_file::{self, Overwrite};
+use feimos::progress::Progress;
 use std::fmt::{self, Display, Formatter};
 use std::io::{self, Cursor, Seek, Write};
 use std::path::{Path, PathBuf};
@@ -15,8 +16,8 @@ pub(crate) enum Destination {
 
 /// The content of a file.
 pub(crate) trait Encode {
-    /// Writes the content, to a file or to memory.
-    fn encode(&self, out: &mut (impl Write + Seek + Send)) -> io::Result<()>;
+    /// Writes the content, to a file or to memory. `progress` counts rows.
+    fn encode(&self, out: &mut (impl Write + Seek + Send), progress: Progress) -> io::Result<()>;
 }
 
 impl Destination {
@@ -29,19 +30,25 @@ impl Destination {
         }
     }
 
-    /// Writes all of `content`; a file appears complete or not at all.
+    /// Writes all of `content`; a file appears complete or not at all. `progress` counts rows.
     ///
     /// # Errors
     /// The file cannot be made, or exists and must not be replaced; the disk is full; the reader of
     /// standard output has gone.
-    pub(crate) fn write(&self, overwrite: Overwrite, content: &impl Encode) -> Result<()> {
+    pub(crate) fn write(
+        &self,
+        overwrite: Overwrite,
+        content: &impl Encode,
+        progress: Progress,
+    ) -> Result<()> {
         match self {
             Destination::File(path) => {
-                atomic_file::write_file(path, overwrite, |out| content.encode(out)).map(|_| ())
+                atomic_file::write_file(path, overwrite, |out| content.encode(out, progress))
+                    .map(|_| ())
             }
             Destination::Stdout => {
                 let mut bytes = Cursor::new(Vec::new());
-                let encoded = content.encode(&mut bytes);
+                let encoded = content.encode(&mut bytes, progress);
                 write_to_stdout(encoded.map(|()| bytes.into_inner()))
             }
         }

@@ -42,9 +42,11 @@ fn write_merged(args: &MergeArgs, destination: &Destination, reporter: &Reporter
     } = args;
     let merge =
         |progress: Progress<'_>| merge::merge(crops, *partial, input.input_budget, progress);
-    let merged = ProgressBars::new(&args.messages).during(Phase::Merging(crops.len()), merge)?;
-    destination.write(Overwrite::Yes, &merged)?;
+    let bars = ProgressBars::new(&args.messages);
+    let merged = bars.during(Phase::Merging(crops.len()), merge)?;
     let window = &merged.image.data_window;
+    let write = |progress: Progress<'_>| destination.write(Overwrite::Yes, &merged, progress);
+    bars.during(Phase::Writing(window.height()), write)?;
     let (width, height) = (window.width(), window.height());
     let holes = match merged.holes {
         0 => String::new(),
@@ -69,7 +71,7 @@ fn check_format(path: &Path) -> Result<()> {
 }
 
 impl Encode for Merged {
-    fn encode(&self, out: &mut (impl Write + Seek + Send)) -> io::Result<()> {
-        exr_file::write(&self.image, &self.metadata, out)
+    fn encode(&self, out: &mut (impl Write + Seek + Send), progress: Progress) -> io::Result<()> {
+        exr_file::write(&self.image, &self.metadata, out, progress)
     }
 }

@@ -40,11 +40,13 @@ pub(crate) fn render(args: &RenderArgs, reporter: &Reporter) -> Result<u8> {
     } else {
         Overwrite::No
     };
+    let mut bars = ProgressBars::new(&args.messages);
+    bars.begin_batch(outputs.count(), "images");
     let batch = Batch {
         renderer: Renderer {
             plan: &plan,
             reporter,
-            bars: ProgressBars::new(&args.messages),
+            bars,
             targets: Targets::new(&plan, reporter, overwrite),
         },
         manifest: manifest.map(Manifest::open).transpose()?,
@@ -118,7 +120,7 @@ impl Batch<'_> {
         let (loaded, mut load) = match loaded {
             Ok(loaded) => loaded,
             Err(error) => {
-                self.tried += self.outputs.of_scene();
+                self.advance(self.outputs.of_scene(), true);
                 self.finish(
                     &ImageName {
                         scene: path,
@@ -133,7 +135,7 @@ impl Batch<'_> {
             let render = || self.renderer.render(&loaded, view, start, load);
             let outcome = guarded(Some(path), || self.pool.install(render));
             let outcome = outcome.and_then(|outcome| self.settle(outcome));
-            self.tried += 1;
+            self.advance(1, !matches!(outcome, Ok(Outcome::Skipped(_))));
             self.finish(
                 &ImageName {
                     scene: path,
@@ -147,6 +149,12 @@ impl Batch<'_> {
             (start, load) = (Instant::now(), 0.0);
         }
         Ok(())
+    }
+
+    /// Counts images that were tried. They took work, or existed already.
+    fn advance(&mut self, images: usize, took_work: bool) {
+        self.tried += images;
+        self.renderer.bars.advance_batch(images, took_work);
     }
 
     /// Reads a scene unless none of its images can be written. Returns it with the milliseconds

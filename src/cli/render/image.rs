@@ -102,7 +102,11 @@ impl Renderer<'_> {
         let (legend, write_ms) = timed(|| {
             let (image, overwrite) = (&rendering.image, self.targets.overwrite);
             let content = content.with_range_of(image);
-            let written = content.write(image, header.as_deref(), camera, &destination, overwrite);
+            let header = header.as_deref();
+            let write = |progress: Progress<'_>| {
+                content.write(image, header, camera, &destination, overwrite, progress)
+            };
+            let written = self.bars.during(Phase::Writing(window.height()), write);
             written.map(|()| content.legend())
         });
         let ms = Milliseconds {

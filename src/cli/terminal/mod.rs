@@ -1,5 +1,6 @@
 //! The output of commands: results on standard output, messages and progress on standard error.
 
+mod batch_progress;
 pub(super) mod failures;
 pub(super) mod progress;
 pub(super) mod reporter;

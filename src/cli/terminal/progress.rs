@@ -1,8 +1,10 @@
-//! Progress bars on standard error, one for each phase.
+//! Progress bars on standard error, one for each phase, below a line on the batch.
 
+use super::batch_progress::BatchProgress;
 use crate::cli::options::messages::{MessageArgs, When};
 use feimos::progress::Progress;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle, TermLike};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle, TermLike};
+use std::fmt;
 use std::io::{self, IsTerminal, Write, stderr};
 use std::sync::mpsc::{self, RecvTimeoutError, Sender};
 use std::thread;
@@ -20,6 +22,8 @@ pub(crate) enum Phase {
     Building(usize),
     /// Renders this many pixels.
     Rendering(u64),
+    /// Writes this many rows of an image.
+    Writing(u32),
     /// Counts the tests of this many rays.
     Counting(u64),
     /// Computes the exact answers for this many pixels.
@@ -34,6 +38,8 @@ pub(crate) enum Phase {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ProgressBars {
     when: When,
+    /// Present in a batch of several images or scenes.
+    batch: Option<BatchProgress>,
 }
 
 impl ProgressBars {
@@ -43,7 +49,19 @@ impl ProgressBars {
             When::Auto if !on_terminal => When::Never,
             when => when,
         };
-        ProgressBars { when }
+        ProgressBars { when, batch: None }
+    }
+
+    /// From now on, bars are those of a batch of `count` `things`, such as "images".
+    pub(crate) fn begin_batch(&mut self, count: usize, things: &'static str) {
+        self.batch = (count > 1).then(|| BatchProgress::new(count, things));
+    }
+
+    /// The present `count` things of the batch are done. They took work, or existed already.
+    pub(crate) fn advance_batch(&mut self, count: usize, took_work: bool) {
+        if let Some(batch) = &mut self.batch {
+            batch.advance(count, took_work);
+        }
     }
 
     /// Runs `work` under a bar, which vanishes when it ends.
@@ -53,7 +71,7 @@ impl ProgressBars {
             When::Auto => ProgressDrawTarget::stderr(),
             When::Always => ProgressDrawTarget::term_like(Box::new(AlwaysTerminal)),
         };
-        let bar = bar(phase, target);
+        let bar = bar(phase, self.batch, target);
         let _ticker = bar.length().is_none().then(|| Ticker::start(&bar));
         let result = work(Progress::new(&|count| bar.inc(count as u64)));
         bar.finish_and_clear();
@@ -61,11 +79,12 @@ impl ProgressBars {
     }
 }
 
-fn bar(phase: Phase, target: ProgressDrawTarget) -> ProgressBar {
+fn bar(phase: Phase, batch: Option<BatchProgress>, target: ProgressDrawTarget) -> ProgressBar {
     let (name, length, unit) = match phase {
         Phase::Loading => ("loading", None, ""),
         Phase::Building(count) => ("building", Some(count as u64), "primitives"),
         Phase::Rendering(pixels) => ("rendering", Some(pixels), "pixels"),
+        Phase::Writing(rows) => ("writing", Some(rows.into()), "rows"),
         Phase::Counting(rays) => ("counting", Some(rays), "rays"),
         Phase::Reference(pixels) => ("reference", Some(pixels), "pixels"),
         Phase::Measuring(runs) => ("measuring", Some(runs as u64), "runs"),
@@ -77,7 +96,16 @@ fn bar(phase: Phase, target: ProgressDrawTarget) -> ProgressBar {
             format!("  {name:9} [{{bar:40}}] {{human_pos}}/{{human_len}} {unit} {{eta}}")
         }
     };
+    let template = match batch {
+        Some(_) => format!("  {{batch}}\n{template}"),
+        None => template,
+    };
     let style = ProgressStyle::with_template(&template).expect("a valid template");
+    // Written anew whenever the bar is drawn, because time passes.
+    let write_batch = move |_: &ProgressState, out: &mut dyn fmt::Write| {
+        let _ = batch.map_or(Ok(()), |batch| write!(out, "{batch}"));
+    };
+    let style = style.with_key("batch", write_batch);
     let bar = ProgressBar::with_draw_target(length, target);
     bar.with_style(style.progress_chars("=> "))
 }

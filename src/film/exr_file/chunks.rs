@@ -3,16 +3,18 @@
 use crate::film::exr_zip::Zipper;
 use crate::film::in_order::{rows_of_part, write_in_order};
 use crate::film::{Channel, PixelBounds};
+use crate::progress::Progress;
 use std::io::{self, Seek, SeekFrom, Write};
 use std::ops::Range;
 
 /// Writes `header`, the table and the chunks of `channels`, which hold the pixels of `window`, in
-/// the order of their names. Each chunk is a scan line.
+/// the order of their names. Each chunk is a scan line, which `progress` counts.
 pub(super) fn write(
     header: Vec<u8>,
     channels: &[&Channel],
     window: PixelBounds,
     out: &mut (impl Write + Seek + Send),
+    progress: Progress,
 ) -> io::Result<()> {
     let (width, height) = (window.width() as usize, window.height() as usize);
     let table = header.len() as u64;
@@ -32,6 +34,7 @@ pub(super) fn write(
             places.push(end);
             end += *length as u64;
         }
+        progress.advance(band.lengths.len());
         out.write_all(&band.chunks)
     };
     write_in_order(height.div_ceil(lines), compress, write)?;

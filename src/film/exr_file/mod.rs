@@ -21,17 +21,19 @@ use exr::meta::{BlockDescription, MetaData, magic_number};
 mod tests;
 
 use super::{CameraAttributes, Channel, Image, Metadata, PixelBounds, Samples};
+use crate::progress::Progress;
 
 /// The name of the attribute with the metadata of the caller. There is only one, because the `exr`
 /// crate keeps custom attributes in a hash table and writes several of them in random order.
 pub const ATTRIBUTE: &str = "feimos";
 
 /// Writes `image` as an OpenEXR file with `metadata`: its JSON in the [`ATTRIBUTE`], and the
-/// standard attributes of a camera.
+/// standard attributes of a camera. `progress` counts rows.
 pub fn write(
     image: &Image,
     metadata: &Metadata,
     out: &mut (impl Write + Seek + Send),
+    progress: Progress,
 ) -> io::Result<()> {
     image
         .validate()
@@ -40,7 +42,7 @@ pub fn write(
     let header = header(image, &channels, metadata)
         .and_then(|header| encode(&[header]))
         .map_err(into_io)?;
-    chunks::write(header, &channels, image.data_window, out)
+    chunks::write(header, &channels, image.data_window, out, progress)
 }
 
 /// The beginning of a file, up to the table of chunks.

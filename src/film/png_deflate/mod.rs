@@ -11,6 +11,7 @@ mod tests;
 
 use super::in_order::{rows_of_part, write_in_order};
 use super::run_deflate::length_symbol;
+use crate::progress::Progress;
 use bits::Bits;
 use code::{CODES, END_OF_BLOCK, HEADER, HEADER_BITS};
 use std::io;
@@ -31,11 +32,12 @@ const MAX_STORED: usize = u16::MAX as usize;
 /// The rows of a picture, filtered and compressed as a zlib stream, on the threads of the current
 /// rayon pool. `None` if storing them would take less.
 ///
-/// `fill` fills row `y`, which has `row_bytes` bytes.
+/// `fill` fills row `y`, which has `row_bytes` bytes. `progress` counts rows.
 pub(super) fn compress(
     height: usize,
     row_bytes: usize,
     fill: impl Fn(usize, &mut [u8]) + Sync,
+    progress: Progress,
 ) -> io::Result<Option<Vec<u8>>> {
     let rows = rows_of_part(row_bytes);
     let make = |index: usize, band: &mut Band| {
@@ -51,6 +53,7 @@ pub(super) fn compress(
     let mut checksum = simd_adler32::Adler32::new();
     write_in_order(height.div_ceil(rows), make, |band: &Band| {
         checksum.write(&band.filtered);
+        progress.advance(band.filtered.len() / (row_bytes + 1));
         bits.append(&band.bits);
         Ok(())
     })?;

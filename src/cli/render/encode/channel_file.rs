@@ -3,6 +3,7 @@
 use crate::cli::terminal::reporter::Reporter;
 use feimos::film::npy_file::{self, Field};
 use feimos::film::{Aov, CameraAttributes, ChannelName, Image, Metadata, exr_file, pfm_file};
+use feimos::progress::Progress;
 use feimos::shape::Geometry;
 use std::io::{self, Seek, Write};
 
@@ -58,12 +59,13 @@ impl ChannelFile {
         header: Option<&str>,
         camera: Option<CameraAttributes>,
         out: &mut (impl Write + Seek + Send),
+        progress: Progress,
     ) -> io::Result<()> {
         match &self.format {
             ChannelFormat::Exr { .. } => {
                 // The header names the depth channel.
                 let metadata = Metadata::of_json(header.unwrap_or_default().to_owned());
-                exr_file::write(image, &Metadata { camera, ..metadata }, out)
+                exr_file::write(image, &Metadata { camera, ..metadata }, out, progress)
             }
             ChannelFormat::Npy => {
                 let field = |aov: &Aov| Field {
@@ -71,9 +73,9 @@ impl ChannelFile {
                     channels: aov.channels().to_vec(),
                 };
                 let fields: Vec<Field> = self.aovs.iter().map(field).collect();
-                npy_file::write(image, &fields, out)
+                npy_file::write(image, &fields, out, progress)
             }
-            ChannelFormat::Pfm => pfm_file::write(image, &self.channels(), out),
+            ChannelFormat::Pfm => pfm_file::write(image, &self.channels(), out, progress),
         }
     }
 }

@@ -7,6 +7,7 @@ use crate::cli::terminal::reporter::Reporter;
 use feimos::error::Result;
 use feimos::film::atomic_file::Overwrite;
 use feimos::film::{CameraAttributes, ChannelName, Image};
+use feimos::progress::Progress;
 use feimos::shape::Geometry;
 use std::io::{self, Seek, Write};
 
@@ -82,6 +83,7 @@ impl Content {
     }
 
     /// Writes `image` with the `header`, if the format has one, and the camera, if it is an EXR.
+    /// `progress` counts rows.
     ///
     /// # Errors
     /// A depth does not fit, and no file is begun; the file cannot be made; the disk is full.
@@ -92,6 +94,7 @@ impl Content {
         camera: Option<CameraAttributes>,
         destination: &Destination,
         overwrite: Overwrite,
+        progress: Progress,
     ) -> Result<()> {
         let pixels = match self {
             Content::Channels(_) => None,
@@ -104,7 +107,7 @@ impl Content {
             header,
             camera,
         };
-        destination.write(overwrite, &encoding)
+        destination.write(overwrite, &encoding, progress)
     }
 }
 
@@ -119,14 +122,16 @@ struct Encoding<'a> {
 }
 
 impl Encode for Encoding<'_> {
-    fn encode(&self, out: &mut (impl Write + Seek + Send)) -> io::Result<()> {
+    fn encode(&self, out: &mut (impl Write + Seek + Send), progress: Progress) -> io::Result<()> {
         match (self.content, &self.pixels) {
             (Content::View(file), Some(pixels)) => {
                 let window = &self.image.data_window;
                 let size = [window.width(), window.height()];
-                pixels.encode(size, &file.texts(self.header), out)
+                pixels.encode(size, &file.texts(self.header), out, progress)
             }
-            (Content::Channels(file), _) => file.encode(self.image, self.header, self.camera, out),
+            (Content::Channels(file), _) => {
+                file.encode(self.image, self.header, self.camera, out, progress)
+            }
             (Content::View(_), None) => unreachable!("a view has pixels"),
         }
     }

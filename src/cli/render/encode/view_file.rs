@@ -5,6 +5,7 @@ use feimos::film::exr_file::ATTRIBUTE;
 use feimos::film::png_file::{self, Text};
 use feimos::film::view::{self, Depth16, Unfit};
 use feimos::film::{ColorMap, ColorRange, Image, View};
+use feimos::progress::Progress;
 use std::io::{self, Write};
 
 /// A view and everything that decides its colours.
@@ -38,10 +39,11 @@ impl Pixels {
         size: [u32; 2],
         texts: &[Text],
         out: &mut impl Write,
+        progress: Progress,
     ) -> io::Result<()> {
         match self {
-            Pixels::Rgb(pixels) => png_file::write_rgb(size, pixels, texts, out),
-            Pixels::Gray16(pixels) => png_file::write_gray16(size, pixels, texts, out),
+            Pixels::Rgb(pixels) => png_file::write_rgb(size, pixels, texts, out, progress),
+            Pixels::Gray16(pixels) => png_file::write_gray16(size, pixels, texts, out, progress),
         }
     }
 }

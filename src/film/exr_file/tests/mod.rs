@@ -56,7 +56,7 @@ fn encoded(image: &Image, json: &str) -> Vec<u8> {
 
 fn encoded_with(image: &Image, metadata: &Metadata) -> Vec<u8> {
     let mut out = Cursor::new(Vec::new());
-    write(image, metadata, &mut out).unwrap();
+    write(image, metadata, &mut out, Progress::SILENT).unwrap();
     out.into_inner()
 }
 
@@ -270,7 +270,15 @@ fn channels_may_come_in_any_order() {
 #[test]
 fn content_that_the_format_cannot_hold_is_an_error() {
     let none = picture((1, 1), PixelBounds::of_film(1, 1), &[]);
-    assert!(write(&none, &metadata("{}"), &mut Cursor::new(Vec::new())).is_err());
+    assert!(
+        write(
+            &none,
+            &metadata("{}"),
+            &mut Cursor::new(Vec::new()),
+            Progress::SILENT
+        )
+        .is_err()
+    );
     let far = PixelBounds {
         x0: u32::MAX - 1,
         x1: u32::MAX,
@@ -278,5 +286,13 @@ fn content_that_the_format_cannot_hold_is_an_error() {
         y1: 1,
     };
     let far = picture((u32::MAX, 1), far, &[ChannelName::Z]);
-    assert!(write(&far, &metadata("{}"), &mut Cursor::new(Vec::new())).is_err());
+    assert!(
+        write(
+            &far,
+            &metadata("{}"),
+            &mut Cursor::new(Vec::new()),
+            Progress::SILENT
+        )
+        .is_err()
+    );
 }

@@ -7,6 +7,7 @@ mod windows;
 use super::*;
 use crate::error::ErrorKind;
 use crate::film::{ChannelName, PixelBounds, exr_file};
+use crate::progress::Progress;
 use exr::image::write::layers::WritableLayers;
 use exr::prelude::{
     AnyChannel, AnyChannels, Blocks, Compression, Encoding, FlatSamples, Layer, LayerAttributes,
@@ -150,6 +151,6 @@ fn strange(film: (u32, u32), data_window: PixelBounds) -> Image {
 
 fn of_our_writer(image: &Image) -> Vec<u8> {
     let mut file = Cursor::new(Vec::new());
-    exr_file::write(image, &Metadata::default(), &mut file).unwrap();
+    exr_file::write(image, &Metadata::default(), &mut file, Progress::SILENT).unwrap();
     file.into_inner()
 }
