@@ -110,7 +110,9 @@ fn conclude(reporter: &Reporter, command: impl FnOnce(&Reporter) -> Result<u8>) 
         signals::end_cleanly(reporter);
         signals::exit_when_out_of_memory();
     }
-    let code = panics::guarded(None, || command(reporter)).unwrap_or_else(|error| {
+    let result = panics::guarded(None, || command(reporter));
+    reporter.repetitions();
+    let code = result.unwrap_or_else(|error| {
         reporter.error(&error);
         error.kind().exit_code()
     });

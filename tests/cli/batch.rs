@@ -167,3 +167,77 @@ fn the_progress_of_a_batch_is_shown_on_request() {
         .exited(65)
         .did_not_say("/3 images");
 }
+
+/// The lines of an error message and of the summary, whatever the number of images.
+#[test]
+fn a_failure_of_all_images_is_said_once() {
+    let poses: Vec<String> = (0..20)
+        .map(|x| format!(r#"{{"name": "c{x}", "lookat": [{x}, 0, -5, 0, 0, 0, 0, 1, 0]}}"#))
+        .collect();
+    let folder = Folder::new().with("poses.json", format!("[{}]", poses.join(",")));
+    let command = "ball.pbrt --cameras poses.json -o {stem}-{camera}.exr --resolution 3x3";
+    folder.render(command).succeeded();
+    let expected = "error: ball-c0.exr: exists already
+   = use --force to overwrite it, or --skip-existing to skip the image
+all 20 images failed for the same reason (exit code 73)
+";
+    assert_eq!(folder.render(command).exited(73).stderr, expected);
+    std::fs::remove_file(folder.path("ball-c7.exr")).unwrap();
+    let verbose = folder.render(&format!("{command} -v")).exited(73);
+    verbose.said("error: ball-c19.exr: exists already\n");
+    std::fs::remove_file(folder.path("ball-c7.exr")).unwrap();
+    let run = folder.render(command).exited(73);
+    run.said("19 of 20 images failed:\n  ball.pbrt, camera c0 (exit code 73)\n")
+        .said("\n  ball.pbrt, camera c19 (exit code 73, the same)\n")
+        .did_not_say("error: ball-c19.exr");
+    folder
+        .render(&format!("{command} broken.pbrt"))
+        .exited(73)
+        .said("40 of 40 images failed:\n  ball.pbrt (20 images, exit code 73)\n");
+}
+
+#[test]
+fn failures_for_several_reasons_are_each_said_once() {
+    let folder = three();
+    let run = folder
+        .render("gone.pbrt broken.pbrt lost.pbrt ball.pbrt -o {stem}.exr")
+        .exited(66);
+    let expected = "3 of 4 scenes failed:
+  gone.pbrt (exit code 66)
+  lost.pbrt (exit code 66, the same)
+  broken.pbrt (exit code 65)
+";
+    assert!(run.stderr.ends_with(expected), "{}", run.stderr);
+    assert_eq!(run.stderr.matches("error: ").count(), 2, "{}", run.stderr);
+}
+
+#[test]
+fn a_note_is_said_once_and_counted() {
+    let empty = format!(
+        "{}\nMaterial \"matte\"\n",
+        BALL.split("Shape").next().unwrap()
+    );
+    let mut folder = Folder::new();
+    for name in ["a.pbrt", "b.pbrt", "c.pbrt"] {
+        folder = folder.with(name, &empty);
+    }
+    let scenes = "a.pbrt b.pbrt c.pbrt -o {stem}.exr";
+    let run = folder.render(scenes).succeeded();
+    let [skipped, missed] = [
+        "skipped, without influence on hit and depth: 1 Material",
+        "no ray hits anything",
+    ];
+    run.said(&format!(
+        "2 more times: note: {skipped}\n2 more times: note: {missed}\n"
+    ))
+    .said(&format!("note: {missed}\na.exr: 13 x 7 pixels, 0 hit ("));
+    let again = folder.render(&format!("{scenes} --force")).succeeded();
+    assert_eq!(again.stderr.lines().count(), 3 + 2 + 2, "{}", again.stderr);
+    let verbose = folder.render(&format!("{scenes} --force -v")).succeeded();
+    assert_eq!(
+        verbose.stderr.matches(missed).count(),
+        3,
+        "{}",
+        verbose.stderr
+    );
+}

@@ -53,7 +53,7 @@ fn measure_all(
                 return Err(error);
             }
             // Keep the measurements so far, and drop the outputs that would overwrite an input.
-            code = code.max(failures.add(&path.display(), &error, reporter));
+            code = code.max(failures.add(&path.display(), 1, &error, reporter));
             outputs.leave_out(&files);
             continue;
         }
@@ -61,7 +61,7 @@ fn measure_all(
         let (title, measured) = match scene.and_then(measure) {
             Ok(measured) => measured,
             Err(error) => {
-                code = code.max(failures.add(&path.display(), &error, reporter));
+                code = code.max(failures.add(&path.display(), 1, &error, reporter));
                 continue;
             }
         };

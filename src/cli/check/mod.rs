@@ -64,6 +64,7 @@ fn check_all(args: &CheckArgs, reporter: &Reporter) -> Result<u8> {
             }
         }
     }
+    reporter.repetitions();
     check
         .failures
         .report("scenes", count, count - check.tried, reporter);
@@ -111,7 +112,7 @@ impl Check<'_> {
                     self.reporter.note(note);
                 }
             }
-            Err(error) => _ = self.failures.add(&path.display(), error, self.reporter),
+            Err(error) => _ = self.failures.add(&path.display(), 1, error, self.reporter),
         }
         Ok(exit_code)
     }

@@ -10,7 +10,8 @@ pub(crate) struct MessageArgs {
     /// Print errors only [default: also results and warnings].
     #[arg(short, long, conflicts_with = "verbose")]
     pub(crate) quiet: bool,
-    /// Print more: the results of each phase [default: off].
+    /// Print more: the results of each phase, notes of little use, and each repetition of a message
+    /// [default: off].
     #[arg(short, long)]
     pub(crate) verbose: bool,
     /// Show progress bars.

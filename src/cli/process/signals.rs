@@ -39,8 +39,8 @@ pub(crate) fn end_cleanly(reporter: &Reporter) {
         return;
     };
     let handle = signals.handle();
-    let reporter = *reporter;
-    let listen = move || signals.forever().for_each(|signal| end(signal, reporter));
+    let reporter = reporter.clone();
+    let listen = move || signals.forever().for_each(|signal| end(signal, &reporter));
     // Without a thread or a handler, signals end the program anyway. Handlers come after the
     // thread: without it they would swallow signals.
     let thread = thread::Builder::new().name("signals".to_owned());
@@ -62,7 +62,7 @@ pub(crate) fn exit_when_out_of_memory() {
     let _ = flag::register_conditional_shutdown(SIGABRT, code, Arc::new(AtomicBool::new(true)));
 }
 
-fn end(signal: c_int, reporter: Reporter) {
+fn end(signal: c_int, reporter: &Reporter) {
     atomic_file::abandon();
     say(signal, reporter);
     // The caller sees the signal; shells report it as 128 plus its number.
@@ -71,9 +71,10 @@ fn end(signal: c_int, reporter: Reporter) {
 
 /// Prints what ends the program, if standard error accepts it soon. Another thread may hold its
 /// lock and wait for a reader that never comes, so a thread of its own prints.
-fn say(signal: c_int, reporter: Reporter) {
+fn say(signal: c_int, reporter: &Reporter) {
     let (sender, receiver) = mpsc::channel();
     let name = signal_name(signal).unwrap_or("a signal");
+    let reporter = reporter.clone();
     let note = move || {
         reporter.note(format_args!(
             "ended by {name}: finished images are complete, unfinished ones are removed"

@@ -94,6 +94,7 @@ impl Batch<'_> {
             "scenes"
         };
         let (count, tried) = (self.outputs.count(), self.tried);
+        reporter.repetitions();
         self.failures
             .report(things, count, count.saturating_sub(tried), reporter);
         if let Some(manifest) = &self.manifest {
@@ -236,7 +237,9 @@ impl Batch<'_> {
                 self.record(name, Status::Done, exit_code, None, Some(&record))
             }
             Err(error) => {
-                let exit_code = self.failures.add(name, &error, reporter);
+                // Without the name of a camera, all images of the scene.
+                let images = name.camera.map_or(self.outputs.of_scene(), |_| 1);
+                let exit_code = self.failures.add(name, images, &error, reporter);
                 self.record(
                     name,
                     Status::Failed,

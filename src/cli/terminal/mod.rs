@@ -3,6 +3,7 @@
 mod batch_progress;
 pub(super) mod failures;
 pub(super) mod progress;
+mod repetitions;
 pub(super) mod reporter;
 pub(super) mod scene_summary;
 pub(super) mod stdout;

@@ -93,7 +93,7 @@ fn bar(phase: Phase, batch: Option<BatchProgress>, target: ProgressDrawTarget) -
     let template = match length {
         None => format!("{{spinner}} {name:9} {{bytes}} {{elapsed}}"),
         Some(_) => {
-            format!("  {name:9} [{{bar:40}}] {{human_pos}}/{{human_len}} {unit} {{eta}}")
+            format!("  {name:9} [{{bar:30}}] {{human_pos}}/{{human_len}} {unit} {{eta}}")
         }
     };
     let template = match batch {

@@ -1,5 +1,7 @@
 //! Messages on standard error: errors, warnings, notes and results.
 
+use super::repetitions::Repetitions;
+use super::words::counted;
 use crate::cli::options::messages::{MessageArgs, When};
 use anstream::{AutoStream, ColorChoice};
 use anstyle::{AnsiColor, Style};
@@ -8,13 +10,16 @@ use feimos::scene::Warnings;
 use feimos::terminal_text;
 use std::fmt::Display;
 use std::io::{Stderr, Write, stderr};
+use std::sync::Arc;
 
-/// Prints messages, as many and as colourful as the user wants.
-#[derive(Debug, Clone, Copy)]
+/// Prints messages, as many and as colourful as the user wants. Unless verbose, prints equal
+/// warnings and notes once.
+#[derive(Debug, Clone)]
 pub(crate) struct Reporter {
     quiet: bool,
     verbose: bool,
     color: ColorChoice,
+    repetitions: Arc<Repetitions>,
 }
 
 impl Reporter {
@@ -28,6 +33,7 @@ impl Reporter {
             quiet: args.quiet,
             verbose: args.verbose,
             color,
+            repetitions: Arc::default(),
         }
     }
 
@@ -37,6 +43,7 @@ impl Reporter {
             quiet: true,
             verbose: false,
             color: ColorChoice::Never,
+            repetitions: Arc::default(),
         }
     }
 
@@ -55,15 +62,28 @@ impl Reporter {
             if warning.count > 1 {
                 first = first.note(format!("the first of {}", warning.count));
             }
-            self.print("warning", AnsiColor::Yellow, first);
+            self.print_once("warning", AnsiColor::Yellow, first);
         }
     }
 
     /// Prints a note, unless quiet.
     pub(crate) fn note(&self, message: impl Display) {
         if !self.quiet {
-            self.print("note", AnsiColor::Cyan, message);
+            self.print_once("note", AnsiColor::Cyan, message);
         }
+    }
+
+    /// Prints how often warnings and notes came again. The command is about to end.
+    pub(crate) fn repetitions(&self) {
+        for (message, again) in self.repetitions.take() {
+            let first_line = message.lines().next().unwrap_or_default();
+            let again = counted(again, "more time");
+            self.line(format_args!("{again}: {first_line}"));
+        }
+    }
+
+    pub(crate) fn is_verbose(&self) -> bool {
+        self.verbose
     }
 
     /// Prints a line if verbose.
@@ -85,6 +105,13 @@ impl Reporter {
         let message = terminal_text::lines(&message.to_string());
         // If standard error is closed, the message is lost.
         let _ = writeln!(self.stream(), "{message}");
+    }
+
+    fn print_once(&self, label: &str, color: AnsiColor, message: impl Display) {
+        let message = message.to_string();
+        if self.verbose || self.repetitions.is_new(&format!("{label}: {message}")) {
+            self.print(label, color, message);
+        }
     }
 
     fn print(&self, label: &str, color: AnsiColor, message: impl Display) {
