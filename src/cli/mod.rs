@@ -27,7 +27,7 @@ use terminal::reporter::Reporter;
 
 /// Hit and depth images of PBRT scenes.
 #[derive(Debug, Parser)]
-#[command(name = "feimos", version, max_term_width = 100)]
+#[command(name = "feimos", version, max_term_width = 100, long_about = usage::FEIMOS)]
 struct Cli {
     #[command(subcommand)]
     command: Command,
@@ -36,42 +36,30 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     /// Render scenes to images.
-    ///
-    /// A scene is a .pbrt file, `-` for standard input, or a bare .ply or .obj mesh, which is
-    /// framed automatically.
+    #[command(long_about = usage::RENDER)]
     Render(Box<render::RenderArgs>),
     /// Check scenes without rendering them: list their content and their mistakes.
-    ///
-    /// Reads everything that rendering needs, and prints the camera, the film, shapes, bounds and
-    /// directives. Casts no ray and builds no tree.
+    #[command(long_about = usage::CHECK)]
     Check(check::CheckArgs),
     /// Measure speed against error: how fast accelerators are built and traced, and how many
     /// answers are wrong.
-    ///
-    /// Builds every accelerator and traces the whole image with every kernel, in turn, round after
-    /// round, so that other load on the machine affects all of them alike. Compares the answers
-    /// with exact arithmetic on all primitives.
+    #[command(long_about = usage::BENCH)]
     Bench(bench::BenchArgs),
     /// Compare two images: hits, primitives, and depths in units in the last place.
-    ///
-    /// A is the expected image, B the image to test. Reads EXR files with any of feimos's channels,
-    /// NPY and PFM files, and PNG files of 16-bit depths. Two misses are equal, whatever their
-    /// depths. Exits with code 1 if more pixels differ than allowed.
+    #[command(long_about = usage::COMPARE)]
     Compare(compare::CompareArgs),
     /// Explain one pixel: its ray, what it hits, where that is in the scene file, and how close it
     /// was.
-    ///
-    /// Prints the answer of each precision, the cost with each accelerator, and the result of exact
-    /// arithmetic on every primitive.
+    #[command(long_about = usage::PIXEL)]
     Pixel(pixel::PixelArgs),
     /// Merge crops of one film: into the file that one process would have written, byte for byte.
-    ///
-    /// The data window of each crop gives its position. Missing pixels are an error, and so are
-    /// crops that differ where they overlap or that come from other films, scenes or options.
+    #[command(long_about = usage::MERGE)]
     Merge(merge::MergeArgs),
     /// Print a completion script for a shell.
+    #[command(long_about = usage::COMPLETIONS)]
     Completions(CompletionsArgs),
     /// Write the manual: a page for feimos and one for each command.
+    #[command(long_about = usage::MAN)]
     Man(ManArgs),
 }
 

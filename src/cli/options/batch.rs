@@ -5,27 +5,27 @@ use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub(crate) struct CameraArgs {
-    /// Render each scene from every camera in this file instead of its own: a JSON list of objects
-    /// with a `name` and with `lookat`, `transform`, or `K`, `R`, `t` and `resolution`. Use
-    /// {camera} in the output name [default: the scene's camera].
+    /// Render from every camera in this file: a JSON list of objects with a `name` and with
+    /// `lookat`, `transform`, or `K`, `R`, `t` and `resolution`. Use {camera} in the output name
+    /// [default: the scene's camera].
     #[arg(long, value_name = "POSES.json")]
     pub(crate) cameras: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]
 pub(crate) struct BatchArgs {
-    /// Overwrite existing images also if the command writes several, and files that feimos did not
-    /// write also if the scene names them [default: both are errors].
+    /// Overwrite existing images: also if the command writes several, and also files that the scene
+    /// names and feimos did not write [default: both are errors].
     #[arg(long, conflicts_with = "skip_existing")]
     pub(crate) force: bool,
-    /// Skip images that exist and come from the same scene and options; works with .exr and .png
-    /// [default: off].
+    /// Skip images that are done: they exist and come from the same scene and options; works with
+    /// .exr and .png [default: off].
     #[arg(long)]
     pub(crate) skip_existing: bool,
     /// Stop at the first image that fails [default: continue, and list failures at the end].
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     pub(crate) fail_fast: bool,
     /// Append a line of JSON for each image to this file [default: none].
-    #[arg(long, value_name = "FILE.jsonl")]
+    #[arg(long, value_name = "FILE.jsonl", hide_short_help = true)]
     pub(crate) manifest: Option<PathBuf>,
 }

@@ -2,6 +2,7 @@
 
 use super::values::{integer, named};
 use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use feimos::accel::{Accelerator, BuildOptions, Precision, SplitMethod};
 use feimos::named::UnknownName;
 use feimos::scene::{AcceleratorParameters, spelling};
@@ -80,9 +81,10 @@ impl FromStr for AcceleratorChoice {
 
 #[derive(Debug, Args)]
 pub(crate) struct SimdArgs {
-    /// Choose the instruction set of the kernels: auto (the widest of this machine), avx512, avx2,
-    /// sse4.1 or portable. All give the same images.
-    #[arg(long = "simd", value_name = "SET", default_value = "auto", value_parser = simd)]
+    /// Choose the instruction set of the kernels: auto is the widest of this machine. All give the
+    /// same images.
+    #[arg(long = "simd", value_name = "SET", default_value = "auto", value_parser = simd())]
+    #[arg(hide_short_help = true)]
     pub(crate) level: Level,
 }
 
@@ -97,15 +99,18 @@ pub(crate) struct ThreadArgs {
 /// A bound on threads: a typing error should not take the machine down.
 const MAX_THREADS: usize = 4096;
 
-fn simd(name: &str) -> Result<Level, String> {
-    if name == "auto" {
-        return Ok(Level::detect());
-    }
-    let level = Level::available().find(|level| level.name() == name);
-    level.ok_or_else(|| {
-        let available: Vec<&str> = Level::available().map(Level::name).collect();
-        let available = available.join(", ");
-        format!("this machine has {available}; auto takes the widest")
+fn simd() -> impl TypedValueParser<Value = Level> {
+    let names = ["auto"].into_iter().chain(Level::ALL.map(Level::name));
+    PossibleValuesParser::new(names).try_map(|name| {
+        if name == "auto" {
+            return Ok(Level::detect());
+        }
+        let level = Level::available().find(|level| level.name() == name);
+        level.ok_or_else(|| {
+            let available: Vec<&str> = Level::available().map(Level::name).collect();
+            let available = available.join(", ");
+            format!("this machine has {available}; auto takes the widest")
+        })
     })
 }
 

@@ -9,6 +9,7 @@ pub(crate) struct InputArgs {
     /// again, memory of meshes and images, subdivided faces, included files, and pairs of corners
     /// tested to cut polygons.
     #[arg(long, value_name = "FACTOR", default_value_t, value_parser = budget_factor)]
+    #[arg(hide_short_help = true)]
     pub(crate) input_budget: BudgetFactor,
 }
 
@@ -17,7 +18,7 @@ pub(crate) struct InputArgs {
 pub(crate) struct MomentArgs {
     /// Show what moves at this moment, from 0 to 1: the start and the end of the motion, which
     /// TransformTimes dates [default: 0, with a warning if anything moves].
-    #[arg(long, value_name = "T", value_parser = moment)]
+    #[arg(long, value_name = "T", value_parser = moment, hide_short_help = true)]
     pub(crate) time: Option<f64>,
 }
 

@@ -14,20 +14,20 @@ pub(crate) struct OutputArgs {
     /// for a bare mesh {stem}.png].
     #[arg(short, long, alias = "outfile", value_name = "TEMPLATE")]
     pub(crate) output: Option<String>,
-    /// Choose the content of an .exr, .pfm or .npy, separated by commas
+    /// Choose the channels of an .exr, .pfm or .npy: names separated by commas
     /// [default: Z,t,A,id,prim; for .pfm and .npy Z].
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     #[arg(value_parser = named(Aov::ALL, Aov::name))]
     pub(crate) aov: Option<Vec<Aov>>,
     /// Name the channel Z of an EXR for programs that expect another name, such as Y or R
     /// [default: Z].
-    #[arg(long, value_name = "NAME", value_parser = depth_channel)]
+    #[arg(long, value_name = "NAME", value_parser = depth_channel, hide_short_help = true)]
     pub(crate) depth_channel: Option<String>,
     /// Choose what a PNG shows [default: depth].
     #[arg(long, value_parser = views())]
     pub(crate) view: Option<View>,
     /// Choose the colours of depths or costs in a PNG [default: turbo].
-    #[arg(long, value_name = "MAP", value_parser = color_maps())]
+    #[arg(long, value_name = "MAP", value_parser = color_maps(), hide_short_help = true)]
     pub(crate) colormap: Option<ColorMap>,
     /// Set the values at the two ends of the colours: depths in scene units [default: the range of
     /// the hits], or in a cost view low,high in tests a ray [default: 0 to the largest].
@@ -36,10 +36,12 @@ pub(crate) struct OutputArgs {
     pub(crate) range: Option<[f64; 2]>,
     /// Set the steps a scene unit of a depth16 view [default: 1000].
     #[arg(long, value_name = "STEPS", value_parser = scale, allow_hyphen_values = true)]
+    #[arg(hide_short_help = true)]
     pub(crate) scale: Option<f64>,
     /// Set the value of Z and t at a miss: inf, nan or a number [default: inf; in a depth16 view
     /// 0].
     #[arg(long, value_name = "VALUE", value_parser = miss, allow_hyphen_values = true)]
+    #[arg(hide_short_help = true)]
     pub(crate) miss: Option<f32>,
 }
 

@@ -8,7 +8,7 @@ pub(crate) struct RegionArgs {
     /// Render only this part of the film: fractions of its size, y downwards, rounded as in pbrt
     /// [default: the scene's crop, else the whole film].
     #[arg(long, value_name = "X0,X1,Y0,Y1", value_parser = numbers::<4>)]
-    #[arg(allow_hyphen_values = true)]
+    #[arg(allow_hyphen_values = true, hide_short_help = true)]
     pub(crate) cropwindow: Option<[f64; 4]>,
     /// Render only this part of the film: pixels, upper ends exclusive [default: the scene's crop,
     /// else the whole film].

@@ -12,6 +12,7 @@ pub(crate) struct SceneArgs {
     /// Let rays pass where the alpha of a surface is up to this number, from 0 to below 1; 0 cuts
     /// away only what has no alpha at all, as in pbrt-v3.
     #[arg(long, value_name = "ALPHA", default_value_t, value_parser = alpha_cutoff)]
+    #[arg(hide_short_help = true)]
     alpha_cutoff: AlphaCutoff,
     #[command(flatten)]
     pub(crate) limits: InputArgs,

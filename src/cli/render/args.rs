@@ -20,9 +20,9 @@ pub(crate) struct RenderArgs {
     pub(crate) region: RegionArgs,
     #[command(flatten, next_help_heading = "Engine")]
     pub(crate) engine: EngineArgs,
-    #[command(flatten, next_help_heading = "Cameras")]
+    #[command(flatten, next_help_heading = "Cameras and batches")]
     pub(crate) cameras: CameraArgs,
-    #[command(flatten, next_help_heading = "Batch")]
+    #[command(flatten, next_help_heading = "Cameras and batches")]
     pub(crate) batch: BatchArgs,
     #[command(flatten, next_help_heading = "Input")]
     pub(crate) input: SceneArgs,
