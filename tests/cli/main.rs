@@ -29,6 +29,7 @@ mod manifest;
 mod merge;
 mod message;
 mod messages;
+mod mistakes;
 mod moment;
 mod names;
 mod offered;

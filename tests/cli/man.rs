@@ -70,6 +70,20 @@ fn a_page_has_every_flag_except_hidden_ones() {
 }
 
 #[test]
+fn examples_keep_their_lines() {
+    let folder = Folder::new();
+    folder.run("man", ".").succeeded();
+    for command in commands(&folder) {
+        let page = page(&folder, &format!("feimos-{command}.1"));
+        let (before, examples) = page.split_once(".nf\n").expect("examples");
+        let (examples, _) = examples.split_once("\n.fi\n").expect("text after them");
+        assert!(before.ends_with("Examples:\n"), "{before}");
+        let is_example = |line: &str| line.starts_with(&format!("  feimos {command} "));
+        assert!(examples.lines().all(is_example), "{examples}");
+    }
+}
+
+#[test]
 fn old_pages_are_replaced() {
     let folder = Folder::new()
         .with("feimos.1", "old")

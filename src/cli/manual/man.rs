@@ -5,6 +5,7 @@ use clap_mangen::Man;
 use feimos::error::{Error, Result};
 use feimos::film::atomic_file::{Overwrite, write_file};
 use std::fs;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 #[derive(Debug, Args)]
@@ -33,5 +34,27 @@ fn write_page(command: &Command, directory: &Path) -> Result<()> {
         .source(source)
         .manual("User Commands");
     let path = directory.join(page.get_filename());
-    write_file(&path, Overwrite::Yes, |out| page.render(out)).map(|_| ())
+    let mut text = Vec::new();
+    let rendered = page.render(&mut text);
+    let text = with_examples_as_they_are(&String::from_utf8_lossy(&text));
+    write_file(&path, Overwrite::Yes, |out| {
+        rendered?;
+        out.write_all(text.as_bytes())
+    })
+    .map(|_| ())
+}
+
+/// Keeps indented lines, which are examples, from being filled and justified.
+fn with_examples_as_they_are(page: &str) -> String {
+    let mut text = String::new();
+    let mut is_example = false;
+    for line in page.lines() {
+        if line.starts_with("  ") != is_example {
+            is_example = !is_example;
+            text.push_str(if is_example { ".nf\n" } else { ".fi\n" });
+        }
+        text.push_str(line);
+        text.push('\n');
+    }
+    text
 }
