@@ -56,6 +56,29 @@ fn verbose_reports_each_phase() {
         .failed(2, "cannot be used with");
 }
 
+/// Most meshes have some triangles without an area, so this is not worth a line of each run.
+#[test]
+fn primitives_that_can_never_be_hit_are_counted_on_request() {
+    let flat = BALL.replace("[0 1 2]", "[0 1 2 1 1 2 0 0 0]");
+    let folder = Folder::new().with("flat.pbrt", flat);
+    folder
+        .render("flat.pbrt")
+        .succeeded()
+        .did_not_say("never be hit");
+    for accel in ["raster", "sah"] {
+        folder
+            .render(&format!("flat.pbrt -v --accel {accel}"))
+            .succeeded()
+            .said("\n2 of 4 primitives can never be hit: no area, or not finite\n");
+    }
+    let run = folder.check("flat.pbrt").succeeded();
+    assert!(run.text().contains("\n  never hit   2 primitives: no area"));
+    let line = &folder.check("flat.pbrt --json").succeeded().json()[0];
+    assert_eq!(line["never_hit"], 2);
+    let usual = folder.check("ball.pbrt").succeeded();
+    assert!(!usual.text().contains("never hit"));
+}
+
 #[test]
 fn progress_is_drawn_on_request() {
     let folder = Folder::new();

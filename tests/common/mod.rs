@@ -167,9 +167,7 @@ pub(crate) fn picture_by(
 fn bins_of(camera: &Camera, geometry: &Geometry, way: &Way, window: &PixelBounds) -> Option<Bins> {
     let silent = Progress::SILENT;
     let bins = Bins::new(geometry, camera, window, way.build, way.level, silent)?;
-    let own = geometry.primitives();
-    let never_hit = own.filter(|primitive| !geometry.own_surface(*primitive).can_be_hit());
-    assert_eq!(bins.never_hit(), never_hit.count(), "{way:?}");
+    assert_eq!(bins.never_hit(), geometry.never_hit(), "{way:?}");
     Some(bins)
 }
 

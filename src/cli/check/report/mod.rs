@@ -48,6 +48,8 @@ struct Content<'a> {
     shapes: BTreeMap<&'a str, ShapeContent>,
     #[serde(flatten)]
     geometry: StoredGeometry,
+    /// Primitives in no instance that no ray can hit.
+    never_hit: usize,
     transforms: usize,
     bytes: usize,
     bounds: Option<Bounds>,
@@ -193,6 +195,7 @@ impl<'a> Content<'a> {
             statements: scene.shape_count,
             shapes: census.shapes().map(shape).collect(),
             geometry: StoredGeometry::of(geometry),
+            never_hit: geometry.never_hit(),
             transforms: scene.transform_count,
             bytes: geometry.bytes(),
             bounds: (!extent.is_empty()).then_some(bounds),

@@ -24,6 +24,10 @@ impl Display for Report<'_> {
         line(f, "film", &content.film.to_string())?;
         lines(f, "shapes", shape_table(&content.shapes))?;
         line(f, "geometry", &content.geometry.to_string())?;
+        if content.never_hit > 0 {
+            let count = counted(content.never_hit as u64, "primitive");
+            line(f, "never hit", &format!("{count}: no area, or not finite"))?;
+        }
         let bounds = content.bounds.as_ref().map(ToString::to_string);
         line(
             f,
