@@ -4,7 +4,7 @@
 //! first compared with what is left: free memory, and the limits of control groups and of the
 //! process.
 
-use crate::error::{Diagnostic, Error, ErrorKind, Result};
+use crate::error::{Diagnostic, Error, ErrorKind, Result, grouped};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -39,7 +39,7 @@ pub(crate) fn check(bytes: u64, message: impl FnOnce() -> String) -> Result<()> 
 }
 
 fn words(bytes: u64) -> String {
-    format!("{} MB", bytes.div_ceil(1 << 20))
+    format!("{} MB", grouped(bytes.div_ceil(1 << 20)))
 }
 
 /// Free memory and swap space of the machine.
@@ -143,7 +143,7 @@ mod tests {
             assert!(
                 error
                     .to_string()
-                    .starts_with("an image\n   = it takes 4398046511104 MB of memory, and "),
+                    .starts_with("an image\n   = it takes 4,398,046,511,104 MB of memory, and "),
                 "{error}"
             );
         }

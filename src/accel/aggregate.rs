@@ -4,7 +4,7 @@ use super::builder::{self, BuildOptions, Collected, collect, space_around};
 use super::instance::{InstanceTrees, Outlines};
 use super::space::AnchorSpace;
 use super::tree::{BLOCK_SIZE, BinaryTree, PrimitiveBlock, WideTree, collapse, primitive_blocks};
-use crate::error::Result;
+use crate::error::{Result, counted};
 use crate::geometry::Point;
 use crate::memory;
 use crate::progress::Progress;
@@ -68,8 +68,8 @@ impl Aggregate {
         let each = size_of::<PrimitiveBlock>() / BLOCK_SIZE + size_of::<PrimitiveId>();
         let bytes = geometry.own_count() as u64 * each as u64;
         let message = || {
-            let count = geometry.own_count();
-            format!("a tree over {count} primitives is too large for this machine's memory")
+            let primitives = counted(geometry.own_count() as u64, "primitive");
+            format!("a tree over {primitives} is too large for this machine's memory")
         };
         memory::check(bytes, message)
     }

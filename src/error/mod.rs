@@ -3,11 +3,13 @@
 //! [`Diagnostic`] is a message with its location. [`Error`] adds the kind that decides the exit
 //! code, so that a script can distinguish a wrong file, an unsupported request and a full disk.
 
+mod count;
 mod diagnostic;
 mod location;
 #[cfg(test)]
 mod tests;
 
+pub use count::{counted, grouped};
 pub use diagnostic::{Diagnostic, printable};
 pub use location::{Excerpt, Position, SourceLocation};
 pub(crate) use location::{SHOWN_BYTES, TextPosition, is_line_end, shown_from};

@@ -1,7 +1,7 @@
 //! Reads PNG files: 16-bit depths as the depth16 view writes them, and the texts of any PNG.
 
 use super::{Channel, ChannelName, Image, MISS, PixelBounds, Samples};
-use crate::error::{Diagnostic, Error, Result, SourceLocation};
+use crate::error::{Diagnostic, Error, Result, SourceLocation, grouped};
 use crate::film::exr_file::ATTRIBUTE;
 use crate::input::BudgetFactor;
 use crate::memory;
@@ -111,7 +111,9 @@ fn check_size(
     let taken = (u64::from(width) * u64::from(height)).saturating_mul(PIXEL);
     if taken > factor.image_limit(size as u64) {
         let found = format!(
-            "{size} bytes of PNG hold {width} x {height} pixels, which take {taken} bytes of memory"
+            "{} bytes of PNG hold {width} x {height} pixels, which take {} bytes of memory",
+            grouped(size as u64),
+            grouped(taken)
         );
         let diagnostic = Diagnostic::new(found).at(SourceLocation::file(path));
         return Err(Error::bad_input(diagnostic.note(factor.advice())));

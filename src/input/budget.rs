@@ -7,7 +7,7 @@ use std::num::NonZeroU32;
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use crate::error::{Diagnostic, Error};
+use crate::error::{Diagnostic, Error, grouped};
 use crate::file_id::FileId;
 
 /// The largest expansion of a file that is not made to fill the memory.
@@ -179,7 +179,10 @@ impl Budget {
                 .saturating_add(FREE_BYTES),
         );
         self.check(account.repeated, limit, |limit| {
-            format!("the scene's files are read again and again: more than {limit} bytes of text")
+            format!(
+                "the scene's files are read again and again: more than {} bytes of text",
+                grouped(limit)
+            )
         })
     }
 
@@ -196,8 +199,10 @@ impl Budget {
         let read = account.distinct;
         self.check(account.stored, limit, |limit| {
             format!(
-                "the scene's meshes and textures take more than {limit} bytes of memory, \
-                 though its files have only {read}"
+                "the scene's meshes and textures take more than {} bytes of memory, \
+                 though its files have only {}",
+                grouped(limit),
+                grouped(read)
             )
         })
     }
@@ -207,7 +212,7 @@ impl Budget {
         let mut account = self.account();
         account.files += 1;
         self.check(account.files, self.factor.times(MOST_FILES), |limit| {
-            format!("the scene includes more than {limit} files")
+            format!("the scene includes more than {} files", grouped(limit))
         })
     }
 
@@ -226,7 +231,10 @@ impl Budget {
         self.check(account.faces, self.factor.times(limit), |limit| {
             let (faces, control) = (account.faces, account.control_faces);
             format!(
-                "subdivision would make {faces} faces of the scene's {control}: at most {limit} are made of so many"
+                "subdivision would make {} faces of the scene's {}: at most {} are made of so many",
+                grouped(faces),
+                grouped(control),
+                grouped(limit)
             )
         })
         .map_err(|error| error.note("else take fewer levels"))

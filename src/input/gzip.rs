@@ -7,7 +7,7 @@ use std::path::Path;
 use super::Storage;
 use super::budget::Budget;
 use super::gzip_members::{MAGIC, Members};
-use crate::error::{Diagnostic, Error, Result, SourceLocation};
+use crate::error::{Diagnostic, Error, Result, SourceLocation, grouped};
 use crate::memory;
 
 /// The most memory that is reserved because the file claims that size.
@@ -118,8 +118,10 @@ pub(super) fn damaged(path: &Path, error: &std::io::Error) -> Error {
 
 pub(super) fn bomb(path: &Path, size: u64, limit: u64) -> Error {
     let message = format!(
-        "{size} bytes of gzip data decompress to more than {limit} bytes, \
-         which the compressed files of a scene have left"
+        "{} bytes of gzip data decompress to more than {} bytes, \
+         which the compressed files of a scene have left",
+        grouped(size),
+        grouped(limit)
     );
     Error::bad_input(Diagnostic::new(message).at(SourceLocation::file(path)))
 }

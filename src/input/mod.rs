@@ -14,7 +14,7 @@ pub(crate) use missing::advise_beside;
 pub(crate) use storage::Storage;
 pub(crate) use text_stream::TextStream;
 
-use crate::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
+use crate::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation, grouped};
 use crate::memory;
 use std::fs::{self, File, FileType};
 use std::io::{self, Read};
@@ -38,7 +38,8 @@ fn read_stream(path: &Path, stream: &mut impl Read) -> Result<Vec<u8>> {
     read.map_err(|error| Error::reading(path, &error))?;
     if bytes.len() as u64 > limit {
         let message = format!(
-            "the input has more than {limit} bytes, a quarter of the memory that is to be had"
+            "the input has more than {} bytes, a quarter of the memory that is to be had",
+            grouped(limit)
         );
         let diagnostic = Diagnostic::new(message).at(SourceLocation::file(path));
         return Err(Error::new(

@@ -8,7 +8,7 @@ mod holes;
 #[cfg(test)]
 mod tests;
 
-use crate::error::{Diagnostic, Error, Result, SourceLocation};
+use crate::error::{Diagnostic, Error, Result, SourceLocation, grouped};
 use crate::film::exr_reader::{self, Outline};
 use crate::film::{Channel, Image, Metadata, PixelBounds, Samples};
 use crate::input::BudgetFactor;
@@ -148,7 +148,7 @@ fn unlike(first: &Path, other: &Path, difference: &str) -> Error {
 fn missing(holes: &Holes, [x, y]: [u32; 2], (width, height): (u32, u32)) -> Error {
     let message = format!(
         "{} of the film's {width} x {height} pixels are in no crop, the first is ({x}, {y})",
-        holes.count
+        grouped(holes.count)
     );
     let advice = "render the missing pixels, or use --partial to allow holes";
     Error::bad_input(Diagnostic::new(message).note(advice))

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::Path;
 
-use crate::error::{Diagnostic, SourceLocation};
+use crate::error::{Diagnostic, SourceLocation, counted};
 
 /// How often something occurred, and where first.
 #[derive(Debug, Clone, Default)]
@@ -31,15 +31,5 @@ impl Tally {
     pub(super) fn in_binary(self, path: &Path, noun: &str) -> Option<Diagnostic> {
         let offset = self.first?.start as u64;
         Some(Diagnostic::new(counted(self.count, noun)).at(SourceLocation::byte(path, offset)))
-    }
-}
-
-/// `1 face with ...`, `2 faces with ...`: puts the first word of `noun` into the plural if needed.
-pub(super) fn counted(count: u64, noun: &str) -> String {
-    let (word, rest) = noun.split_at(noun.find(' ').unwrap_or(noun.len()));
-    match (count, word) {
-        (1, _) => format!("1 {noun}"),
-        (_, "vertex") => format!("{count} vertices{rest}"),
-        _ => format!("{count} {word}s{rest}"),
     }
 }

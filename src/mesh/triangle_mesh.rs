@@ -4,8 +4,7 @@ use std::path::Path;
 
 use rayon::prelude::*;
 
-use super::tally;
-use crate::error::{Diagnostic, SourceLocation};
+use crate::error::{Diagnostic, SourceLocation, counted};
 use crate::geometry::Point;
 use crate::shape::{CornerNormals, CornerUv};
 
@@ -52,7 +51,7 @@ impl Loaded {
         if broken > 0 && !mesh.triangles.is_empty() {
             let message = format!(
                 "{} with an infinite or NaN coordinate",
-                tally::counted(broken as u64, "vertex")
+                counted(broken as u64, "vertex")
             );
             let warning = Diagnostic::new(message).at(SourceLocation::file(path));
             warnings.push(warning.note("triangles that use such a vertex are never hit"));
@@ -99,7 +98,7 @@ fn empty(path: &Path, vertices: usize) -> Diagnostic {
         0 => "the mesh is empty: it has no faces".to_string(),
         _ => format!(
             "the mesh has no faces, only {}",
-            tally::counted(vertices as u64, "vertex")
+            counted(vertices as u64, "vertex")
         ),
     };
     Diagnostic::new(message)

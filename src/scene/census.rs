@@ -3,6 +3,7 @@
 use super::listed::{AlphaTexture, Boundary, Listed, UnusedObject};
 use super::parser::{Directive, KEYWORDS, Statement};
 use super::place::Place;
+use crate::error::grouped;
 use std::collections::BTreeMap;
 
 /// How often each directive and each type of shape occurs, in all files of a scene.
@@ -160,7 +161,7 @@ impl Census {
     pub fn summary(&self) -> Option<String> {
         let counts: Vec<String> = self
             .skipped()
-            .map(|(keyword, count)| format!("{count} {keyword}"))
+            .map(|(keyword, count)| format!("{} {keyword}", grouped(count)))
             .collect();
         let skipped = (!counts.is_empty()).then(|| {
             format!(
@@ -172,13 +173,17 @@ impl Census {
             0 => None,
             1 => Some("left out, as in pbrt: 1 shape that only bounds a medium".to_owned()),
             count => Some(format!(
-                "left out, as in pbrt: {count} shapes that only bound a medium"
+                "left out, as in pbrt: {} shapes that only bound a medium",
+                grouped(count)
             )),
         };
         let hidden = match self.hidden.count {
             0 => None,
             1 => Some("hidden by its alpha, as in pbrt: 1 shape".to_owned()),
-            count => Some(format!("hidden by their alpha, as in pbrt: {count} shapes")),
+            count => Some(format!(
+                "hidden by their alpha, as in pbrt: {} shapes",
+                grouped(count)
+            )),
         };
         let parts: Vec<String> = skipped.into_iter().chain(left_out).chain(hidden).collect();
         (!parts.is_empty()).then(|| parts.join("; "))

@@ -228,7 +228,7 @@ fn a_note_is_said_once_and_counted() {
         "no ray hits anything",
     ];
     run.said(&format!(
-        "2 more times: note: {skipped}\n2 more times: note: {missed}\n"
+        "2 times more: note: {skipped}\n2 times more: note: {missed}\n"
     ))
     .said(&format!("note: {missed}\na.exr: 13 x 7 pixels, 0 hit ("));
     let again = folder.render(&format!("{scenes} --force")).succeeded();

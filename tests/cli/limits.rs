@@ -56,7 +56,7 @@ fn faces_made_by_subdivision_have_one_limit() {
     folder.check("few.pbrt").succeeded();
     let run = folder.check("twelve.pbrt").failed(
         65,
-        "twelve.pbrt:3:37: subdivision would make 16777216 faces",
+        "twelve.pbrt:3:37: subdivision would make 16,777,216 faces",
     );
     assert!(run.stderr.contains("--input-budget 2"), "{}", run.stderr);
     folder

@@ -120,8 +120,8 @@ fn errors_point_at_faces_that_cannot_be_subdivided() {
     let found = diagnostic(&format!(
         "WorldBegin\nShape \"loopsubdiv\" {TETRAHEDRON}\n  \"integer nlevels\" 13"
     ));
-    let expected = "a.pbrt:3:21: subdivision would make 268435456 faces of the scene's 4: at most \
-                    4210688 are made of so many\n   |\n 3 |   \
+    let expected = "a.pbrt:3:21: subdivision would make 268,435,456 faces of the scene's 4: at most \
+                    4,210,688 are made of so many\n   |\n 3 |   \
         \"integer nlevels\" 13\n   |                     ^^\n   = if this is meant, raise what \
         input files may expand to: --input-budget 2\n   = else take fewer levels";
     assert_eq!(found, expected);

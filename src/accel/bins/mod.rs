@@ -19,7 +19,7 @@ use super::instance::{InstanceTrees, Outlines};
 use super::space::AnchorSpace;
 use super::view::CameraView;
 use crate::camera::Camera;
-use crate::error::Result;
+use crate::error::{Result, counted};
 use crate::film::PixelBounds;
 use crate::geometry::Bounds;
 use crate::memory;
@@ -110,8 +110,10 @@ impl Bins {
     /// If less memory is free than projecting the vertices takes.
     pub fn check_memory(geometry: &Geometry) -> Result<()> {
         let vertices = geometry.vertices().len();
-        let message =
-            || format!("a picture of {vertices} vertices is too large for this machine's memory");
+        let message = || {
+            let vertices = counted(vertices as u64, "vertex");
+            format!("a picture of {vertices} is too large for this machine's memory")
+        };
         memory::check(vertices as u64 * size_of::<FilmPoint>() as u64, message)
     }
 

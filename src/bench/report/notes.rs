@@ -1,9 +1,9 @@
 //! Notes on the errors of a scene, in sentences.
 
-use super::table::grouped;
 use crate::accel::Accelerator;
 use crate::bench::error::{Errors, InputError};
 use crate::bench::run::Row;
+use crate::error::grouped;
 
 /// The notes on the rows of a scene.
 pub fn notes(rows: &[Row]) -> Vec<String> {

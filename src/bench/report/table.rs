@@ -68,19 +68,6 @@ impl TextTable {
     }
 }
 
-/// A number with commas between groups of three digits.
-pub(super) fn grouped(number: u64) -> String {
-    let digits = number.to_string();
-    let mut grouped = String::new();
-    for (place, digit) in digits.char_indices() {
-        if place > 0 && (digits.len() - place).is_multiple_of(3) {
-            grouped.push(',');
-        }
-        grouped.push(digit);
-    }
-    grouped
-}
-
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
@@ -99,18 +86,5 @@ pub(super) mod tests {
         assert_eq!(table.aligned(), expected);
         let expected = "| what | n |\n| --- | ---: |\n| a | 1 |\n| long \\| name | 12345 |\n";
         assert_eq!(table.markdown(), expected);
-    }
-
-    #[test]
-    fn digits_are_grouped_by_three() {
-        let cases = [
-            (0, "0"),
-            (999, "999"),
-            (1000, "1,000"),
-            (1_234_567, "1,234,567"),
-        ];
-        for (number, expected) in cases {
-            assert_eq!(grouped(number), expected);
-        }
     }
 }

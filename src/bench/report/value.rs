@@ -1,8 +1,8 @@
 //! The cells of results, in each form of output.
 
-use super::table::grouped;
 use crate::bench::error::InputError;
 use crate::bench::run::Spread;
+use crate::error::grouped;
 use serde::{Serialize, Serializer};
 
 /// A cell. What was not measured is `None`: null in JSON, empty in CSV, a dash in tables.

@@ -77,8 +77,8 @@ impl Reporter {
     pub(crate) fn repetitions(&self) {
         for (message, again) in self.repetitions.take() {
             let first_line = message.lines().next().unwrap_or_default();
-            let again = counted(again, "more time");
-            self.line(format_args!("{again}: {first_line}"));
+            let times = counted(again, "time");
+            self.line(format_args!("{times} more: {first_line}"));
         }
     }
 

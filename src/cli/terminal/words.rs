@@ -1,8 +1,9 @@
 //! Words and lines: counts of things, and text in two columns.
 
 use feimos::error::printable;
-use indicatif::HumanCount;
 use std::fmt::{self, Formatter};
+
+pub(crate) use feimos::error::counted;
 
 /// Width of the first column.
 pub(crate) const INDENT: usize = 14;
@@ -28,10 +29,4 @@ pub(crate) fn lines(
         .next()
         .map_or(Ok(()), |first| line(f, subject, &first))?;
     texts.try_for_each(|text| line(f, "", &text))
-}
-
-/// `count` with its noun: "1 pixel", "2,000 pixels".
-pub(crate) fn counted(count: u64, noun: &str) -> String {
-    let plural = if count == 1 { "" } else { "s" };
-    format!("{} {noun}{plural}", HumanCount(count))
 }

@@ -1,6 +1,5 @@
 //! Messages about wrong arguments.
 
-use super::report as report_error;
 use clap::builder::StyledStr;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Command, FromArgMatches};
@@ -52,10 +51,6 @@ const PBRT_FLAGS: [(&str, &[&str]); 6] = [
 ///
 /// The message quotes them, and they may hold anything: it is made again from printable arguments.
 pub(super) fn report<Cli: FromArgMatches>(mistake: &clap::Error, command: Command) -> u8 {
-    if let Some((flag, reason)) = pbrt_flag(mistake) {
-        let message = format!("{flag} has no meaning in feimos: {reason}; leave it out");
-        return report_error(&Error::usage(message));
-    }
     let printable = args_os().map(|argument| terminal_text::line(&argument.to_string_lossy()));
     let printable: Vec<String> = printable.collect();
     let tip = missing_command(mistake, &command, &printable);
@@ -117,6 +112,13 @@ fn with_tip(mut mistake: clap::Error, tip: Option<String>) -> clap::Error {
         mistake.insert(ContextKind::Suggested, ContextValue::StyledStrs(tips));
     }
     mistake
+}
+
+/// The error of a flag of pbrt that has no meaning, if `mistake` is about one.
+pub(super) fn about_pbrt(mistake: &clap::Error) -> Option<Error> {
+    let (flag, reason) = pbrt_flag(mistake)?;
+    let message = format!("{flag} has no meaning in feimos: {reason}; leave it out");
+    Some(Error::usage(message))
 }
 
 /// The flag of pbrt that `mistake` is about, and why it has no meaning.

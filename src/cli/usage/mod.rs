@@ -29,10 +29,12 @@ pub(super) fn parse<Cli: FromArgMatches>(command: Command) -> Result<Cli, u8> {
         .try_get_matches_from(arguments)
         .and_then(parse);
     parsed.map_err(|answer| {
-        if answer.use_stderr() {
-            mistake::report::<Cli>(&answer, command)
-        } else {
-            print(&answer)
+        if !answer.use_stderr() {
+            return print(&answer);
+        }
+        match mistake::about_pbrt(&answer) {
+            Some(error) => report(&error),
+            None => mistake::report::<Cli>(&answer, command),
         }
     })
 }

@@ -13,7 +13,7 @@ mod part;
 mod tests;
 
 use super::{Channel, ChannelName, Image, Metadata, PixelBounds, Samples};
-use crate::error::{Diagnostic, Error, Result, SourceLocation};
+use crate::error::{Diagnostic, Error, Result, SourceLocation, grouped};
 use crate::input::{self, BudgetFactor};
 use crate::memory;
 use blocks::{Block, blocks};
@@ -147,7 +147,9 @@ fn check_size(part: &Part, size: usize, factor: BudgetFactor) -> Result<()> {
     }
     let (width, height) = (part.window.width(), part.window.height());
     let found = format!(
-        "{size} bytes of OpenEXR hold {width} x {height} pixels, which take {bytes} bytes of memory"
+        "{} bytes of OpenEXR hold {width} x {height} pixels, which take {} bytes of memory",
+        grouped(size as u64),
+        grouped(bytes)
     );
     Err(Error::bad_input(
         Diagnostic::new(found).note(factor.advice()),

@@ -10,6 +10,7 @@ mod refine;
 mod refusal;
 
 use super::TriangleMesh;
+use crate::error::{counted, grouped};
 use crate::geometry::Point;
 
 pub use refusal::{Place, Refusal};
@@ -61,16 +62,27 @@ fn check_size(vertices: usize, faces: usize, levels: u32) -> Result<(), Refusal>
     };
     let refined = (faces as u128) << (2 * levels.min(MOST_LEVELS));
     if refined > MOST_FACES.into() {
-        let message =
-            format!("{faces} faces would be {refined} after {levels} levels of subdivision");
+        let message = format!(
+            "{} would be {} after {}",
+            counted(faces as u64, "face"),
+            grouped(u64::try_from(refined).unwrap_or(u64::MAX)),
+            counted(levels.into(), "level of subdivision")
+        );
         return refuse(
             message,
-            &format!("at most {MOST_FACES} are supported: take fewer levels"),
+            &format!(
+                "at most {} are supported: take fewer levels",
+                grouped(MOST_FACES)
+            ),
         );
     }
     if vertices as u64 > MOST_VERTICES {
         return refuse(
-            format!("{vertices} vertices for {faces} faces"),
+            format!(
+                "{} for {}",
+                counted(vertices as u64, "vertex"),
+                counted(faces as u64, "face")
+            ),
             "leave out vertices that no face names",
         );
     }

@@ -223,11 +223,11 @@ fn sizes_are_checked_before_anything_is_made() {
     assert!(check_size(3, 1, 15).is_ok());
     assert_eq!(
         refused(1, 16),
-        "1 faces would be 4294967296 after 16 levels of subdivision"
+        "1 face would be 4,294,967,296 after 16 levels of subdivision"
     );
     assert_eq!(
         refused(8, 30),
-        "8 faces would be 9223372036854775808 after 30 levels of subdivision"
+        "8 faces would be 9,223,372,036,854,775,808 after 30 levels of subdivision"
     );
     assert!(
         check_size(3, usize::MAX, MOST_LEVELS).is_err() && check_size(usize::MAX, 1, 0).is_err()

@@ -4,7 +4,7 @@ use super::element_reader::ElementReader;
 use super::header::{Element, Scalar};
 use super::plan::{Layout, Step, least_run};
 use super::values::{Run, Values};
-use crate::error::Result;
+use crate::error::{Result, counted};
 use crate::memory;
 use crate::mesh::faces::Faces;
 
@@ -18,8 +18,8 @@ pub(super) fn read<V: Values>(
     let triangles = likely_triangles(reader, element);
     let too_large = || {
         format!(
-            "{} faces are too many for this machine's memory",
-            element.count
+            "{} are too many for this machine's memory",
+            counted(element.count, "face")
         )
     };
     memory::check((triangles * size_of::<[u32; 3]>()) as u64, too_large)

@@ -7,10 +7,9 @@ use super::header::{Element, Header};
 use super::plan::least_run;
 use super::values::Values;
 use super::{faces, strips, vertices};
-use crate::error::{Diagnostic, Result, SourceLocation};
+use crate::error::{Diagnostic, Result, SourceLocation, counted, grouped};
 use crate::input::Budget;
 use crate::mesh::faces::Faces;
-use crate::mesh::tally::counted;
 use crate::mesh::{CornerWants, Loaded, TriangleMesh, of_corners};
 
 /// Reads the `values` of all elements in `header`; they follow it in `content`. With what `wants`
@@ -140,8 +139,12 @@ impl<V: Values> Reader<'_, V> {
             return Ok(());
         }
         let Element { name, count, .. } = element;
-        let message =
-            format!("{count} of `{name}` need {needed} bytes or more, but only {left} follow");
+        let message = format!(
+            "{} of `{name}` need {} bytes or more, but only {} follow",
+            grouped(*count),
+            grouped(needed),
+            grouped(left)
+        );
         let error = self.elements.wrong_header(message, element);
         Err(error.note("the file is cut off, or its header is wrong"))
     }

@@ -4,7 +4,7 @@ use super::element_reader::ElementReader;
 use super::header::{Element, Property, Scalar, Shape};
 use super::plan::{Step, plan};
 use super::values::{Fault, Values};
-use crate::error::Result;
+use crate::error::{Result, counted};
 use crate::geometry::Point;
 use crate::memory;
 use crate::mesh::CornerWants;
@@ -69,7 +69,12 @@ pub(super) fn read<V: Values>(
     let count = element.count;
     let at_header = || reader.in_header(element.span.clone());
     check_count(count, "vertices").map_err(|error| error.or_at(at_header))?;
-    let too_large = || format!("{count} vertices are too many for this machine's memory");
+    let too_large = || {
+        format!(
+            "{} are too many for this machine's memory",
+            counted(count, "vertex")
+        )
+    };
     memory::check(count.saturating_mul(size_of::<Point>() as u64), too_large)
         .map_err(|error| error.or_at(at_header))?;
     let found = found_of(element, wants);

@@ -155,10 +155,13 @@ fn says_which_value_is_wrong() {
 #[test]
 fn refuses_counts_that_the_file_cannot_hold() {
     let huge = TRIANGLE.replace("vertex 3", "vertex 18446744073709551615");
-    let expected = "18446744073709551615 of `vertex` need 18446744073709551614 bytes or more, but only 26 follow";
+    let expected = "18,446,744,073,709,551,615 of `vertex` need 18,446,744,073,709,551,614 bytes or more, \
+                    but only 26 follow";
     assert!(message(ply(huge)).contains(expected));
     let list = TRIANGLE.replace("face 1", "face 1000000000000");
-    assert!(message(ply(list)).contains("1000000000000 of `face` need 1999999999999 bytes"));
+    assert!(
+        message(ply(list)).contains("1,000,000,000,000 of `face` need 1,999,999,999,999 bytes")
+    );
     // Elements without properties need no room at all.
     let nothing = TRIANGLE.replace(
         "element face",

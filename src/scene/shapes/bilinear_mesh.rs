@@ -2,6 +2,7 @@
 
 use super::arrays::{faces_of, uv_of, vertices_of};
 use super::target::{SURFACE, ShapeRefusal, ShapeResult, ShapeTarget};
+use crate::error::counted;
 use crate::geometry::Point;
 use crate::mesh::{TriangleMesh, bilinear_patch, of_corners};
 use crate::scene::parameters::{DeclaredType, Parameters};
@@ -27,7 +28,10 @@ pub(super) fn add(parameters: &mut Parameters, target: &mut ShapeTarget) -> Shap
         Some(patches) => patches,
         None if count == 4 => vec![[0, 1, 2, 3]],
         None => {
-            let message = format!("a bilinear mesh of {count} vertices without `indices`");
+            let message = format!(
+                "a bilinear mesh of {} without `indices`",
+                counted(count as u64, "vertex")
+            );
             let error = parameters.missing("indices", message);
             let error = error.note("only a single patch, of 4 vertices, needs none");
             return Err(ShapeRefusal::shape("without indices", error));

@@ -2,6 +2,7 @@
 
 use super::arrays::{faces_of, normals_of, uv_of, vertices_of};
 use super::target::{SURFACE, ShapeRefusal, ShapeResult, ShapeTarget};
+use crate::error::counted;
 use crate::mesh::{TriangleMesh, of_corners};
 use crate::scene::parameters::Parameters;
 
@@ -14,7 +15,10 @@ pub(super) fn add(parameters: &mut Parameters, target: &mut ShapeTarget) -> Shap
         Some(triangles) => triangles,
         None if count == 3 => vec![[0, 1, 2]],
         None => {
-            let message = format!("a triangle mesh of {count} vertices without `indices`");
+            let message = format!(
+                "a triangle mesh of {} without `indices`",
+                counted(count as u64, "vertex")
+            );
             let error = parameters.missing("indices", message);
             let error = error.note("only a mesh of 3 vertices needs none");
             return Err(ShapeRefusal::shape("without indices", error));

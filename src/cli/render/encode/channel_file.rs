@@ -1,6 +1,7 @@
 //! Files that hold channels as computed: EXR, NPY and PFM.
 
 use crate::cli::terminal::reporter::Reporter;
+use crate::cli::terminal::words::counted;
 use feimos::film::npy_file::{self, Field};
 use feimos::film::{Aov, CameraAttributes, ChannelName, Image, Metadata, exr_file, pfm_file};
 use feimos::progress::Progress;
@@ -44,9 +45,9 @@ impl ChannelFile {
         if self.within_instances && has(Aov::Prim) && !has(Aov::Instance) {
             self.aovs.push(Aov::Instance);
             reporter.note(format_args!(
-                "`prim` cannot count {} primitives: it counts within each instance, \
+                "`prim` cannot count {}: it counts within each instance, \
                  and the channel `instance` is added",
-                geometry.primitive_count()
+                counted(geometry.primitive_count(), "primitive")
             ));
         }
         self
