@@ -1,6 +1,6 @@
 //! Options for the engine, and the accelerator that a scene asks for.
 
-use super::values::{integer, named};
+use super::values::{described, integer};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use feimos::accel::{Accelerator, BuildOptions, Precision, SplitMethod};
@@ -11,22 +11,31 @@ use std::str::FromStr;
 
 #[derive(Debug, Args)]
 pub(crate) struct EngineArgs {
-    /// Choose how rays find primitives: raster sorts what a view sees into bins, without a tree;
-    /// the others build a tree over the whole scene; auto takes what is fastest for the number of
-    /// cameras. All give the same images.
+    /// Choose how rays find primitives. All ways give the same images.
     #[arg(long, value_name = "METHOD", default_value = "auto")]
-    #[arg(value_parser = named(AcceleratorChoice::ALL, AcceleratorChoice::name))]
+    #[arg(value_parser = described(AcceleratorChoice::ALL, AcceleratorChoice::name))]
     pub(crate) accel: AcceleratorChoice,
-    /// Choose how hits are decided: exact gives the right answer for every pixel, to the last bit
-    /// of the depth; fast computes in f32 without error bounds.
+    /// Choose how hits are decided.
     #[arg(long, value_name = "HOW", default_value = "exact")]
-    #[arg(value_parser = named(Precision::ALL, Precision::name))]
+    #[arg(value_parser = described(PRECISIONS, Precision::name))]
     pub(crate) precision: Precision,
     #[command(flatten)]
     pub(crate) simd: SimdArgs,
     #[command(flatten)]
     pub(crate) threads: ThreadArgs,
 }
+
+/// The values of `--precision`, each with what it does.
+const PRECISIONS: [(Precision, &str); 2] = [
+    (
+        Precision::Exact,
+        "The right answer for every pixel, to the last bit of the depth",
+    ),
+    (
+        Precision::Fast,
+        "In f32, without error bounds: edges and last digits may be wrong",
+    ),
+];
 
 /// The value of `--accel`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -40,15 +49,36 @@ const fn tree(method: SplitMethod) -> AcceleratorChoice {
 }
 
 impl AcceleratorChoice {
-    /// All values, in the order of help.
-    pub(crate) const ALL: [AcceleratorChoice; 7] = [
-        AcceleratorChoice::Auto,
-        AcceleratorChoice::Fixed(Accelerator::Raster),
-        tree(SplitMethod::None),
-        tree(SplitMethod::Middle),
-        tree(SplitMethod::Equal),
-        tree(SplitMethod::Sah),
-        tree(SplitMethod::Hlbvh),
+    /// All values, in the order of help, each with what it does.
+    const ALL: [(AcceleratorChoice, &'static str); 7] = [
+        (
+            AcceleratorChoice::Auto,
+            "The fastest for the number of cameras: raster for few, a tree for many",
+        ),
+        (
+            AcceleratorChoice::Fixed(Accelerator::Raster),
+            "No tree: what the view may see, sorted into bins of the film",
+        ),
+        (
+            tree(SplitMethod::None),
+            "One node that holds all primitives: each ray tests all of them",
+        ),
+        (
+            tree(SplitMethod::Middle),
+            "A tree whose nodes are split in the middle",
+        ),
+        (
+            tree(SplitMethod::Equal),
+            "A tree whose nodes are split into halves of equal numbers",
+        ),
+        (
+            tree(SplitMethod::Sah),
+            "A tree split by the surface area heuristic",
+        ),
+        (
+            tree(SplitMethod::Hlbvh),
+            "A tree that joins groups of neighbours by the surface area heuristic",
+        ),
     ];
 
     /// The value on the command line.

@@ -1,6 +1,6 @@
 //! Parsers of option values.
 
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use feimos::error::Error;
 use feimos::film::{ChannelName, PixelBounds};
 use std::fmt::Display;
@@ -17,6 +17,19 @@ where
     T::Err: std::error::Error + Send + Sync + 'static,
 {
     PossibleValuesParser::new(values.map(name)).try_map(|name| name.parse())
+}
+
+/// Like [`named`], with a line of help for each value.
+pub(super) fn described<T, const N: usize>(
+    values: [(T, &'static str); N],
+    name: fn(T) -> &'static str,
+) -> impl TypedValueParser<Value = T>
+where
+    T: FromStr + Clone + Send + Sync + 'static,
+    T::Err: std::error::Error + Send + Sync + 'static,
+{
+    let possible = values.map(|(value, help)| PossibleValue::new(name(value)).help(help));
+    PossibleValuesParser::new(possible).try_map(|name| name.parse())
 }
 
 /// Parses an integer within `range`.

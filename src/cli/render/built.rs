@@ -2,8 +2,8 @@
 
 use crate::cli::terminal::words::counted;
 use feimos::accel::{Accelerator, Aggregate, Bins, SplitMethod, Statistics, Structure};
+use feimos::error::grouped;
 use feimos::shape::Geometry;
-use indicatif::HumanCount;
 
 /// A tree and its statistics, which take a traversal to collect.
 pub(super) struct BuiltTree {
@@ -92,14 +92,14 @@ impl Built<'_> {
         let all = counted(geometry.primitive_count(), "primitive");
         let tree = match self {
             Built::Bins(bins) => {
-                let seen = HumanCount(bins.seen() as u64);
+                let seen = grouped(bins.seen() as u64);
                 return format!("sorted {seen} of {all} into bins");
             }
             Built::Tree(tree) => tree,
             Built::Shared(tree) => *tree,
         };
         let nodes = counted(tree.statistics.nodes as u64, "node");
-        let held = HumanCount(tree.aggregate.primitive_count(geometry));
+        let held = grouped(tree.aggregate.primitive_count(geometry));
         format!("built {nodes} by {} over {held} of {all}", tree.method)
     }
 

@@ -3,6 +3,7 @@
 use super::built::{Built, BuiltSize};
 use super::record::Finished;
 use super::tree_statistics::TreeStatistics;
+use feimos::error::grouped;
 
 use crate::cli::terminal::reporter::Reporter;
 use crate::cli::terminal::scene_summary::StoredGeometry;
@@ -10,7 +11,6 @@ use crate::cli::terminal::words::counted;
 use feimos::accel::{ExactFallbacks, Precision};
 use feimos::scene::Scene;
 use feimos::shape::Geometry;
-use indicatif::HumanCount;
 
 /// If verbose, prints the size of a structure, and how many primitives no ray can hit.
 pub(super) fn report_built(built: &Built, geometry: &Geometry, reporter: &Reporter) {
@@ -19,7 +19,7 @@ pub(super) fn report_built(built: &Built, geometry: &Geometry, reporter: &Report
     if dead > 0 {
         reporter.detail(format_args!(
             "{} of {} can never be hit: no area, or not finite",
-            HumanCount(dead as u64),
+            grouped(dead as u64),
             counted(geometry.own_count() as u64, "primitive")
         ));
     }
@@ -40,7 +40,7 @@ pub(super) fn report_image(finished: &Finished, reporter: &Reporter) {
         "{}: {width} x {height} pixels, {} hit{legend} \
          (load {:.0}, build {:.0} by {}, trace {:.0}, write {:.0} ms)",
         finished.destination,
-        HumanCount(hits),
+        grouped(hits),
         ms.load,
         ms.build,
         finished.accelerator,
@@ -134,8 +134,8 @@ fn lines_on_tree(tree: &TreeStatistics, rays: u64) -> Vec<Line> {
             "nodes",
             format!(
                 "{} ({} {}), depth {}, {}",
-                HumanCount(size.nodes as u64),
-                HumanCount(size.leaves as u64),
+                grouped(size.nodes as u64),
+                grouped(size.leaves as u64),
                 if size.leaves == 1 { "leaf" } else { "leaves" },
                 size.depth,
                 counted(size.bytes as u64, "byte"),

@@ -1,6 +1,6 @@
 //! The progress of a batch in words: `12/300 images, about 40 s left`.
 
-use indicatif::HumanCount;
+use feimos::error::grouped;
 use std::fmt::{self, Display, Formatter};
 use std::time::{Duration, Instant};
 
@@ -55,7 +55,7 @@ impl BatchProgress {
 
 impl Display for BatchProgress {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let (done, count) = (HumanCount(self.done as u64), HumanCount(self.count as u64));
+        let (done, count) = (grouped(self.done as u64), grouped(self.count as u64));
         write!(f, "{done}/{count} {}", self.things)?;
         self.left()
             .map_or(Ok(()), |left| write!(f, ", about {} left", roughly(left)))

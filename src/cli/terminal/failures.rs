@@ -1,9 +1,8 @@
 //! Failures collected while a command runs.
 
 use super::reporter::Reporter;
-use feimos::error::{Diagnostic, Error, Position, SourceLocation};
-use indicatif::HumanCount;
-use std::collections::HashMap;
+use feimos::error::{Diagnostic, Error, Position, SourceLocation, grouped};
+use std::collections::BTreeMap;
 use std::fmt::Display;
 
 /// The scenes or images that failed, by reason.
@@ -12,7 +11,7 @@ pub(crate) struct Failures {
     /// In the order in which the reasons first appeared.
     groups: Vec<Group>,
     /// The group of each reason.
-    places: HashMap<String, usize>,
+    places: BTreeMap<String, usize>,
 }
 
 /// Failures for one reason.
@@ -80,7 +79,7 @@ impl Failures {
         if let [group] = &self.groups[..]
             && group.count() == count
         {
-            let (all, code) = (HumanCount(count as u64), group.exit_code);
+            let (all, code) = (grouped(count as u64), group.exit_code);
             reporter.line(format_args!(
                 "all {all} {things} failed for the same reason (exit code {code})"
             ));
@@ -89,17 +88,17 @@ impl Failures {
         let untried = match untried {
             0 => String::new(),
             1 => ", and 1 was not tried".to_owned(),
-            _ => format!(", and {} were not tried", HumanCount(untried as u64)),
+            _ => format!(", and {} were not tried", grouped(untried as u64)),
         };
-        let failed = self.groups.iter().map(Group::count).sum::<usize>();
-        let (failed, all) = (HumanCount(failed as u64), HumanCount(count as u64));
+        let failed: usize = self.groups.iter().map(Group::count).sum();
+        let (failed, all) = (grouped(failed as u64), grouped(count as u64));
         reporter.line(format_args!("{failed} of {all} {things} failed{untried}:"));
         for group in &self.groups {
             let exit_code = group.exit_code;
             for (number, Failure { name, count }) in group.failures.iter().enumerate() {
                 let images = match count {
                     1 => String::new(),
-                    _ => format!("{} {things}, ", HumanCount(*count as u64)),
+                    _ => format!("{} {things}, ", grouped(*count as u64)),
                 };
                 let same = if number > 0 { ", the same" } else { "" };
                 reporter.line(format_args!(

@@ -1,6 +1,6 @@
 //! Messages that a batch would repeat for each image.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
 
 /// Distinct messages that are remembered. Further ones are printed each time.
@@ -8,7 +8,7 @@ const MAX_MESSAGES: usize = 10_000;
 
 /// Counts equal messages.
 #[derive(Debug, Default)]
-pub(super) struct Repetitions(Mutex<HashMap<String, Count>>);
+pub(super) struct Repetitions(Mutex<BTreeMap<String, Count>>);
 
 #[derive(Debug)]
 struct Count {
@@ -37,7 +37,8 @@ impl Repetitions {
     /// repetitions. Forgets all messages.
     pub(super) fn take(&self) -> Vec<(String, u64)> {
         let mut counts = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let repeated = counts.drain().filter(|(_, count)| count.again > 0);
+        let counts = std::mem::take(&mut *counts).into_iter();
+        let repeated = counts.filter(|(_, count)| count.again > 0);
         let mut repeated: Vec<(String, Count)> = repeated.collect();
         repeated.sort_by_key(|(_, count)| count.place);
         let pairs = repeated.into_iter();

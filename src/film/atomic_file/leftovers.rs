@@ -2,8 +2,9 @@
 //! without unnamed files.
 
 use super::temporary_file::{is_named, is_of_this_host, is_temporary};
-use std::collections::HashSet;
-use std::fs::{self, File};
+use rustix::fs::{Dir, Mode, OFlags, open};
+use std::collections::BTreeSet;
+use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant, SystemTime};
@@ -16,29 +17,34 @@ const PATIENCE: Duration = Duration::from_millis(50);
 const OLD: Duration = Duration::from_secs(24 * 60 * 60);
 
 /// The folders that this process has looked at. One look is enough.
-static SEEN: Mutex<Option<HashSet<PathBuf>>> = Mutex::new(None);
+static SEEN: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
 /// Removes leftovers in `folder`, once in the life of the process. `new` is a file that it has just
 /// made there: the clock of its file system may not be that of this machine.
 pub(super) fn remove(folder: &Path, new: &File) {
     let mut seen = SEEN.lock().unwrap_or_else(PoisonError::into_inner);
-    let is_first = seen.get_or_insert_default().insert(folder.to_path_buf());
+    let is_first = seen.insert(folder.to_path_buf());
     drop(seen);
     if let (true, Ok(now)) = (is_first, new.metadata().and_then(|new| new.modified())) {
         remove_at(folder, now);
     }
 }
 
-/// Errors are ignored: leftovers do no harm but take room.
+/// Removes leftovers in `folder`; `now` is by the clock of its file system. Errors are ignored:
+/// leftovers do no harm but take room.
 fn remove_at(folder: &Path, now: SystemTime) {
-    let start = Instant::now();
-    let Ok(entries) = fs::read_dir(folder) else {
+    // Not `std::fs::read_dir`: it panics if the folder cannot be closed.
+    let flags = OFlags::RDONLY | OFlags::DIRECTORY | OFlags::CLOEXEC;
+    let opened = open(folder, flags, Mode::empty());
+    let Ok(entries) = opened.and_then(Dir::new) else {
         return;
     };
-    for entry in entries.take_while(|_| start.elapsed() < PATIENCE).flatten() {
-        let name = entry.file_name();
-        if let Some(name) = name.to_str().filter(|name| is_temporary(name)) {
-            remove_leftover(&entry.path(), name, now);
+    let start = Instant::now();
+    let in_time = |_: &_| start.elapsed() < PATIENCE;
+    for entry in entries.map_while(Result::ok).take_while(in_time) {
+        let name = entry.file_name().to_str();
+        if let Some(name) = name.ok().filter(|name| is_temporary(name)) {
+            remove_leftover(&folder.join(name), name, now);
         }
     }
 }
@@ -48,33 +54,26 @@ fn remove_at(folder: &Path, now: SystemTime) {
 /// A living writer holds the lock. While this process holds it, no writer can give the file another
 /// name: the one who made the file looks at its name again after locking it.
 fn remove_leftover(path: &Path, name: &str, now: SystemTime) {
-    let Some(file) = open(path) else {
+    let Some(file) = opened(path) else {
         return;
     };
     let is_old = || {
         let modified = file.metadata().and_then(|found| found.modified());
         modified.is_ok_and(|modified| now.duration_since(modified).is_ok_and(|age| age >= OLD))
     };
-    if (is_of_this_host(name) || is_old()) && file.try_lock().is_ok() && is_named(&file, path) {
-        let _ = fs::remove_file(path);
+    let is_dead = (is_of_this_host(name) || is_old()) && file.try_lock().is_ok();
+    if is_dead && is_named(&file, path).is_ok_and(|is_named| is_named) {
+        let _ = std::fs::remove_file(path);
     }
 }
 
 /// Opens a regular file, for writing: locks of NFS need that. Anything else may wait for another
 /// program, or be somebody's trap.
-#[cfg(unix)]
-fn open(path: &Path) -> Option<File> {
-    use rustix::fs::{Mode, OFlags, open};
+fn opened(path: &Path) -> Option<File> {
     let flags = OFlags::WRONLY | OFlags::NOFOLLOW | OFlags::NONBLOCK | OFlags::CLOEXEC;
     let file = File::from(open(path, flags, Mode::empty()).ok()?);
     let is_regular = file.metadata().is_ok_and(|found| found.is_file());
     is_regular.then_some(file)
-}
-
-/// Elsewhere locks keep other programs from reading, and nothing is removed.
-#[cfg(not(unix))]
-fn open(_: &Path) -> Option<File> {
-    None
 }
 
 #[cfg(all(test, target_os = "linux"))]
@@ -82,6 +81,7 @@ mod tests {
     use super::super::temporary_file::create;
     use super::super::tests::names_in;
     use super::*;
+    use std::fs;
     use std::os::unix::fs::symlink;
 
     /// A name as another machine makes it.
@@ -155,7 +155,7 @@ mod tests {
             });
             for _ in 0..1000 {
                 let (file, path) = create(&target).unwrap();
-                assert!(is_named(&file, &path));
+                assert!(is_named(&file, &path).unwrap());
             }
             done.store(true, std::sync::atomic::Ordering::Relaxed);
         });

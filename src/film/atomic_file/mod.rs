@@ -4,6 +4,7 @@
 //! complete. Readers see the old file or the new one, and an error leaves the old one untouched.
 
 mod check;
+#[cfg(unix)]
 mod leftovers;
 mod permissions;
 mod target;

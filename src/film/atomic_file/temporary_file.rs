@@ -20,17 +20,12 @@ const SUFFIX: &str = ".tmp";
 /// private.
 pub(super) fn create(target: &Path) -> io::Result<(File, TempPath)> {
     let new = |path: &Path| File::options().write(true).create_new(true).open(path);
+    let mut tries = 0;
     let locked = |path: &Path| {
         let file = new(path)?;
-        match file.try_lock() {
-            Ok(()) if is_named(&file, path) => Ok(file),
-            // Another process took the file for a leftover before it was locked, and removes it.
-            Ok(()) | Err(TryLockError::WouldBlock) => Err(io::ErrorKind::AlreadyExists.into()),
-            Err(TryLockError::Error(_)) => {
-                let _ = fs::remove_file(path);
-                Err(io::ErrorKind::Unsupported.into())
-            }
-        }
+        tries += 1;
+        lock(&file, path, tries).inspect_err(|_| _ = fs::remove_file(path))?;
+        Ok(file)
     };
     let made = match host() {
         Some(host) => named(target, host, locked),
@@ -41,6 +36,22 @@ pub(super) fn create(target: &Path) -> io::Result<(File, TempPath)> {
         made => made,
     };
     made.map(NamedTempFile::into_parts)
+}
+
+/// Locks the new `file`, which the name `path` was given to.
+///
+/// # Errors
+/// `AlreadyExists`, which makes `tempfile` try again, if another process took the file for a
+/// leftover before it was locked; `Unsupported` if there are no locks, or after too many tries.
+fn lock(file: &File, path: &Path, tries: u32) -> io::Result<()> {
+    const MAX_TRIES: u32 = 8;
+    match file.try_lock() {
+        Ok(()) if is_named(file, path)? => Ok(()),
+        Ok(()) | Err(TryLockError::WouldBlock) if tries < MAX_TRIES => {
+            Err(io::ErrorKind::AlreadyExists.into())
+        }
+        _ => Err(io::ErrorKind::Unsupported.into()),
+    }
 }
 
 /// Gives `file`, which has no name, a temporary one beside `target` by `link`.
@@ -54,11 +65,13 @@ pub(super) fn link(
 }
 
 /// Returns true for temporary names.
+#[cfg(unix)]
 pub(super) fn is_temporary(name: &str) -> bool {
     name.starts_with(PREFIX) && name.ends_with(SUFFIX)
 }
 
 /// Returns true for the names of files that writers on this machine have locked.
+#[cfg(unix)]
 pub(super) fn is_of_this_host(name: &str) -> bool {
     let of = |host: &str| {
         name.strip_prefix(PREFIX)?
@@ -70,16 +83,20 @@ pub(super) fn is_of_this_host(name: &str) -> bool {
 
 /// Returns true if `path` is a name of `file`, and not that of another file, or of none.
 #[cfg(unix)]
-pub(super) fn is_named(file: &File, path: &Path) -> bool {
+pub(super) fn is_named(file: &File, path: &Path) -> io::Result<bool> {
     use std::os::unix::fs::MetadataExt;
     let id = |found: fs::Metadata| (found.dev(), found.ino());
-    let (file, named) = (file.metadata(), fs::symlink_metadata(path));
-    file.is_ok_and(|file| named.is_ok_and(|named| id(file) == id(named)))
+    match fs::symlink_metadata(path) {
+        Ok(named) => Ok(id(file.metadata()?) == id(named)),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(false),
+        Err(error) => Err(error),
+    }
 }
 
+/// Elsewhere no program removes the files of others.
 #[cfg(not(unix))]
-pub(super) fn is_named(_: &File, path: &Path) -> bool {
-    path.exists()
+fn is_named(_: &File, _: &Path) -> io::Result<bool> {
+    Ok(true)
 }
 
 /// Makes a file by `create`. The name is short whatever the target, because names have a maximal

@@ -1,7 +1,7 @@
 //! Unfinished files: those without their final name, and their removal at the end of the program.
 
 use super::target::directory_of;
-use super::{leftovers, permissions, temporary_file, unnamed_file};
+use super::{permissions, temporary_file, unnamed_file};
 use std::fs::{self, File};
 use std::io::{self, Seek};
 use std::path::{Path, PathBuf};
@@ -66,7 +66,8 @@ impl Unfinished {
             // If the file system does not only lack unnamed files, this reports the reason.
             None => Unfinished::named(target)?,
         };
-        leftovers::remove(directory_of(target), &file);
+        #[cfg(unix)]
+        super::leftovers::remove(directory_of(target), &file);
         Ok((file, unfinished))
     }
 
