@@ -1,4 +1,10 @@
 use super::*;
+use crate::film::{
+    Channel, ChannelName, Image, Metadata, PixelBounds, Samples, exr_file, npy_file, pfm_file,
+    png_file,
+};
+use crate::progress::Progress;
+use std::io::Cursor;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Duration;
 
@@ -82,4 +88,38 @@ fn a_panic_ends_all_threads() {
         };
         assert!(catch_unwind(AssertUnwindSafe(run)).is_err());
     });
+}
+
+/// Progress of every writer adds up to the rows of the image, which take several parts.
+#[test]
+fn every_writer_counts_its_rows() {
+    const ROWS: u32 = 700;
+    let image = Image {
+        display_window: (1000, ROWS),
+        data_window: PixelBounds::of_film(1000, ROWS),
+        channels: vec![Channel {
+            name: ChannelName::Z,
+            samples: Samples::F32(vec![1.5; 1000 * ROWS as usize]),
+        }],
+    };
+    let (rgb, gray) = (vec![[7; 3]; 700_000], vec![7; 700_000]);
+    let names = vec![ChannelName::Z];
+    let field = npy_file::Field {
+        name: "Z",
+        channels: names.clone(),
+    };
+    let mut file = Cursor::new(Vec::new());
+    type Write<'a> = &'a mut dyn FnMut(Progress) -> io::Result<()>;
+    let count = |write: Write| {
+        let rows = AtomicUsize::new(0);
+        let report = |count| _ = rows.fetch_add(count, Ordering::Relaxed);
+        write(Progress::new(&report)).unwrap();
+        assert_eq!(rows.into_inner(), ROWS as usize);
+    };
+    let (out, size) = (&mut file, [1000, ROWS]);
+    count(&mut |progress| exr_file::write(&image, &Metadata::default(), out, progress));
+    count(&mut |progress| npy_file::write(&image, std::slice::from_ref(&field), out, progress));
+    count(&mut |progress| pfm_file::write(&image, &names, out, progress));
+    count(&mut |progress| png_file::write_rgb(size, &rgb, &[], out, progress));
+    count(&mut |progress| png_file::write_gray16(size, &gray, &[], out, progress));
 }
