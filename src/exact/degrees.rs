@@ -1,4 +1,4 @@
-//! Sine, cosine and tangent of angles in degrees and in quarter turns, correctly rounded (rules R2
+//! Sine, cosine and tangent of angles in degrees, quarter turns and radians, correctly rounded (rules R2
 //! and R5).
 //!
 //! The platform's `sin` differs between systems, and degrees times pi/180 is rounded before it
@@ -10,8 +10,10 @@
 //! never a tie.
 
 mod quarter_turns;
+mod radians;
 
 pub use quarter_turns::sine_and_cosine_of_quarter_turns;
+pub use radians::sine_and_cosine_of_radians;
 
 use super::Dyadic;
 use super::powers::mantissa_and_exponent;

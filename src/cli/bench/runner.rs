@@ -94,11 +94,11 @@ impl<'a> Runner<'a> {
         if !measured.lacks_bins {
             return Ok(());
         }
-        let reason = match scene.camera.projection.is_planar() {
+        let reason = match scene.camera.projection.is_linear() {
             true => {
                 "this view cannot be rasterized, because its numbers are too large or too small"
             }
-            false => "a spherical camera cannot be rasterized",
+            false => "a camera that is spherical or distorts cannot be rasterized",
         };
         if measured.rows.is_empty() {
             let error = Error::usage(format!("{}: {reason}", path.display()));

@@ -128,16 +128,17 @@ impl Renderer<'_> {
         content: &Content,
         window: &PixelBounds,
     ) -> Result<(Built<'a>, f64)> {
-        let is_planar = view.camera.projection.is_planar();
+        let is_linear = view.camera.projection.is_linear();
         let takes_bins = self.takes_bins(loaded, content)?;
-        if takes_bins && !is_planar && self.plan.accel != AcceleratorChoice::Auto {
+        if takes_bins && !is_linear && self.plan.accel != AcceleratorChoice::Auto {
             let method = loaded.build.method;
             self.reporter.note(format_args!(
-                "a spherical camera cannot be rasterized: its rays are traced one by one, \
-                 using {method}"
+                "a {} camera cannot be rasterized: its rays are traced one by one, \
+                 using {method}",
+                view.camera.projection.name()
             ));
         }
-        if takes_bins && is_planar {
+        if takes_bins && is_linear {
             Bins::check_memory(&loaded.scene.geometry)?;
             let (bins, ms) = self.bins(loaded, view, window);
             if let Some(bins) = bins {

@@ -67,7 +67,7 @@ impl<'a> Targets<'a> {
         // The digest reads the whole geometry: compute it only for a header.
         let provenance = content.has_header().then(|| Provenance {
             scene: loaded.digest(view),
-            mapping: view.camera.projection.sphere_mapping(),
+            projection: view.camera.projection,
             precision: self.plan.precision,
             accel: loaded.build.method,
             film: view.film.resolution,
