@@ -25,7 +25,7 @@ mod transform_history;
 mod warnings;
 
 pub use accelerator::AcceleratorParameters;
-pub use cameras::{Pose, parse_poses, read_poses};
+pub use cameras::{Pose, parse_colmap, parse_poses, pose_files, read_poses};
 pub use census::{Census, ShapeCount};
 pub use digest::SceneDigest;
 pub use film::Film;
@@ -66,6 +66,15 @@ pub struct Scene {
     pub locations: Option<Locations>,
     /// The transform directives, if [`LoadOptions::transform_history`] asked for them.
     pub transform_history: Option<TransformHistory>,
+}
+
+impl Scene {
+    /// Replaces the camera, and the film where `pose` has one of its own. The history of transforms
+    /// ends: it leads to another camera.
+    pub fn see_from(&mut self, pose: &Pose) {
+        (self.camera, self.film) = pose.place(self);
+        self.transform_history = None;
+    }
 }
 
 /// What to keep of a scene, and the limits for reading it.

@@ -1,5 +1,6 @@
 //! Options of `bench` as typed.
 
+use crate::cli::options::cameras::CameraArgs;
 use crate::cli::options::engine::{SimdArgs, ThreadArgs};
 use crate::cli::options::messages::MessageArgs;
 use crate::cli::options::scene::SceneArgs;
@@ -20,6 +21,8 @@ pub(crate) struct BenchArgs {
     pub(super) measurement: MeasurementArgs,
     #[command(flatten, next_help_heading = "Output")]
     pub(super) output: OutputArgs,
+    #[command(flatten, next_help_heading = "Cameras")]
+    pub(super) cameras: CameraArgs,
     #[command(flatten, next_help_heading = "Input")]
     pub(super) input: SceneArgs,
     #[command(flatten, next_help_heading = "Messages")]

@@ -1,5 +1,6 @@
 //! Options of `pixel` as typed.
 
+use crate::cli::options::cameras::CameraArgs;
 use crate::cli::options::engine::ThreadArgs;
 use crate::cli::options::messages::MessageArgs;
 use crate::cli::options::scene::SceneArgs;
@@ -26,6 +27,8 @@ pub(crate) struct PixelArgs {
     #[arg(long, value_name = "METHOD", help_heading = "Engine")]
     #[arg(value_parser = named(SplitMethod::ALL, SplitMethod::name))]
     pub(super) accel: Option<SplitMethod>,
+    #[command(flatten, next_help_heading = "Cameras")]
+    pub(super) cameras: CameraArgs,
     #[command(flatten, next_help_heading = "Engine")]
     pub(super) threads: ThreadArgs,
     #[command(flatten, next_help_heading = "Input")]

@@ -1,6 +1,7 @@
 //! Options of `render` as typed.
 
-use crate::cli::options::batch::{BatchArgs, CameraArgs};
+use crate::cli::options::batch::BatchArgs;
+use crate::cli::options::cameras::CameraArgs;
 use crate::cli::options::engine::EngineArgs;
 use crate::cli::options::messages::{MessageArgs, ReportArgs};
 use crate::cli::options::output::OutputArgs;

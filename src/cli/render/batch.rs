@@ -28,7 +28,7 @@ use std::time::Instant;
 /// Renders all images and returns the highest exit code of any of them.
 pub(crate) fn render(args: &RenderArgs, reporter: &Reporter) -> Result<u8> {
     refuse_results(&args.scenes, args.report.json, None)?;
-    let inputs = Inputs::of_scenes(&args.scenes).with(&args.cameras.cameras, "the list of cameras");
+    let inputs = Inputs::of_scenes(&args.scenes).with(args.cameras.files(), "the list of cameras");
     let manifest = args.batch.manifest.as_deref();
     manifest.map_or(Ok(()), |path| manifest::check(path, &inputs))?;
     let plan = Plan::new(args)?;

@@ -10,7 +10,7 @@ use crate::cli::terminal::reporter::Reporter;
 use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::error::{Error, Result};
 use feimos::film::{Aov, PixelBounds, View};
-use feimos::scene::{self, AcceleratorParameters, Film, LoadOptions, Pose};
+use feimos::scene::{AcceleratorParameters, Film, LoadOptions, Pose};
 use feimos::simd::Level;
 
 /// How the command renders every scene.
@@ -41,19 +41,9 @@ impl Plan {
                 "--json and -o - would both write to standard output",
             ));
         }
-        let poses = args
-            .cameras
-            .cameras
-            .as_deref()
-            .map(scene::read_poses)
-            .transpose()?;
-        let mut sized = poses.iter().flatten().filter(|pose| pose.has_resolution());
-        if let (Some(_), Some(pose)) = (args.region.resolution, sized.next()) {
-            let name = pose.name();
-            let message = format!("--resolution contradicts the resolution of camera `{name}`");
-            let error = Error::usage(message);
-            return Err(error.note("leave out --resolution: `K` fits one size of image"));
-        }
+        let poses = args.cameras.poses()?;
+        let mut sized = poses.iter().flatten();
+        sized.try_for_each(|pose| pose.check_resolution(args.region.resolution))?;
         let has_aov = |wanted| output.aov.iter().flatten().any(|aov| *aov == wanted);
         let load = LoadOptions {
             resolution: args.region.resolution,

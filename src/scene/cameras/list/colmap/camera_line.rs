@@ -1,0 +1,110 @@
+//! A line of `cameras.txt`: number, model, width, height and parameters.
+
+use super::super::intrinsics::{FocalLength, Intrinsics};
+use super::super::lens_model;
+use super::lines::Line;
+use super::{Refusal, number};
+use crate::camera::Distortion;
+
+/// A camera.
+#[derive(Debug)]
+pub(super) struct CameraLine {
+    pub(super) number: u64,
+    pub(super) intrinsics: Intrinsics,
+}
+
+impl CameraLine {
+    pub(super) fn read(line: &Line) -> Result<CameraLine, Refusal> {
+        let text = |word: &[u8]| String::from_utf8_lossy(word).into_owned();
+        let mut words = line.words();
+        let [id, model, width, height] = [0; 4].map(|_| words.next().map(text));
+        let whole = |word: Option<String>| word.and_then(|word| word.parse::<u64>().ok());
+        let (Some(id), Some(model), Some(width), Some(height)) =
+            (whole(id), model, whole(width), whole(height))
+        else {
+            return Err(no_camera("a line that is no camera"));
+        };
+        let numbers: Option<Vec<f64>> = words.map(number).collect();
+        let numbers = numbers.ok_or_else(|| no_camera("a parameter that is no number"))?;
+        let (focal_length, principal_point, distortion) = lens(&model, &numbers)?;
+        let side = |side: u64| u32::try_from(side).unwrap_or(u32::MAX);
+        let intrinsics = Intrinsics {
+            focal_length: FocalLength::InPixels(focal_length),
+            principal_point: Some(principal_point),
+            first_centre: 0.5,
+            resolution: Some([side(width), side(height)]),
+            distortion,
+        };
+        Ok(CameraLine {
+            number: id,
+            intrinsics: intrinsics.checked()?,
+        })
+    }
+}
+
+fn no_camera(found: &str) -> Refusal {
+    (
+        found.to_owned(),
+        "a number, a model, width and height in pixels, and parameters: \
+         1 PINHOLE 640 480 500 500 320 240"
+            .to_owned(),
+    )
+}
+
+/// Focal lengths, principal point and distortion of a model.
+type Optics = ([f64; 2], [f64; 2], Option<Distortion>);
+
+fn lens(model: &str, numbers: &[f64]) -> Result<Optics, Refusal> {
+    let radial = |k: [f64; 4], p| lens_model::radial_tangential(k, [0.0; 3], p);
+    Ok(match (model, numbers) {
+        ("SIMPLE_PINHOLE", [f, cx, cy]) => ([*f, *f], [*cx, *cy], None),
+        ("PINHOLE", [fx, fy, cx, cy]) => ([*fx, *fy], [*cx, *cy], None),
+        ("SIMPLE_RADIAL", [f, cx, cy, k]) => {
+            ([*f, *f], [*cx, *cy], radial([*k, 0.0, 0.0, 0.0], [0.0; 2])?)
+        }
+        ("RADIAL", [f, cx, cy, k1, k2]) => (
+            [*f, *f],
+            [*cx, *cy],
+            radial([*k1, *k2, 0.0, 0.0], [0.0; 2])?,
+        ),
+        ("OPENCV", [fx, fy, cx, cy, k1, k2, p1, p2]) => (
+            [*fx, *fy],
+            [*cx, *cy],
+            radial([*k1, *k2, 0.0, 0.0], [*p1, *p2])?,
+        ),
+        ("FULL_OPENCV", [fx, fy, cx, cy, coefficients @ ..]) if coefficients.len() == 8 => {
+            ([*fx, *fy], [*cx, *cy], lens_model::of_opencv(coefficients)?)
+        }
+        ("OPENCV_FISHEYE", [fx, fy, cx, cy, k1, k2, k3, k4]) => (
+            [*fx, *fy],
+            [*cx, *cy],
+            lens_model::fisheye([*k1, *k2, *k3, *k4])?,
+        ),
+        ("SIMPLE_RADIAL_FISHEYE", [f, cx, cy, k]) => (
+            [*f, *f],
+            [*cx, *cy],
+            lens_model::fisheye([*k, 0.0, 0.0, 0.0])?,
+        ),
+        ("RADIAL_FISHEYE", [f, cx, cy, k1, k2]) => (
+            [*f, *f],
+            [*cx, *cy],
+            lens_model::fisheye([*k1, *k2, 0.0, 0.0])?,
+        ),
+        (
+            "SIMPLE_PINHOLE"
+            | "PINHOLE"
+            | "SIMPLE_RADIAL"
+            | "RADIAL"
+            | "OPENCV"
+            | "FULL_OPENCV"
+            | "OPENCV_FISHEYE"
+            | "SIMPLE_RADIAL_FISHEYE"
+            | "RADIAL_FISHEYE",
+            _,
+        ) => {
+            let found = format!("{} parameters of the model {model}", numbers.len());
+            return Err((found, "as many as COLMAP's documentation lists".to_owned()));
+        }
+        _ => return Err(lens_model::unknown(model)),
+    })
+}
