@@ -186,6 +186,23 @@ impl Camera {
         }
     }
 
+    /// The first pixel on the edge of the film whose ray cannot hit, because a lens shows nothing
+    /// there, and their number on the edge. Such pixels reach the edge if there are any: what a lens
+    /// shows has no holes.
+    pub fn blind_edge(&self) -> Option<([u32; 2], usize)> {
+        self.projection.distortion()?;
+        let [width, height] = self.resolution;
+        let rows = [0, height - 1].into_iter();
+        let columns = [0, width - 1].into_iter();
+        let across = rows.flat_map(|y| (0..width).map(move |x| [x, y]));
+        let down = columns.flat_map(|x| (1..height.max(2) - 1).map(move |y| [x, y]));
+        let mut blind = across
+            .chain(down)
+            .filter(|[x, y]| !self.ray(*x, *y).can_hit());
+        let first = blind.next()?;
+        Some((first, 1 + blind.count()))
+    }
+
     /// A ray that is a single point.
     fn no_ray(&self) -> Ray {
         Ray {

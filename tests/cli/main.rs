@@ -7,6 +7,7 @@ mod bench;
 mod bench_outputs;
 mod bench_raster;
 mod bench_simd;
+mod camera_formats;
 mod cameras;
 mod check;
 mod check_json;
@@ -14,8 +15,10 @@ mod compare;
 mod compare_files;
 mod completions;
 mod cost;
+mod distorted;
 mod engine;
 mod engine_flags;
+
 mod exit_code;
 mod exr_file;
 mod files;

@@ -44,8 +44,9 @@ impl CameraArgs {
             let message = format!("{} has no camera `{name}`", path.display());
             return Err(Error::usage(message).note(format!("it has {}", names_of(&poses))));
         }
-        let is_chosen =
-            |pose: &Pose| self.camera.is_empty() || self.camera.iter().any(|name| name == pose.name());
+        let is_chosen = |pose: &Pose| {
+            self.camera.is_empty() || self.camera.iter().any(|name| name == pose.name())
+        };
         Ok(Some(poses.into_iter().filter(is_chosen).collect()))
     }
 

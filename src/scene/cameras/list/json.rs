@@ -101,7 +101,10 @@ fn form_of(path: &FieldPath, form: Form) -> &'static str {
         Some("distortion") => "expected \"distortion\": OpenCV's [k1, k2, p1, p2, k3]",
         Some("fisheye") => "expected \"fisheye\": OpenCV's [k1, k2, k3, k4]",
         Some("resolution") => "expected \"resolution\": [width, height]",
-        _ => "expected a list of cameras: [{\"name\": \"a\", \"lookat\": [...]}, ...]",
+        _ => {
+            "expected a list of cameras, [{\"name\": \"a\", \"lookat\": [...]}, ...], a \
+             transforms.json with `frames`, or a text model of COLMAP"
+        }
     }
 }
 

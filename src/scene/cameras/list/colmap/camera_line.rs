@@ -51,60 +51,47 @@ fn no_camera(found: &str) -> Refusal {
     )
 }
 
+/// The models, and their parameters in COLMAP's documentation.
+const MODELS: [(&str, &str); 9] = [
+    ("SIMPLE_PINHOLE", "f, cx, cy"),
+    ("PINHOLE", "fx, fy, cx, cy"),
+    ("SIMPLE_RADIAL", "f, cx, cy, k"),
+    ("RADIAL", "f, cx, cy, k1, k2"),
+    ("OPENCV", "fx, fy, cx, cy, k1, k2, p1, p2"),
+    (
+        "FULL_OPENCV",
+        "fx, fy, cx, cy, k1, k2, p1, p2, k3, k4, k5, k6",
+    ),
+    ("OPENCV_FISHEYE", "fx, fy, cx, cy, k1, k2, k3, k4"),
+    ("SIMPLE_RADIAL_FISHEYE", "f, cx, cy, k"),
+    ("RADIAL_FISHEYE", "f, cx, cy, k1, k2"),
+];
+
 /// Focal lengths, principal point and distortion of a model.
 type Optics = ([f64; 2], [f64; 2], Option<Distortion>);
 
 fn lens(model: &str, numbers: &[f64]) -> Result<Optics, Refusal> {
-    let radial = |k: [f64; 4], p| lens_model::radial_tangential(k, [0.0; 3], p);
-    Ok(match (model, numbers) {
-        ("SIMPLE_PINHOLE", [f, cx, cy]) => ([*f, *f], [*cx, *cy], None),
-        ("PINHOLE", [fx, fy, cx, cy]) => ([*fx, *fy], [*cx, *cy], None),
-        ("SIMPLE_RADIAL", [f, cx, cy, k]) => {
-            ([*f, *f], [*cx, *cy], radial([*k, 0.0, 0.0, 0.0], [0.0; 2])?)
-        }
-        ("RADIAL", [f, cx, cy, k1, k2]) => (
-            [*f, *f],
-            [*cx, *cy],
-            radial([*k1, *k2, 0.0, 0.0], [0.0; 2])?,
-        ),
-        ("OPENCV", [fx, fy, cx, cy, k1, k2, p1, p2]) => (
-            [*fx, *fy],
-            [*cx, *cy],
-            radial([*k1, *k2, 0.0, 0.0], [*p1, *p2])?,
-        ),
-        ("FULL_OPENCV", [fx, fy, cx, cy, coefficients @ ..]) if coefficients.len() == 8 => {
-            ([*fx, *fy], [*cx, *cy], lens_model::of_opencv(coefficients)?)
-        }
-        ("OPENCV_FISHEYE", [fx, fy, cx, cy, k1, k2, k3, k4]) => (
-            [*fx, *fy],
-            [*cx, *cy],
-            lens_model::fisheye([*k1, *k2, *k3, *k4])?,
-        ),
-        ("SIMPLE_RADIAL_FISHEYE", [f, cx, cy, k]) => (
-            [*f, *f],
-            [*cx, *cy],
-            lens_model::fisheye([*k, 0.0, 0.0, 0.0])?,
-        ),
-        ("RADIAL_FISHEYE", [f, cx, cy, k1, k2]) => (
-            [*f, *f],
-            [*cx, *cy],
-            lens_model::fisheye([*k1, *k2, 0.0, 0.0])?,
-        ),
-        (
-            "SIMPLE_PINHOLE"
-            | "PINHOLE"
-            | "SIMPLE_RADIAL"
-            | "RADIAL"
-            | "OPENCV"
-            | "FULL_OPENCV"
-            | "OPENCV_FISHEYE"
-            | "SIMPLE_RADIAL_FISHEYE"
-            | "RADIAL_FISHEYE",
-            _,
-        ) => {
-            let found = format!("{} parameters of the model {model}", numbers.len());
-            return Err((found, "as many as COLMAP's documentation lists".to_owned()));
-        }
-        _ => return Err(lens_model::unknown(model)),
-    })
+    let Some((_, parameters)) = MODELS.iter().find(|(name, _)| *name == model) else {
+        return Err(lens_model::unknown(model));
+    };
+    if parameters.split(", ").count() != numbers.len() {
+        let found = format!("{} parameters of the model {model}", numbers.len());
+        return Err((found, (*parameters).to_owned()));
+    }
+    // The parameter by the first of these names that the model has; 0 without any.
+    let value = |names: &[&str]| {
+        let mut named = parameters.split(", ").zip(numbers);
+        let found = named.find(|(name, _)| names.contains(name));
+        found.map_or(0.0, |(_, number)| *number)
+    };
+    let k = [["k", "k1"], ["", "k2"], ["", "k3"], ["", "k4"]].map(|names| value(&names));
+    let distortion = if model.ends_with("FISHEYE") {
+        lens_model::fisheye(k)?
+    } else {
+        let divisor = [k[3], value(&["k5"]), value(&["k6"])];
+        let tangential = [value(&["p1"]), value(&["p2"])];
+        lens_model::radial_tangential([k[0], k[1], k[2], 0.0], divisor, tangential)?
+    };
+    let focal_length = [value(&["f", "fx"]), value(&["f", "fy"])];
+    Ok((focal_length, [value(&["cx"]), value(&["cy"])], distortion))
 }
