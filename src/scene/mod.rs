@@ -68,15 +68,6 @@ pub struct Scene {
     pub transform_history: Option<TransformHistory>,
 }
 
-impl Scene {
-    /// Replaces the camera, and the film where `pose` has one of its own. The history of transforms
-    /// ends: it leads to another camera.
-    pub fn see_from(&mut self, pose: &Pose) {
-        (self.camera, self.film) = pose.place(self);
-        self.transform_history = None;
-    }
-}
-
 /// What to keep of a scene, and the limits for reading it.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct LoadOptions {

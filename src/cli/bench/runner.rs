@@ -60,7 +60,7 @@ impl<'a> Runner<'a> {
         let ((scene, files), load_ms) = timed(|| self.bars.during(Phase::Loading, load));
         let seen = |mut scene: Scene| {
             if let Some(pose) = &self.pose {
-                scene.see_from(pose);
+                pose.replace_camera(&mut scene);
             }
             (scene, load_ms)
         };

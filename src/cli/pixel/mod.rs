@@ -33,7 +33,7 @@ pub(crate) fn pixel(args: &PixelArgs, reporter: &Reporter) -> Result<u8> {
     let mut scene = ProgressBars::new(&args.messages).during(Phase::Loading, load)?;
     if let Some(pose) = &pose {
         pose.check_resolution(args.resolution)?;
-        scene.see_from(pose);
+        pose.replace_camera(&mut scene);
     }
     report_scene(&scene, reporter);
     check_within_film(&scene, args.pixel)?;

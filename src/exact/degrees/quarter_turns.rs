@@ -6,7 +6,7 @@
 //! happens for one angle in some hundreds, integers do (Ziv, "Fast evaluation of elementary
 //! mathematical functions with correctly rounded last bit", 1991).
 
-use super::{Bracket, pi, series};
+use super::series::{Bracket, pi, series};
 use crate::exact::Dyadic;
 use crate::exact::pair::Pair;
 use num_bigint::BigInt;

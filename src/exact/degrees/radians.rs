@@ -5,7 +5,7 @@
 //! (Lindemann).
 
 use super::quarter_turns::{PARTS, PI, sine_beside};
-use super::{Bracket, pi, series};
+use super::series::{Bracket, pi, series};
 use crate::exact::powers::mantissa_and_exponent;
 use crate::exact::{Dyadic, Pair};
 use num_bigint::BigInt;

@@ -4,7 +4,7 @@
 //! forwards. It is seen at K x: at column fx x/z + cx and row fy y/z + cy, where integers are the
 //! centres of pixels (Hartley and Zisserman, Multiple View Geometry, 6.1; OpenCV's conventions).
 
-use super::Refusal;
+use super::checks::Refusal;
 use crate::camera::{Camera, Distortion, Projection, ScreenWindow};
 use crate::exact::degrees::sine_and_cosine_of_radians;
 use crate::film::PixelBounds;

@@ -1,6 +1,6 @@
 //! Models of lenses by their names and coefficients in other programs.
 
-use super::Refusal;
+use super::checks::Refusal;
 use crate::camera::{Distortion, Fisheye, RadialTangential};
 
 /// A lens; `None` if it does not distort.

@@ -2,6 +2,7 @@
 //! `transforms.json` of NeRF programs, and the text models of COLMAP. Their content tells them
 //! apart.
 
+mod checks;
 mod colmap;
 mod grid;
 mod intrinsics;
@@ -19,15 +20,9 @@ pub use pose::Pose;
 
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::input;
+use checks::{Refusal, check_count, check_names};
 use json::List;
-use std::collections::HashSet;
 use std::path::{Path, PathBuf};
-
-/// The most cameras in a file.
-const MAX_POSES: usize = 1_000_000;
-
-/// What was found, and what was expected.
-type Refusal = (String, String);
 
 /// Reads the list of cameras in the file `path`, or in the folder of a COLMAP model.
 ///
@@ -93,27 +88,6 @@ pub fn parse_poses(path: &Path, bytes: &[u8]) -> Result<Vec<Pose>> {
         }
     };
     let poses = poses.map_err(refuse)?;
-    check_names(&poses).map_err(refuse)?;
+    check_names(poses.iter().map(Pose::name)).map_err(refuse)?;
     Ok(poses)
-}
-
-fn check_count(count: usize) -> std::result::Result<(), Refusal> {
-    if count == 0 || count > MAX_POSES {
-        return Err((
-            format!("a list of {count} cameras"),
-            format!("1 to {MAX_POSES}"),
-        ));
-    }
-    Ok(())
-}
-
-fn check_names(poses: &[Pose]) -> std::result::Result<(), Refusal> {
-    let mut names = HashSet::new();
-    match poses.iter().find(|pose| !names.insert(pose.name())) {
-        Some(pose) => Err((
-            format!("two cameras are called `{}`", pose.name()),
-            "a name of its own for each".to_owned(),
-        )),
-        None => Ok(()),
-    }
 }

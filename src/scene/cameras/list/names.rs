@@ -1,6 +1,6 @@
 //! Names of cameras: parts of file names, each unique in its list.
 
-use super::Refusal;
+use super::checks::Refusal;
 use crate::terminal_text::is_command;
 use std::collections::HashMap;
 

@@ -13,11 +13,12 @@
 //! `lookat` and `transform` are the numbers of the directives `LookAt` and `Transform` before a
 //! `Camera`. Film and lens are then the scene's; `fov` overrides its field of view.
 
+use super::checks::Refusal;
 use super::grid::Grid;
 use super::intrinsics::{self, FocalLength, Intrinsics};
+use super::lens_model;
 use super::names::check_name;
 use super::pose::{Lens, Pose};
-use super::{Refusal, lens_model};
 use crate::camera::Distortion;
 use crate::geometry::{Matrix, Point, Transform, Vector};
 use serde::Deserialize;

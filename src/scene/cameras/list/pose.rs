@@ -50,6 +50,13 @@ impl Pose {
         }
     }
 
+    /// Puts this camera, and its film, in the place of the scene's. The history of transforms ends:
+    /// it leads to another camera.
+    pub fn replace_camera(&self, scene: &mut Scene) {
+        (scene.camera, scene.film) = self.place(scene);
+        scene.transform_history = None;
+    }
+
     /// Whether the camera has a resolution of its own.
     pub fn has_resolution(&self) -> bool {
         match &self.lens {

@@ -1,7 +1,6 @@
 //! The bounds for lenses that distort.
 
 use super::super::bound::{length, with_slack};
-use super::View;
 use crate::camera::Distortion;
 use crate::exact::{Rounded, UNIT_ROUNDOFF as U};
 use std::f64::consts::FRAC_PI_2;
@@ -10,32 +9,34 @@ use std::f64::consts::FRAC_PI_2;
 /// the film: a nearest number, a sine, a root, and two more operations.
 const LENS_ERROR: f64 = 16.0 * U;
 
-impl View<'_> {
-    /// The direction in camera space of what appears at `seen`, y upwards; nothing is known where
-    /// the lens shows nothing.
-    pub(super) fn bent(lens: &Distortion, seen: [Rounded; 2]) -> [Rounded; 3] {
-        let direction = lens.direction(seen.map(|x| x.value));
-        let (Some(direction), [least, _]) = (direction, stretches(lens, direction)) else {
-            return [Rounded::within(0.0, f64::INFINITY); 3];
-        };
-        let moved = with_slack(length([seen[0].error, seen[1].error, 0.0]) / least);
-        direction.map(|x| Rounded::within(x, with_slack(moved + LENS_ERROR * x.abs())))
-    }
+/// The direction in camera space of what appears at `seen`, y upwards; nothing is known where
+/// the lens shows nothing.
+pub(super) fn bent(lens: &Distortion, seen: [Rounded; 2]) -> [Rounded; 3] {
+    let direction = lens.direction(seen.map(|x| x.value));
+    let (Some(direction), [least, _]) = (direction, stretches(lens, direction)) else {
+        return [Rounded::within(0.0, f64::INFINITY); 3];
+    };
+    let moved = with_slack(length([seen[0].error, seen[1].error, 0.0]) / least);
+    direction.map(|x| Rounded::within(x, with_slack(moved + LENS_ERROR * x.abs())))
+}
 
-    /// A bound of how far `moved` in camera space moves what is at `z` along `direction` on the
-    /// film, in pixels. Both count at the distance 1, or at the plane at distance 1.
-    pub(super) fn bent_in_pixels(&self, lens: &Distortion, pixel: [u32; 2], shift: Shift) -> f64 {
-        let direction = lens.direction(self.plane_coordinates(pixel).map(|x| x.value));
-        let [_, most] = stretches(lens, direction);
-        let moved = match lens {
-            Distortion::RadialTangential(_) => shift.in_plane,
-            // An angle is at most pi/2 times its sine.
-            Distortion::Fisheye(_) if shift.around < 1.0 => FRAC_PI_2 * shift.around,
-            Distortion::Fisheye(_) => f64::INFINITY,
-        };
-        let widths = self.pixel_sizes();
-        length([widths[0], widths[1], f64::INFINITY].map(|width| with_slack(moved * most / width)))
-    }
+/// A bound of how far `moved` in camera space moves what appears at `seen` on the
+/// film, in pixels, which are this wide and high. Both count at the distance 1, or at the plane at distance 1.
+pub(super) fn bent_in_pixels(
+    lens: &Distortion,
+    seen: [f64; 2],
+    widths: [f64; 2],
+    shift: Shift,
+) -> f64 {
+    let direction = lens.direction(seen);
+    let [_, most] = stretches(lens, direction);
+    let moved = match lens {
+        Distortion::RadialTangential(_) => shift.in_plane,
+        // An angle is at most pi/2 times its sine.
+        Distortion::Fisheye(_) if shift.around < 1.0 => FRAC_PI_2 * shift.around,
+        Distortion::Fisheye(_) => f64::INFINITY,
+    };
+    length([widths[0], widths[1], f64::INFINITY].map(|width| with_slack(moved * most / width)))
 }
 
 /// How far a point moves, as seen from the eye.

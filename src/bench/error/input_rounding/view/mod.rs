@@ -8,7 +8,7 @@ use super::bound::{length, with_slack};
 use super::rounded_transform::RoundedTransform;
 use crate::camera::{Camera, Projection, SphereMapping};
 use crate::exact::{Rounded, UNIT_ROUNDOFF as U};
-use distorted::Shift;
+use distorted::{Shift, bent, bent_in_pixels};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Bounds the error of a component of a spherical camera's direction, which is at most 1: less than
@@ -34,7 +34,7 @@ impl View<'_> {
             let direction = mapping.direction(pixel, self.camera.resolution);
             along = direction.map(|x| Rounded::within(x, SPHERE_ERROR));
         } else if let Some(lens) = self.camera.projection.distortion() {
-            along = View::bent(&lens, [x, y]);
+            along = bent(&lens, [x, y]);
         }
         if !self.camera.projection.has_planar_depth() {
             t = with_slack(with_slack(t / self.ray_length(pixel)));
@@ -86,14 +86,14 @@ impl View<'_> {
         };
         let (plane, widths) = (self.plane_coordinates(pixel), self.pixel_sizes());
         if let Some(lens) = self.camera.projection.distortion() {
-            let [x, y, _] = View::bent(&lens, plane);
+            let [x, y, _] = bent(&lens, plane);
             let around = length([0, 1, 2].map(|k| reach(linear(k))));
             let t = f64::from(z.next_down()) / with_slack(self.ray_length(pixel));
             let shift = Shift {
                 in_plane: length([in_plane([x, y], 0), in_plane([x, y], 1), 0.0]),
                 around: with_slack(around / t),
             };
-            return self.bent_in_pixels(&lens, pixel, shift);
+            return bent_in_pixels(&lens, plane.map(|x| x.value), widths, shift);
         }
         let across = |axis: usize| {
             let moved = match self.camera.projection {

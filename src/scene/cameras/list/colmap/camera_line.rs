@@ -1,9 +1,9 @@
 //! A line of `cameras.txt`: number, model, width, height and parameters.
 
+use super::super::checks::Refusal;
 use super::super::intrinsics::{FocalLength, Intrinsics};
 use super::super::lens_model;
-use super::lines::Line;
-use super::{Refusal, number};
+use super::lines::{Line, number};
 use crate::camera::Distortion;
 
 /// A camera.

@@ -1,8 +1,8 @@
 //! A line of `images.txt`: number, quaternion, translation, camera and name.
 
+use super::super::checks::Refusal;
 use super::super::intrinsics;
-use super::lines::Line;
-use super::{Refusal, number};
+use super::lines::{Line, number};
 use crate::exact::Dyadic;
 use crate::geometry::Matrix;
 

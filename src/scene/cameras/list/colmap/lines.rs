@@ -1,6 +1,6 @@
 //! Lines of a text file, and their words.
 
-use super::Refusal;
+use super::super::checks::Refusal;
 use crate::error::{Diagnostic, Error, SourceLocation};
 use std::path::Path;
 
@@ -77,4 +77,13 @@ impl<'a> Line<'a> {
         let diagnostic = Diagnostic::new(found).at(self.location(path));
         Error::bad_input(diagnostic.note(format!("expected {expected}")))
     }
+}
+
+/// A word as a finite number.
+pub(super) fn number(word: &[u8]) -> Option<f64> {
+    std::str::from_utf8(word)
+        .ok()?
+        .parse()
+        .ok()
+        .filter(|x: &f64| x.is_finite())
 }

@@ -9,14 +9,13 @@ mod camera_line;
 mod image_line;
 mod lines;
 
-use super::Pose;
+use super::checks::{MAX_POSES, Refusal, check_count, check_names};
 use super::names::{check_name, names_of_images};
-use super::pose::Lens;
-use super::{MAX_POSES, Refusal, check_count, check_names};
+use super::pose::{Lens, Pose};
 use crate::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
 use camera_line::CameraLine;
 use image_line::ImageLine;
-use lines::Lines;
+use lines::{Lines, number};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
@@ -52,14 +51,6 @@ pub(super) fn kind(bytes: &[u8]) -> Option<Kind> {
 /// Whether `bytes` are no text.
 pub(super) fn is_binary(bytes: &[u8]) -> bool {
     bytes.iter().take(1024).any(|byte| *byte == 0)
-}
-
-fn number(word: &[u8]) -> Option<f64> {
-    std::str::from_utf8(word)
-        .ok()?
-        .parse()
-        .ok()
-        .filter(|x: &f64| x.is_finite())
 }
 
 /// The files of the model that `path`, one of them, belongs to.
@@ -121,7 +112,7 @@ pub fn parse_colmap(cameras: (&Path, &[u8]), images: (&Path, &[u8])) -> Result<V
             Error::bad_input(diagnostic.note(format!("expected {expected}")))
         })?);
     }
-    check_names(&poses).map_err(refuse)?;
+    check_names(poses.iter().map(Pose::name)).map_err(refuse)?;
     Ok(poses)
 }
 
