@@ -3,7 +3,7 @@
 use feimos::error::{Error, Result};
 use feimos::json;
 use serde::Serialize;
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 
 /// # Errors
@@ -18,6 +18,16 @@ pub(crate) fn check() -> Result<()> {
 /// Like [`check`], if the command writes to standard output.
 pub(crate) fn check_if(is_used: bool) -> Result<()> {
     if is_used { check() } else { Ok(()) }
+}
+
+/// # Errors
+/// Standard output is a terminal, which binary data would confuse.
+pub(crate) fn check_binary() -> Result<()> {
+    if !io::stdout().is_terminal() {
+        return Ok(());
+    }
+    let error = Error::usage("-o -: standard output is a terminal, and images are binary data");
+    Err(error.note("redirect it, such as `> image.exr`, or pipe it into a program by `|`"))
 }
 
 /// Writes all of `bytes`, or reports why they could not be made.
