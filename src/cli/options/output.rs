@@ -11,14 +11,14 @@ use std::str::FromStr;
 pub(crate) struct OutputArgs {
     /// Name the image. Repeat -o to write several files of one trace. The extension selects the
     /// format: .png, .exr, .pfm or .npy. {stem}, {accel} and {camera} stand for the scene's name,
-    /// the accelerator and the camera's name. A folder, such as out/, means out/{stem}.exr, with
-    /// --cameras out/{stem}-{camera}.exr. `-` writes to standard output. Missing folders are
-    /// created when the image is written [default: the file name in the scene's Film; for a bare
-    /// mesh {stem}.png].
+    /// the accelerator and the camera's name. A folder such as out/ gets {stem}.exr, or
+    /// {stem}-{camera}.exr for a list of cameras. `-` is standard output. Missing folders are made
+    /// when the image is written [default: the file name in the scene's Film; for a bare mesh
+    /// {stem}.png].
     #[arg(short, long, alias = "outfile", value_name = "TEMPLATE")]
     pub(crate) output: Vec<String>,
-    /// Choose the format of outputs whose name does not: `-`, folders, /dev/null
-    /// [default: for `-` and folders exr, with --view png].
+    /// Choose the format where the name does not: of `-`, folders, /dev/null and names without an
+    /// extension [default: for `-` and folders exr; png if a view is chosen].
     #[arg(long, value_parser = named(Format::ALL, Format::name))]
     pub(crate) format: Option<Format>,
     /// Choose the content of an .exr, .pfm or .npy, separated by commas

@@ -74,8 +74,11 @@ impl ImageOptions {
         match destination {
             Destination::Stdout => Ok(self.format.unwrap_or(usual)),
             Destination::File(path) => Format::of_path(path).or_else(|error| {
-                let advice = "or choose the format by --format";
-                self.format.ok_or_else(|| error.note(advice))
+                let advised = || match path.extension() {
+                    Some(_) => error,
+                    None => error.note("or choose the format of -o by --format"),
+                };
+                self.format.ok_or_else(advised)
             }),
         }
     }
