@@ -1,4 +1,4 @@
-//! Reads PNG files: 16-bit data as the views depth16, id16 and instance16 write it, and texts of any.
+//! Reads PNG files: 16-bit depths and numbers as views write them, and the texts of any PNG.
 
 use super::{Channel, ChannelName, Image, MISS, PixelBounds, Samples, View};
 use crate::error::{Diagnostic, Error, Result, SourceLocation};

@@ -34,7 +34,8 @@ fn a_mask_is_255_at_hits() {
 #[test]
 fn numbers_of_16_bits_are_those_of_the_channels() {
     let copies = "ObjectBegin \"a\"\nShape \"sphere\" \"float radius\" 0.5\nObjectEnd\n\
-                  Translate -1.5 0 -4\nObjectInstance \"a\"\nTranslate 2 0 0\nObjectInstance \"a\"\n";
+                  Translate -1.5 0 -4\nObjectInstance \"a\"\n\
+                  Translate 2 0 0\nObjectInstance \"a\"\n";
     let folder = Folder::new().with("copies.pbrt", format!("{BALL}{copies}"));
     let exr = folder.rendered("copies.pbrt --aov id,instance");
     for (view, name) in [("id16", "id"), ("instance16", "instance")] {

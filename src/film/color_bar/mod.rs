@@ -16,7 +16,7 @@ const INK: Rgb = [48, 52, 60];
 /// The least height of a bar with its numbers, in pixels.
 const MIN_HEIGHT: usize = 72;
 
-/// Lengths in dots of the font: the margin, the width of the bar, a tick, and the space around text.
+/// Lengths in dots of the font: margin, width of the bar, tick, and space around text.
 const MARGIN: usize = 7;
 const BAR: usize = 12;
 const TICK: usize = 3;

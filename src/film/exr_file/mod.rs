@@ -33,8 +33,11 @@ pub fn write(
     metadata: &Metadata,
     out: &mut (impl Write + Seek + Send),
 ) -> io::Result<()> {
-    let all: Vec<ChannelName> = image.channels.iter().map(|channel| channel.name).collect();
-    write_channels(image, &all, metadata, out)
+    write_channels(image, &all_names(image), metadata, out)
+}
+
+fn all_names(image: &Image) -> Vec<ChannelName> {
+    image.channels.iter().map(|channel| channel.name).collect()
 }
 
 /// Like [`write`], but only those channels of `image` that `names` lists.
