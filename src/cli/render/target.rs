@@ -167,7 +167,8 @@ impl<'a> Targets<'a> {
             "the scene names this file: use -o to name another one, move it away, or use --force \
              to overwrite it"
         };
-        let place = SourceLocation::file(Path::new(&destination.to_string()));
+        let path = destination.file().unwrap_or(Path::new("-"));
+        let place = SourceLocation::file(path);
         let diagnostic = diagnostic.at(place).note(advice);
         Error::new(ErrorKind::Output, diagnostic)
     }
