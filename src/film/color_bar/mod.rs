@@ -22,7 +22,7 @@ const BAR: usize = 12;
 const TICK: usize = 3;
 const SPACE: usize = 3;
 /// From the top to the bar: a margin, the title, and a space.
-const TOP: usize = MARGIN + HEIGHT + 6;
+const TOP: usize = MARGIN + HEIGHT + 9;
 
 /// A colour map over a range of values.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -40,7 +40,7 @@ fn all_names(image: &Image) -> Vec<ChannelName> {
     image.channels.iter().map(|channel| channel.name).collect()
 }
 
-/// Like [`write`], but only those channels of `image` that `names` lists.
+/// Like [`write()`], but only those channels of `image` that `names` lists.
 pub fn write_channels(
     image: &Image,
     names: &[ChannelName],
