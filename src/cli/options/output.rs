@@ -60,6 +60,17 @@ pub(crate) struct OutputArgs {
     pub(crate) miss: Option<f32>,
 }
 
+impl OutputArgs {
+    /// The format of standard output, and of images in a folder.
+    pub(crate) fn format_without_name(&self) -> Format {
+        let usual = match self.view.is_empty() {
+            true => Format::Exr,
+            false => Format::Png,
+        };
+        self.format.unwrap_or(usual)
+    }
+}
+
 fn views() -> impl TypedValueParser<Value = View> {
     let value = |view: View| {
         PossibleValue::new(view.name()).help(match view {

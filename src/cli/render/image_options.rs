@@ -1,7 +1,7 @@
 //! Options for the content of images, and the content that they choose for each file.
 
 use super::encode::{ChannelFile, ChannelFormat, Content, ViewFile};
-use super::option_meanings::{FileKind, MeaningfulOption, check_meanings};
+use super::option_meanings::{FileKind, ImageOption, check_meanings};
 use crate::cli::files::destination::Destination;
 use crate::cli::options::output::OutputArgs;
 use crate::cli::options::values::refuse_repeated;
@@ -16,6 +16,7 @@ pub(super) struct ImageOptions {
     aov: Option<Vec<Aov>>,
     depth_channel: Option<String>,
     format: Option<Format>,
+    format_of_stdout: Format,
     views: Vec<View>,
     colors: Option<ColorMap>,
     range: Option<ColorRange>,
@@ -35,6 +36,7 @@ impl ImageOptions {
             aov: args.aov.clone(),
             depth_channel: args.depth_channel.clone(),
             format: args.format,
+            format_of_stdout: args.format_without_name(),
             views: args.view.clone(),
             colors: args.colormap,
             range: args.range.map(color_range).transpose()?,
@@ -67,12 +69,8 @@ impl ImageOptions {
     }
 
     fn format(&self, destination: &Destination) -> Result<Format> {
-        let usual = match self.views.is_empty() {
-            true => Format::Exr,
-            false => Format::Png,
-        };
         match destination {
-            Destination::Stdout => Ok(self.format.unwrap_or(usual)),
+            Destination::Stdout => Ok(self.format_of_stdout),
             Destination::File(path) => Format::of_path(path).or_else(|error| {
                 let advised = || match path.extension() {
                     Some(_) => error,
@@ -113,18 +111,18 @@ impl ImageOptions {
     }
 
     /// The options that the user has set.
-    fn set_options(&self) -> Vec<MeaningfulOption> {
+    fn set_options(&self) -> Vec<ImageOption> {
         let options = [
-            (MeaningfulOption::Aov, self.aov.is_some()),
-            (MeaningfulOption::DepthChannel, self.depth_channel.is_some()),
-            (MeaningfulOption::View, !self.views.is_empty()),
-            (MeaningfulOption::ColorMap, self.colors.is_some()),
-            (MeaningfulOption::Range, self.range.is_some()),
-            (MeaningfulOption::Legend, self.legend),
-            (MeaningfulOption::Background, self.background.is_some()),
-            (MeaningfulOption::Scale, self.scale.is_some()),
-            (MeaningfulOption::Miss, self.miss.is_some()),
-            (MeaningfulOption::SkipExisting, self.skip_existing),
+            (ImageOption::Aov, self.aov.is_some()),
+            (ImageOption::DepthChannel, self.depth_channel.is_some()),
+            (ImageOption::View, !self.views.is_empty()),
+            (ImageOption::ColorMap, self.colors.is_some()),
+            (ImageOption::Range, self.range.is_some()),
+            (ImageOption::Legend, self.legend),
+            (ImageOption::Background, self.background.is_some()),
+            (ImageOption::Scale, self.scale.is_some()),
+            (ImageOption::Miss, self.miss.is_some()),
+            (ImageOption::SkipExisting, self.skip_existing),
         ];
         let set = options.into_iter().filter(|(_, is_set)| *is_set);
         set.map(|(option, _)| option).collect()

@@ -15,7 +15,7 @@ pub(super) enum FileKind {
 
 /// An option that has a meaning for some kinds of files only.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum MeaningfulOption {
+pub(super) enum ImageOption {
     Aov,
     DepthChannel,
     View,
@@ -28,19 +28,19 @@ pub(super) enum MeaningfulOption {
     SkipExisting,
 }
 
-impl MeaningfulOption {
+impl ImageOption {
     fn flag(self) -> &'static str {
         match self {
-            MeaningfulOption::Aov => "--aov",
-            MeaningfulOption::DepthChannel => "--depth-channel",
-            MeaningfulOption::View => "--view",
-            MeaningfulOption::ColorMap => "--colormap",
-            MeaningfulOption::Range => "--range",
-            MeaningfulOption::Legend => "--legend",
-            MeaningfulOption::Background => "--background",
-            MeaningfulOption::Scale => "--scale",
-            MeaningfulOption::Miss => "--miss",
-            MeaningfulOption::SkipExisting => "--skip-existing",
+            ImageOption::Aov => "--aov",
+            ImageOption::DepthChannel => "--depth-channel",
+            ImageOption::View => "--view",
+            ImageOption::ColorMap => "--colormap",
+            ImageOption::Range => "--range",
+            ImageOption::Legend => "--legend",
+            ImageOption::Background => "--background",
+            ImageOption::Scale => "--scale",
+            ImageOption::Miss => "--miss",
+            ImageOption::SkipExisting => "--skip-existing",
         }
     }
 
@@ -49,7 +49,7 @@ impl MeaningfulOption {
         match kind {
             FileKind::Exr => self.obstacle_in_channels(),
             FileKind::Npy | FileKind::Pfm => match self {
-                MeaningfulOption::DepthChannel | MeaningfulOption::SkipExisting => {
+                ImageOption::DepthChannel | ImageOption::SkipExisting => {
                     Some("a file without a header for it; an .exr has one".to_owned())
                 }
                 _ => self.obstacle_in_channels(),
@@ -60,34 +60,34 @@ impl MeaningfulOption {
 
     fn obstacle_in_channels(self) -> Option<String> {
         match self {
-            MeaningfulOption::View
-            | MeaningfulOption::ColorMap
-            | MeaningfulOption::Range
-            | MeaningfulOption::Legend
-            | MeaningfulOption::Background
-            | MeaningfulOption::Scale => Some("a file that holds the values themselves".to_owned()),
+            ImageOption::View
+            | ImageOption::ColorMap
+            | ImageOption::Range
+            | ImageOption::Legend
+            | ImageOption::Background
+            | ImageOption::Scale => Some("a file that holds the values themselves".to_owned()),
             _ => None,
         }
     }
 
     fn obstacle_in_view(self, view: View) -> Option<String> {
         match self {
-            MeaningfulOption::Aov | MeaningfulOption::DepthChannel => {
+            ImageOption::Aov | ImageOption::DepthChannel => {
                 Some("a PNG; for channels give the output the extension .exr".to_owned())
             }
-            MeaningfulOption::ColorMap | MeaningfulOption::Range | MeaningfulOption::Legend => {
+            ImageOption::ColorMap | ImageOption::Range | ImageOption::Legend => {
                 let is_fixed = !view.has_color_map();
                 is_fixed.then(|| format!("a PNG of the view {view}, whose colours are fixed"))
             }
-            MeaningfulOption::Background => {
+            ImageOption::Background => {
                 let is_fixed = !view.has_background();
                 is_fixed.then(|| format!("a PNG of the view {view}, whose misses have no colour"))
             }
-            MeaningfulOption::Scale | MeaningfulOption::Miss => {
+            ImageOption::Scale | ImageOption::Miss => {
                 let is_other = view != View::Depth16;
                 is_other.then(|| "a PNG, but not of the view depth16".to_owned())
             }
-            MeaningfulOption::View | MeaningfulOption::SkipExisting => None,
+            ImageOption::View | ImageOption::SkipExisting => None,
         }
     }
 }
@@ -98,7 +98,7 @@ impl MeaningfulOption {
 /// # Errors
 /// One has not; the message is about the first such file.
 pub(super) fn check_meanings(
-    options: &[MeaningfulOption],
+    options: &[ImageOption],
     destinations: &[Destination],
     kinds: &[FileKind],
 ) -> Result<()> {
@@ -112,7 +112,7 @@ pub(super) fn check_meanings(
             ))
         });
         let obstacles: Vec<String> = obstacles.collect();
-        let is_for_all = *option == MeaningfulOption::SkipExisting;
+        let is_for_all = *option == ImageOption::SkipExisting;
         let is_refused = is_for_all || obstacles.len() == kinds.len();
         if let (true, Some(first)) = (is_refused, obstacles.into_iter().next()) {
             return Err(Error::usage(first));

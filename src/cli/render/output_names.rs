@@ -16,11 +16,7 @@ impl OutputNames {
     /// # Errors
     /// A template is wrong; `--format` has no meaning for any of them.
     pub(crate) fn new(args: &OutputArgs, has_cameras: bool) -> Result<OutputNames> {
-        let usual = match args.view.is_empty() {
-            true => Format::Exr,
-            false => Format::Png,
-        };
-        let format = args.format.unwrap_or(usual);
+        let format = args.format_without_name();
         let name = |template: &String| OutputName::new(template, format, has_cameras);
         let names = args.output.iter().map(name).collect::<Result<Vec<_>>>()?;
         if let Some(format) = args.format {
