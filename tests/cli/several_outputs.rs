@@ -237,7 +237,14 @@ fn a_terminal_gets_no_image() {
     let folder = Folder::new();
     folder.render("ball.pbrt -o a.exr").succeeded();
     let program = folder.command("").get_program().to_owned();
-    for arguments in ["render ball.pbrt -o -", "merge a.exr -o -"] {
+    for (arguments, name) in [
+        ("render ball.pbrt -o -", "standard output"),
+        ("merge a.exr -o -", "standard output"),
+        (
+            "render ball.pbrt -o /dev/stdout --format exr",
+            "/dev/stdout",
+        ),
+    ] {
         let line = format!("{} {arguments}", program.display());
         // `script` runs a command in a terminal.
         let mut command = std::process::Command::new("script");
@@ -247,7 +254,7 @@ fn a_terminal_gets_no_image() {
         };
         let text = String::from_utf8_lossy(&output.stdout);
         assert_eq!(output.status.code(), Some(2), "{text}");
-        assert!(text.contains("standard output is a terminal"), "{text}");
+        assert!(text.contains(&format!("{name} is a terminal")), "{text}");
         assert!(text.contains("> image.exr"), "{text}");
     }
 }

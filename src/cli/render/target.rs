@@ -7,6 +7,7 @@ use super::target_file::TargetFile;
 use crate::cli::files::destination::Destination;
 use crate::cli::files::folders::OpenFolders;
 use crate::cli::terminal::reporter::Reporter;
+use crate::cli::terminal::stdout;
 use feimos::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
 use feimos::film::atomic_file::Overwrite;
 use feimos::film::{ChannelName, PixelBounds};
@@ -151,6 +152,9 @@ impl<'a> Targets<'a> {
         if self.overwrite == Overwrite::No {
             destination.check_free()?;
         }
+        destination
+            .file()
+            .map_or(Ok(()), stdout::check_binary_file)?;
         self.folders.check(destination)
     }
 
