@@ -28,12 +28,36 @@ pub fn write_rgb(
     texts: &[Text],
     out: &mut impl Write,
 ) -> io::Result<()> {
-    check_count(size, pixels.len())?;
-    let pixels = Pixels {
-        pixels,
-        bytes_of: |rgb| rgb,
-    };
-    encode(size, (ColorType::Rgb, BitDepth::Eight), &pixels, texts, out)
+    let kind = (ColorType::Rgb, BitDepth::Eight);
+    write(size, kind, pixels, |rgb| rgb, texts, out)
+}
+
+/// Writes colours with alpha, row by row from the top.
+///
+/// # Errors
+/// Like [`write_rgb`].
+pub fn write_rgba(
+    size: [u32; 2],
+    pixels: &[[u8; 4]],
+    texts: &[Text],
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let kind = (ColorType::Rgba, BitDepth::Eight);
+    write(size, kind, pixels, |rgba| rgba, texts, out)
+}
+
+/// Writes 8-bit gray values, row by row from the top.
+///
+/// # Errors
+/// Like [`write_rgb`].
+pub fn write_gray8(
+    size: [u32; 2],
+    pixels: &[u8],
+    texts: &[Text],
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let kind = (ColorType::Grayscale, BitDepth::Eight);
+    write(size, kind, pixels, |gray| [gray], texts, out)
 }
 
 /// Writes 16-bit gray values, row by row from the top.
@@ -46,13 +70,20 @@ pub fn write_gray16(
     texts: &[Text],
     out: &mut impl Write,
 ) -> io::Result<()> {
-    check_count(size, pixels.len())?;
     let kind = (ColorType::Grayscale, BitDepth::Sixteen);
-    let pixels = Pixels {
-        pixels,
-        bytes_of: u16::to_be_bytes,
-    };
-    encode(size, kind, &pixels, texts, out)
+    write(size, kind, pixels, u16::to_be_bytes, texts, out)
+}
+
+fn write<P: Copy + Sync, const N: usize>(
+    size: [u32; 2],
+    kind: (ColorType, BitDepth),
+    pixels: &[P],
+    bytes_of: fn(P) -> [u8; N],
+    texts: &[Text],
+    out: &mut impl Write,
+) -> io::Result<()> {
+    check_count(size, pixels.len())?;
+    encode(size, kind, &Pixels { pixels, bytes_of }, texts, out)
 }
 
 fn check_count([width, height]: [u32; 2], count: usize) -> io::Result<()> {
@@ -178,6 +209,22 @@ mod tests {
         };
         assert!(gray.dimensions() == (3, 2) && gray.pixels().map(|pixel| pixel.0[0]).eq(shades));
         assert!(write_gray16([3, 3], &shades, &[], &mut Vec::new()).is_err());
+    }
+
+    #[test]
+    fn gray_values_of_8_bits_and_alpha_are_written_unchanged() {
+        let mut file = Vec::new();
+        write_gray8([2, 2], &[0, 255, 7, 0], &[], &mut file).unwrap();
+        let image::DynamicImage::ImageLuma8(gray) = image::load_from_memory(&file).unwrap() else {
+            panic!("gray")
+        };
+        assert_eq!(gray.into_raw(), [0, 255, 7, 0]);
+        let mut file = Vec::new();
+        write_rgba([1, 2], &[[1, 2, 3, 255], [0; 4]], &[], &mut file).unwrap();
+        let image::DynamicImage::ImageRgba8(rgba) = image::load_from_memory(&file).unwrap() else {
+            panic!("alpha")
+        };
+        assert_eq!(rgba.into_raw(), [1, 2, 3, 255, 0, 0, 0, 0]);
     }
 
     #[test]

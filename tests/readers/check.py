@@ -16,15 +16,14 @@ import numpy as np
 
 import poses
 import scenes
-from checks import Checks, bits
+import views
+from checks import bits, checks
 from images import by_openexr, by_openimageio, pfm, png_texts
 
 REPOSITORY = Path(__file__).resolve().parents[2]
 WHOLE_NUMBERS = {"id", "prim", "instance", "cost"}
 ATTRIBUTES = ["feimos", "screenWindowWidth", "screenWindowCenter", "worldToCamera", "worldToNDC"]
 MEANINGS = {"Z", "t", "A", "id", "prim"}
-
-checks = Checks()
 
 
 class Renderer:
@@ -311,7 +310,8 @@ def main():
     program = os.path.abspath(sys.argv[1])
     with tempfile.TemporaryDirectory() as folder:
         render = Renderer(program, Path(folder))
-        for check in [usual, crops, misses, numbers, cameras, opencv_depth, pngs, arrays, lists_of_cameras, lenses]:
+        ours = [usual, crops, misses, numbers, cameras, opencv_depth, pngs, arrays, lists_of_cameras, lenses]
+        for check in ours + [views.data, views.conventions, views.pictures, views.several]:
             try:
                 check(render)
             except Exception as error:

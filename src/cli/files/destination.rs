@@ -1,8 +1,9 @@
 //! The destination of an output: a file or standard output.
 
+use super::new_folders;
 use crate::cli::terminal::stdout::{self, write_to_stdout};
 use feimos::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
-use feimos::film::atomic_file::{self, Overwrite};
+use feimos::film::atomic_file::Overwrite;
 use std::fmt::{self, Display, Formatter};
 use std::io::{self, Cursor, Seek, Write};
 use std::path::{Path, PathBuf};
@@ -29,7 +30,15 @@ impl Destination {
         }
     }
 
-    /// Writes all of `content`; a file appears complete or not at all.
+    /// The path of a file.
+    pub(crate) fn file(&self) -> Option<&Path> {
+        match self {
+            Destination::File(path) => Some(path),
+            Destination::Stdout => None,
+        }
+    }
+
+    /// Writes all of `content`; a file appears complete or not at all. Makes missing folders.
     ///
     /// # Errors
     /// The file cannot be made, or exists and must not be replaced; the disk is full; the reader of
@@ -37,7 +46,7 @@ impl Destination {
     pub(crate) fn write(&self, overwrite: Overwrite, content: &impl Encode) -> Result<()> {
         match self {
             Destination::File(path) => {
-                atomic_file::write_file(path, overwrite, |out| content.encode(out)).map(|_| ())
+                new_folders::write_with_folders(path, overwrite, |out| content.encode(out))
             }
             Destination::Stdout => {
                 let mut bytes = Cursor::new(Vec::new());
@@ -65,7 +74,7 @@ impl Destination {
     /// The destination cannot be written, as far as that is known before the work.
     pub(crate) fn check(&self) -> Result<()> {
         match self {
-            Destination::File(path) => atomic_file::check(path),
+            Destination::File(path) => new_folders::check_with_folders(path),
             Destination::Stdout => stdout::check(),
         }
     }
@@ -78,4 +87,10 @@ impl Display for Destination {
             Destination::File(path) => path.display().fmt(f),
         }
     }
+}
+
+/// The names of several destinations, for messages.
+pub(crate) fn joined<'a>(destinations: impl IntoIterator<Item = &'a Destination>) -> String {
+    let names = destinations.into_iter().map(Destination::to_string);
+    names.collect::<Vec<_>>().join(", ")
 }

@@ -9,6 +9,7 @@ use crate::cli::files::inputs::Inputs;
 use crate::cli::process::threads::thread_pool;
 use crate::cli::terminal::progress::{Phase, ProgressBars};
 use crate::cli::terminal::reporter::Reporter;
+use crate::cli::terminal::stdout;
 use crate::cli::terminal::words::counted;
 use feimos::error::{Error, Result};
 use feimos::film::atomic_file::Overwrite;
@@ -26,6 +27,8 @@ pub(crate) fn merge(args: &MergeArgs, reporter: &Reporter) -> Result<u8> {
         Inputs::default()
             .with(&args.crops, "a crop")
             .check(path, "-o")?;
+    } else {
+        stdout::check_binary()?;
     }
     destination.check()?;
     let pool = thread_pool(args.threads.count, reporter)?;

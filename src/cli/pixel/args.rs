@@ -21,7 +21,8 @@ pub(crate) struct PixelArgs {
     #[arg(long, help_heading = "Output")]
     pub(super) json: bool,
     /// Set the width and height of the film [default: the scene's].
-    #[arg(long, value_name = "WxH", value_parser = resolution, help_heading = "Region")]
+    #[arg(long, value_name = "WxH", value_parser = resolution, allow_hyphen_values = true)]
+    #[arg(help_heading = "Region")]
     pub(super) resolution: Option<[u32; 2]>,
     /// Count the cost with this accelerator alone [default: with each].
     #[arg(long, value_name = "METHOD", help_heading = "Engine")]

@@ -1,20 +1,20 @@
 //! Renders one image: builds, traces and writes.
 
 use super::built::{Built, BuiltTree};
-use super::encode::Content;
 use super::milliseconds::{Milliseconds, milliseconds_since, timed};
 use super::plan::Plan;
 use super::record::{Finished, Record};
 use super::scene::{LoadedScene, Viewpoint};
 use super::summary::{report_built, report_image, report_statistics};
 use super::target::{Target, Targets};
+use super::target_file;
 use crate::cli::files::destination::Destination;
 use crate::cli::options::engine::AcceleratorChoice;
 use crate::cli::terminal::progress::{Phase, ProgressBars};
 use crate::cli::terminal::reporter::Reporter;
 use feimos::accel::{Accelerator, Aggregate, Bins, Precision};
 use feimos::error::{Error, Result};
-use feimos::film::{CameraAttributes, PixelBounds};
+use feimos::film::PixelBounds;
 use feimos::progress::Progress;
 use feimos::render::{RenderOptions, render};
 use std::time::Instant;
@@ -31,12 +31,12 @@ pub(super) struct Renderer<'a> {
 pub(super) enum Outcome {
     Written {
         record: Box<Record>,
-        destination: Destination,
+        destinations: Vec<Destination>,
         /// The scene has warnings.
         warned: bool,
     },
-    /// The image existed already.
-    Skipped(Destination),
+    /// All files of the image existed already.
+    Skipped(Vec<Destination>),
 }
 
 /// With so many views of one scene, a tree that all share is faster than bins for each:
@@ -54,7 +54,7 @@ impl Renderer<'_> {
         load: f64,
     ) -> Result<Outcome> {
         let Some(target) = self.targets.find(loaded, view)? else {
-            return Ok(Outcome::Skipped(self.targets.destination(loaded, view)));
+            return Ok(Outcome::Skipped(self.targets.destinations(loaded, view)));
         };
         let mut finished = self.make(loaded, view, target)?;
         finished.ms.load = load;
@@ -63,27 +63,24 @@ impl Renderer<'_> {
         if self.plan.stats {
             report_statistics(&loaded.scene, &finished, self.reporter);
         }
+        let record = Record::new(loaded, view, &finished);
+        let files = finished.files.into_iter();
         Ok(Outcome::Written {
-            record: Box::new(Record::new(loaded, view, &finished)),
-            destination: finished.destination,
+            record: Box::new(record),
+            destinations: files.map(|file| file.destination).collect(),
             warned: !loaded.scene.warnings.is_empty(),
         })
     }
 
     /// Builds, traces and writes.
     fn make(&self, loaded: &LoadedScene, view: &Viewpoint, target: Target) -> Result<Finished> {
-        let Target {
-            destination,
-            content,
-            window,
-            header,
-        } = target;
         let geometry = &loaded.scene.geometry;
-        let (built, build_ms) = self.build(loaded, view, &content, &window)?;
+        let (built, build_ms) = self.build(loaded, view, &target)?;
+        let window = target.window;
         let options = RenderOptions {
             data_window: window,
-            channels: content.channels(),
-            miss: content.miss(),
+            channels: target.channels(),
+            miss: target.miss(),
             counted: self.plan.stats,
             level: self.plan.simd,
             precision: self.plan.precision,
@@ -95,12 +92,9 @@ impl Renderer<'_> {
             timed(|| self.bars.during(Phase::Rendering(window.area()), trace));
         let rendering = rendering?;
 
-        let camera = CameraAttributes::of(&view.camera);
-        let (legend, write_ms) = timed(|| {
+        let (files, write_ms) = timed(|| {
             let (image, overwrite) = (&rendering.image, self.targets.overwrite);
-            let content = content.with_range_of(image);
-            let written = content.write(image, header.as_deref(), camera, &destination, overwrite);
-            written.map(|()| content.legend())
+            target_file::write(target.files, image, &view.camera, overwrite)
         });
         let ms = Milliseconds {
             build: build_ms,
@@ -109,13 +103,12 @@ impl Renderer<'_> {
             ..Milliseconds::default()
         };
         Ok(Finished {
-            destination,
+            files: files?,
             accelerator: built.accelerator(),
             size: built.size(),
             precision: self.plan.precision,
             simd: self.plan.simd,
             rendering,
-            legend: legend?,
             ms,
         })
     }
@@ -125,11 +118,10 @@ impl Renderer<'_> {
         &self,
         loaded: &'a LoadedScene,
         view: &Viewpoint,
-        content: &Content,
-        window: &PixelBounds,
+        target: &Target,
     ) -> Result<(Built<'a>, f64)> {
         let is_linear = view.camera.projection.is_linear();
-        let takes_bins = self.takes_bins(loaded, content)?;
+        let takes_bins = self.takes_bins(loaded, target)?;
         if takes_bins && !is_linear && self.plan.accel != AcceleratorChoice::Auto {
             let method = loaded.build.method;
             self.reporter.note(format_args!(
@@ -140,7 +132,7 @@ impl Renderer<'_> {
         }
         if takes_bins && is_linear {
             Bins::check_memory(&loaded.scene.geometry)?;
-            let (bins, ms) = self.bins(loaded, view, window);
+            let (bins, ms) = self.bins(loaded, view, &target.window);
             if let Some(bins) = bins {
                 let built = Built::Bins(Box::new(bins));
                 report_built(&built, &loaded.scene.geometry, self.reporter);
@@ -154,15 +146,15 @@ impl Renderer<'_> {
                 ));
             }
         }
-        self.tree(loaded, view, content)
+        self.tree(loaded, view, target)
     }
 
     /// Decides between bins and a tree.
     ///
     /// # Errors
     /// Costs are asked for, and bins.
-    fn takes_bins(&self, loaded: &LoadedScene, content: &Content) -> Result<bool> {
-        let costs = content.needs_tree();
+    fn takes_bins(&self, loaded: &LoadedScene, target: &Target) -> Result<bool> {
+        let costs = target.needs_tree();
         match self.plan.accel {
             AcceleratorChoice::Fixed(Accelerator::Tree(_)) => Ok(false),
             AcceleratorChoice::Fixed(Accelerator::Raster) if costs => {
@@ -197,12 +189,12 @@ impl Renderer<'_> {
         &self,
         loaded: &'a LoadedScene,
         view: &Viewpoint,
-        content: &Content,
+        target: &Target,
     ) -> Result<(Built<'a>, f64)> {
         let (geometry, build) = (&loaded.scene.geometry, loaded.build);
         // Answers in f32, and costs, depend on the anchor, where boxes are the most precise: each
         // view has its own tree, as if it were rendered alone.
-        let depends_on_view = self.plan.precision == Precision::Fast || content.needs_tree();
+        let depends_on_view = self.plan.precision == Precision::Fast || target.needs_tree();
         let is_shared = loaded.views.len() > 1 && !depends_on_view;
         if let (true, Some(built)) = (is_shared, loaded.shared()) {
             return Ok((Built::Shared(built), 0.0));

@@ -3,7 +3,8 @@
 use feimos::error::{Error, Result};
 use feimos::json;
 use serde::Serialize;
-use std::io::{self, Write};
+use std::fs::{File, Metadata};
+use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 
 /// # Errors
@@ -18,6 +19,45 @@ pub(crate) fn check() -> Result<()> {
 /// Like [`check`], if the command writes to standard output.
 pub(crate) fn check_if(is_used: bool) -> Result<()> {
     if is_used { check() } else { Ok(()) }
+}
+
+/// # Errors
+/// Standard output is a terminal, which binary data would confuse.
+pub(crate) fn check_binary() -> Result<()> {
+    match io::stdout().is_terminal() {
+        true => Err(is_terminal("-o -: standard output")),
+        false => Ok(()),
+    }
+}
+
+/// # Errors
+/// The file `path` is a terminal, as `/dev/stdout` may be.
+pub(crate) fn check_binary_file(path: &Path) -> Result<()> {
+    // Only a device is opened: a pipe would wait for its reader.
+    let is_device = path.metadata().is_ok_and(|found| is_device(&found));
+    let open = || File::options().write(true).open(path);
+    if is_device && open().is_ok_and(|file| file.is_terminal()) {
+        return Err(is_terminal(&path.display().to_string()));
+    }
+    Ok(())
+}
+
+#[cfg(unix)]
+fn is_device(found: &Metadata) -> bool {
+    use std::os::unix::fs::FileTypeExt;
+    found.file_type().is_char_device()
+}
+
+#[cfg(not(unix))]
+fn is_device(_: &Metadata) -> bool {
+    false
+}
+
+fn is_terminal(output: &str) -> Error {
+    let error = Error::usage(format!(
+        "{output} is a terminal, and images are binary data"
+    ));
+    error.note("redirect it, such as `> image.exr`, or pipe it into a program by `|`")
 }
 
 /// Writes all of `bytes`, or reports why they could not be made.

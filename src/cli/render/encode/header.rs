@@ -11,7 +11,7 @@ use feimos::accel::{Precision, SplitMethod};
 use feimos::camera::Projection;
 use feimos::digest::Digest;
 use feimos::film::view::Depth16;
-use feimos::film::{Aov, ColorRange, DEPTH_CHANNEL, MISS, PixelBounds};
+use feimos::film::{Aov, ColorRange, DEPTH_CHANNEL, MISS, PixelBounds, View};
 use serde_json::{Map, Value, json};
 
 /// How the pixels of an image were made.
@@ -110,19 +110,23 @@ fn meaning(aov: Aov, within_instances: bool) -> &'static str {
 
 fn add_view(file: &ViewFile, provenance: &Provenance, header: &mut Map<String, Value>) {
     let PixelBounds { x0, x1, y0, y1 } = provenance.window;
-    header.insert("view".into(), file.view().name().into());
+    header.insert("view".into(), file.view.name().into());
     header.insert("film".into(), json!(provenance.film));
     header.insert("window".into(), json!([x0, x1, y0, y1]));
-    match file {
-        ViewFile::Depth { colors, range } | ViewFile::Cost { colors, range } => {
-            let range = range.map(|ColorRange { start, end }| [start, end]);
-            header.insert("colormap".into(), colors.name().into());
-            header.insert("range".into(), json!(range));
-        }
-        ViewFile::Depth16(Depth16 { scale, miss }) => {
-            header.insert("scale".into(), json!(scale));
-            header.insert(MISS.into(), json!(miss));
-        }
-        ViewFile::Hit | ViewFile::Normal | ViewFile::Id => {}
+    if file.view.has_color_map() {
+        let range = file.range.map(|ColorRange { start, end }| [start, end]);
+        header.insert("colormap".into(), file.colors.name().into());
+        header.insert("range".into(), json!(range));
+    }
+    if file.view == View::Depth16 {
+        let Depth16 { scale, miss } = file.depth16;
+        header.insert("scale".into(), json!(scale));
+        header.insert(MISS.into(), json!(miss));
+    }
+    if let Some(background) = &file.background {
+        header.insert("background".into(), background.to_string().into());
+    }
+    if file.has_legend {
+        header.insert("legend".into(), true.into());
     }
 }
