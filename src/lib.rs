@@ -64,5 +64,6 @@ pub mod render;
 pub mod scene;
 pub mod shape;
 pub mod simd;
+pub mod survey;
 pub mod terminal_text;
 pub mod texture;

@@ -1,0 +1,82 @@
+//! What a camera may see of the surveyed shapes.
+
+use super::oddity::is_flat;
+use super::shapes::{Survey, SurveyedShape, distance};
+use super::view_volume::{ViewVolume, Visibility};
+use crate::camera::Camera;
+use crate::film::PixelBounds;
+use crate::geometry::Point;
+
+/// What a camera may see.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sight {
+    /// What the camera may see of each shape, in the order of the survey.
+    pub visibility: Vec<Visibility>,
+    /// Whether the eye is within the box around all shapes.
+    pub is_within_bounds: bool,
+    /// Whether shapes surround the eye, as the walls of a room do: then it is usual that some are
+    /// behind it.
+    pub is_surrounded: bool,
+    eye: Point,
+}
+
+impl Survey {
+    /// What the pixels `window` of a camera's film may show.
+    pub fn seen_by(&self, camera: &Camera, window: &PixelBounds) -> Sight {
+        let volume = ViewVolume::new(camera, window);
+        let visibility = self
+            .shapes
+            .iter()
+            .map(|shape| volume.visibility(&shape.bounds));
+        let eye = camera.anchor();
+        Sight {
+            visibility: visibility.collect(),
+            is_within_bounds: !self.bounds.is_empty() && distance(&self.bounds, eye) == 0.0,
+            is_surrounded: surround(&self.shapes, eye),
+            eye,
+        }
+    }
+}
+
+impl Sight {
+    /// Whether the picture is certainly empty: no shape's box reaches it.
+    pub fn sees_nothing(&self) -> bool {
+        self.count(Visibility::InView) == 0
+    }
+
+    /// The number of shapes that the camera sees in this way.
+    pub fn count(&self, visibility: Visibility) -> usize {
+        self.visibility
+            .iter()
+            .filter(|seen| **seen == visibility)
+            .count()
+    }
+
+    /// The distance of the eye from the nearest point of a shape's box.
+    pub fn distance(&self, shape: &SurveyedShape) -> f64 {
+        distance(&shape.bounds, self.eye)
+    }
+
+    /// The places in the survey of the shapes that are behind the camera, but not of area lights.
+    pub fn behind(&self, survey: &Survey) -> Vec<usize> {
+        let shapes = survey.shapes.iter().zip(&self.visibility).enumerate();
+        let behind =
+            shapes.filter(|(_, (shape, seen))| **seen == Visibility::Behind && !shape.is_light);
+        behind.map(|(place, _)| place).collect()
+    }
+}
+
+/// Whether the eye is within the box of a shape that is no plane, or has shapes on both sides along
+/// two axes.
+fn surround(shapes: &[SurveyedShape], eye: Point) -> bool {
+    let mut sides = [[false; 2]; 3];
+    for shape in shapes.iter().filter(|shape| shape.can_be_hit()) {
+        if distance(&shape.bounds, eye) == 0.0 && !is_flat(&shape.bounds) {
+            return true;
+        }
+        let towards = shape.bounds.centre() - eye;
+        let axis = towards.largest_axis();
+        sides[axis][usize::from(towards[axis] > 0.0)] = true;
+    }
+    sides.iter().filter(|sides| **sides == [true; 2]).count() >= 2
+}
