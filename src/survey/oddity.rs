@@ -35,6 +35,18 @@ pub enum Oddity {
     },
 }
 
+impl Oddity {
+    /// The place of its kind among all kinds.
+    fn rank(&self) -> u8 {
+        match self {
+            Oddity::Far { .. } => 0,
+            Oddity::Large { .. } => 1,
+            Oddity::Small { .. } => 2,
+            Oddity::Stretched { .. } => 3,
+        }
+    }
+}
+
 /// An odd shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Finding {
@@ -62,6 +74,7 @@ impl Survey {
         let mut findings = self.far_shapes();
         findings.extend(self.odd_sizes());
         findings.extend(self.stretched(scene));
+        findings.sort_by_key(|finding| finding.oddity.rank());
         findings
     }
 

@@ -17,6 +17,9 @@ pub struct Sight {
     /// Whether shapes surround the eye, as the walls of a room do: then it is usual that some are
     /// behind it.
     pub is_surrounded: bool,
+    /// The places in the survey of the shapes whose boxes hold the eye and less than half of the
+    /// other shapes: they are no rooms and no skies.
+    pub around_eye: Vec<usize>,
     eye: Point,
 }
 
@@ -33,6 +36,7 @@ impl Survey {
             visibility: visibility.collect(),
             is_within_bounds: !self.bounds.is_empty() && distance(&self.bounds, eye) == 0.0,
             is_surrounded: surround(&self.shapes, eye),
+            around_eye: around(&self.shapes, eye),
             eye,
         }
     }
@@ -79,4 +83,28 @@ fn surround(shapes: &[SurveyedShape], eye: Point) -> bool {
         sides[axis][usize::from(towards[axis] > 0.0)] = true;
     }
     sides.iter().filter(|sides| **sides == [true; 2]).count() >= 2
+}
+
+/// Shapes around the eye that are compared with all others.
+const MOST_AROUND: usize = 64;
+
+/// The places of the shapes around the eye that hold less than half of the others; the first ones,
+/// if many shapes are around it.
+fn around(shapes: &[SurveyedShape], eye: Point) -> Vec<usize> {
+    let is_within = |shape: &SurveyedShape, point: Point| {
+        shape.can_be_hit() && distance(&shape.bounds, point) == 0.0
+    };
+    let around = |place: &usize| {
+        let shape = &shapes[*place];
+        is_within(shape, eye) && !is_flat(&shape.bounds)
+    };
+    let visible = || shapes.iter().filter(|shape| shape.can_be_hit());
+    let others = visible().count().saturating_sub(1);
+    let is_small = |place: &usize| {
+        let holds = |other: &&SurveyedShape| is_within(&shapes[*place], other.bounds.centre());
+        // One of those that it holds is itself.
+        2 * visible().filter(holds).count().saturating_sub(1) < others
+    };
+    let around = (0..shapes.len()).filter(around).take(MOST_AROUND);
+    around.filter(is_small).collect()
 }

@@ -145,3 +145,97 @@ fn facing(normal: Vector, direction: Vector) -> Vector {
         normal
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::camera::{ScreenWindow, SphereMapping};
+    use crate::geometry::{Matrix, Ray};
+
+    fn camera(projection: Projection) -> Camera {
+        Camera {
+            world_from_camera: Matrix::translate([10.0, 0.0, 0.0]),
+            projection,
+            screen_window: ScreenWindow::of_aspect(2.0),
+            resolution: [40, 20],
+        }
+    }
+
+    fn volume(camera: &Camera) -> ViewVolume {
+        ViewVolume::new(camera, &PixelBounds::of_film(40, 20))
+    }
+
+    /// A box of sides 0.2 around a point.
+    fn around(point: [f64; 3]) -> Bounds {
+        Bounds {
+            low: point.map(|x| x - 0.1).into(),
+            high: point.map(|x| x + 0.1).into(),
+        }
+    }
+
+    #[test]
+    fn boxes_are_in_view_beside_it_or_behind() {
+        use Visibility::*;
+        let places = [
+            ([10.0, 0.0, 5.0], InView, InView),
+            ([10.0, 0.0, -5.0], Behind, Behind),
+            ([10.0, 0.0, 0.0], InView, InView),
+            ([14.9, 0.0, 5.0], InView, Beside),
+            ([20.5, 0.0, 5.0], Beside, Beside),
+            ([12.0, -1.05, 1.0], InView, InView),
+            ([10.0, 3.0, 1.0], Beside, Beside),
+        ];
+        let [perspective, orthographic] =
+            [Projection::perspective(90.0), Projection::Orthographic].map(camera);
+        let (perspective, orthographic) = (volume(&perspective), volume(&orthographic));
+        for (place, in_perspective, in_parallel) in places {
+            let bounds = around(place);
+            assert_eq!(perspective.visibility(&bounds), in_perspective, "{place:?}");
+            assert_eq!(orthographic.visibility(&bounds), in_parallel, "{place:?}");
+        }
+        assert_eq!(perspective.visibility(&Bounds::EMPTY), Nothing);
+        let spherical = camera(Projection::Spherical(SphereMapping::Equirectangular));
+        let behind = around([10.0, 0.0, -5.0]);
+        assert_eq!(volume(&spherical).visibility(&behind), InView);
+    }
+
+    #[test]
+    fn a_crop_shows_less() {
+        let camera = camera(Projection::perspective(90.0));
+        let [x0, x1, y0, y1] = [30, 40, 0, 20];
+        let right = ViewVolume::new(&camera, &PixelBounds { x0, x1, y0, y1 });
+        assert_eq!(
+            right.visibility(&around([10.0, 0.0, 5.0])),
+            Visibility::Beside
+        );
+        assert_eq!(
+            right.visibility(&around([17.0, 0.0, 5.0])),
+            Visibility::InView
+        );
+    }
+
+    #[test]
+    fn no_point_of_a_ray_is_out_of_view() {
+        let mirrored = Matrix {
+            rows: [
+                [-2.0, 0.1, 0.0, 3.0],
+                [0.0, 0.5, 0.3, 1.0],
+                [0.2, 0.0, 1.0, -7.0],
+            ],
+        };
+        for projection in [Projection::perspective(130.0), Projection::Orthographic] {
+            let camera = Camera {
+                world_from_camera: mirrored,
+                ..camera(projection)
+            };
+            let volume = volume(&camera);
+            for (x, y) in [(0, 0), (39, 0), (0, 19), (39, 19), (17, 5)] {
+                let Ray { origin, direction } = camera.ray(x, y);
+                for t in [1e-6, 1.0, 1e6] {
+                    let point = Bounds::of([origin + direction * t]);
+                    assert_eq!(volume.visibility(&point), Visibility::InView);
+                }
+            }
+        }
+    }
+}

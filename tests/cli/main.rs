@@ -10,6 +10,7 @@ mod bench_simd;
 mod cameras;
 mod check;
 mod check_json;
+mod check_survey;
 mod compare;
 mod compare_files;
 mod completions;

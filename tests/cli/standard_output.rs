@@ -108,12 +108,19 @@ fn a_full_standard_output_is_an_error() {
 #[test]
 fn a_pager_that_closes_early_is_no_error() {
     let folder = Folder::new();
-    for arguments in ["--help", "render --help", "--version"] {
+    for arguments in [
+        "--help",
+        "render --help",
+        "--version",
+        "check ball.pbrt ball.pbrt",
+        "check ball.pbrt ball.pbrt --json",
+    ] {
         let mut child = folder.subcommand("", "");
         let program = child.get_program().to_owned();
         child = Command::new(program);
         child
             .args(arguments.split_whitespace())
+            .current_dir(folder.path("."))
             .stdout(Stdio::piped())
             .stderr(Stdio::piped());
         let mut child = child.spawn().unwrap();

@@ -96,7 +96,7 @@ mod tests {
         let corner = |x: f64| Point::new(x, x * x, 0.0);
         let vertices: Vec<Point> = [0.0, 1.0, 2.0].map(corner).to_vec();
         let identity = &Matrix::IDENTITY;
-        let mut add_mesh = |geometry: &mut Geometry, count: usize, shape: u32| {
+        let add_mesh = |geometry: &mut Geometry, count: usize, shape: u32| {
             let triangles = vec![[0, 1, 2]; count];
             geometry
                 .add_mesh(vertices.clone(), triangles, identity, shape)

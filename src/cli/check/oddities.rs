@@ -1,0 +1,188 @@
+//! Warnings about shapes that are in odd places, and cameras that see none.
+
+use crate::cli::terminal::words::{counted, short};
+use feimos::error::Diagnostic;
+use feimos::scene::{Place, Scene, Warning};
+use feimos::survey::{Finding, Oddity, Sight, Source, Survey, Visibility};
+
+/// Further places that a warning lists.
+const MORE_PLACES: usize = 3;
+
+/// The warnings about odd shapes, one for each kind of oddity.
+pub(super) fn warnings_of_shapes(scene: &Scene, survey: &Survey) -> Vec<Warning> {
+    let findings = survey.findings(scene);
+    let same_kind = |a: &Finding, b: &Finding| kind(&a.oddity) == kind(&b.oddity);
+    let warning = |same: &[Finding]| {
+        let (oddity, source) = (&same[0].oddity, same[0].source);
+        let message = message(&name(scene, source), oddity);
+        let sources = same.iter().map(|finding| finding.source);
+        warning(scene, kind(oddity), message, advice(oddity), sources)
+    };
+    findings.chunk_by(same_kind).map(warning).collect()
+}
+
+/// The warnings about the `sight` of a camera, which may have a name.
+pub(super) fn warnings_of_sight(
+    scene: &Scene,
+    survey: &Survey,
+    sight: &Sight,
+    camera: Option<&str>,
+) -> Vec<Warning> {
+    let camera = camera.map_or_else(
+        || "the camera".to_owned(),
+        |name| format!("the camera `{name}`"),
+    );
+    if survey.bounds.is_empty() {
+        return Vec::new();
+    }
+    if sight.sees_nothing() {
+        let (beside, behind) = (
+            counted(sight.count(Visibility::Beside) as u64, "shape"),
+            sight.count(Visibility::Behind),
+        );
+        let message = format!("{camera} sees nothing: no shape's bounds reach the picture");
+        let first = Diagnostic::new(message).note(format!(
+            "{beside} beside the picture, {behind} behind the camera; --shapes lists all"
+        ));
+        return vec![Warning {
+            kind: "camera that sees nothing".to_owned(),
+            first,
+            count: 1,
+        }];
+    }
+    let source = |place: &usize| survey.shapes[*place].source;
+    let mut warnings = Vec::new();
+    if let Some(first) = sight.around_eye.first() {
+        let first = name(scene, source(first));
+        let message = format!("{camera} is within the bounds of this {first}");
+        let advice = "it may see the inside; move the camera, or the shape";
+        let sources = sight.around_eye.iter().map(source);
+        warnings.push(warning(
+            scene,
+            "camera within a shape",
+            message,
+            advice,
+            sources,
+        ));
+    }
+    let behind = sight.behind(survey);
+    if let (false, Some(first)) = (sight.is_surrounded, behind.first()) {
+        let message = format!(
+            "this {} is behind {camera}, {} away",
+            name(scene, source(first)),
+            counted_units(sight.distance(&survey.shapes[*first])),
+        );
+        let advice = "its transform may have a wrong sign";
+        let sources = behind.iter().map(source);
+        warnings.push(warning(
+            scene,
+            "shape behind the camera",
+            message,
+            advice,
+            sources,
+        ));
+    }
+    warnings
+}
+
+/// A warning about the first of several sources, which names the next ones.
+fn warning(
+    scene: &Scene,
+    kind: &str,
+    message: String,
+    advice: &str,
+    mut sources: impl ExactSizeIterator<Item = Source>,
+) -> Warning {
+    let count = sources.len();
+    let place = sources.next().and_then(|source| place(scene, source));
+    let mut first = Diagnostic::new(message).note(advice);
+    first.location = place.map(Place::location);
+    let more = sources.by_ref().take(MORE_PLACES);
+    let more: Vec<String> = more
+        .filter_map(|source| place_in_words(scene, source))
+        .collect();
+    if !more.is_empty() {
+        let rest = match sources.len() {
+            0 => String::new(),
+            rest => format!(" and {rest} more; --shapes lists all"),
+        };
+        first = first.note(format!("likewise {}{rest}", more.join(", ")));
+    }
+    Warning {
+        kind: kind.to_owned(),
+        first,
+        count: count as u64,
+    }
+}
+
+/// The place of a statement, if the scene has kept it.
+pub(super) fn place(scene: &Scene, source: Source) -> Option<&Place> {
+    let locations = scene.locations.as_ref()?;
+    match source {
+        Source::Shape(number) => locations.shape(number).map(|(_, place)| place),
+        Source::Instance(number) => locations.instance(number),
+    }
+}
+
+fn place_in_words(scene: &Scene, source: Source) -> Option<String> {
+    place(scene, source).map(ToString::to_string)
+}
+
+/// The type of a shape, or "instance".
+pub(super) fn name(scene: &Scene, source: Source) -> String {
+    let locations = scene.locations.as_ref();
+    let shape = match source {
+        Source::Instance(_) => return "instance".to_owned(),
+        Source::Shape(number) => locations.and_then(|locations| locations.shape(number)),
+    };
+    shape.map_or_else(|| "shape".to_owned(), |(name, _)| name.to_owned())
+}
+
+fn kind(oddity: &Oddity) -> &'static str {
+    match oddity {
+        Oddity::Far { .. } => "shape far away",
+        Oddity::Large { .. } => "large shape",
+        Oddity::Small { .. } => "small shape",
+        Oddity::Stretched { .. } => "stretched shape",
+    }
+}
+
+fn message(name: &str, oddity: &Oddity) -> String {
+    match oddity {
+        Oddity::Far { distance, usual } => format!(
+            "this {name} is {} away from the middle of the shapes, of which most are within {}",
+            counted_units(*distance),
+            counted_units(*usual),
+        ),
+        Oddity::Large { size, usual } => format!(
+            "this {name} is {} across, and most shapes about {}",
+            counted_units(*size),
+            counted_units(*usual),
+        ),
+        Oddity::Small { size, usual } => format!(
+            "this {name} is only {} across, and most shapes about {}",
+            counted_units(*size),
+            counted_units(*usual),
+        ),
+        Oddity::Stretched { stretch } => format!(
+            "the transform of this {name} scales one direction {} times as much as another",
+            short(*stretch),
+        ),
+    }
+}
+
+fn advice(oddity: &Oddity) -> &'static str {
+    match oddity {
+        Oddity::Far { .. } => "a Translate may be wrong, or scaled by a transform before it",
+        Oddity::Large { .. } | Oddity::Small { .. } => {
+            "a Scale may be wrong, or the units of a mesh file"
+        }
+        Oddity::Stretched { .. } => "a factor of a Scale may be wrong",
+    }
+}
+
+/// A length in units of the scene.
+pub(super) fn counted_units(length: f64) -> String {
+    let plural = if length == 1.0 { "" } else { "s" };
+    format!("{} unit{plural}", short(length))
+}
