@@ -40,6 +40,7 @@
 
 pub mod accel;
 pub mod bench;
+pub mod boxes;
 pub mod camera;
 pub mod compare;
 pub mod decimal;
