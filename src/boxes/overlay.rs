@@ -26,8 +26,12 @@ const EDGES: [[usize; 2]; 12] = [
 /// The weight of the colour of an edge behind a surface.
 const HIDDEN: f64 = 0.35;
 
+/// The brightness of the depth picture: edges have to stand out against the nearest surface, which
+/// would be white.
+const DIMMED: f64 = 0.6;
+
 /// An edge on a surface is in front of it: depths differ by more than this part.
-const SLACK: f64 = 1e-4;
+const SLACK: f64 = 1e-3;
 
 /// The colours of a depth picture in gray with the edges of `boxes` in the colours of `palette`,
 /// row by row from the top. Edges behind surfaces are faint. Edges of nodes higher in the tree are
@@ -48,7 +52,9 @@ pub fn draw_boxes(
         start: 0.0,
         end: 0.0,
     });
+    let dim = |pixel: Rgb| pixel.map(|x| (f64::from(x) * DIMMED).round() as u8);
     let pixels = view::depth(image, ColorMap::Gray, range)?;
+    let pixels = pixels.into_iter().map(dim).collect();
     let depths = image.measures(ChannelName::Z);
     let depths = depths.ok_or_else(|| invalid("the image has no depths"))?;
     let mut picture = Picture {
@@ -187,7 +193,7 @@ mod tests {
         let color = Palette::new(0..=1).color(0);
         let (front, behind) = (picture(1.0, 1.5), picture(3.0, 4.0));
         let wall = at(&front, 10, 10);
-        assert_eq!(wall, [255; 3], "the only depth is the nearest");
+        assert_eq!(wall, [153; 3], "the only depth is the nearest");
         for (x, y) in [(5, 5), (14, 5), (5, 14), (10, 5), (14, 9)] {
             assert_eq!(at(&front, x, y), color, "{x},{y}");
             let faint = at(&behind, x, y);

@@ -43,5 +43,6 @@ mod signals;
 mod spherical;
 mod standard_output;
 mod trace_parts;
+mod tree;
 mod version;
 mod views;

@@ -17,13 +17,14 @@ fn redirected(folder: &Folder, arguments: &str, to: &str) -> Output {
         .unwrap()
 }
 
-const PRINTING: [&str; 10] = [
+const PRINTING: [&str; 11] = [
     "render ball.pbrt -o -",
     "render ball.pbrt -o b.exr --json",
     "check ball.pbrt",
     "check ball.pbrt --json",
     "compare a.exr a.exr",
     "pixel ball.pbrt 6,3",
+    "tree ball.pbrt",
     "bench ball.pbrt --runs 1 --warmup 0 --accel sah --precision fast --reference none --csv r.csv",
     "completions bash",
     "--help",
