@@ -6,8 +6,8 @@ use super::{Matrix, Vector};
 const SWEEPS: usize = 12;
 
 impl Matrix {
-    /// The ratio of the longest to the shortest image of vectors of length 1: 1 for a rotation or an
-    /// even scale, infinite if space becomes flat. NaN if an entry is not finite.
+    /// The ratio of the longest to the shortest image of vectors of length 1: 1 for a rotation or
+    /// an even scale, infinite if space becomes flat. NaN if an entry is not finite.
     ///
     /// The lengths are the singular values, by Jacobi's rotations of the columns (Hestenes, 1958),
     /// which keep their precision where scales differ by many powers of ten.

@@ -59,7 +59,7 @@ pub struct Finding {
 /// A shape is far if it is this many times as far away as most reach.
 const FAR: f64 = 30.0;
 /// A shape is large or small if its size and the median have this ratio.
-const ODD_SIZE: f64 = 1e4;
+const ODD_SIZE: f64 = 1e3;
 /// A transform is stretched if its factors have more than this ratio.
 const MOST_STRETCH: f64 = 1e4;
 /// A box is flat if one side is less than this part of the longest.
@@ -71,7 +71,7 @@ impl Survey {
     /// The odd shapes of the surveyed `scene`, kind by kind. Area lights are often far away or
     /// small, and planes large: neither is odd.
     pub fn findings(&self, scene: &Scene) -> Vec<Finding> {
-        let mut findings = self.far_shapes();
+        let mut findings = self.far_shapes(scene.camera.anchor());
         findings.extend(self.odd_sizes());
         findings.extend(self.stretched(scene));
         findings.sort_by_key(|finding| finding.oddity.rank());
@@ -85,14 +85,17 @@ impl Survey {
         self.shapes.iter().filter(finite).collect()
     }
 
-    fn far_shapes(&self) -> Vec<Finding> {
+    /// The camera counts like a shape: it is where something is to be seen.
+    fn far_shapes(&self, eye: Point) -> Vec<Finding> {
         let shapes = self.visible();
-        if shapes.len() < FEWEST {
+        if shapes.len() + 1 < FEWEST {
             return Vec::new();
         }
-        let middle = middle(&shapes);
-        let reaches = shapes.iter().map(|shape| reach(&shape.bounds, middle));
-        let usual = quantile(reaches.collect(), 0.75);
+        let centres = shapes.iter().map(|shape| shape.bounds.centre());
+        let middle = median(centres.chain([eye]));
+        let camera = Bounds::of([eye]);
+        let boxes = shapes.iter().map(|shape| &shape.bounds).chain([&camera]);
+        let usual = quantile(boxes.map(|bounds| reach(bounds, middle)).collect(), 0.75);
         let far = shapes.iter().filter(|shape| !shape.is_light);
         let far = far.filter_map(|shape| {
             let distance = distance(&shape.bounds, middle);
@@ -110,7 +113,7 @@ impl Survey {
         if shapes.len() < FEWEST {
             return Vec::new();
         }
-        let middle = middle(&shapes);
+        let middle = median(shapes.iter().map(|shape| shape.bounds.centre()));
         let usual = quantile(
             shapes.iter().map(|shape| diagonal(&shape.bounds)).collect(),
             0.5,
@@ -153,12 +156,9 @@ impl Survey {
     }
 }
 
-/// The medians of the coordinates of the boxes' middles.
-fn middle(shapes: &[&SurveyedShape]) -> Point {
-    let median = |k: usize| {
-        let middles = shapes.iter().map(|shape| shape.bounds.centre()[k]);
-        quantile(middles.collect(), 0.5)
-    };
+/// The point of the median coordinates. There is at least one point.
+fn median(points: impl Iterator<Item = Point> + Clone) -> Point {
+    let median = |k: usize| quantile(points.clone().map(|point| point[k]).collect(), 0.5);
     [0, 1, 2].map(median).into()
 }
 

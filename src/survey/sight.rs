@@ -18,7 +18,8 @@ pub struct Sight {
     /// behind it.
     pub is_surrounded: bool,
     /// The places in the survey of the shapes whose boxes hold the eye and less than half of the
-    /// other shapes: they are no rooms and no skies.
+    /// other shapes: they are no rooms and no skies. None for a spherical camera, which is often
+    /// in the middle of something.
     pub around_eye: Vec<usize>,
     eye: Point,
 }
@@ -32,11 +33,16 @@ impl Survey {
             .iter()
             .map(|shape| volume.visibility(&shape.bounds));
         let eye = camera.anchor();
+        let around_eye = if camera.projection.is_planar() {
+            around(&self.shapes, eye)
+        } else {
+            Vec::new()
+        };
         Sight {
             visibility: visibility.collect(),
             is_within_bounds: !self.bounds.is_empty() && distance(&self.bounds, eye) == 0.0,
             is_surrounded: surround(&self.shapes, eye),
-            around_eye: around(&self.shapes, eye),
+            around_eye,
             eye,
         }
     }

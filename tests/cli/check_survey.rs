@@ -6,8 +6,8 @@ use serde_json::{Value, json};
 const FOUR_FAULTS: &str = include_str!("../planted/four-faults.pbrt");
 
 /// The view of a small scene, before the world.
-const VIEW: &str = "LookAt 0 0 -5 0 0 0 0 1 0 Camera \"perspective\" \"float fov\" 45 \
-                    Film \"rgb\" \"integer xresolution\" 32 \"integer yresolution\" 24\nWorldBegin\n";
+const VIEW: &str = "LookAt 0 0 -5 0 0 0 0 1 0 Camera \"perspective\" \"float fov\" 45 Film \"rgb\" \
+                    \"integer xresolution\" 32 \"integer yresolution\" 24\nWorldBegin\n";
 
 fn check(scene: &str, flags: &str) -> Run {
     let folder = Folder::new().with("a.pbrt", scene);
@@ -26,7 +26,7 @@ fn row() -> String {
 
 #[test]
 fn four_planted_faults_are_found_and_named() {
-    let far = "warning: a.pbrt:20:3: this sphere is 1998 units away from the middle of the \
+    let far = "warning: a.pbrt:20:3: this sphere is 1999 units away from the middle of the \
                shapes, of which most are within ";
     let stretched = "warning: a.pbrt:31:3: the transform of this sphere scales one direction \
                      1000000 times as much as another";
@@ -72,30 +72,25 @@ fn json_has_the_same_warnings() {
     assert_eq!(report.get("listed_shapes"), None, "only with --shapes");
 }
 
-/// The words of each line.
-fn unaligned(text: &str) -> Vec<Vec<&str>> {
-    let lines = text.lines();
-    lines
-        .map(|line| line.split_whitespace().collect())
-        .collect()
-}
-
 #[test]
 fn shapes_and_instances_are_listed_in_the_order_of_the_file() {
     let mesh = "Shape \"trianglemesh\" \"point P\" [ -1 -1 -1 1 1 1 1 1 -1 ]";
     let scene = format!(
-        "{VIEW}Shape \"sphere\"\nObjectBegin \"pair\"\n{mesh} Translate 3 0 0 {mesh}\nObjectEnd\nTranslate 0 0 -9\nObjectInstance \"pair\"\nScale 0 1 1\n\
+        "{VIEW}Shape \"sphere\"\nObjectBegin \"pair\"\n{mesh} Translate 3 0 0 {mesh}\n\
+         ObjectEnd\nTranslate 0 0 -9\nObjectInstance \"pair\"\nScale 0 1 1\n\
          Shape \"disk\"\n"
     );
     let run = check(&scene, "--shapes");
-    let listed = "
-  listed      shape     place       primitives  size       distance  view       bounds
-              sphere    a.pbrt:3:1  1           2 x 2 x 2  4         in view    (-1, -1, -1) to (1, 1, 1)
-              instance  a.pbrt:8:1  2           5 x 2 x 2  3         behind     (-1, -1, -10) to (4, 1, -8)
-              disk      a.pbrt:10:1 1           -          -         never hit  nothing that can be hit
-";
-    let lines = unaligned(run.text());
-    assert!(lines.ends_with(&unaligned(listed)[1..]), "{}", run.text());
+    let bounds = ["(-1, -1, -1) to (1, 1, 1)", "(-1, -1, -10) to (4, 1, -8)"];
+    let rows = [
+        "listed shape place primitives size distance view bounds",
+        &format!("sphere a.pbrt:3:1 1 2 x 2 x 2 4 in view {}", bounds[0]),
+        &format!("instance a.pbrt:8:1 2 5 x 2 x 2 3 behind {}", bounds[1]),
+        "disk a.pbrt:10:1 1 - - never hit nothing that can be hit",
+    ];
+    let words = |line: &str| line.split_whitespace().collect::<Vec<_>>().join(" ");
+    let lines: Vec<String> = run.text().lines().map(words).collect();
+    assert!(lines.ends_with(&rows.map(str::to_owned)), "{}", run.text());
     let run = check(&scene, "--shapes --json");
     let entries = &run.json()[0]["listed_shapes"];
     let instance = json!({
@@ -130,6 +125,13 @@ fn several_shapes_of_a_kind_share_a_warning() {
         .said("warning: a.pbrt:3:36: this sphere is ")
         .said("likewise a.pbrt:4:36, a.pbrt:5:36, a.pbrt:6:36 and 5 more; --shapes lists all")
         .said("the first of 9");
+}
+
+#[test]
+fn one_of_two_shapes_is_far_from_the_camera() {
+    let two = |x: f64| format!("{VIEW}{}{}", ball(0.0, 0.0, 0.0), ball(0.0, 0.0, x));
+    check(&two(2000.0), "").said("warning: a.pbrt:4:35: this sphere is 1999 units away");
+    check(&two(80.0), "").did_not_say("warning");
 }
 
 #[test]

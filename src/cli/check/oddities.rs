@@ -4,6 +4,7 @@ use crate::cli::terminal::words::{counted, short};
 use feimos::error::Diagnostic;
 use feimos::scene::{Place, Scene, Warning};
 use feimos::survey::{Finding, Oddity, Sight, Source, Survey, Visibility};
+use indicatif::HumanCount;
 
 /// Further places that a warning lists.
 const MORE_PLACES: usize = 3;
@@ -36,19 +37,7 @@ pub(super) fn warnings_of_sight(
         return Vec::new();
     }
     if sight.sees_nothing() {
-        let (beside, behind) = (
-            counted(sight.count(Visibility::Beside) as u64, "shape"),
-            sight.count(Visibility::Behind),
-        );
-        let message = format!("{camera} sees nothing: no shape's bounds reach the picture");
-        let first = Diagnostic::new(message).note(format!(
-            "{beside} beside the picture, {behind} behind the camera; --shapes lists all"
-        ));
-        return vec![Warning {
-            kind: "camera that sees nothing".to_owned(),
-            first,
-            count: 1,
-        }];
+        return vec![warning_of_nothing(sight, &camera)];
     }
     let source = |place: &usize| survey.shapes[*place].source;
     let mut warnings = Vec::new();
@@ -83,6 +72,20 @@ pub(super) fn warnings_of_sight(
         ));
     }
     warnings
+}
+
+/// The warning about a camera that certainly sees nothing.
+fn warning_of_nothing(sight: &Sight, camera: &str) -> Warning {
+    let message = format!("{camera} sees nothing: no shape's bounds reach the picture");
+    let beside = counted(sight.count(Visibility::Beside) as u64, "shape");
+    let behind = HumanCount(sight.count(Visibility::Behind) as u64);
+    let note =
+        format!("{beside} beside the picture, {behind} behind the camera; --shapes lists all");
+    Warning {
+        kind: "camera that sees nothing".to_owned(),
+        first: Diagnostic::new(message).note(note),
+        count: 1,
+    }
 }
 
 /// A warning about the first of several sources, which names the next ones.

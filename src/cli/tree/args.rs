@@ -37,7 +37,7 @@ pub(crate) struct TreeArgs {
     #[arg(long, value_name = "METHOD", help_heading = "Engine")]
     #[arg(value_parser = named(SplitMethod::ALL, SplitMethod::name))]
     pub(super) accel: Option<SplitMethod>,
-    /// Set the largest number of primitives in a leaf [default: maxnodeprims of the scene, else 16].
+    /// Set the largest number of primitives in a leaf [default: the scene's maxnodeprims, else 16].
     #[arg(long, value_name = "COUNT", help_heading = "Engine")]
     #[arg(value_parser = integer(1..=u32::MAX as usize))]
     pub(super) max_leaf: Option<usize>,

@@ -34,8 +34,8 @@ fn files(args: &TreeArgs) -> impl Iterator<Item = (&Path, (&'static str, &'stati
 /// Checks the names before anything is read.
 ///
 /// # Errors
-/// There are depths without a file, a name has another extension or is that of the scene, both files have one place, or a file
-/// cannot be made.
+/// There are depths without a file, a name has another extension or is that of the scene, both
+/// files have one place, or a file cannot be made.
 pub(super) fn check_names(args: &TreeArgs) -> Result<()> {
     args.check_depth()?;
     let inputs = Inputs::of_scenes(&[&args.scene]);
