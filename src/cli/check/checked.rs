@@ -41,10 +41,8 @@ impl Checked {
         let views: Vec<View> = viewpoints.into_iter().map(view).collect();
         let mut warnings: Vec<Warning> = scene.warnings.iter().cloned().collect();
         warnings.extend(oddities::warnings_of_shapes(&scene, &survey));
-        for view in &views {
-            let (sight, name) = (&view.sight, view.name.as_deref());
-            warnings.extend(oddities::warnings_of_sight(&scene, &survey, sight, name));
-        }
+        let sights = views.iter().map(|view| (view.name.as_deref(), &view.sight));
+        warnings.extend(oddities::warnings_of_views(&scene, &survey, sights));
         Checked {
             scene,
             survey,

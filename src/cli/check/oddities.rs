@@ -6,7 +6,7 @@ use feimos::scene::{Place, Scene, Warning};
 use feimos::survey::{Finding, Oddity, Sight, Source, Survey, Visibility};
 use indicatif::HumanCount;
 
-/// Further places that a warning lists.
+/// Further places or cameras that a warning lists.
 const MORE_PLACES: usize = 3;
 
 /// The warnings about odd shapes, one for each kind of oddity.
@@ -22,8 +22,49 @@ pub(super) fn warnings_of_shapes(scene: &Scene, survey: &Survey) -> Vec<Warning>
     findings.chunk_by(same_kind).map(warning).collect()
 }
 
+/// The warnings about what cameras see, each with its name, if it has one. Warnings of one kind
+/// become one, which names the first cameras.
+pub(super) fn warnings_of_views<'a>(
+    scene: &Scene,
+    survey: &Survey,
+    views: impl Iterator<Item = (Option<&'a str>, &'a Sight)>,
+) -> Vec<Warning> {
+    let mut merged: Vec<(Warning, Vec<&str>)> = Vec::new();
+    for (name, sight) in views {
+        for warning in warnings_of_sight(scene, survey, sight, name) {
+            let known = merged
+                .iter_mut()
+                .find(|(known, _)| known.kind == warning.kind);
+            match known {
+                Some((known, others)) => {
+                    known.count += warning.count;
+                    others.extend(name);
+                }
+                None => merged.push((warning, Vec::new())),
+            }
+        }
+    }
+    let warning = |(mut warning, others): (Warning, Vec<&str>)| {
+        if !others.is_empty() {
+            let named = others
+                .iter()
+                .take(MORE_PLACES)
+                .map(|name| format!("`{name}`"));
+            let named: Vec<String> = named.collect();
+            let rest = match others.len() - named.len() {
+                0 => String::new(),
+                rest => format!(" and {rest} more"),
+            };
+            let note = format!("likewise the cameras {}{rest}", named.join(", "));
+            warning.first = warning.first.note(note);
+        }
+        warning
+    };
+    merged.into_iter().map(warning).collect()
+}
+
 /// The warnings about the `sight` of a camera, which may have a name.
-pub(super) fn warnings_of_sight(
+fn warnings_of_sight(
     scene: &Scene,
     survey: &Survey,
     sight: &Sight,
@@ -188,4 +229,39 @@ fn advice(oddity: &Oddity) -> &'static str {
 pub(super) fn counted_units(length: f64) -> String {
     let plural = if length == 1.0 { "" } else { "s" };
     format!("{} unit{plural}", short(length))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use feimos::scene::{LoadOptions, parse};
+    use std::path::Path;
+
+    #[test]
+    fn cameras_share_a_warning() {
+        let text = "WorldBegin Translate 0 0 -9 Shape \"sphere\"";
+        let options = LoadOptions {
+            locations: true,
+            ..LoadOptions::default()
+        };
+        let scene = parse(Path::new("a.pbrt"), text.into(), &options).unwrap();
+        let survey = Survey::of(&scene);
+        let sight = survey.seen_by(&scene.camera, &scene.film.crop);
+        let of = |names: &[&'static str]| {
+            let views = names.iter().map(|name| (Some(*name), &sight));
+            let warnings = warnings_of_views(&scene, &survey, views);
+            let [warning] = &warnings[..] else {
+                panic!("{warnings:?}")
+            };
+            (warning.count, warning.first.to_string())
+        };
+        let (count, text) = of(&["left"]);
+        assert!(
+            count == 1 && text.starts_with("the camera `left` sees nothing"),
+            "{text}"
+        );
+        let (count, text) = of(&["left", "b", "c", "d", "e", "f"]);
+        let more = "\n   = likewise the cameras `b`, `c`, `d` and 2 more";
+        assert!(count == 6 && text.ends_with(more), "{text}");
+    }
 }
