@@ -11,6 +11,7 @@ mod pixel;
 mod process;
 mod render;
 mod terminal;
+mod tree;
 mod usage;
 
 use clap::{CommandFactory, Parser, Subcommand};
@@ -64,6 +65,12 @@ enum Command {
     /// Prints the answer of each precision, the cost with each accelerator, and the result of exact
     /// arithmetic on every primitive.
     Pixel(pixel::PixelArgs),
+    /// Show the tree of a scene: nodes, leaves and surface areas by depth, sizes of leaves, the SAH
+    /// cost, and pictures of its boxes.
+    ///
+    /// Objects of instances have trees of their own, each shown once. Pictures and meshes show the
+    /// boxes around primitives in no instance, and around instances.
+    Tree(tree::TreeArgs),
     /// Merge crops of one film: into the file that one process would have written, byte for byte.
     ///
     /// The data window of each crop gives its position. Missing pixels are an error, and so are
@@ -90,6 +97,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Bench(args) => report(&args.messages, |reporter| bench::bench(&args, reporter)),
         Command::Merge(args) => report(&args.messages, |reporter| merge::merge(&args, reporter)),
         Command::Pixel(args) => report(&args.messages, |reporter| pixel::pixel(&args, reporter)),
+        Command::Tree(args) => report(&args.messages, |reporter| tree::tree(&args, reporter)),
         Command::Completions(args) => {
             conclude(&Reporter::silent(), |_| completions(&args, Cli::command()))
         }

@@ -31,7 +31,7 @@ pub use digest::SceneDigest;
 pub use film::Film;
 pub use listed::{AlphaTexture, Boundary, Listed, UnusedObject};
 pub use load::{is_bare_mesh, is_top_level, load, load_listing_files, parse, read_film_filename};
-pub use locations::Locations;
+pub use locations::{Locations, StatedShape};
 pub use place::Place;
 pub use source_file::{SourceFile, Span};
 pub use source_span::SourceSpan;

@@ -12,6 +12,11 @@ pub(crate) struct CheckArgs {
     /// .pbrt files that have a WorldBegin.
     #[arg(required = true, value_name = "SCENE")]
     pub(super) scenes: Vec<PathBuf>,
+    /// List each shape and each instance: its place in the file, its primitives, its size and
+    /// bounds in the world, its distance from the camera, and whether it may be in view [default:
+    /// only what is odd, as warnings].
+    #[arg(long, help_heading = "Output")]
+    pub(super) shapes: bool,
     /// Print a line of JSON for each scene [default: text].
     #[arg(long, help_heading = "Output")]
     pub(super) json: bool,

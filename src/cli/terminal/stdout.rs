@@ -71,6 +71,25 @@ pub(crate) fn write_to_stdout(bytes: io::Result<Vec<u8>>) -> Result<()> {
         .map_err(failed)
 }
 
+/// Whether anybody reads standard output.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Reader {
+    Present,
+    /// The reader has closed its end of the pipe, as `head` does when it has enough.
+    Gone,
+}
+
+/// Writes a report of one of several scenes. A reader that has gone is no error: nobody misses the
+/// rest.
+pub(crate) fn print(bytes: &[u8]) -> Result<Reader> {
+    check()?;
+    let mut stdout = io::stdout().lock();
+    match stdout.write_all(bytes).and_then(|()| stdout.flush()) {
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(Reader::Gone),
+        written => written.map(|()| Reader::Present).map_err(failed),
+    }
+}
+
 /// Writes `value` as one line of JSON.
 pub(crate) fn write_json_line(value: &impl Serialize) -> Result<()> {
     write_to_stdout(Ok(json::line(value)))
