@@ -31,7 +31,7 @@ impl FilmProjection {
         let tangent = match camera.projection {
             Projection::Perspective { tangent } => Some(tangent),
             Projection::Orthographic => None,
-            Projection::Spherical(_) => return None,
+            Projection::Spherical(_) | Projection::Distorted(_) => return None,
         };
         let screen = &camera.screen_window;
         let [width, height] = camera.resolution.map(f64::from);

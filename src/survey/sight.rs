@@ -33,7 +33,7 @@ impl Survey {
             .iter()
             .map(|shape| volume.visibility(&shape.bounds));
         let eye = camera.anchor();
-        let around_eye = if camera.projection.is_planar() {
+        let around_eye = if camera.projection.is_linear() {
             around(&self.shapes, eye)
         } else {
             Vec::new()

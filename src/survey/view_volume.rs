@@ -40,7 +40,7 @@ const TOLERANCE: f64 = 1e-9;
 impl ViewVolume {
     /// The volume that the pixels `window` of a camera's film show.
     pub fn new(camera: &Camera, window: &PixelBounds) -> ViewVolume {
-        if !camera.projection.is_planar() {
+        if !camera.projection.is_linear() {
             return ViewVolume {
                 front: None,
                 sides: Vec::new(),
