@@ -6,6 +6,7 @@ mod gzip_members;
 mod inflated;
 mod irregular;
 mod missing;
+mod signature;
 mod storage;
 mod text_stream;
 
@@ -13,6 +14,7 @@ pub use budget::BudgetFactor;
 pub(crate) use budget::{Budget, pairs_of};
 pub(crate) use irregular::refuse_special;
 pub(crate) use missing::advise_beside;
+pub(crate) use signature::{Kind, Signature, without_utf8_mark};
 pub(crate) use storage::Storage;
 pub(crate) use text_stream::TextStream;
 
