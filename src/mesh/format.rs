@@ -1,8 +1,7 @@
-//! The formats of mesh files: by content, by extension, and what a file is instead.
+//! The formats of mesh files: their extensions, and what a file is instead.
 
-use super::{off, stl};
 use crate::error::{Diagnostic, Error, SourceLocation};
-use crate::input::{Kind, Signature, without_utf8_mark};
+use crate::input::{Kind, Signature};
 use std::path::Path;
 
 /// A format of mesh files.
@@ -30,18 +29,6 @@ impl MeshFormat {
             "off" => MeshFormat::Off,
             _ => return None,
         })
-    }
-
-    /// The format of a file with this content; `None` if that tells nothing, as in OBJ.
-    pub(super) fn of(content: &[u8]) -> Option<MeshFormat> {
-        let text = without_utf8_mark(content);
-        if text.starts_with(b"ply\n") || text.starts_with(b"ply\r") {
-            Some(MeshFormat::Ply)
-        } else if off::recognises(text) {
-            Some(MeshFormat::Off)
-        } else {
-            stl::recognises(content).then_some(MeshFormat::Stl)
-        }
     }
 
     /// The name, with its article.

@@ -33,7 +33,7 @@ pub use triangle_mesh::{CornerWants, Loaded, TriangleMesh, of_corners};
 use std::path::Path;
 
 use crate::error::Result;
-use crate::input::{self, Budget, gzip};
+use crate::input::{self, Budget, gzip, without_utf8_mark};
 
 /// Reads the mesh file `path`, with what `wants` says. The content decides on the format; `named` is
 /// the format of a file that no first bytes identify.
@@ -81,13 +81,25 @@ fn parse_content(
     let is_whole = !gzip::is_in(&input::Storage::Memory(bytes));
     let is_refused = is_whole && (named, wants) == (MeshFormat::Ply, CornerWants::NOTHING);
     gzip::parsed(path, bytes, budget, |content| {
-        match MeshFormat::of(content).unwrap_or(named) {
+        match format_of(content).unwrap_or(named) {
             MeshFormat::Ply => ply::parse(path, content, is_refused, wants, budget),
             MeshFormat::Obj => obj::parse(path, content, wants, budget),
             MeshFormat::Stl => stl::parse(path, content),
             MeshFormat::Off => off::parse(path, content, wants, budget),
         }
     })
+}
+
+/// The format of a file with this content; `None` if its first bytes tell nothing, as in OBJ.
+fn format_of(content: &[u8]) -> Option<MeshFormat> {
+    let text = without_utf8_mark(content);
+    if text.starts_with(b"ply\n") || text.starts_with(b"ply\r") {
+        Some(MeshFormat::Ply)
+    } else if off::recognises(text) {
+        Some(MeshFormat::Off)
+    } else {
+        stl::recognises(content).then_some(MeshFormat::Stl)
+    }
 }
 
 /// Reads the mesh file `path`, a PLY file unless its first bytes say otherwise.

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::mesh_of;
+use super::separate::mesh_of;
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::geometry::Point;
 use crate::memory;

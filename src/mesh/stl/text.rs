@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::Path;
 
-use super::mesh_of;
+use super::separate::mesh_of;
 use crate::decimal;
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::geometry::Point;
@@ -15,11 +15,15 @@ pub(super) fn begins(text: &[u8]) -> bool {
     let text = text.trim_ascii_start();
     let (word, rest) = text.split_at(text.len().min(SOLID.len()));
     let is_alone = rest.first().is_none_or(u8::is_ascii_whitespace);
-    word.eq_ignore_ascii_case(SOLID)
-        && is_alone
-        && !text[..text.len().min(super::HEAD)].contains(&0)
+    word.eq_ignore_ascii_case(SOLID) && is_alone && is_text(text)
 }
 
+/// Whether `content` is text, by its first bytes.
+pub(super) fn is_text(content: &[u8]) -> bool {
+    !content[..content.len().min(HEAD)].contains(&0)
+}
+
+const HEAD: usize = 1024;
 const SOLID: &[u8] = b"solid";
 
 /// Reads a text. All solids of a file are one mesh.
