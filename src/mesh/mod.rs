@@ -35,8 +35,8 @@ use std::path::Path;
 use crate::error::Result;
 use crate::input::{self, Budget, gzip, without_utf8_mark};
 
-/// Reads the mesh file `path`, with what `wants` says. The content decides on the format; `named` is
-/// the format of a file that no first bytes identify.
+/// Reads the mesh file `path`, with what `wants` says. The content decides on the format; `named`
+/// is the format of a file that no first bytes identify.
 pub fn read(path: &Path, named: MeshFormat, wants: CornerWants) -> Result<Loaded> {
     read_within(path, named, wants, &Budget::default())
 }
@@ -107,7 +107,8 @@ pub fn read_ply(path: &Path) -> Result<Loaded> {
     read(path, MeshFormat::Ply, CornerWants::NOTHING)
 }
 
-/// Reads the mesh file `path`, an OBJ file unless its first bytes say otherwise. Material libraries that it names are not opened.
+/// Reads the mesh file `path`, an OBJ file unless its first bytes say otherwise. Material libraries
+/// that it names are not opened.
 pub fn read_obj(path: &Path) -> Result<Loaded> {
     read(path, MeshFormat::Obj, CornerWants::NOTHING)
 }
