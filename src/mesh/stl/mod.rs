@@ -22,26 +22,22 @@ pub(super) fn recognises(content: &[u8]) -> bool {
 
 /// Parses the content of an STL file; `path` is for messages only.
 pub(super) fn parse(path: &Path, content: &[u8]) -> Result<Loaded> {
-    if binary::has_exact_size(content) || !text::is_text(content) {
-        if let Some(error) = refused(path, content) {
-            return Err(error);
-        }
+    let text = without_utf8_mark(content);
+    if binary::has_exact_size(content) {
         return binary::read(path, content);
     }
-    let text = without_utf8_mark(content);
     if text::begins(text) {
         return text::read(path, text);
     }
-    Err(refused(path, content).unwrap_or_else(|| {
-        let diagnostic = Diagnostic::new("not an STL mesh").at(SourceLocation::file(path));
-        Error::bad_input(diagnostic.note("expected `solid` as the first word, or binary data"))
-    }))
-}
-
-/// The error about a file of another kind; but no binary STL is one, whatever its header says.
-fn refused(path: &Path, content: &[u8]) -> Option<Error> {
-    match binary::has_exact_size(content) {
-        true => None,
-        false => MeshFormat::Stl.refused(path, content),
+    if let Some(error) = MeshFormat::Stl.refused(path, content) {
+        return Err(error);
     }
+    if !text::is_text(content) {
+        // Its size is wrong, as its reader reports.
+        return binary::read(path, content);
+    }
+    let diagnostic = Diagnostic::new("not an STL mesh").at(SourceLocation::file(path));
+    Err(Error::bad_input(
+        diagnostic.note("expected `solid` as the first word, or binary data"),
+    ))
 }
