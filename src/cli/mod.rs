@@ -38,8 +38,8 @@ struct Cli {
 enum Command {
     /// Render scenes to images.
     ///
-    /// A scene is a .pbrt file, `-` for standard input, or a bare .ply or .obj mesh, which is
-    /// framed automatically.
+    /// A scene is a .pbrt file, `-` for standard input, or a bare .ply, .obj, .stl or .off mesh,
+    /// which is framed automatically.
     Render(Box<render::RenderArgs>),
     /// Check scenes without rendering them: list their content and their mistakes.
     ///

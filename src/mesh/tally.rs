@@ -40,6 +40,7 @@ pub(super) fn counted(count: u64, noun: &str) -> String {
     match (count, word) {
         (1, _) => format!("1 {noun}"),
         (_, "vertex") => format!("{count} vertices{rest}"),
+        (_, "index") => format!("{count} indices{rest}"),
         _ => format!("{count} {word}s{rest}"),
     }
 }

@@ -1,6 +1,7 @@
 //! Scenes: what the files say, as far as hits and depths depend on it.
 
 mod accelerator;
+mod automatic_view;
 mod bare_mesh;
 mod cameras;
 mod census;

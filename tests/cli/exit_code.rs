@@ -59,9 +59,12 @@ fn missing_input() {
             "WorldBegin\nShape \"plymesh\" \"string filename\" \"gone.ply\"\n",
         )
         .with("include.pbrt", "Include \"gone.pbrt\"\n");
-    for scene in ["gone.pbrt", "gone.ply", "mesh.pbrt", "include.pbrt", "."] {
+    for scene in ["gone.pbrt", "gone.ply", "mesh.pbrt", "include.pbrt"] {
         folder.render(scene).failed(66, "cannot read");
     }
+    folder
+        .render(".")
+        .failed(66, "this is a folder, not a file");
 }
 
 #[test]

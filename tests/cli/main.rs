@@ -27,6 +27,7 @@ mod files_replaced;
 mod folder;
 mod formats;
 mod help;
+mod inputs;
 mod limits;
 mod man;
 mod manifest;

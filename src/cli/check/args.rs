@@ -8,8 +8,8 @@ use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub(crate) struct CheckArgs {
-    /// Scenes: .pbrt files, `-`, bare .ply or .obj meshes, or directories, which are searched for
-    /// .pbrt files that have a WorldBegin.
+    /// Scenes: .pbrt files, `-`, bare meshes (.ply, .obj, .stl, .off), or directories, which are
+    /// searched for .pbrt files that have a WorldBegin.
     #[arg(required = true, value_name = "SCENE")]
     pub(super) scenes: Vec<PathBuf>,
     /// List each shape and each instance: its place in the file, its primitives, its size and

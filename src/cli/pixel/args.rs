@@ -11,7 +11,7 @@ use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub(crate) struct PixelArgs {
-    /// The scene: a .pbrt file, `-`, or a bare .ply or .obj mesh.
+    /// The scene: a .pbrt file, `-`, or a bare mesh: .ply, .obj, .stl, .off.
     #[arg(value_name = "SCENE")]
     pub(super) scene: PathBuf,
     /// Column and row of the pixel, counted from 0 at the upper left corner of the film.

@@ -12,7 +12,7 @@ use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub(crate) struct RenderArgs {
-    /// Scenes: .pbrt files, `-`, or bare .ply or .obj meshes.
+    /// Scenes: .pbrt files, `-`, or bare meshes: .ply, .obj, .stl, .off.
     #[arg(required = true, value_name = "SCENE")]
     pub(crate) scenes: Vec<PathBuf>,
     #[command(flatten, next_help_heading = "Output")]
