@@ -44,7 +44,8 @@ enum Command {
     /// Check scenes without rendering them: list their content and their mistakes.
     ///
     /// Reads everything that rendering needs, and prints the camera, the film, shapes, bounds and
-    /// directives. Casts no ray and builds no tree.
+    /// directives. Warns of shapes that are far away, of an odd size, stretched or behind the
+    /// camera, and of a camera that sees nothing. Casts no ray and builds no tree.
     Check(check::CheckArgs),
     /// Measure speed against error: how fast accelerators are built and traced, and how many
     /// answers are wrong.

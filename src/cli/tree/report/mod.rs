@@ -76,6 +76,10 @@ impl Report {
             bytes,
         } = aggregate.statistics(&scene.geometry);
         let trees = aggregate.anatomies(&scene.geometry);
+        let mut instances = vec![0; scene.geometry.objects().len()];
+        for instance in scene.geometry.instances() {
+            instances[instance.object()] += 1;
+        }
         Report {
             scene: path.display().to_string(),
             accel: method.name(),
@@ -85,29 +89,27 @@ impl Report {
             sah_cost,
             bytes,
             never_hit: aggregate.never_hit(),
-            trees: trees.iter().map(|tree| Tree::new(tree, scene)).collect(),
+            trees: trees
+                .iter()
+                .map(|tree| Tree::new(tree, &instances))
+                .collect(),
         }
     }
 }
 
 impl Tree {
-    fn new(anatomy: &Anatomy, scene: &Scene) -> Tree {
+    /// `instances` counts those of each object.
+    fn new(anatomy: &Anatomy, instances: &[usize]) -> Tree {
         let (over, object) = match anatomy.kind {
             TreeKind::Scene => ("scene", None),
             TreeKind::Instances => ("instances", None),
             TreeKind::Object(number) => ("object", Some(number)),
         };
-        let instances = object.map(|number| {
-            let instances = scene.geometry.instances().iter();
-            instances
-                .filter(|instance| instance.object() == number)
-                .count()
-        });
         let leaf_sizes = anatomy.leaf_sizes.iter();
         Tree {
             over,
             object: object.map(|number| number + 1),
-            instances,
+            instances: object.map(|number| instances[number]),
             items: anatomy.total(|level| level.items),
             nodes: anatomy.total(|level| level.nodes),
             leaves: anatomy.total(|level| level.leaves),

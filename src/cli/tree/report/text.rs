@@ -100,7 +100,7 @@ impl Tree {
             && first <= largest
         {
             // 1, 2, 3-4, 5-8, 9-16, ...
-            let last = first.next_power_of_two();
+            let last = first.checked_next_power_of_two().unwrap_or(u32::MAX);
             let within = |size: &&LeafSize| (first..=last).contains(&size.items);
             let leaves = self.leaf_sizes.iter().filter(within);
             let name = if first == last {
