@@ -175,3 +175,40 @@ fn lights_rooms_and_planes_are_not_odd() {
         "the report names it"
     );
 }
+
+/// The cameras of a list, one of which looks away and one of which is inside the sphere.
+#[test]
+fn cameras_of_a_list_are_checked_by_name() {
+    let poses = r#"[{"name": "front", "lookat": [0, 0, -5,  0, 0, 0,  0, 1, 0]},
+        {"name": "away", "lookat": [0, 0, -5,  0, 0, -9,  0, 1, 0]},
+        {"name": "inside", "lookat": [0, 0.1, 0.2,  0, 0, 9,  0, 1, 0]}]"#;
+    let folder = Folder::new()
+        .with("ball.pbrt", crate::folder::BALL)
+        .with("poses.json", poses);
+    let run = folder
+        .check("ball.pbrt --cameras poses.json --json")
+        .succeeded();
+    let report = &run.json()[0];
+    let views = report["views"].as_array().unwrap();
+    let names: Vec<&str> = views
+        .iter()
+        .map(|view| view["camera"].as_str().unwrap())
+        .collect();
+    assert_eq!(names, ["front", "away", "inside"]);
+    let in_view: Vec<u64> = views
+        .iter()
+        .map(|view| view["in_view"].as_u64().unwrap())
+        .collect();
+    assert_eq!(in_view[1], 0);
+    assert!(in_view[0] > 0 && in_view[2] > 0, "{in_view:?}");
+    run.said("the camera `away` sees nothing");
+    let one = folder
+        .check("ball.pbrt --cameras poses.json --camera front")
+        .succeeded();
+    assert!(!one.stderr.contains("away"), "{}", one.stderr);
+    let text = String::from_utf8(one.stdout).unwrap();
+    assert!(text.contains("front: "), "{text}");
+    folder
+        .check("ball.pbrt --cameras poses.json --camera back")
+        .failed(2, "poses.json has no camera `back`");
+}

@@ -106,7 +106,10 @@ impl<'a> Runner<'a> {
             true => {
                 "this view cannot be rasterized, because its numbers are too large or too small"
             }
-            false => "a camera that is spherical or distorts cannot be rasterized",
+            false => &format!(
+                "a {} camera cannot be rasterized",
+                scene.camera.projection.name()
+            ),
         };
         if measured.rows.is_empty() {
             let error = Error::usage(format!("{}: {reason}", path.display()));

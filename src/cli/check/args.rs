@@ -1,5 +1,6 @@
 //! Options of `check` as typed.
 
+use crate::cli::options::cameras::CameraArgs;
 use crate::cli::options::engine::ThreadArgs;
 use crate::cli::options::messages::MessageArgs;
 use crate::cli::options::scene::SceneArgs;
@@ -26,6 +27,8 @@ pub(crate) struct CheckArgs {
     /// Stop at the first scene that fails [default: continue, and list failures at the end].
     #[arg(long, help_heading = "Checking")]
     pub(super) fail_fast: bool,
+    #[command(flatten, next_help_heading = "Cameras")]
+    pub(super) cameras: CameraArgs,
     #[command(flatten, next_help_heading = "Checking")]
     pub(super) threads: ThreadArgs,
     #[command(flatten, next_help_heading = "Input")]

@@ -3,7 +3,7 @@
 use super::oddities;
 use feimos::camera::Camera;
 use feimos::film::PixelBounds;
-use feimos::scene::{Scene, Warning};
+use feimos::scene::{Pose, Scene, Warning};
 use feimos::survey::{Sight, Survey};
 
 /// A scene with its survey.
@@ -59,6 +59,16 @@ impl Viewpoint {
             name: None,
             camera: scene.camera.clone(),
             window: scene.film.crop,
+        }
+    }
+
+    /// A camera of a list.
+    pub(super) fn at(pose: &Pose, scene: &Scene) -> Viewpoint {
+        let (camera, film) = pose.place(scene);
+        Viewpoint {
+            name: Some(pose.name().to_owned()),
+            camera,
+            window: film.crop,
         }
     }
 }

@@ -21,7 +21,7 @@ use checked::{Checked, Viewpoint};
 use feimos::error::Result;
 use feimos::json;
 use feimos::progress::Progress;
-use feimos::scene::{self, LoadOptions};
+use feimos::scene::{self, LoadOptions, Pose};
 use report::Report;
 use scenes::scenes_of;
 use std::path::{Path, PathBuf};
@@ -41,6 +41,7 @@ fn check_all(args: &CheckArgs, reporter: &Reporter) -> Result<u8> {
         args,
         reporter,
         bars: ProgressBars::new(&args.messages),
+        poses: args.cameras.poses()?,
         failures: Failures::default(),
         tried: 0,
     };
@@ -81,6 +82,8 @@ struct Check<'a> {
     args: &'a CheckArgs,
     reporter: &'a Reporter,
     bars: ProgressBars,
+    /// The cameras in place of each scene's own.
+    poses: Option<Vec<Pose>>,
     failures: Failures,
     /// Scenes tried so far.
     tried: usize,
@@ -99,8 +102,17 @@ impl Check<'_> {
         let ms = start.elapsed().as_secs_f64() * 1e3;
         self.reporter
             .detail(format_args!("{}: read in {ms:.0} ms", path.display()));
-        loaded.map(|scene| {
-            let viewpoints = vec![Viewpoint::of(&scene)];
+        loaded.map(|mut scene| {
+            let viewpoints = match &self.poses {
+                Some(poses) => poses
+                    .iter()
+                    .map(|pose| Viewpoint::at(pose, &scene))
+                    .collect(),
+                None => vec![Viewpoint::of(&scene)],
+            };
+            if let Some([pose]) = self.poses.as_deref() {
+                pose.replace_camera(&mut scene);
+            }
             Checked::new(scene, viewpoints)
         })
     }

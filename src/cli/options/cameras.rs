@@ -10,8 +10,8 @@ pub(crate) struct CameraArgs {
     /// See each scene from the cameras in this file instead of its own: a list by feimos (objects
     /// with a `name` and with `lookat`, `transform`, or `K`, `R`, `t` and `resolution`), a
     /// transforms.json of NeRF programs, or a text model of COLMAP (its folder, or one of its two
-    /// files). With several cameras, render needs {camera} in the output name [default: the
-    /// scene's camera].
+    /// files). With several cameras, an output of render needs {camera} in its name
+    /// [default: the scene's camera].
     #[arg(long, value_name = "FILE")]
     pub(crate) cameras: Option<PathBuf>,
     /// Take only the camera of this name; may be repeated where several cameras make sense

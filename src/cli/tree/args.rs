@@ -12,7 +12,7 @@ use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub(crate) struct TreeArgs {
-    /// The scene: a .pbrt file, `-`, or a bare .ply or .obj mesh.
+    /// The scene: a .pbrt file, `-`, or a bare mesh (.ply, .obj, .stl, .off).
     #[arg(value_name = "SCENE")]
     pub(super) scene: PathBuf,
     /// Draw the edges of the boxes over a depth picture, coloured by depth; edges behind surfaces

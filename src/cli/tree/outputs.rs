@@ -62,8 +62,9 @@ pub(super) fn check_scene(args: &TreeArgs, scene: &Scene, files_read: &InputFile
     for (path, (flag, _)) in files(args) {
         check_against_scene(files_read, path, flag)?;
     }
-    if args.output.is_some() && !scene.camera.projection.is_planar() {
-        let message = "boxes cannot be drawn over the picture of a spherical camera";
+    if args.output.is_some() && !scene.camera.projection.is_linear() {
+        let camera = scene.camera.projection.name();
+        let message = format!("boxes cannot be drawn over the picture of a {camera} camera");
         return Err(Error::usage(message).note("--ply writes them as a mesh"));
     }
     Ok(())

@@ -101,6 +101,8 @@ struct CameraContent {
     projection: &'static str,
     /// How a spherical camera maps directions to the film.
     mapping: Option<&'static str>,
+    /// The coefficients of a lens that distorts.
+    distortion: Option<Vec<f64>>,
     /// Degrees, across the shorter side of the usual screen window.
     fov: Option<f64>,
     eye: [f64; 3],
@@ -237,6 +239,10 @@ impl CameraContent {
         CameraContent {
             projection: camera.projection.name(),
             mapping: camera.projection.sphere_mapping().map(SphereMapping::name),
+            distortion: camera
+                .projection
+                .distortion()
+                .map(|lens| lens.coefficients()),
             fov: camera.projection.field_of_view(),
             eye: camera.anchor().to_array(),
             direction: camera.view_direction().to_array(),

@@ -10,6 +10,9 @@ use std::fmt::{self, Display, Formatter};
 /// Width of text, unless a word is longer.
 const WIDTH: usize = 100;
 
+/// The cameras whose views are shown.
+const SHOWN_VIEWS: usize = 10;
+
 /// Width of the name of a shape type.
 const NAME_WIDTH: usize = 40;
 
@@ -30,8 +33,12 @@ impl Display for Report<'_> {
             "bounds",
             bounds.as_deref().unwrap_or("nothing that can be hit"),
         )?;
-        for view in &content.views {
+        for view in content.views.iter().take(SHOWN_VIEWS) {
             lines(f, "view", view.lines())?;
+        }
+        if content.views.len() > SHOWN_VIEWS {
+            let more = counted((content.views.len() - SHOWN_VIEWS) as u64, "more camera");
+            line(f, "view", &format!("and {more}; --json lists all"))?;
         }
         let transforms = counted(content.transforms as u64, "transform");
         let bytes = counted(content.bytes as u64, "byte");
