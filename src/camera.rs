@@ -1,7 +1,10 @@
-//! Cameras, perspective, orthographic and spherical: from pixel to ray (rule R5).
+//! Cameras, perspective, orthographic, spherical, and with lenses that distort: from pixel to ray
+//! (rule R5).
 
+mod distortion;
 mod sphere_mapping;
 
+pub use distortion::{Distortion, Fisheye, RadialTangential};
 pub use sphere_mapping::SphereMapping;
 
 use crate::exact::degrees;
@@ -19,6 +22,8 @@ pub enum Projection {
     Orthographic,
     /// Rays leave the eye in all directions.
     Spherical(SphereMapping),
+    /// All rays start at the eye, and a lens has bent them.
+    Distorted(Distortion),
 }
 
 impl Projection {
@@ -29,26 +34,48 @@ impl Projection {
         }
     }
 
-    /// Its name in scene files.
+    /// Its name in scene files, or that of the lens.
     pub fn name(&self) -> &'static str {
         match self {
+            Projection::Distorted(lens) => lens.name(),
             Projection::Perspective { .. } => "perspective",
             Projection::Orthographic => "orthographic",
             Projection::Spherical(_) => "spherical",
         }
     }
 
-    /// Whether a matrix projects points to the film. Then a view may be rasterized, and `Z` is the
-    /// planar depth. Otherwise rays are traced one by one, and `Z` is the distance (rule E4).
-    pub fn is_planar(&self) -> bool {
-        !matches!(self, Projection::Spherical(_))
+    /// Whether a matrix projects points to the film. Then a view may be rasterized; otherwise rays
+    /// are traced one by one.
+    pub fn is_linear(&self) -> bool {
+        matches!(
+            self,
+            Projection::Perspective { .. } | Projection::Orthographic
+        )
+    }
+
+    /// Whether `Z` is the planar depth. Otherwise it is the distance (rule E4): the camera looks
+    /// around, or nearly so.
+    pub fn has_planar_depth(&self) -> bool {
+        match self {
+            Projection::Perspective { .. } | Projection::Orthographic => true,
+            Projection::Distorted(lens) => matches!(lens, Distortion::RadialTangential(_)),
+            Projection::Spherical(_) => false,
+        }
     }
 
     /// The mapping of a spherical camera.
     pub fn sphere_mapping(&self) -> Option<SphereMapping> {
         match self {
             Projection::Spherical(mapping) => Some(*mapping),
-            Projection::Perspective { .. } | Projection::Orthographic => None,
+            _ => None,
+        }
+    }
+
+    /// The lens of a camera that distorts.
+    pub fn distortion(&self) -> Option<Distortion> {
+        match self {
+            Projection::Distorted(lens) => Some(*lens),
+            _ => None,
         }
     }
 
@@ -57,7 +84,7 @@ impl Projection {
     pub fn field_of_view(&self) -> Option<f64> {
         match self {
             Projection::Perspective { tangent } => Some(2.0 * tangent.atan().to_degrees()),
-            Projection::Orthographic | Projection::Spherical(_) => None,
+            _ => None,
         }
     }
 }
@@ -105,7 +132,7 @@ pub struct Camera {
     /// How rays leave.
     pub projection: Projection,
     /// The part of the plane at distance 1 that the film shows. A spherical camera has no such
-    /// plane, and ignores it.
+    /// plane, and ignores it. A lens that distorts shows this part.
     pub screen_window: ScreenWindow,
     /// Width and height of the whole film in pixels, without the crop.
     pub resolution: [u32; 2],
@@ -123,7 +150,7 @@ impl Camera {
     }
 
     /// Where the ray of pixel `x`, `y` crosses the plane at distance 1: X and Y in camera space.
-    /// Only for a planar projection.
+    /// A lens moves this point before it is a direction. Not for a spherical camera.
     pub fn plane_coordinates(&self, x: u32, y: u32) -> [f64; 2] {
         let [width, height] = self.resolution;
         let screen = &self.screen_window;
@@ -131,15 +158,20 @@ impl Camera {
         let sy = pixel_centre(screen.y1, screen.y0, y, height);
         match self.projection {
             Projection::Perspective { tangent } => [tangent * sx, tangent * sy],
-            Projection::Orthographic | Projection::Spherical(_) => [sx, sy],
+            _ => [sx, sy],
         }
     }
 
-    /// The ray through the centre of pixel `x` from the left and `y` from the top.
+    /// The ray through the centre of pixel `x` from the left and `y` from the top. Where a lens
+    /// shows nothing the direction is 0, and the ray [cannot hit](Ray::can_hit).
     pub fn ray(&self, x: u32, y: u32) -> Ray {
         match self.projection {
             Projection::Spherical(mapping) => {
                 self.ray_along(mapping.direction([x, y], self.resolution))
+            }
+            Projection::Distorted(lens) => {
+                let direction = lens.direction(self.plane_coordinates(x, y));
+                direction.map_or_else(|| self.no_ray(), |direction| self.ray_along(direction))
             }
             _ => self.ray_through(self.plane_coordinates(x, y)),
         }
@@ -154,14 +186,41 @@ impl Camera {
         }
     }
 
-    /// The ray that crosses the plane at distance 1 at X and Y in camera space. Only for a planar
+    /// The first pixel on the edge of the film whose ray cannot hit, because a lens shows nothing
+    /// there, and their number on the edge. Such pixels reach the edge if there are any: what a lens
+    /// shows has no holes.
+    pub fn blind_edge(&self) -> Option<([u32; 2], usize)> {
+        self.projection.distortion()?;
+        let [width, height] = self.resolution;
+        let rows = [0, height - 1].into_iter();
+        let columns = [0, width - 1].into_iter();
+        let across = rows.flat_map(|y| (0..width).map(move |x| [x, y]));
+        let down = columns.flat_map(|x| (1..height.max(2) - 1).map(move |y| [x, y]));
+        let mut blind = across
+            .chain(down)
+            .filter(|[x, y]| !self.ray(*x, *y).can_hit());
+        let first = blind.next()?;
+        Some((first, 1 + blind.count()))
+    }
+
+    /// A ray that is a single point.
+    fn no_ray(&self) -> Ray {
+        Ray {
+            origin: self.anchor(),
+            direction: Vector::default(),
+        }
+    }
+
+    /// The ray that crosses the plane at distance 1 at X and Y in camera space. Only for a linear
     /// projection.
     pub fn ray_through(&self, [x, y]: [f64; 2]) -> Ray {
         let c = &self.world_from_camera.rows;
         let component =
             |k: usize, x: f64, y: f64, last: usize| (c[k][0] * x + c[k][1] * y) + c[k][last];
         match self.projection {
-            Projection::Perspective { .. } | Projection::Spherical(_) => {
+            Projection::Perspective { .. }
+            | Projection::Spherical(_)
+            | Projection::Distorted(_) => {
                 let direction = |k| component(k, x, y, 2);
                 Ray {
                     origin: self.anchor(),
@@ -187,66 +246,4 @@ fn pixel_centre(first: f64, last: f64, i: u32, count: u32) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn camera(projection: Projection, resolution: [u32; 2]) -> Camera {
-        let aspect = f64::from(resolution[0]) / f64::from(resolution[1]);
-        let screen_window = ScreenWindow::of_aspect(aspect);
-        Camera {
-            world_from_camera: Matrix::IDENTITY,
-            projection,
-            screen_window,
-            resolution,
-        }
-    }
-
-    #[test]
-    fn the_middle_pixel_looks_along_the_view() {
-        let camera = camera(Projection::perspective(90.0), [33, 33]);
-        assert_eq!(camera.ray(16, 16).direction, Vector::new(0.0, 0.0, 1.0));
-        assert_eq!(
-            camera.ray(0, 0).direction,
-            Vector::new(-32.0 / 33.0, 32.0 / 33.0, 1.0)
-        );
-    }
-
-    #[test]
-    fn the_shorter_side_spans_the_field_of_view() {
-        let wide = camera(Projection::perspective(90.0), [4, 2]);
-        assert_eq!(wide.ray(3, 0).direction, Vector::new(1.5, 0.5, 1.0));
-        let tall = camera(Projection::perspective(90.0), [2, 4]);
-        assert_eq!(tall.ray(1, 0).direction, Vector::new(0.5, 1.5, 1.0));
-    }
-
-    #[test]
-    fn spherical_rays_are_turned_into_the_world() {
-        let mut camera = camera(
-            Projection::Spherical(SphereMapping::Equirectangular),
-            [2, 1],
-        );
-        camera.world_from_camera = Matrix {
-            rows: [
-                [0.0, 0.0, 3.0, 7.0],
-                [0.0, 1.0, 0.0, 8.0],
-                [-1.0, 0.0, 0.0, 9.0],
-            ],
-        };
-        let ray = camera.ray(0, 0);
-        assert_eq!(
-            (ray.origin, ray.direction),
-            (Point::new(7.0, 8.0, 9.0), Vector::new(3.0, 0.0, 0.0))
-        );
-        assert!(!camera.projection.is_planar());
-    }
-
-    #[test]
-    fn orthographic_rays_are_parallel() {
-        let camera = camera(Projection::Orthographic, [2, 2]);
-        let ray = camera.ray(1, 1);
-        assert_eq!(
-            (ray.origin, ray.direction),
-            (Point::new(0.5, -0.5, 0.0), Vector::new(0.0, 0.0, 1.0))
-        );
-    }
-}
+mod tests;

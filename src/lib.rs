@@ -39,6 +39,7 @@
 
 pub mod accel;
 pub mod bench;
+pub mod boxes;
 pub mod camera;
 pub mod compare;
 pub mod decimal;
@@ -63,5 +64,6 @@ pub mod render;
 pub mod scene;
 pub mod shape;
 pub mod simd;
+pub mod survey;
 pub mod terminal_text;
 pub mod texture;

@@ -5,7 +5,10 @@
 
 mod common;
 
-use common::{Way, add_triangles, agreed_picture, assert_same, picture, picture_by, whole};
+use common::{
+    Way, add_triangles, agreed_picture, assert_same, fisheye, picture, picture_by, whole,
+    wide_angle,
+};
 use feimos::accel::{Accelerator, BuildOptions, Precision, SplitMethod};
 use feimos::camera::{Camera, Projection, ScreenWindow, SphereMapping};
 use feimos::film::{ChannelName, PixelBounds};
@@ -91,6 +94,8 @@ fn setting() -> impl Strategy<Value = Setting> {
             Projection::perspective(90.0),
             Projection::Spherical(SphereMapping::Equirectangular),
             Projection::Spherical(SphereMapping::EqualArea),
+            Projection::Distorted(wide_angle()),
+            Projection::Distorted(fisheye()),
         ]),
         prop::sample::select(vec![[9, 9], [17, 5], [1, 1], [8, 8]]),
     )

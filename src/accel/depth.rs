@@ -43,7 +43,7 @@ impl Depth {
 
     /// The depth as a camera of this projection defines it: without a plane, `Z` is the distance.
     pub fn seen_by(self, projection: &Projection) -> Depth {
-        let z = if projection.is_planar() {
+        let z = if projection.has_planar_depth() {
             self.z
         } else {
             self.distance

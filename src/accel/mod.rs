@@ -27,7 +27,7 @@ pub use builder::BuildOptions;
 pub use depth::{Depth, distance_bracket};
 pub use hit::{ExactFallbacks, Hit, TraversalCounts};
 pub use precision::Precision;
-pub use quality::Statistics;
+pub use quality::{Anatomy, Level, NodeBox, Statistics, TreeKind};
 pub use raster::{TileOptions, TileTracer, Tiles, TracedTile};
 pub use ray::Tracer;
 pub use split_method::SplitMethod;

@@ -11,6 +11,7 @@ mod pixel;
 mod process;
 mod render;
 mod terminal;
+mod tree;
 mod usage;
 
 use clap::{CommandFactory, Parser, Subcommand};
@@ -52,6 +53,10 @@ enum Command {
     /// was.
     #[command(long_about = usage::PIXEL)]
     Pixel(pixel::PixelArgs),
+    /// Show the tree of a scene: nodes, leaves and surface areas by depth, sizes of leaves, the SAH
+    /// cost, and pictures of its boxes.
+    #[command(long_about = usage::TREE)]
+    Tree(tree::TreeArgs),
     /// Merge crops of one film: into the file that one process would have written, byte for byte.
     #[command(long_about = usage::MERGE)]
     Merge(merge::MergeArgs),
@@ -78,6 +83,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Bench(args) => report(&args.messages, |reporter| bench::bench(&args, reporter)),
         Command::Merge(args) => report(&args.messages, |reporter| merge::merge(&args, reporter)),
         Command::Pixel(args) => report(&args.messages, |reporter| pixel::pixel(&args, reporter)),
+        Command::Tree(args) => report(&args.messages, |reporter| tree::tree(&args, reporter)),
         Command::Completions(args) => {
             conclude(&Reporter::silent(), |_| completions(&args, Cli::command()))
         }

@@ -20,6 +20,7 @@ pub fn counted(count: u64, noun: &str) -> String {
     match (count, word) {
         (1, _) => format!("1 {noun}"),
         (_, "vertex") => format!("{} vertices{rest}", grouped(count)),
+        (_, "index") => format!("{} indices{rest}", grouped(count)),
         _ => format!("{} {word}s{rest}", grouped(count)),
     }
 }

@@ -21,6 +21,13 @@ pub enum Position {
     File,
     /// A line of a text file, without a useful column; counted from 1.
     Line(u64),
+    /// A character of a text file that is no longer in memory.
+    Character {
+        /// Counted from 1.
+        line: u64,
+        /// Counted from 1, in characters.
+        column: u64,
+    },
     /// A byte of a binary file, counted from 0.
     Byte(u64),
     /// A span of a text file.
@@ -233,7 +240,9 @@ impl fmt::Display for SourceLocation {
             Position::File => write!(f, "{path}"),
             Position::Line(line) => write!(f, "{path}:{line}"),
             Position::Byte(offset) => write!(f, "{path}: byte {offset}"),
-            Position::Text { line, column, .. } => write!(f, "{path}:{line}:{column}"),
+            Position::Character { line, column } | Position::Text { line, column, .. } => {
+                write!(f, "{path}:{line}:{column}")
+            }
         }
     }
 }

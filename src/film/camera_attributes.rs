@@ -1,13 +1,13 @@
 //! The camera in the standard attributes of OpenEXR.
 
-use crate::camera::{Camera, Projection, ScreenWindow};
+use crate::camera::{Camera, Distortion, Projection, ScreenWindow};
 
 /// OpenEXR's standard attributes of a view. Matrices are for row vectors, as in OpenEXR: a point,
 /// followed by a 1, times the matrix. They are stored row by row, with the translation last.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CameraAttributes {
-    /// Aspect ratio of a pixel on the film: width over height. 1 for a spherical camera, which has
-    /// no such film.
+    /// Aspect ratio of a pixel on the film: width over height. 1 for a spherical or fisheye
+    /// camera, which has no such film.
     pub pixel_aspect: f32,
     /// The centre of the film in the plane at distance 1, in units of camera space, y upwards.
     pub screen_window_center: [f32; 2],
@@ -17,8 +17,8 @@ pub struct CameraAttributes {
     pub world_to_camera: [f32; 16],
     /// World space to the display window: after division by the fourth component, x goes from 0 on
     /// the left to 1 on the right and y from 0 at the top to 1 at the bottom. z is 1/Z for a
-    /// perspective camera, and Z for an orthographic one. `None` for a spherical camera, which no
-    /// matrix describes.
+    /// perspective camera, and Z for an orthographic one. `None` for a spherical camera and a
+    /// lens that distorts, which no matrix describes.
     pub world_to_ndc: Option<[f32; 16]>,
 }
 
@@ -38,11 +38,14 @@ impl CameraAttributes {
         ];
         let scale = match camera.projection {
             Projection::Perspective { tangent } => tangent,
-            Projection::Orthographic => 1.0,
-            Projection::Spherical(_) => {
+            Projection::Orthographic | Projection::Distorted(Distortion::RadialTangential(_)) => {
+                1.0
+            }
+            Projection::Spherical(_) | Projection::Distorted(Distortion::Fisheye(_)) => {
                 return CameraAttributes::without_film(&world_to_camera);
             }
         };
+        let is_linear = camera.projection.is_linear();
         let world_to_ndc = times(&ndc_from_camera(camera, scale), &world_to_camera);
         let attributes = CameraAttributes {
             pixel_aspect: (((x1 - x0) / width) / ((y1 - y0) / height)).abs() as f32,
@@ -50,7 +53,7 @@ impl CameraAttributes {
                 .map(|x| x as f32),
             screen_window_width: (scale * (x1 - x0)).abs() as f32,
             world_to_camera: for_row_vectors(&world_to_camera),
-            world_to_ndc: Some(for_row_vectors(&world_to_ndc)),
+            world_to_ndc: is_linear.then(|| for_row_vectors(&world_to_ndc)),
         };
         attributes.is_sound().then_some(attributes)
     }
@@ -95,7 +98,7 @@ fn ndc_from_camera(camera: &Camera, scale: f64) -> Matrix4 {
             [0.0, 0.0, 0.0, 1.0],
             [0.0, 0.0, 1.0, 0.0],
         ],
-        Projection::Orthographic | Projection::Spherical(_) => [
+        _ => [
             [x, 0.0, 0.0, left],
             [0.0, y, 0.0, top],
             [0.0, 0.0, 1.0, 0.0],

@@ -26,10 +26,12 @@ impl ColorRange {
         (range.start <= range.end).then_some(range)
     }
 
-    /// From 0 to the largest cost of the image. `None` if it lacks the channel `cost`.
-    pub fn of_costs(image: &Image) -> Option<ColorRange> {
-        let largest = image.numbers(ChannelName::Cost)?.par_iter().max();
-        let end = largest.map_or(0.0, |cost| *cost as f32);
+    /// From 0 to the cost that `per_mille` of the image's rays do not exceed: a few rays may cost
+    /// many times as much as all others. `None` if the image lacks the channel `cost`.
+    pub fn of_costs(image: &Image, per_mille: usize) -> Option<ColorRange> {
+        let mut costs = image.numbers(ChannelName::Cost)?.to_vec();
+        let rank = (costs.len() * per_mille / 1000).min(costs.len().checked_sub(1)?);
+        let end = *costs.select_nth_unstable(rank).1 as f32;
         Some(ColorRange { start: 0.0, end })
     }
 
@@ -117,10 +119,17 @@ mod tests {
     }
 
     #[test]
-    fn costs_span_all_from_zero() {
-        let of = |name| ColorRange::of_costs(&image(&[(name, Samples::U32(vec![7, 90, 8]))]));
-        assert_eq!(of(ChannelName::Cost), Some(range(0.0, 90.0)));
-        assert_eq!(of(ChannelName::Id), None);
+    fn costs_span_the_range_from_zero_to_a_percentile() {
+        let of = |name, costs: Vec<u32>, per_mille| {
+            ColorRange::of_costs(&image(&[(name, Samples::U32(costs))]), per_mille)
+        };
+        let few = || vec![7, 90, 8];
+        assert_eq!(of(ChannelName::Cost, few(), 995), Some(range(0.0, 90.0)));
+        assert_eq!(of(ChannelName::Cost, few(), 1000), Some(range(0.0, 90.0)));
+        assert_eq!(of(ChannelName::Cost, few(), 0), Some(range(0.0, 7.0)));
+        let many = (0..1000).rev().collect();
+        assert_eq!(of(ChannelName::Cost, many, 995), Some(range(0.0, 995.0)));
+        assert_eq!(of(ChannelName::Id, few(), 995), None);
     }
 
     #[test]

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use crate::error::{Error, Result};
+use crate::error::{self, Error};
+use crate::named::named;
 
 /// A format of image files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -17,38 +18,26 @@ pub enum Format {
     Npy,
 }
 
+// The name is the extension, without the dot.
+named!(Format: Exr => "exr", Png => "png", Pfm => "pfm", Npy => "npy");
+
 impl Format {
-    /// Every format.
-    pub const ALL: [Format; 4] = [Format::Exr, Format::Png, Format::Pfm, Format::Npy];
-
-    /// The extension of the format, without the dot.
-    pub fn extension(self) -> &'static str {
-        match self {
-            Format::Exr => "exr",
-            Format::Png => "png",
-            Format::Pfm => "pfm",
-            Format::Npy => "npy",
-        }
-    }
-
     /// The format of the name `path`; case does not matter.
-    pub fn of_path(path: &Path) -> Result<Format> {
+    pub fn of_path(path: &Path) -> error::Result<Format> {
         let extension = path
             .extension()
             .map(|extension| extension.to_string_lossy());
         let known = |extension: &str| {
             Format::ALL
                 .into_iter()
-                .find(|format| format.extension().eq_ignore_ascii_case(extension))
+                .find(|format| format.name().eq_ignore_ascii_case(extension))
         };
         extension.as_deref().and_then(known).ok_or_else(|| {
             let found = match extension {
                 Some(extension) => format!("unknown image format `.{extension}`"),
                 None => "no extension that selects the image format".to_string(),
             };
-            let known = Format::ALL
-                .map(|format| format!(".{}", format.extension()))
-                .join(", ");
+            let known = Format::ALL.map(|format| format!(".{format}")).join(", ");
             Error::usage(format!("{}: {found}", path.display()))
                 .note(format!("known formats: {known}"))
         })

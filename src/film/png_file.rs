@@ -30,13 +30,38 @@ pub fn write_rgb(
     out: &mut impl Write,
     progress: Progress,
 ) -> io::Result<()> {
-    check_count(size, pixels.len())?;
-    let pixels = Pixels {
-        pixels,
-        bytes_of: |rgb| rgb,
-    };
     let kind = (ColorType::Rgb, BitDepth::Eight);
-    encode(size, kind, &pixels, texts, out, progress)
+    write(size, kind, pixels, |rgb| rgb, texts, out, progress)
+}
+
+/// Writes colours with alpha, row by row from the top.
+///
+/// # Errors
+/// Like [`write_rgb`].
+pub fn write_rgba(
+    size: [u32; 2],
+    pixels: &[[u8; 4]],
+    texts: &[Text],
+    out: &mut impl Write,
+    progress: Progress,
+) -> io::Result<()> {
+    let kind = (ColorType::Rgba, BitDepth::Eight);
+    write(size, kind, pixels, |rgba| rgba, texts, out, progress)
+}
+
+/// Writes 8-bit gray values, row by row from the top.
+///
+/// # Errors
+/// Like [`write_rgb`].
+pub fn write_gray8(
+    size: [u32; 2],
+    pixels: &[u8],
+    texts: &[Text],
+    out: &mut impl Write,
+    progress: Progress,
+) -> io::Result<()> {
+    let kind = (ColorType::Grayscale, BitDepth::Eight);
+    write(size, kind, pixels, |gray| [gray], texts, out, progress)
 }
 
 /// Writes 16-bit gray values, row by row from the top. `progress` counts rows.
@@ -50,12 +75,21 @@ pub fn write_gray16(
     out: &mut impl Write,
     progress: Progress,
 ) -> io::Result<()> {
-    check_count(size, pixels.len())?;
     let kind = (ColorType::Grayscale, BitDepth::Sixteen);
-    let pixels = Pixels {
-        pixels,
-        bytes_of: u16::to_be_bytes,
-    };
+    write(size, kind, pixels, u16::to_be_bytes, texts, out, progress)
+}
+
+fn write<P: Copy + Sync, const N: usize>(
+    size: [u32; 2],
+    kind: (ColorType, BitDepth),
+    pixels: &[P],
+    bytes_of: fn(P) -> [u8; N],
+    texts: &[Text],
+    out: &mut impl Write,
+    progress: Progress,
+) -> io::Result<()> {
+    check_count(size, pixels.len())?;
+    let pixels = Pixels { pixels, bytes_of };
     encode(size, kind, &pixels, texts, out, progress)
 }
 
@@ -183,6 +217,29 @@ mod tests {
         };
         assert!(gray.dimensions() == (3, 2) && gray.pixels().map(|pixel| pixel.0[0]).eq(shades));
         assert!(write_gray16([3, 3], &shades, &[], &mut Vec::new(), Progress::SILENT).is_err());
+    }
+
+    #[test]
+    fn gray_values_of_8_bits_and_alpha_are_written_unchanged() {
+        let mut file = Vec::new();
+        write_gray8([2, 2], &[0, 255, 7, 0], &[], &mut file, Progress::SILENT).unwrap();
+        let image::DynamicImage::ImageLuma8(gray) = image::load_from_memory(&file).unwrap() else {
+            panic!("gray")
+        };
+        assert_eq!(gray.into_raw(), [0, 255, 7, 0]);
+        let mut file = Vec::new();
+        write_rgba(
+            [1, 2],
+            &[[1, 2, 3, 255], [0; 4]],
+            &[],
+            &mut file,
+            Progress::SILENT,
+        )
+        .unwrap();
+        let image::DynamicImage::ImageRgba8(rgba) = image::load_from_memory(&file).unwrap() else {
+            panic!("alpha")
+        };
+        assert_eq!(rgba.into_raw(), [1, 2, 3, 255, 0, 0, 0, 0]);
     }
 
     #[test]

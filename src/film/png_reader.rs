@@ -1,6 +1,6 @@
-//! Reads PNG files: 16-bit depths as the depth16 view writes them, and the texts of any PNG.
+//! Reads PNG files: 16-bit depths and numbers as views write them, and the texts of any PNG.
 
-use super::{Channel, ChannelName, Image, MISS, PixelBounds, Samples};
+use super::{Channel, ChannelName, Image, MISS, PixelBounds, Samples, View};
 use crate::error::{Diagnostic, Error, Result, SourceLocation, grouped};
 use crate::film::exr_file::ATTRIBUTE;
 use crate::input::BudgetFactor;
@@ -25,8 +25,8 @@ pub fn recognises(bytes: &[u8]) -> bool {
     bytes.starts_with(&MAGIC)
 }
 
-/// Reads `bytes`, the content of the file `path`: one 16-bit gray channel, which holds depths in
-/// steps of an unknown size.
+/// Reads `bytes`, the content of the file `path`: one 16-bit gray channel. It holds numbers
+/// if the header says so, else depths in steps of an unknown size.
 ///
 /// The image has `Z` as integers, unlike images of other formats, and `A`. A miss is the value that
 /// the file's header names, else 0.
@@ -50,12 +50,12 @@ pub(super) fn decode_within(path: &Path, bytes: &[u8], factor: BudgetFactor) -> 
     if (info.color_type, info.bit_depth) != (ColorType::Grayscale, BitDepth::Sixteen) {
         let diagnostic = Diagnostic::new("this PNG file holds colours, not data")
             .at(SourceLocation::file(path))
-            .note("expected 16-bit depths, as from --view depth16, or an .exr, .npy or .pfm");
+            .note("expected 16-bit data, as from --view depth16, or an .exr, .npy or .pfm");
         return Err(Error::bad_input(diagnostic));
     }
     check_size(path, (width, height), bytes.len(), factor)?;
     let header = text(info, ATTRIBUTE).map_err(|error| damaged(path, &error))?;
-    let miss = header.map_or(0, |header| miss_of(&header));
+    let (name, miss) = header.map_or((ChannelName::Z, 0), |header| content_of(&header));
     let too_large = || damaged(path, &"it is too large for this machine's memory");
     let mut samples = Vec::new();
     let size = reader.output_buffer_size().ok_or_else(too_large)?;
@@ -71,7 +71,7 @@ pub(super) fn decode_within(path: &Path, bytes: &[u8], factor: BudgetFactor) -> 
         .map(|bytes| u16::from_be_bytes(*bytes));
     let is_hit = |step: u16| if step == miss { 0.0 } else { 1.0 };
     let a = Samples::F32(steps.clone().map(is_hit).collect());
-    let z = Samples::U32(steps.map(u32::from).collect());
+    let values = Samples::U32(steps.map(u32::from).collect());
     Ok(Image {
         display_window: (width, height),
         data_window: PixelBounds::of_film(width, height),
@@ -81,18 +81,25 @@ pub(super) fn decode_within(path: &Path, bytes: &[u8], factor: BudgetFactor) -> 
                 samples: a,
             },
             Channel {
-                name: ChannelName::Z,
-                samples: z,
+                name,
+                samples: values,
             },
         ],
     })
 }
 
-/// The value of a miss that a header names; else 0.
-fn miss_of(header: &str) -> u16 {
+/// The channel that a header names by its view, else depth; and the value of a miss, else 0.
+fn content_of(header: &str) -> (ChannelName, u16) {
     let header: Option<serde_json::Value> = serde_json::from_str(header).ok();
-    let miss = header.and_then(|header| header[MISS].as_u64());
-    miss.and_then(|miss| miss.try_into().ok()).unwrap_or(0)
+    let field = |name: &str| header.as_ref().map(|header| &header[name]);
+    let view = field("view").and_then(|view| view.as_str()?.parse().ok());
+    let name = match view {
+        Some(View::Id16) => ChannelName::Id,
+        Some(View::Instance16) => ChannelName::Instance,
+        _ => ChannelName::Z,
+    };
+    let miss = field(MISS).and_then(|miss| miss.as_u64()?.try_into().ok());
+    (name, miss.unwrap_or(0))
 }
 
 /// Refuses images that are too wide or high, or take far more memory than the file has bytes.
@@ -217,6 +224,23 @@ mod tests {
             assert_eq!(image.data_window, PixelBounds::of_film(2, 2));
             assert_eq!(image.numbers(ChannelName::Z).unwrap(), steps.map(u32::from));
             assert_eq!(image.measures(ChannelName::A).unwrap(), a);
+        }
+    }
+
+    #[test]
+    fn the_header_names_other_numbers() {
+        for (view, name) in [
+            ("depth16", ChannelName::Z),
+            ("id16", ChannelName::Id),
+            ("instance16", ChannelName::Instance),
+        ] {
+            let header = format!("{{\"view\":\"{view}\"}}");
+            let image = decoded(&file(&[0, 1, 2, 65535], Some(&header))).unwrap();
+            assert_eq!(image.numbers(name), Some(&[0, 1, 2, 65535][..]), "{view}");
+            assert_eq!(
+                image.measures(ChannelName::A),
+                Some(&[0.0, 1.0, 1.0, 1.0][..])
+            );
         }
     }
 

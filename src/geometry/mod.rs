@@ -6,6 +6,7 @@ mod motion;
 mod point;
 mod quaternion;
 mod ray;
+mod stretch;
 mod transform;
 
 pub use bounds::Bounds;

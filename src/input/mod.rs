@@ -4,19 +4,23 @@ mod budget;
 pub(crate) mod gzip;
 mod gzip_members;
 mod inflated;
+mod irregular;
 mod missing;
+mod signature;
 mod storage;
 mod text_stream;
 
 pub use budget::BudgetFactor;
 pub(crate) use budget::{Budget, pairs_of};
+pub(crate) use irregular::refuse_special;
 pub(crate) use missing::advise_beside;
+pub(crate) use signature::{Kind, Signature, without_utf8_mark};
 pub(crate) use storage::Storage;
 pub(crate) use text_stream::TextStream;
 
 use crate::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation, grouped};
 use crate::memory;
-use std::fs::{self, File, FileType};
+use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::Path;
 
@@ -56,15 +60,13 @@ const PART_OF_MEMORY: u64 = 4;
 /// Reads a file that the command line names, which may be a pipe.
 ///
 /// # Errors
-/// A file that is missing, unreadable, or a device, some of which never end.
+/// A file that is missing, unreadable, a folder, or a device, some of which never end.
 pub(crate) fn read(path: &Path) -> Result<Vec<u8>> {
     let metadata =
         fs::metadata(path).map_err(|error| missing::advise(path, Error::reading(path, &error)))?;
     let file_type = metadata.file_type();
-    if is_device(file_type) {
-        return Err(no_file(path, "a device"));
-    }
-    if file_type.is_file() || file_type.is_dir() {
+    irregular::refuse_named(path, file_type)?;
+    if file_type.is_file() {
         let too_large = || "this file is too large for this machine's memory".to_owned();
         memory::check(metadata.len(), too_large)
             .map_err(|error| error.or_at(|| SourceLocation::file(path)))?;
@@ -72,39 +74,6 @@ pub(crate) fn read(path: &Path) -> Result<Vec<u8>> {
     }
     let mut pipe = File::open(path).map_err(|error| Error::reading(path, &error))?;
     read_stream(path, &mut pipe)
-}
-
-/// Refuses anything but a regular file: opening a pipe may wait forever, and a device may never
-/// end.
-///
-/// # Errors
-/// A file that exists and is not regular. Its reader reports a missing one.
-pub(crate) fn refuse_special(path: &Path) -> Result<()> {
-    let Ok(metadata) = fs::metadata(path) else {
-        return Ok(());
-    };
-    let file_type = metadata.file_type();
-    if is_device(file_type) {
-        return Err(no_file(path, "a device"));
-    }
-    if !file_type.is_file() && !file_type.is_dir() {
-        return Err(no_file(path, "a pipe or a socket"));
-    }
-    // The kernel's files claim to be regular and empty.
-    let is_of_kernel = || {
-        fs::canonicalize(path)
-            .is_ok_and(|path| path.starts_with("/proc") || path.starts_with("/sys"))
-    };
-    if metadata.len() == 0 && is_of_kernel() {
-        return Err(no_file(path, "a window to the kernel"));
-    }
-    Ok(())
-}
-
-fn no_file(path: &Path, found: &str) -> Error {
-    let diagnostic =
-        Diagnostic::new(format!("this is {found}, not a file")).at(SourceLocation::file(path));
-    Error::new(ErrorKind::MissingInput, diagnostic)
 }
 
 fn read_whole(path: &Path) -> io::Result<Vec<u8>> {
@@ -127,17 +96,6 @@ fn read_pieces(file: &File, size: u64) -> io::Result<Vec<u8>> {
     pieces
         .try_for_each(|(number, piece)| storage::read_at(file, piece, (number * PIECE) as u64))?;
     Ok(bytes)
-}
-
-#[cfg(unix)]
-fn is_device(file_type: FileType) -> bool {
-    use std::os::unix::fs::FileTypeExt;
-    file_type.is_char_device() || file_type.is_block_device()
-}
-
-#[cfg(not(unix))]
-fn is_device(_: FileType) -> bool {
-    false
 }
 
 #[cfg(all(test, unix))]
@@ -187,25 +145,6 @@ mod tests {
             read_stream(path, &mut &b"all of it"[..]),
             Ok(b"all of it".to_vec())
         );
-    }
-
-    #[test]
-    fn what_an_input_names_must_be_a_file() {
-        let directory = tempfile::tempdir().expect("a directory");
-        let socket = directory.path().join("socket");
-        let _listener = std::os::unix::net::UnixListener::bind(&socket).expect("a socket");
-        assert!(
-            refuse_special(&socket)
-                .unwrap_err()
-                .to_string()
-                .ends_with("this is a pipe or a socket, not a file")
-        );
-        assert!(refuse_special(Path::new("/dev/zero")).is_err());
-        assert!(refuse_special(Path::new("Cargo.toml")).is_ok());
-        assert!(refuse_special(Path::new("no/such")).is_ok());
-        if Path::new("/proc/self/status").exists() {
-            assert!(refuse_special(Path::new("/proc/self/status")).is_err());
-        }
     }
 
     #[test]

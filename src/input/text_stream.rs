@@ -11,7 +11,7 @@ use super::budget::Budget;
 use super::gzip;
 use super::inflated::Inflated;
 use super::storage::read_at;
-use super::{PIECE, has_threads, is_device, missing, no_file, read_stream, refuse_special};
+use super::{PIECE, has_threads, irregular, missing, read_stream, refuse_special};
 use crate::error::{Error, Result};
 
 /// The bytes that tell how a file is compressed.
@@ -48,7 +48,7 @@ impl TextStream {
     /// Opens the file that the user named, which may be a pipe; `-` is standard input.
     ///
     /// # Errors
-    /// A file that is missing, unreadable, or a device, some of which never end.
+    /// A file that is missing, unreadable, a folder, or a device, some of which never end.
     pub(crate) fn open_named(path: &Path, budget: &Budget) -> Result<TextStream> {
         if path == Path::new("-") {
             return TextStream::of_pipe(path, Box::new(io::stdin()), budget);
@@ -56,10 +56,8 @@ impl TextStream {
         let is_known = budget.enter(path);
         let metadata = fs::metadata(path)
             .map_err(|error| missing::advise(path, Error::reading(path, &error)))?;
-        if is_device(metadata.file_type()) {
-            return Err(no_file(path, "a device"));
-        }
-        if metadata.is_file() || metadata.is_dir() {
+        irregular::refuse_named(path, metadata.file_type())?;
+        if metadata.is_file() {
             return TextStream::of_file(path, is_known, budget);
         }
         let pipe = File::open(path).map_err(|error| Error::reading(path, &error))?;

@@ -18,7 +18,7 @@ pub(super) struct FilmSpace<'a> {
 impl<'a> FilmSpace<'a> {
     /// `None` if the camera's transform has no inverse, or if its film is not planar.
     pub(super) fn new(camera: &'a Camera, pixel: [u32; 2]) -> Option<FilmSpace<'a>> {
-        if !camera.projection.is_planar() {
+        if !camera.projection.is_linear() {
             return None;
         }
         let camera_from_world = camera.world_from_camera.inverse();
@@ -45,7 +45,7 @@ impl<'a> FilmSpace<'a> {
     fn distance_of_edge(&self, a: Point, b: Point) -> Option<f64> {
         let least = match self.camera.projection {
             Projection::Perspective { .. } => NEAREST * a.z.abs().max(b.z.abs()),
-            Projection::Orthographic | Projection::Spherical(_) => 0.0,
+            _ => 0.0,
         };
         let [a, b] = [cut(a, b, least)?, cut(b, a, least)?].map(|point| self.on_film(point));
         let along = [b[0] - a[0], b[1] - a[1]];
@@ -65,7 +65,7 @@ impl<'a> FilmSpace<'a> {
             Projection::Perspective { tangent } => {
                 [point.x, point.y].map(|place| place / (point.z * tangent))
             }
-            Projection::Orthographic | Projection::Spherical(_) => [point.x, point.y],
+            _ => [point.x, point.y],
         };
         let screen = &self.camera.screen_window;
         let [width, height] = self.camera.resolution.map(f64::from);

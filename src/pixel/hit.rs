@@ -44,7 +44,7 @@ impl HitDetails {
         let surface = geometry.surface(primitive);
         let bracket = geometry.exact_t(primitive, ray).bracket();
         let t = bracket.low + (bracket.high - bracket.low) / 2.0;
-        let z = match scene.camera.projection.is_planar() {
+        let z = match scene.camera.projection.has_planar_depth() {
             true => bracket,
             false => distance_bracket(&bracket, ray.direction),
         };

@@ -120,7 +120,7 @@ impl Scan {
             0
         };
         let met = part.hits.len() as u64;
-        let is_planar = scene.camera.projection.is_planar();
+        let is_planar = scene.camera.projection.has_planar_depth();
         let (first, next) = nearest_two(part.hits, geometry, ray, is_planar);
         Some(Scan {
             met,

@@ -36,12 +36,12 @@ pub struct ReferenceHit {
 impl ReferenceHit {
     /// The hit as a camera of this projection sees it: without a plane, `Z` is the distance.
     pub fn seen_by(self, projection: &Projection) -> ReferenceHit {
-        match projection {
-            Projection::Spherical(_) => ReferenceHit {
+        match projection.has_planar_depth() {
+            true => self,
+            false => ReferenceHit {
                 z: self.distance,
                 ..self
             },
-            Projection::Perspective { .. } | Projection::Orthographic => self,
         }
     }
 }

@@ -157,7 +157,7 @@ impl<F> Subdivision<'_, F> {
 
     /// The beam of the rays of `pixels`, which lie in `area`.
     fn beam<T>(&self, area: &PixelBounds, pixels: &[PendingPixel<T>]) -> Beam {
-        if !self.camera.projection.is_planar() {
+        if !self.camera.projection.is_linear() {
             let rays = pixels.iter().map(|pixel| pixel.place);
             return Beam::around(rays.map(|[x, y]| self.camera.ray(x, y)));
         }

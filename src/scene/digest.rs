@@ -1,6 +1,6 @@
 //! Digests of a scene: of its geometry, and of a view of it.
 
-use crate::camera::{Camera, Projection, ScreenWindow, SphereMapping};
+use crate::camera::{Camera, Distortion, Projection, ScreenWindow, SphereMapping};
 use crate::digest::{Digest, Digester};
 use crate::shape::Geometry;
 
@@ -33,7 +33,12 @@ impl SceneDigest {
             Projection::Orthographic => [1.0, 0.0],
             Projection::Spherical(SphereMapping::Equirectangular) => [2.0, 0.0],
             Projection::Spherical(SphereMapping::EqualArea) => [3.0, 0.0],
+            Projection::Distorted(Distortion::RadialTangential(_)) => [4.0, 0.0],
+            Projection::Distorted(Distortion::Fisheye(_)) => [5.0, 0.0],
         });
+        if let Some(lens) = projection.distortion() {
+            digester.measures(&lens.coefficients());
+        }
         digester.measures(&[*x0, *x1, *y0, *y1]);
         resolution
             .iter()

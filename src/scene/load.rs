@@ -11,8 +11,8 @@ use crate::mesh::{self, MeshFormat};
 use crate::progress::Progress;
 use std::path::Path;
 
-/// Reads a scene with all files that it names, or a bare `.ply` or `.obj`; `-` is a scene on
-/// standard input.
+/// Reads a scene with all files that it names, or a bare mesh, which its extension tells: `.ply`,
+/// `.obj`, `.stl` or `.off`. `-` is a scene on standard input.
 ///
 /// `progress` counts bytes of scene files.
 pub fn load(path: &Path, options: &LoadOptions, progress: Progress) -> Result<Scene> {
@@ -63,7 +63,7 @@ pub fn read_film_filename(path: &Path, factor: BudgetFactor) -> Result<Option<St
     interpreter.read_film_filename()
 }
 
-/// Whether the extension of a path, apart from `.gz`, is that of a mesh.
+/// Whether the extension of a path, apart from `.gz`, is that of a [mesh](MeshFormat).
 pub fn is_bare_mesh(path: &Path) -> bool {
     bare_mesh(path).is_some()
 }
@@ -75,13 +75,10 @@ pub fn is_top_level(path: &Path) -> bool {
 
 /// The shape that a scene would call the mesh, and its format.
 fn bare_mesh(path: &Path) -> Option<(&'static str, MeshFormat)> {
-    let name = path.file_name()?.to_str()?.to_ascii_lowercase();
-    let name = name.strip_suffix(".gz").unwrap_or(&name);
-    if name.ends_with(".ply") {
-        Some(("plymesh", MeshFormat::Ply))
-    } else if name.ends_with(".obj") {
-        Some(("objmesh", MeshFormat::Obj))
-    } else {
-        None
-    }
+    let format = MeshFormat::of_extension(path)?;
+    let shape = match format {
+        MeshFormat::Obj => "objmesh",
+        MeshFormat::Ply | MeshFormat::Stl | MeshFormat::Off => "plymesh",
+    };
+    Some((shape, format))
 }

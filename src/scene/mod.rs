@@ -1,6 +1,7 @@
 //! Scenes: what the files say, as far as hits and depths depend on it.
 
 mod accelerator;
+mod automatic_view;
 mod bare_mesh;
 mod cameras;
 mod census;
@@ -25,13 +26,13 @@ mod transform_history;
 mod warnings;
 
 pub use accelerator::AcceleratorParameters;
-pub use cameras::{Pose, parse_poses, read_poses};
+pub use cameras::{Pose, parse_colmap, parse_poses, pose_files, read_poses};
 pub use census::{Census, ShapeCount};
 pub use digest::SceneDigest;
 pub use film::Film;
 pub use listed::{AlphaTexture, Boundary, Listed, UnusedObject};
 pub use load::{is_bare_mesh, is_top_level, load, load_listing_files, parse, read_film_filename};
-pub use locations::Locations;
+pub use locations::{Locations, StatedShape};
 pub use place::Place;
 pub use source_file::{SourceFile, Span};
 pub use source_span::SourceSpan;

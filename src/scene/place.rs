@@ -1,6 +1,6 @@
 //! A file, line and column without the text of the line.
 
-use crate::error::TextPosition;
+use crate::error::{Position, SourceLocation, TextPosition};
 use std::fmt;
 use std::path::Path;
 use std::sync::Arc;
@@ -13,15 +13,23 @@ pub struct Place {
     pub(super) position: Option<TextPosition>,
 }
 
+impl Place {
+    /// The same place for a message, which shows no text.
+    pub fn location(&self) -> SourceLocation {
+        let character = |TextPosition { line, column }| Position::Character {
+            line: line + 1,
+            column: column + 1,
+        };
+        SourceLocation {
+            path: self.path.to_path_buf(),
+            position: self.position.map_or(Position::File, character),
+        }
+    }
+}
+
 impl fmt::Display for Place {
     /// `path:line:column`, counted from 1.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let path = self.path.display();
-        match self.position {
-            None => write!(f, "{path}"),
-            Some(TextPosition { line, column }) => {
-                write!(f, "{path}:{}:{}", line + 1, column + 1)
-            }
-        }
+        self.location().fmt(f)
     }
 }

@@ -1,6 +1,6 @@
 //! The box around a scene.
 
-use super::{Geometry, Pose, Primitive, PrimitiveId};
+use super::{Geometry, Pose, Primitive, PrimitiveId, ShapeRun};
 use crate::geometry::{Bounds, Matrix};
 use rayon::prelude::*;
 
@@ -8,16 +8,9 @@ impl Geometry {
     /// The box in the world around all primitives that can be hit; empty if there are none. An
     /// instance counts with the box around its object's box, which may be too large.
     pub fn extent(&self) -> Bounds {
-        let objects: Vec<Bounds> = self
-            .objects()
-            .iter()
-            .map(|object| object.extent_of_object())
-            .collect();
-        let placed = self.instances().par_iter().map(|instance| {
-            let corners = objects[instance.object()].corners();
-            let corners = corners.map(|corner| instance.world_from_instance().apply(corner));
-            Bounds::of(corners.into_iter().filter(|corner| corner.is_finite()))
-        });
+        let objects = self.extents_of_objects();
+        let placed = (0..self.instances().len()).into_par_iter();
+        let placed = placed.map(|instance| self.extent_of_instance(instance, &objects));
         let triangles = (0..self.triangle_count())
             .into_par_iter()
             .map(PrimitiveId::triangle);
@@ -26,21 +19,48 @@ impl Geometry {
                 .into_par_iter()
                 .map(self.curved_ids()),
         );
-        let surfaces = own
-            .map(|primitive| self.own_surface(primitive))
-            .filter(Primitive::can_be_hit);
+        let surfaces = own.map(|primitive| extent_of(&self.own_surface(primitive)));
         placed
-            .chain(surfaces.map(|surface| surface.bounds()))
+            .chain(surfaces)
             .reduce(|| Bounds::EMPTY, Bounds::union)
+    }
+
+    /// The box around the primitives of a run that can be hit.
+    pub fn extent_of_run(&self, run: &ShapeRun) -> Bounds {
+        let primitives = (0..run.count()).into_par_iter().with_min_len(1 << 12);
+        primitives
+            .map(|place| extent_of(&self.own_surface(run.primitive(place))))
+            .reduce(|| Bounds::EMPTY, Bounds::union)
+    }
+
+    /// The boxes around the objects, in the space of their instances.
+    pub fn extents_of_objects(&self) -> Vec<Bounds> {
+        let objects = self.objects().par_iter();
+        objects.map(Geometry::extent_of_object).collect()
+    }
+
+    /// The box in the world around the box of an instance's object, one of `objects`.
+    pub fn extent_of_instance(&self, instance: usize, objects: &[Bounds]) -> Bounds {
+        let instance = &self.instances()[instance];
+        let corners = objects[instance.object()].corners();
+        let corners = corners.map(|corner| instance.world_from_instance().apply(corner));
+        Bounds::of(corners.into_iter().filter(|corner| corner.is_finite()))
     }
 
     fn extent_of_object(&self) -> Bounds {
         let mut pose = Pose::new(self, Matrix::IDENTITY);
         let surfaces = self.primitives().map(|primitive| pose.surface(primitive));
-        let bounds = surfaces
-            .filter(Primitive::can_be_hit)
-            .map(|surface| surface.bounds());
+        let bounds = surfaces.map(|surface| extent_of(&surface));
         bounds.fold(Bounds::EMPTY, Bounds::union)
+    }
+}
+
+/// The box around a primitive, if it can be hit.
+fn extent_of(surface: &Primitive) -> Bounds {
+    if surface.can_be_hit() {
+        surface.bounds()
+    } else {
+        Bounds::EMPTY
     }
 }
 

@@ -26,7 +26,7 @@ pub use filter_ray::FilterRay;
 pub use filter_result::FilterResult;
 pub use geometry::{
     CapacityError, CornerNormals, CornerUv, Counts, CurvePiece, CurvePoint, Geometry, Instance,
-    NonFiniteCounts, PatchUv, Pose,
+    NonFiniteCounts, PatchUv, Pose, ShapeRun,
 };
 pub use instanced_id::InstancedId;
 pub use numbers::Numbers;

@@ -109,8 +109,8 @@ fn a_json_file_comes_with_the_tables() {
 #[test]
 fn a_bad_place_for_the_json_is_reported_before_measuring() {
     let run = Folder::new()
-        .bench("ball.pbrt --json-file out/rows.json")
-        .failed(73, "out/rows.json: cannot create");
+        .bench("ball.pbrt --json-file ball.pbrt/rows.json")
+        .failed(73, "ball.pbrt/rows.json: cannot create");
     assert!(run.stdout.is_empty());
 }
 

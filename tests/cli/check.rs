@@ -35,6 +35,7 @@ ball.pbrt
               trianglemesh           1           1
   geometry    1 triangle, 1 quadric
   bounds      (-1.5, -1, -1) to (2.5, 2, 2.5)
+  view        2 of 2 shapes may be in view
   memory      2 transforms, 348 bytes
   directives  1 Camera, 1 Film, 1 LookAt, 2 Shape, 1 Translate, 1 WorldBegin
 ";

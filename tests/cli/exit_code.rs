@@ -59,22 +59,12 @@ fn missing_input() {
             "WorldBegin\nShape \"plymesh\" \"string filename\" \"gone.ply\"\n",
         )
         .with("include.pbrt", "Include \"gone.pbrt\"\n");
-    for scene in ["gone.pbrt", "gone.ply", "mesh.pbrt", "include.pbrt", "."] {
+    for scene in ["gone.pbrt", "gone.ply", "mesh.pbrt", "include.pbrt"] {
         folder.render(scene).failed(66, "cannot read");
     }
-}
-
-#[test]
-fn an_output_in_a_missing_directory() {
-    let folder = Folder::new();
-    let run = folder.render("ball.pbrt -o out/deep/a.exr").exited(73);
-    let expected = "error: out/deep/a.exr: cannot create: No such file or directory (os error 2)
-   = create the directory `out/deep` first
-";
-    assert_eq!(run.stderr, expected);
     folder
-        .render("ball.pbrt --manifest out/a.jsonl")
-        .failed(73, "out/a.jsonl: cannot create");
+        .render(".")
+        .failed(66, "this is a folder, not a file");
 }
 
 #[test]
@@ -87,12 +77,20 @@ fn a_directory_or_a_file_in_the_way() {
     folder
         .render("ball.pbrt -o ball.pbrt/a.exr")
         .failed(73, "ball.pbrt/a.exr: cannot create");
+    let run = folder
+        .render("ball.pbrt -o ball.pbrt/deep/a.exr")
+        .exited(73);
+    let expected = "error: ball.pbrt/deep: cannot create: Not a directory (os error 20)\n";
+    assert_eq!(run.stderr, expected);
+    folder
+        .render("ball.pbrt --manifest ball.pbrt/a.jsonl")
+        .failed(73, "ball.pbrt/a.jsonl: cannot create");
 }
 
 #[test]
 fn output_errors_are_found_before_the_tree_is_built() {
     let folder = Folder::new();
-    for output in ["out/a.exr", "a.jpg", "a"] {
+    for output in ["ball.pbrt/a.exr", "a.jpg", "a"] {
         folder
             .render(&format!("ball.pbrt -v -o {output}"))
             .did_not_say("built ");

@@ -124,7 +124,8 @@ impl Folder {
         let mut images: Vec<String> = names
             .filter(|name| !name.contains(".pbrt") && !name.contains(".ply"))
             .collect();
-        images.retain(|name| !name.ends_with(".obj") && !name.ends_with(".json"));
+        let others = [".obj", ".stl", ".off", ".json"];
+        images.retain(|name| !others.iter().any(|other| name.ends_with(other)));
         images.sort();
         images
     }

@@ -191,8 +191,8 @@ fn files_that_are_not_crops_are_refused() {
         .merge("a.exr -o b.png")
         .failed(2, "b.png: the merged image is an EXR");
     folder
-        .merge("a.exr -o out/b.exr")
-        .failed(73, "out/b.exr: cannot create");
+        .merge("a.exr -o text.exr/b.exr")
+        .failed(73, "text.exr/b.exr: cannot create");
     folder.merge("a.exr").exited(2);
     folder.merge("-o b.exr").exited(2);
     assert_eq!(folder.images(), ["a.exr", "empty.exr", "text.exr"]);

@@ -64,44 +64,65 @@ fn an_image_with_a_late_name_does_not_replace_one_of_the_batch() {
 }
 
 #[test]
-fn the_name_of_a_folder_is_refused() {
+fn a_folder_in_the_place_of_a_file_is_refused() {
     let folder = Folder::new();
-    for output in ["a.exr/", "a.exr/.", "a.exr//"] {
-        folder
-            .render(&format!("ball.pbrt -v -o {output}"))
-            .failed(73, "cannot create")
-            .did_not_say("loaded ");
-    }
+    folder
+        .render("ball.pbrt -v -o a.exr/.")
+        .failed(73, "cannot create")
+        .did_not_say("loaded ");
     folder.render("ball.pbrt -o a.exr").succeeded();
     folder
         .render("ball.pbrt -v -o a.exr/")
-        .failed(73, "a.exr/: cannot create")
+        .failed(73, "a.exr/ball.exr: cannot create: Not a directory")
         .did_not_say("loaded ");
 }
 
 #[test]
-fn a_missing_folder_is_found_before_the_scene_is_read() {
+fn missing_folders_are_made_for_every_output() {
     let folder = Folder::new();
+    let cameras = folder.path("a").join("b");
     folder
-        .render("ball.pbrt -v -o out/a.exr")
-        .failed(73, "create the directory `out` first")
-        .did_not_say("loaded ");
+        .render("ball.pbrt -o a/b/c.exr --manifest log/all.jsonl")
+        .succeeded();
+    assert!(cameras.join("c.exr").is_file());
+    assert_eq!(folder.text("log/all.jsonl").lines().count(), 1);
     folder
-        .render("ball.pbrt -v -o out/{accel}.exr")
-        .failed(73, "out/auto.exr: cannot create")
-        .did_not_say("built ");
+        .bench(
+            "ball.pbrt --runs 1 --warmup 0 --accel sah --precision fast --reference none \
+             --csv rows/a.csv",
+        )
+        .succeeded();
+    assert!(folder.path("rows/a.csv").is_file());
     folder
-        .bench("ball.pbrt -v --csv out/a.csv")
-        .failed(73, "out/a.csv: cannot create")
-        .did_not_say("loaded ");
-    folder.render("ball.pbrt -o a.png").succeeded();
+        .compare("a/b/c.exr a/b/c.exr --diff diff/d.png")
+        .succeeded();
+    assert!(folder.path("diff/d.png").is_file());
+    folder.merge("a/b/c.exr -o whole/c.exr").succeeded();
+    assert_eq!(folder.bytes("whole/c.exr"), folder.bytes("a/b/c.exr"));
+}
+
+#[test]
+fn a_failed_render_leaves_no_folder() {
+    let folder = Folder::new().with("bad.pbrt", "Shap");
     folder
-        .compare("a.png a.png --diff out/a.png")
-        .failed(73, "out/a.png: cannot create");
-    folder.render("ball.pbrt -o a.exr").succeeded();
+        .render("bad.pbrt -o out/deep/a.exr")
+        .failed(65, "bad.pbrt:1");
     folder
-        .merge("a.exr -o out/b.exr")
-        .failed(73, "out/b.exr: cannot create");
+        .render("ball.pbrt -o out/a.png --view depth16 --scale 1e5")
+        .failed(2, "does not fit");
+    folder
+        .render("ball.pbrt -o out/a.exr --pixelbounds 90,91,0,1")
+        .failed(2, "holds no pixel");
+    assert!(!folder.path("out").exists());
+}
+
+#[test]
+fn spellings_of_a_missing_folder_are_one_place() {
+    let folder = Folder::new().with("other.pbrt", BALL);
+    folder
+        .render("ball.pbrt -o out/a.exr -o out/b/../a.exr")
+        .failed(2, "two outputs would both be written to out/b/../a.exr");
+    assert!(!folder.path("out").exists());
 }
 
 #[cfg(target_os = "linux")]

@@ -147,7 +147,8 @@ fn invalid_regions_are_refused() {
             "--pixelbounds 0,1,0,1 --cropwindow 0,1,0,1",
             "cannot be used with",
         ),
-        ("--resolution 0x4", "a film needs at least one pixel"),
+        ("--resolution 0x4", "width and height must be at least 1"),
+        ("--resolution -5x5", "`-5` is not an integer from 0"),
         ("--resolution 4", "expected 2 values separated by `x`"),
         (
             "--resolution 16777217x1",
@@ -160,6 +161,19 @@ fn invalid_regions_are_refused() {
             .failed(2, message);
     }
     assert!(folder.images().is_empty());
+}
+
+#[test]
+fn a_resolution_has_several_spellings() {
+    let folder = Folder::new();
+    let usual = folder.rendered("ball.pbrt --resolution 6x4");
+    for spelling in ["6X4", "6\u{d7}4"] {
+        let exr = folder.rendered(&format!("ball.pbrt --resolution {spelling}"));
+        assert_eq!(exr, usual, "{spelling}");
+    }
+    folder
+        .pixel("ball.pbrt 1,1 --resolution -5x5")
+        .failed(2, "`-5` is not an integer from 0");
 }
 
 #[test]

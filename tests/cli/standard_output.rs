@@ -17,13 +17,14 @@ fn redirected(folder: &Folder, arguments: &str, to: &str) -> Output {
         .unwrap()
 }
 
-const PRINTING: [&str; 10] = [
+const PRINTING: [&str; 11] = [
     "render ball.pbrt -o -",
     "render ball.pbrt -o b.exr --json",
     "check ball.pbrt",
     "check ball.pbrt --json",
     "compare a.exr a.exr",
     "pixel ball.pbrt 6,3",
+    "tree ball.pbrt",
     "bench ball.pbrt --runs 1 --warmup 0 --accel sah --precision fast --reference none --csv r.csv",
     "completions bash",
     "--help",
@@ -108,12 +109,19 @@ fn a_full_standard_output_is_an_error() {
 #[test]
 fn a_pager_that_closes_early_is_no_error() {
     let folder = Folder::new();
-    for arguments in ["--help", "render --help", "--version"] {
+    for arguments in [
+        "--help",
+        "render --help",
+        "--version",
+        "check ball.pbrt ball.pbrt",
+        "check ball.pbrt ball.pbrt --json",
+    ] {
         let mut child = folder.subcommand("", "");
         let program = child.get_program().to_owned();
         child = Command::new(program);
         child
             .args(arguments.split_whitespace())
+            .current_dir(folder.path("."))
             .stdout(Stdio::piped())
             .stderr(Stdio::piped());
         let mut child = child.spawn().unwrap();

@@ -11,7 +11,7 @@ use single_rays::assert_single_rays_agree;
 use feimos::accel::{
     Accelerator, Aggregate, Bins, BuildOptions, Precision, SplitMethod, Structure,
 };
-use feimos::camera::{Camera, Projection, ScreenWindow};
+use feimos::camera::{Camera, Distortion, Fisheye, Projection, RadialTangential, ScreenWindow};
 use feimos::film::{ChannelName, Image, PixelBounds};
 use feimos::geometry::{Matrix, Point};
 use feimos::progress::Progress;
@@ -262,6 +262,17 @@ pub(crate) fn grid_camera(world_from_camera: Matrix, projection: Projection, siz
         screen_window,
         resolution: [size, size],
     }
+}
+
+/// A lens that folds back within the film of most tests.
+pub(crate) fn wide_angle() -> Distortion {
+    let lens = RadialTangential::new([-0.25, 0.0, 0.0, 0.0], [0.0; 3], [0.01, -0.02]);
+    Distortion::RadialTangential(lens.unwrap())
+}
+
+/// A lens that sees behind the eye.
+pub(crate) fn fisheye() -> Distortion {
+    Distortion::Fisheye(Fisheye::new([-0.05, 0.01, 0.0, 0.0]).unwrap())
 }
 
 /// The scene of a file with this text, which must load.

@@ -1,6 +1,7 @@
 //! Valid files that describe as much as possible in few bytes.
 
 use super::Format;
+use feimos::mesh::MeshFormat;
 
 /// The number of repeated parts in most files.
 const COUNT: usize = 100_000;
@@ -12,8 +13,10 @@ pub(crate) fn files() -> Vec<(&'static str, Format, Vec<u8>)> {
             .into_iter()
             .map(move |(name, bytes)| (name, format, bytes))
     };
-    of(Format::Ply, ply_files())
-        .chain(of(Format::Obj, obj_files()))
+    of(Format::Mesh(MeshFormat::Ply), ply_files())
+        .chain(of(Format::Mesh(MeshFormat::Obj), obj_files()))
+        .chain(of(Format::Mesh(MeshFormat::Off), off_files()))
+        .chain(of(Format::Mesh(MeshFormat::Stl), stl_files()))
         .chain(of(Format::Scene, scene_files()))
         .collect()
 }
@@ -46,6 +49,32 @@ fn obj_files() -> Vec<(&'static str, Vec<u8>)> {
         ("triangles.obj", repeated(vertex, "f 1 1 1\n", COUNT, "")),
         ("vertices.obj", repeated("", vertex, COUNT, "f 1 2 3")),
         ("distinct.obj", distinct().into()),
+    ]
+}
+
+fn off_files() -> Vec<(&'static str, Vec<u8>)> {
+    let faces = format!("OFF 1 {COUNT}\n0 0 0\n");
+    let vertices = format!("OFF {COUNT} 0\n");
+    let corners = format!("OFF 1 1\n0 0 0\n{COUNT}");
+    vec![
+        ("faces.off", repeated(&faces, "3 0 0 0\n", COUNT, "")),
+        ("empty.off", repeated(&faces, "0\n", COUNT, "")),
+        ("vertices.off", repeated(&vertices, "0 0 0\n", COUNT, "")),
+        ("corners.off", repeated(&corners, " 0", COUNT, "")),
+    ]
+}
+
+fn stl_files() -> Vec<(&'static str, Vec<u8>)> {
+    let facet = "facet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 0 0 vertex 0 0 0 endloop \
+                 endfacet ";
+    let mut binary = vec![0; 84 + 50 * COUNT];
+    binary[80..84].copy_from_slice(&(COUNT as u32).to_le_bytes());
+    vec![
+        (
+            "text.stl",
+            repeated("solid\n", facet, COUNT / 10, "endsolid"),
+        ),
+        ("binary.stl", binary),
     ]
 }
 

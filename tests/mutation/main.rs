@@ -10,7 +10,7 @@
 mod dense;
 mod mutate;
 
-use feimos::mesh::{self, CornerWants, MeshFormat, parse_obj, parse_ply};
+use feimos::mesh::{self, CornerWants, MeshFormat};
 use feimos::scene::parser::Directives;
 use feimos::scene::{LoadOptions, SourceFile, parse};
 use mutate::{Random, mutate};
@@ -53,8 +53,7 @@ const LEAST_CASES: u64 = 4;
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Format {
     Scene,
-    Ply,
-    Obj,
+    Mesh(MeshFormat),
 }
 
 /// A file that changed copies are made of.
@@ -129,23 +128,10 @@ impl Original {
                 };
                 drop(parse(&path, bytes.to_vec(), &options));
             }
-            Format::Ply => {
-                drop(parse_ply(&path, bytes));
-                drop(mesh::parse(
-                    &path,
-                    bytes,
-                    MeshFormat::Ply,
-                    CornerWants::EVERYTHING,
-                ));
-            }
-            Format::Obj => {
-                drop(parse_obj(&path, bytes));
-                drop(mesh::parse(
-                    &path,
-                    bytes,
-                    MeshFormat::Obj,
-                    CornerWants::EVERYTHING,
-                ));
+            Format::Mesh(format) => {
+                for wants in [CornerWants::NOTHING, CornerWants::EVERYTHING] {
+                    drop(mesh::parse(&path, bytes, format, wants));
+                }
             }
         }
     }
@@ -171,6 +157,10 @@ fn gzipped(bytes: &[u8]) -> Vec<u8> {
     encoder.finish().unwrap()
 }
 
+fn is_compressed(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension == "gz")
+}
+
 /// The scenes and meshes in `folder` and the folders in it, by name.
 fn originals(folder: &Path) -> Vec<Original> {
     let mut found = Vec::new();
@@ -178,15 +168,17 @@ fn originals(folder: &Path) -> Vec<Original> {
     while let Some(next) = folders.pop() {
         for entry in fs::read_dir(next).unwrap() {
             let path = entry.unwrap().path();
-            let format = match path.extension().and_then(|extension| extension.to_str()) {
-                _ if path.is_dir() => {
-                    folders.push(path);
-                    continue;
-                }
-                Some("pbrt") => Format::Scene,
-                Some("ply") => Format::Ply,
-                Some("obj") => Format::Obj,
-                _ => continue,
+            if path.is_dir() {
+                folders.push(path);
+                continue;
+            }
+            let is_scene = path
+                .extension()
+                .is_some_and(|extension| extension == "pbrt");
+            let mesh = MeshFormat::of_extension(&path).filter(|_| !is_compressed(&path));
+            let format = mesh.map(Format::Mesh);
+            let Some(format) = is_scene.then_some(Format::Scene).or(format) else {
+                continue;
             };
             let name = path
                 .strip_prefix(folder)
@@ -237,8 +229,7 @@ fn check_all(originals: Vec<Original>) {
     };
     if is_slow || worker.join().is_err() {
         let (original, number) = (&originals[last.0], last.1);
-        let path =
-            Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("mutation.{:?}", original.format));
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(original.name.replace('/', "+"));
         fs::write(&path, original.case(number).bytes).unwrap();
         let reason = if is_slow {
             "takes too long"

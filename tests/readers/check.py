@@ -14,16 +14,16 @@ from pathlib import Path
 import cv2
 import numpy as np
 
+import poses
 import scenes
-from checks import Checks, bits
+import views
+from checks import bits, checks
 from images import by_openexr, by_openimageio, pfm, png_texts
 
 REPOSITORY = Path(__file__).resolve().parents[2]
 WHOLE_NUMBERS = {"id", "prim", "instance", "cost"}
 ATTRIBUTES = ["feimos", "screenWindowWidth", "screenWindowCenter", "worldToCamera", "worldToNDC"]
 MEANINGS = {"Z", "t", "A", "id", "prim"}
-
-checks = Checks()
 
 
 class Renderer:
@@ -261,11 +261,57 @@ def arrays(render):
     checks.same_bits("npy: a crop", crop, exr["Z"][50:250, 100:300])
 
 
+def lists_of_cameras(render):
+    """One camera in three formats: the same depths, and they lie on the surface."""
+    scene = render.folder / "poses.pbrt"
+    scene.write_text(poses.SCENE)
+    lists = poses.write_all(render.folder)
+    for name, path in lists.items():
+        (render.folder / name).mkdir()
+        render(scene, f"{name}/{{camera}}.npy", "--cameras", str(path))
+    hits = 0
+    for number, (rotation, translation) in enumerate(poses.poses()):
+        z = [np.load(render.folder / name / f"view_{number:02}.npy") for name in lists]
+        for name, found in zip(lists, z):
+            checks.same_bits(f"camera {number}: {name}", found, z[0])
+        points = poses.unprojected(z[0], rotation, translation)
+        hits += len(points)
+        off = poses.distance_to_surface(points)
+        checks.that(f"camera {number}: points are on the surface", np.max(off) < 3e-6, f"off by {np.max(off)}")
+    checks.that("the cameras see something", hits > 5000, f"{hits} hits")
+
+
+def lenses(render):
+    """OpenCV projects points of hits to the centres of their pixels."""
+    scene = render.folder / "poses.pbrt"
+    scene.write_text(poses.SCENE)
+    rotation, translation = next(poses.poses())
+    camera = {"K": poses.K.tolist(), "R": rotation.tolist(), "t": translation.tolist(), "resolution": [poses.WIDTH, poses.HEIGHT]}
+    seen = []
+    for lens, (model, coefficients) in poses.LENSES.items():
+        path = render.folder / f"{lens}.json"
+        path.write_text(json.dumps({**camera, model: coefficients} if coefficients else camera))
+        image = render.exr(scene, f"{lens}.exr", "--cameras", str(path), "--aov", "Z,t,A,id,prim,P")
+        hit = image.channels["A"] == 1
+        points = np.stack([image.channels[f"P.{axis}"][hit] for axis in "XYZ"], axis=1).astype(np.float64)
+        rows, columns = np.nonzero(hit)
+        found = poses.projected(points, lens, rotation, translation)
+        off = np.max(np.abs(found - np.stack([columns, rows], axis=1)))
+        checks.that(f"{lens}: points are where OpenCV projects them", off < 1e-4, f"off by {off} pixels")
+        depth = (points @ rotation.T + translation)[:, 2]
+        if model != "fisheye":
+            checks.close(f"{lens}: Z is the depth", image.channels["Z"][hit], depth, 1e-5)
+        checks.that(f"{lens}: hits", len(points) > 200, f"{len(points)}")
+        seen.append(points)
+    checks.that("lenses differ", len({points.tobytes() for points in seen}) == len(seen))
+
+
 def main():
     program = os.path.abspath(sys.argv[1])
     with tempfile.TemporaryDirectory() as folder:
         render = Renderer(program, Path(folder))
-        for check in [usual, crops, misses, numbers, cameras, opencv_depth, pngs, arrays]:
+        ours = [usual, crops, misses, numbers, cameras, opencv_depth, pngs, arrays, lists_of_cameras, lenses]
+        for check in ours + [views.data, views.conventions, views.pictures, views.several]:
             try:
                 check(render)
             except Exception as error:

@@ -42,6 +42,9 @@ class Checks:
         self.that(what, not len(differ), why)
 
 
+checks = Checks()
+
+
 def bits(array):
     """The same array as whole numbers, so that every NaN is itself and 0 is not -0."""
     return np.ascontiguousarray(array).astype(array.dtype.newbyteorder("="), copy=False).view(np.uint32)

@@ -1,5 +1,6 @@
 //! Random cameras, corners, quadrics and matrices that the tests draw.
 
+use crate::common::{fisheye, wide_angle};
 use feimos::camera::{Projection, SphereMapping};
 use feimos::geometry::{Matrix, Point, Transform, Vector};
 use feimos::shape::{Cut, Disk, Form, Geometry, Revolved};
@@ -11,6 +12,8 @@ pub(crate) fn projection() -> impl Strategy<Value = Projection> {
         Projection::Orthographic,
         Projection::Spherical(SphereMapping::Equirectangular),
         Projection::Spherical(SphereMapping::EqualArea),
+        Projection::Distorted(wide_angle()),
+        Projection::Distorted(fisheye()),
     ])
 }
 

@@ -1,6 +1,7 @@
 //! Cameras, films and the transforms before them.
 
 use super::*;
+use feimos::camera::{Distortion, Fisheye, RadialTangential};
 
 /// Rays that pbrt-v3 printed, in single precision and with directions of length 1.
 #[test]
@@ -221,4 +222,30 @@ fn the_name_of_the_film_is_read_without_the_world() {
     let path = folder.path().join("a.pbrt");
     let filename = read_film_filename(&path, BudgetFactor::default()).unwrap();
     assert_eq!(filename.as_deref(), Some("a.png"));
+}
+
+/// Directions that mpmath found with 80 digits, to the last bit.
+#[test]
+fn lenses_bend_rays_as_computed_with_many_digits() {
+    let rows = include_str!("../lens-rays.tsv").lines().skip(2);
+    let mut count = 0;
+    for row in rows {
+        let mut columns = row.split('\t');
+        let model = columns.next().unwrap();
+        let numbers: Vec<f64> = columns.map(|text| text.parse().unwrap()).collect();
+        let [a, b, c, d, e, f, g, p1, p2, x, y, dx, dy, dz] = numbers[..] else {
+            panic!("{row}");
+        };
+        let lens = match model {
+            "fisheye" => Distortion::Fisheye(Fisheye::new([a, b, c, d]).unwrap()),
+            _ => Distortion::RadialTangential(
+                RadialTangential::new([a, b, c, d], [e, f, g], [p1, p2]).unwrap(),
+            ),
+        };
+        // y points up in camera space.
+        let found = lens.direction([x, -y]);
+        assert_eq!(found, Some([dx, -dy, dz]), "{row}");
+        count += 1;
+    }
+    assert_eq!(count, 200);
 }

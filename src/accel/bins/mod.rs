@@ -72,7 +72,7 @@ impl Bins {
         level: Level,
         progress: Progress,
     ) -> Option<Bins> {
-        if !camera.projection.is_planar() || window.is_empty() || window.area() > MAX_PIXELS {
+        if !camera.projection.is_linear() || window.is_empty() || window.area() > MAX_PIXELS {
             return None;
         }
         let outlines = Outlines::of(geometry);

@@ -28,6 +28,27 @@ pub struct Statistics {
 impl Aggregate {
     /// Counts and costs of the trees.
     pub fn statistics(&self, geometry: &Geometry) -> Statistics {
+        let TreeStatistics {
+            own,
+            instances,
+            objects,
+        } = self.statistics_by_tree(geometry);
+        let deepest = objects.iter().map(|object| object.depth).max().unwrap_or(0);
+        let all = || objects.iter().chain([&own, &instances]);
+        Statistics {
+            nodes: all().map(|tree| tree.nodes).sum(),
+            leaves: all().map(|tree| tree.leaves).sum(),
+            depth: own.depth.max(instances.depth + deepest),
+            sah_cost: joint_cost([
+                (&self.tree.root, own.sah_cost),
+                (&self.instances.tree.root, instances.sah_cost),
+            ]),
+            bytes: self.tree.bytes() + self.wide.bytes() + self.instances.bytes(),
+        }
+    }
+
+    /// The statistics of each tree.
+    pub(super) fn statistics_by_tree(&self, geometry: &Geometry) -> TreeStatistics {
         let instances = &self.instances;
         let object_statistics = instances.objects.iter().map(|object| match object {
             Some(object) => statistics_of(&object.tree, |leaf| leaf.count.into()),
@@ -36,25 +57,26 @@ impl Aggregate {
         let objects: Vec<Statistics> = object_statistics.collect();
         let cost_of_instance =
             |instance: &u32| objects[geometry.instances()[*instance as usize].object()].sah_cost;
-        let own = statistics_of(&self.tree, |leaf| leaf.count.into());
         let upper = statistics_of(&instances.tree, |leaf| {
             let leaf = instances.tree.in_leaf(leaf);
             leaf.iter().map(cost_of_instance).sum()
         });
-        let deepest = objects.iter().map(|object| object.depth).max().unwrap_or(0);
-        let sum =
-            |count: fn(&Statistics) -> usize| objects.iter().chain([&own, &upper]).map(count).sum();
-        Statistics {
-            nodes: sum(|tree| tree.nodes),
-            leaves: sum(|tree| tree.leaves),
-            depth: own.depth.max(upper.depth + deepest),
-            sah_cost: joint_cost([
-                (&self.tree.root, own.sah_cost),
-                (&instances.tree.root, upper.sah_cost),
-            ]),
-            bytes: self.tree.bytes() + self.wide.bytes() + instances.bytes(),
+        TreeStatistics {
+            own: statistics_of(&self.tree, |leaf| leaf.count.into()),
+            instances: upper,
+            objects,
         }
     }
+}
+
+/// The statistics of each tree of an aggregate, without their bytes.
+pub(super) struct TreeStatistics {
+    /// The tree over the primitives in no instance.
+    pub(super) own: Statistics,
+    /// The tree over the instances.
+    pub(super) instances: Statistics,
+    /// The trees of the objects; empty ones of objects that nothing shows.
+    pub(super) objects: Vec<Statistics>,
 }
 
 /// The statistics of one tree, without its bytes.

@@ -20,7 +20,7 @@ impl PixelGrid {
         let (is_perspective, tangent) = match camera.projection {
             Projection::Perspective { tangent } => (true, tangent),
             Projection::Orthographic => (false, 1.0),
-            Projection::Spherical(_) => return None,
+            Projection::Spherical(_) | Projection::Distorted(_) => return None,
         };
         let [width, height] = camera.resolution.map(f64::from);
         let screen = &camera.screen_window;

@@ -126,10 +126,12 @@ impl Pictures {
     /// Encodes all pictures.
     pub fn encode(self) -> io::Result<PictureFiles> {
         let size = [self.window.width(), self.window.height()];
-        let costs = self.costs.iter().map(|(_, image)| high_cost(image));
+        // One range for all methods: the widest of them.
+        let ranges = self.costs.iter();
+        let ends = ranges.filter_map(|(_, image)| ColorRange::of_costs(image, SHOWN_PER_MILLE));
         let range = ColorRange {
             start: 0.0,
-            end: costs.fold(0.0, f32::max),
+            end: ends.map(|range| range.end).fold(0.0, f32::max),
         };
         let cost = |(method, image): &(SplitMethod, Image)| {
             let colors = view::cost(image, ColorMap::Turbo, range)?;
@@ -162,14 +164,6 @@ fn file(size: [u32; 2], pixels: &[[u8; 3]]) -> io::Result<Vec<u8>> {
     png_file::write_rgb(size, pixels, &[], &mut bytes, Progress::SILENT).map(|()| bytes)
 }
 
-/// The cost that 999 of 1000 rays do not exceed: a few grazing rays should not make all others look
-/// cheap.
-fn high_cost(image: &Image) -> f32 {
-    let mut costs = image
-        .numbers(ChannelName::Cost)
-        .expect("the channel was rendered")
-        .to_vec();
-    // Below the length, because there is at least one pixel.
-    let rank = costs.len() * 999 / 1000;
-    *costs.select_nth_unstable(rank).1 as f32
-}
+/// The range of costs is the one that so many of 1000 rays do not exceed: a few grazing rays should
+/// not make all others look cheap.
+const SHOWN_PER_MILLE: usize = 999;

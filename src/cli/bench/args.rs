@@ -1,5 +1,6 @@
 //! Options of `bench` as typed.
 
+use crate::cli::options::cameras::CameraArgs;
 use crate::cli::options::engine::{SimdArgs, ThreadArgs};
 use crate::cli::options::messages::MessageArgs;
 use crate::cli::options::scene::SceneArgs;
@@ -11,7 +12,7 @@ use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub(crate) struct BenchArgs {
-    /// Scenes: .pbrt files, `-`, or bare .ply or .obj meshes.
+    /// Scenes: .pbrt files, `-`, or bare meshes: .ply, .obj, .stl, .off.
     #[arg(required = true, value_name = "SCENE")]
     pub(super) scenes: Vec<PathBuf>,
     #[command(flatten, next_help_heading = "Configurations")]
@@ -20,6 +21,8 @@ pub(crate) struct BenchArgs {
     pub(super) measurement: MeasurementArgs,
     #[command(flatten, next_help_heading = "Output")]
     pub(super) output: OutputArgs,
+    #[command(flatten, next_help_heading = "Cameras")]
+    pub(super) cameras: CameraArgs,
     #[command(flatten, next_help_heading = "Input")]
     pub(super) input: SceneArgs,
     #[command(flatten, next_help_heading = "Messages")]

@@ -26,7 +26,8 @@ use std::path::Path;
 /// Measures all scenes, prints tables for each, and returns the highest exit code of any scene.
 pub(crate) fn bench(args: &BenchArgs, reporter: &Reporter) -> Result<u8> {
     refuse_results(&args.scenes, args.output.json, Some("--json-file"))?;
-    let outputs = Outputs::new(&args.output, &Inputs::of_scenes(&args.scenes))?;
+    let inputs = Inputs::of_scenes(&args.scenes).with(args.cameras.files(), "the list of cameras");
+    let outputs = Outputs::new(&args.output, &inputs)?;
     stdout::check_if(!args.messages.quiet || outputs.replace_tables())?;
     let runner = Runner::new(args, outputs.need_pictures(), reporter)?;
     // All work runs in the pool: pictures are encoded in parallel, too.

@@ -3,8 +3,8 @@
 use super::args::OutputArgs;
 use super::page;
 use crate::cli::files::destination::Destination;
-use crate::cli::files::folders::NewFolders;
 use crate::cli::files::inputs::{Inputs, check_against_scene};
+use crate::cli::files::new_folders::{NewFolders, write_with_folders};
 use crate::cli::files::places::Places;
 use crate::cli::files::results::check_extension;
 use crate::cli::terminal::reporter::Reporter;
@@ -12,7 +12,7 @@ use crate::cli::terminal::stdout::write_to_stdout;
 use feimos::bench::{Machine, Row, Section, to_csv, to_html, to_json, to_markdown, to_svg, totals};
 use feimos::error::{Error, Result};
 use feimos::file_id::InputFiles;
-use feimos::film::atomic_file::{self, Overwrite};
+use feimos::film::atomic_file::Overwrite;
 use feimos::terminal_text;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -207,7 +207,7 @@ fn plot(rows: &[Row]) -> String {
 
 fn write_file(path: &Path, bytes: io::Result<Vec<u8>>) -> Result<()> {
     let write = |out: &mut _| bytes.and_then(|bytes| Write::write_all(out, &bytes));
-    atomic_file::write_file(path, Overwrite::Yes, write).map(|_| ())
+    write_with_folders(path, Overwrite::Yes, write)
 }
 
 /// The command line, with the program but without its path.

@@ -11,7 +11,7 @@ use feimos::error::{Error, Result};
 use feimos::file_id::InputFiles;
 use feimos::progress::Progress;
 use feimos::reference::MAX_PRIMITIVES;
-use feimos::scene::{self, LoadOptions, Scene};
+use feimos::scene::{self, LoadOptions, Pose, Scene};
 use feimos::simd::Level;
 use indicatif::HumanCount;
 use std::path::Path;
@@ -24,6 +24,7 @@ pub(super) struct Runner<'a> {
     reference: Reference,
     with_pictures: bool,
     load_options: LoadOptions,
+    pose: Option<Pose>,
     reporter: &'a Reporter,
     bars: ProgressBars,
 }
@@ -45,6 +46,7 @@ impl<'a> Runner<'a> {
                 transform_history: args.measurement.reference == Reference::Exact,
                 ..args.input.load_options()
             },
+            pose: args.cameras.pose()?,
             reporter,
             bars: ProgressBars::new(&args.messages),
         })
@@ -56,7 +58,13 @@ impl<'a> Runner<'a> {
         let options = &self.load_options;
         let load = |progress: Progress<'_>| scene::load_listing_files(path, options, progress);
         let ((scene, files), load_ms) = timed(|| self.bars.during(Phase::Loading, load));
-        (scene.map(|scene| (scene, load_ms)), files)
+        let seen = |mut scene: Scene| {
+            if let Some(pose) = &self.pose {
+                pose.replace_camera(&mut scene);
+            }
+            (scene, load_ms)
+        };
+        (scene.map(seen), files)
     }
 
     /// Measures the scene `path` on the threads of the current pool; returns a title, too.
@@ -94,11 +102,14 @@ impl<'a> Runner<'a> {
         if !measured.lacks_bins {
             return Ok(());
         }
-        let reason = match scene.camera.projection.is_planar() {
+        let reason = match scene.camera.projection.is_linear() {
             true => {
                 "this view cannot be rasterized, because its numbers are too large or too small"
             }
-            false => "a spherical camera cannot be rasterized",
+            false => &format!(
+                "a {} camera cannot be rasterized",
+                scene.camera.projection.name()
+            ),
         };
         if measured.rows.is_empty() {
             let error = Error::usage(format!("{}: {reason}", path.display()));

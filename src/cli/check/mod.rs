@@ -1,6 +1,8 @@
 //! `feimos check`: lists the content of scenes and their mistakes, without rendering.
 
 mod args;
+mod checked;
+mod oddities;
 mod report;
 mod scenes;
 
@@ -14,10 +16,12 @@ use super::process::threads::thread_pool;
 use super::terminal::failures::Failures;
 use super::terminal::progress::{Phase, ProgressBars};
 use super::terminal::reporter::Reporter;
-use super::terminal::stdout::{self, write_json_line, write_to_stdout};
+use super::terminal::stdout::{self, Reader};
+use checked::{Checked, Viewpoint};
 use feimos::error::Result;
+use feimos::json;
 use feimos::progress::Progress;
-use feimos::scene::{self, Scene};
+use feimos::scene::{self, LoadOptions, Pose};
 use report::Report;
 use scenes::scenes_of;
 use std::path::{Path, PathBuf};
@@ -37,6 +41,7 @@ fn check_all(args: &CheckArgs, reporter: &Reporter) -> Result<u8> {
         args,
         reporter,
         bars: ProgressBars::new(&args.messages),
+        poses: args.cameras.poses()?,
         failures: Failures::default(),
         tried: 0,
     };
@@ -58,7 +63,11 @@ fn check_all(args: &CheckArgs, reporter: &Reporter) -> Result<u8> {
         };
         for (scene, error) in results {
             let result = error.map_or_else(|| guarded(Some(&scene), || check.load(&scene)), Err);
-            code = code.max(check.report(&scene, result)?);
+            let (exit_code, reader) = check.report(&scene, result)?;
+            code = code.max(exit_code);
+            if reader == Reader::Gone {
+                return Ok(code);
+            }
             if args.fail_fast && !check.failures.is_empty() {
                 break 'all;
             }
@@ -75,53 +84,71 @@ struct Check<'a> {
     args: &'a CheckArgs,
     reporter: &'a Reporter,
     bars: ProgressBars,
+    /// The cameras in place of each scene's own.
+    poses: Option<Vec<Pose>>,
     failures: Failures,
     /// Scenes tried so far.
     tried: usize,
 }
 
 impl Check<'_> {
-    /// Does everything that `render` does before it builds an aggregate.
-    fn load(&self, path: &Path) -> Result<Scene> {
+    /// Does everything that `render` does before it builds an aggregate, and surveys the scene.
+    fn load(&self, path: &Path) -> Result<Checked> {
         let start = Instant::now();
-        let options = self.args.input.load_options();
+        let options = LoadOptions {
+            locations: true,
+            ..self.args.input.load_options()
+        };
         let load = |progress: Progress<'_>| scene::load(path, &options, progress);
         let loaded = self.bars.during(Phase::Loading, load);
         let ms = start.elapsed().as_secs_f64() * 1e3;
         self.reporter
             .detail(format_args!("{}: read in {ms:.0} ms", path.display()));
-        loaded
+        loaded.map(|mut scene| {
+            let viewpoints = match &self.poses {
+                Some(poses) => poses
+                    .iter()
+                    .map(|pose| Viewpoint::at(pose, &scene))
+                    .collect(),
+                None => vec![Viewpoint::of(&scene)],
+            };
+            if let Some([pose]) = self.poses.as_deref() {
+                pose.replace_camera(&mut scene);
+            }
+            Checked::new(scene, viewpoints)
+        })
     }
 
-    /// Reports on a scene and returns its exit code.
-    fn report(&mut self, path: &Path, result: Result<Scene>) -> Result<u8> {
+    /// Reports on a scene. Returns its exit code, and whether anybody reads the reports.
+    fn report(&mut self, path: &Path, result: Result<Checked>) -> Result<(u8, Reader)> {
         self.tried += 1;
         self.bars.advance_batch(1, true);
         let exit_code = match &result {
-            Ok(scene) if self.args.strict && !scene.warnings.is_empty() => WARNED,
+            Ok(checked) if self.args.strict && !checked.warnings.is_empty() => WARNED,
             Ok(_) => 0,
             Err(error) => error.kind().exit_code(),
         };
+        let mut reader = Reader::Present;
         if self.args.json || (result.is_ok() && !self.args.messages.quiet) {
-            self.print(&Report::new(path, exit_code, &result))?;
+            reader = self.print(&Report::new(path, exit_code, &result, self.args.shapes))?;
         }
         match &result {
-            Ok(scene) => {
-                self.reporter.warnings(&scene.warnings);
-                if let Some(note) = accelerator_note(&scene.accelerator) {
+            Ok(checked) => {
+                self.reporter.warnings(&checked.warnings);
+                if let Some(note) = accelerator_note(&checked.scene.accelerator) {
                     self.reporter.note(note);
                 }
             }
             Err(error) => _ = self.failures.add(&path.display(), 1, error, self.reporter),
         }
-        Ok(exit_code)
+        Ok((exit_code, reader))
     }
 
-    fn print(&self, report: &Report) -> Result<()> {
+    fn print(&self, report: &Report) -> Result<Reader> {
         if self.args.json {
-            return write_json_line(report);
+            return stdout::print(&json::line(report));
         }
         let gap = if self.tried > 1 { "\n" } else { "" };
-        write_to_stdout(Ok(format!("{gap}{report}").into_bytes()))
+        stdout::print(format!("{gap}{report}").as_bytes())
     }
 }

@@ -7,13 +7,14 @@ mod report;
 pub(crate) use args::CompareArgs;
 
 use super::files::inputs::Inputs;
+use super::files::new_folders;
 use super::process::threads::thread_pool;
 use super::terminal::reporter::Reporter;
 use super::terminal::stdout::{self, write_json_line, write_to_stdout};
 use super::terminal::words::counted;
 use feimos::compare::{Comparison, Details, Incomparable, difference_picture};
 use feimos::error::{Diagnostic, Error, Result};
-use feimos::film::atomic_file::{self, Overwrite};
+use feimos::film::atomic_file::Overwrite;
 use feimos::film::{Format, Image, png_file, read_image};
 use feimos::progress::Progress;
 use report::{DIFFERENT, DifferentWindows, Report};
@@ -49,7 +50,7 @@ fn check_diff(diff: &Path, inputs: [&Path; 2]) -> Result<()> {
     Inputs::default()
         .with(inputs, "a compared image")
         .check(diff, "--diff")?;
-    atomic_file::check(diff)
+    new_folders::check_with_folders(diff)
 }
 
 fn compare_files(args: &CompareArgs, reporter: &Reporter) -> Result<u8> {
@@ -87,7 +88,7 @@ fn report(
         let picture = difference_picture(comparison, pixels, max_error);
         let size = [window.width(), window.height()];
         let write = |out: &mut _| png_file::write_rgb(size, &picture, &[], out, Progress::SILENT);
-        atomic_file::write_file(path, Overwrite::Yes, write)?;
+        new_folders::write_with_folders(path, Overwrite::Yes, write)?;
         let kinds = if comparison.surfaces().is_empty() {
             "depth"
         } else {

@@ -1,8 +1,9 @@
 //! The destination of an output: a file or standard output.
 
+use super::new_folders;
 use crate::cli::terminal::stdout::{self, write_to_stdout};
 use feimos::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
-use feimos::film::atomic_file::{self, Overwrite};
+use feimos::film::atomic_file::Overwrite;
 use feimos::progress::Progress;
 use std::fmt::{self, Display, Formatter};
 use std::io::{self, Cursor, Seek, Write};
@@ -30,7 +31,16 @@ impl Destination {
         }
     }
 
-    /// Writes all of `content`; a file appears complete or not at all. `progress` counts rows.
+    /// The path of a file.
+    pub(crate) fn file(&self) -> Option<&Path> {
+        match self {
+            Destination::File(path) => Some(path),
+            Destination::Stdout => None,
+        }
+    }
+
+    /// Writes all of `content`; a file appears complete or not at all. Makes missing folders.
+    /// `progress` counts rows.
     ///
     /// # Errors
     /// The file cannot be made, or exists and must not be replaced; the disk is full; the reader of
@@ -43,8 +53,8 @@ impl Destination {
     ) -> Result<()> {
         match self {
             Destination::File(path) => {
-                atomic_file::write_file(path, overwrite, |out| content.encode(out, progress))
-                    .map(|_| ())
+                let encode = |out: &mut _| content.encode(out, progress);
+                new_folders::write_with_folders(path, overwrite, encode)
             }
             Destination::Stdout => {
                 let mut bytes = Cursor::new(Vec::new());
@@ -72,7 +82,7 @@ impl Destination {
     /// The destination cannot be written, as far as that is known before the work.
     pub(crate) fn check(&self) -> Result<()> {
         match self {
-            Destination::File(path) => atomic_file::check(path),
+            Destination::File(path) => new_folders::check_with_folders(path),
             Destination::Stdout => stdout::check(),
         }
     }
@@ -85,4 +95,10 @@ impl Display for Destination {
             Destination::File(path) => path.display().fmt(f),
         }
     }
+}
+
+/// The names of several destinations, for messages.
+pub(crate) fn joined<'a>(destinations: impl IntoIterator<Item = &'a Destination>) -> String {
+    let names = destinations.into_iter().map(Destination::to_string);
+    names.collect::<Vec<_>>().join(", ")
 }

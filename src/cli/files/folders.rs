@@ -1,36 +1,12 @@
-//! Folders for outputs: made if they are missing, and tried once.
+//! Folders for outputs: tried once.
 
 use super::destination::Destination;
-use feimos::error::{Error, Result};
+use feimos::error::Result;
 use feimos::film::atomic_file::directory_of;
 use std::collections::HashSet;
-use std::fs;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
-
-/// Folders that were made for outputs. Dropping it removes those that are still empty.
-#[derive(Debug)]
-pub(crate) struct NewFolders(Vec<PathBuf>);
-
-impl NewFolders {
-    /// Makes `path` and its missing parents.
-    pub(crate) fn make(path: &Path) -> Result<NewFolders> {
-        let is_missing = |folder: &&Path| **folder != *"" && !folder.exists();
-        // Innermost first: the order in which they can be removed.
-        let missing = path.ancestors().take_while(is_missing);
-        let made = NewFolders(missing.map(Path::to_path_buf).collect());
-        fs::create_dir_all(path).map_err(|error| Error::creating(path, &error))?;
-        Ok(made)
-    }
-}
-
-impl Drop for NewFolders {
-    fn drop(&mut self) {
-        // The system refuses to remove a folder that is not empty.
-        self.0.iter().for_each(|folder| _ = fs::remove_dir(folder));
-    }
-}
 
 /// Folders that accept new files. A trial makes a file, so it is not repeated for each image.
 #[derive(Debug, Default)]
@@ -57,25 +33,5 @@ impl OpenFolders {
             known.insert(directory_of(path).to_path_buf());
         }
         Ok(())
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn only_new_and_empty_folders_are_removed() {
-        let directory = tempfile::tempdir().unwrap();
-        let path = |name: &str| directory.path().join(name);
-        drop(NewFolders::make(&path("a/b/c")).unwrap());
-        assert!(!path("a").exists());
-        fs::create_dir(path("a")).unwrap();
-        drop(NewFolders::make(&path("a/b/c")).unwrap());
-        assert!(path("a").exists() && !path("a/b").exists());
-        let made = NewFolders::make(&path("a/b/c")).unwrap();
-        fs::write(path("a/b/file"), "").unwrap();
-        drop(made);
-        assert!(path("a/b/file").exists() && !path("a/b/c").exists());
     }
 }

@@ -3,5 +3,6 @@
 pub(super) mod destination;
 pub(super) mod folders;
 pub(super) mod inputs;
+pub(super) mod new_folders;
 pub(super) mod places;
 pub(super) mod results;

@@ -4,8 +4,7 @@ use super::destination::Destination;
 use feimos::file_id::FileId;
 use feimos::film::atomic_file::{self, directory_of};
 use std::collections::HashMap;
-use std::ffi::OsString;
-use std::path::PathBuf;
+use std::path::{Component, Path, PathBuf};
 
 /// A place, independent of links, `..` and other spellings of its name.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -13,8 +12,8 @@ enum Place {
     Stdout,
     /// A file that exists.
     File(FileId),
-    /// A name in a directory that exists.
-    Name(FileId, OsString),
+    /// A name in a directory that exists; missing folders are part of the name.
+    Name(FileId, PathBuf),
     /// A name that leads nowhere.
     Unknown(PathBuf),
 }
@@ -27,14 +26,29 @@ impl Place {
             return vec![Place::Stdout];
         };
         let target = atomic_file::target(path).unwrap_or_else(|_| path.to_path_buf());
-        let directory = FileId::of_directory(directory_of(&target));
-        let name = match (directory, target.file_name()) {
-            (Some(directory), Some(name)) => Place::Name(directory, name.to_owned()),
+        let name = match (existing_part(directory_of(&target)), target.file_name()) {
+            (Some((directory, missing)), Some(name)) => Place::Name(directory, missing.join(name)),
             _ => Place::Unknown(target),
         };
         let file = FileId::of(path).map(Place::File);
         [Some(name), file].into_iter().flatten().collect()
     }
+}
+
+/// The part of `directory` that exists, and the folders below that would be made for a file.
+fn existing_part(directory: &Path) -> Option<(FileId, PathBuf)> {
+    let (mut existing, mut missing) = (PathBuf::from("."), PathBuf::new());
+    for component in directory.components() {
+        let next = existing.join(component);
+        if missing.as_os_str().is_empty() && next.is_dir() {
+            existing = next;
+        } else if component == Component::ParentDir {
+            missing.pop();
+        } else {
+            missing.push(component);
+        }
+    }
+    Some((FileId::of_directory(&existing)?, missing))
 }
 
 /// Places that are taken, each with its owner.
@@ -64,7 +78,6 @@ impl<T: Clone> Places<T> {
 mod tests {
     use super::*;
     use std::fs;
-    use std::path::Path;
 
     /// Returns true if both names in `directory` are one place.
     fn meet(directory: &Path, one: &str, other: &str) -> bool {
@@ -81,6 +94,8 @@ mod tests {
         let meet = |one, other| meet(directory.path(), one, other);
         assert!(meet("a.exr", "sub/../a.exr") && meet("gone/a.exr", "gone/a.exr"));
         assert!(!meet("a.exr", "b.exr") && !meet("a.exr", "sub/a.exr"));
+        assert!(meet("gone/a.exr", "sub/../gone/b/../a.exr") && meet("gone/../a.exr", "a.exr"));
+        assert!(!meet("gone/a.exr", "a.exr") && !meet("gone/a.exr", "sub/gone/a.exr"));
         fs::write(directory.path().join("a.exr"), "").unwrap();
         assert!(meet("a.exr", "./a.exr"));
     }

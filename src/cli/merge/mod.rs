@@ -9,6 +9,7 @@ use crate::cli::files::inputs::Inputs;
 use crate::cli::process::threads::thread_pool;
 use crate::cli::terminal::progress::{Phase, ProgressBars};
 use crate::cli::terminal::reporter::Reporter;
+use crate::cli::terminal::stdout;
 use crate::cli::terminal::words::counted;
 use feimos::error::{Error, Result};
 use feimos::film::atomic_file::Overwrite;
@@ -26,6 +27,8 @@ pub(crate) fn merge(args: &MergeArgs, reporter: &Reporter) -> Result<u8> {
         Inputs::default()
             .with(&args.crops, "a crop")
             .check(path, "-o")?;
+    } else {
+        stdout::check_binary()?;
     }
     destination.check()?;
     let pool = thread_pool(args.threads.count, reporter)?;
@@ -46,7 +49,7 @@ fn write_merged(args: &MergeArgs, destination: &Destination, reporter: &Reporter
     let merged = bars.during(Phase::Merging(crops.len()), merge)?;
     let window = &merged.image.data_window;
     let write = |progress: Progress<'_>| destination.write(Overwrite::Yes, &merged, progress);
-    bars.during(Phase::Writing(window.height()), write)?;
+    bars.during(Phase::Writing(window.height().into()), write)?;
     let (width, height) = (window.width(), window.height());
     let holes = match merged.holes {
         0 => String::new(),

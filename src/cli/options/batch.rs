@@ -1,16 +1,7 @@
-//! Options for batches: several images, images that exist, and cameras of a list.
+//! Options for batches: several images, and images that exist.
 
 use clap::Args;
 use std::path::PathBuf;
-
-#[derive(Debug, Args)]
-pub(crate) struct CameraArgs {
-    /// Render from every camera in this file: a JSON list of objects with a `name` and with
-    /// `lookat`, `transform`, or `K`, `R`, `t` and `resolution`. Use {camera} in the output name
-    /// [default: the scene's camera].
-    #[arg(long, value_name = "POSES.json")]
-    pub(crate) cameras: Option<PathBuf>,
-}
 
 #[derive(Debug, Args)]
 pub(crate) struct BatchArgs {

@@ -16,6 +16,6 @@ pub(crate) struct RegionArgs {
     #[arg(allow_hyphen_values = true, conflicts_with = "cropwindow")]
     pub(crate) pixelbounds: Option<[u32; 4]>,
     /// Set the width and height of the film [default: the scene's].
-    #[arg(long, value_name = "WxH", value_parser = resolution)]
+    #[arg(long, value_name = "WxH", value_parser = resolution, allow_hyphen_values = true)]
     pub(crate) resolution: Option<[u32; 2]>,
 }

@@ -62,12 +62,14 @@ pub(crate) fn integers<const N: usize>(text: &str) -> Result<[u32; N], String> {
     parts(text, ',', whole)
 }
 
-/// Parses `WxH`: the width and height of a film in pixels.
+/// Parses `WxH`: the width and height of a film in pixels. `X` and the sign for multiplication
+/// separate them as well.
 pub(crate) fn resolution(text: &str) -> Result<[u32; 2], String> {
-    let [width, height] = parts(text, 'x', whole)?;
+    let text = text.replace(['X', '\u{d7}'], "x");
+    let [width, height] = parts(&text, 'x', whole)?;
     const MAX_SIDE: u32 = PixelBounds::MAX_SIDE;
     if width == 0 || height == 0 {
-        return Err("a film needs at least one pixel".to_owned());
+        return Err("width and height must be at least 1".to_owned());
     }
     if width.max(height) > MAX_SIDE {
         return Err(format!("expected sides of {MAX_SIDE} pixels or fewer"));

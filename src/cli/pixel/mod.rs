@@ -29,7 +29,12 @@ pub(crate) fn pixel(args: &PixelArgs, reporter: &Reporter) -> Result<u8> {
     };
     let load =
         |progress: Progress<'_>| pool.install(|| scene::load(&args.scene, &options, progress));
-    let scene = ProgressBars::new(&args.messages).during(Phase::Loading, load)?;
+    let pose = args.cameras.pose()?;
+    let mut scene = ProgressBars::new(&args.messages).during(Phase::Loading, load)?;
+    if let Some(pose) = &pose {
+        pose.check_resolution(args.resolution)?;
+        pose.replace_camera(&mut scene);
+    }
     report_scene(&scene, reporter);
     check_within_film(&scene, args.pixel)?;
     let explanation = pool.install(|| explain(&scene, args.pixel, &builds(args, &scene)))?;

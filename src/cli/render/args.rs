@@ -1,6 +1,7 @@
 //! Options of `render` as typed.
 
-use crate::cli::options::batch::{BatchArgs, CameraArgs};
+use crate::cli::options::batch::BatchArgs;
+use crate::cli::options::cameras::CameraArgs;
 use crate::cli::options::engine::EngineArgs;
 use crate::cli::options::messages::{MessageArgs, ReportArgs};
 use crate::cli::options::output::OutputArgs;
@@ -11,7 +12,7 @@ use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub(crate) struct RenderArgs {
-    /// Scenes: .pbrt files, `-`, or bare .ply or .obj meshes.
+    /// Scenes: .pbrt files, `-`, or bare meshes: .ply, .obj, .stl, .off.
     #[arg(required = true, value_name = "SCENE")]
     pub(crate) scenes: Vec<PathBuf>,
     #[command(flatten, next_help_heading = "Output")]

@@ -8,7 +8,7 @@ use super::plan::Plan;
 use super::record::Record;
 use super::scene::LoadedScene;
 use super::target::Targets;
-use crate::cli::files::destination::Destination;
+use crate::cli::files::destination::{Destination, joined};
 use crate::cli::files::inputs::{Inputs, check_against_scene};
 use crate::cli::files::results::refuse_results;
 use crate::cli::options::batch::BatchArgs;
@@ -28,7 +28,7 @@ use std::time::Instant;
 /// Renders all images and returns the highest exit code of any of them.
 pub(crate) fn render(args: &RenderArgs, reporter: &Reporter) -> Result<u8> {
     refuse_results(&args.scenes, args.report.json, None)?;
-    let inputs = Inputs::of_scenes(&args.scenes).with(&args.cameras.cameras, "the list of cameras");
+    let inputs = Inputs::of_scenes(&args.scenes).with(args.cameras.files(), "the list of cameras");
     let manifest = args.batch.manifest.as_deref();
     manifest.map_or(Ok(()), |path| manifest::check(path, &inputs))?;
     let plan = Plan::new(args)?;
@@ -189,16 +189,16 @@ impl Batch<'_> {
     ) -> Result<()> {
         let Renderer { plan, targets, .. } = &self.renderer;
         for view in &loaded.views {
-            let destination = targets.destination(loaded, view);
-            if let Destination::File(path) = &destination {
-                self.inputs.check(path, plan.output_name.cause())?;
-                check_against_scene(files, path, plan.output_name.cause())?;
+            let destinations = targets.destinations(loaded, view);
+            for path in destinations.iter().filter_map(Destination::file) {
+                self.inputs.check(path, plan.output_names.cause())?;
+                check_against_scene(files, path, plan.output_names.cause())?;
             }
             let name = ImageName {
                 scene: loaded.path,
                 camera: view.name.as_deref(),
             };
-            self.outputs.claim(number, &name, &destination, plan)?;
+            self.outputs.claim(number, &name, &destinations, plan)?;
         }
         Ok(())
     }
@@ -208,12 +208,14 @@ impl Batch<'_> {
     fn settle(&self, outcome: Outcome) -> Result<Outcome> {
         if let Outcome::Written {
             record,
-            destination,
+            destinations,
             ..
         } = &outcome
         {
-            if let (Some(_), Destination::File(path)) = (&self.manifest, destination) {
-                atomic_file::sync_folder(path)?;
+            for path in destinations.iter().filter_map(Destination::file) {
+                if self.manifest.is_some() {
+                    atomic_file::sync_folder(path)?;
+                }
             }
             if self.json {
                 write_json_line(record)?;
@@ -226,10 +228,14 @@ impl Batch<'_> {
     fn finish(&mut self, name: &ImageName, result: Result<Outcome>) {
         let reporter = self.renderer.reporter;
         match result {
-            Ok(Outcome::Skipped(destination)) => {
-                reporter.detail(format_args!(
-                    "{name}: skipped, {destination} exists already"
-                ));
+            Ok(Outcome::Skipped(destinations)) => {
+                let exist = if destinations.len() == 1 {
+                    "exists"
+                } else {
+                    "exist"
+                };
+                let names = joined(&destinations);
+                reporter.detail(format_args!("{name}: skipped, {names} {exist} already"));
                 self.record(name, Status::Skipped, 0, None, None)
             }
             Ok(Outcome::Written { record, warned, .. }) => {

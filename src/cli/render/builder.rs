@@ -1,11 +1,11 @@
 //! Builds the structure that an image is traced through: bins of its view, or a tree.
 
 use super::built::{Built, BuiltTree};
-use super::encode::Content;
 use super::milliseconds::timed;
 use super::plan::Plan;
 use super::scene::{LoadedScene, Viewpoint};
 use super::summary::report_built;
+use super::target::Target;
 use crate::cli::options::engine::AcceleratorChoice;
 use crate::cli::terminal::progress::{Phase, ProgressBars};
 use crate::cli::terminal::reporter::Reporter;
@@ -32,21 +32,21 @@ impl Builder<'_> {
         &self,
         loaded: &'a LoadedScene,
         view: &Viewpoint,
-        content: &Content,
-        window: &PixelBounds,
+        target: &Target,
     ) -> Result<(Built<'a>, f64)> {
-        let is_planar = view.camera.projection.is_planar();
-        let takes_bins = self.takes_bins(loaded, content)?;
-        if takes_bins && !is_planar && self.plan.accel != AcceleratorChoice::Auto {
+        let is_linear = view.camera.projection.is_linear();
+        let takes_bins = self.takes_bins(loaded, target)?;
+        if takes_bins && !is_linear && self.plan.accel != AcceleratorChoice::Auto {
             let method = loaded.build.method;
             self.reporter.note(format_args!(
-                "a spherical camera cannot be rasterized: its rays are traced one by one, \
-                 using {method}"
+                "a {} camera cannot be rasterized: its rays are traced one by one, \
+                 using {method}",
+                view.camera.projection.name()
             ));
         }
-        if takes_bins && is_planar {
+        if takes_bins && is_linear {
             Bins::check_memory(&loaded.scene.geometry)?;
-            let (bins, ms) = self.bins(loaded, view, window);
+            let (bins, ms) = self.bins(loaded, view, &target.window);
             if let Some(bins) = bins {
                 let built = Built::Bins(Box::new(bins));
                 report_built(&built, &loaded.scene.geometry, self.reporter);
@@ -60,15 +60,15 @@ impl Builder<'_> {
                 ));
             }
         }
-        self.tree(loaded, view, content)
+        self.tree(loaded, view, target)
     }
 
     /// Decides between bins and a tree.
     ///
     /// # Errors
     /// Costs are asked for, and bins.
-    fn takes_bins(&self, loaded: &LoadedScene, content: &Content) -> Result<bool> {
-        let costs = content.needs_tree();
+    fn takes_bins(&self, loaded: &LoadedScene, target: &Target) -> Result<bool> {
+        let costs = target.needs_tree();
         match self.plan.accel {
             AcceleratorChoice::Fixed(Accelerator::Tree(_)) => Ok(false),
             AcceleratorChoice::Fixed(Accelerator::Raster) if costs => {
@@ -103,12 +103,12 @@ impl Builder<'_> {
         &self,
         loaded: &'a LoadedScene,
         view: &Viewpoint,
-        content: &Content,
+        target: &Target,
     ) -> Result<(Built<'a>, f64)> {
         let geometry = &loaded.scene.geometry;
         // Answers in f32, and costs, depend on the anchor, where boxes are the most precise: each
         // view has its own tree, as if it were rendered alone.
-        let depends_on_view = self.plan.precision == Precision::Fast || content.needs_tree();
+        let depends_on_view = self.plan.precision == Precision::Fast || target.needs_tree();
         let is_shared = loaded.views.len() > 1 && !depends_on_view;
         if let (true, Some(built)) = (is_shared, loaded.shared()) {
             return Ok((Built::Shared(built), 0.0));

@@ -8,12 +8,13 @@ use super::record::{Finished, Record, peak_bytes};
 use super::scene::{LoadedScene, Viewpoint};
 use super::summary::{report_image, report_statistics};
 use super::target::{Target, Targets};
+use super::target_file;
 use super::tree_statistics::TreeStatistics;
 use crate::cli::files::destination::Destination;
 use crate::cli::terminal::progress::{Phase, ProgressBars};
 use crate::cli::terminal::reporter::Reporter;
 use feimos::error::Result;
-use feimos::film::{CameraAttributes, PixelBounds};
+use feimos::film::PixelBounds;
 use feimos::progress::Progress;
 use feimos::render::{RenderOptions, render};
 use std::time::Instant;
@@ -30,12 +31,12 @@ pub(super) struct Renderer<'a> {
 pub(super) enum Outcome {
     Written {
         record: Box<Record>,
-        destination: Destination,
+        destinations: Vec<Destination>,
         /// The scene has warnings.
         warned: bool,
     },
-    /// The image existed already.
-    Skipped(Destination),
+    /// All files of the image existed already.
+    Skipped(Vec<Destination>),
 }
 
 impl Renderer<'_> {
@@ -49,7 +50,7 @@ impl Renderer<'_> {
         load: f64,
     ) -> Result<Outcome> {
         let Some(target) = self.targets.find(loaded, view)? else {
-            return Ok(Outcome::Skipped(self.targets.destination(loaded, view)));
+            return Ok(Outcome::Skipped(self.targets.destinations(loaded, view)));
         };
         let window = target.window;
         let (mut finished, built) = self.make(loaded, view, target)?;
@@ -62,9 +63,11 @@ impl Renderer<'_> {
         if self.plan.stats {
             report_statistics(&loaded.scene, &finished, self.reporter);
         }
+        let record = Record::new(loaded, view, &finished);
+        let files = finished.files.into_iter();
         Ok(Outcome::Written {
-            record: Box::new(Record::new(loaded, view, &finished)),
-            destination: finished.destination,
+            record: Box::new(record),
+            destinations: files.map(|file| file.destination).collect(),
             warned: !loaded.scene.warnings.is_empty(),
         })
     }
@@ -76,18 +79,13 @@ impl Renderer<'_> {
         view: &Viewpoint,
         target: Target,
     ) -> Result<(Finished, Built<'a>)> {
-        let Target {
-            destination,
-            content,
-            window,
-            header,
-        } = target;
         let geometry = &loaded.scene.geometry;
-        let (built, build_ms) = self.builder().build(loaded, view, &content, &window)?;
+        let (built, build_ms) = self.builder().build(loaded, view, &target)?;
+        let window = target.window;
         let options = RenderOptions {
             data_window: window,
-            channels: content.channels(),
-            miss: content.miss(),
+            channels: target.channels(),
+            miss: target.miss(),
             level: self.plan.simd,
             precision: self.plan.precision,
         };
@@ -98,16 +96,15 @@ impl Renderer<'_> {
             timed(|| self.bars.during(Phase::Rendering(window.area()), trace));
         let rendering = rendering?;
 
-        let camera = CameraAttributes::of(&view.camera);
-        let (legend, write_ms) = timed(|| {
+        // The rows of all files.
+        let rows = u64::from(window.height()) * target.files.len() as u64;
+        let phase = Phase::Writing(rows);
+        let (files, write_ms) = timed(|| {
             let (image, overwrite) = (&rendering.image, self.targets.overwrite);
-            let content = content.with_range_of(image);
-            let header = header.as_deref();
             let write = |progress: Progress<'_>| {
-                content.write(image, header, camera, &destination, overwrite, progress)
+                target_file::write(target.files, image, &view.camera, overwrite, progress)
             };
-            let written = self.bars.during(Phase::Writing(window.height()), write);
-            written.map(|()| content.legend())
+            self.bars.during(phase, write)
         });
         let ms = Milliseconds {
             build: build_ms,
@@ -116,13 +113,12 @@ impl Renderer<'_> {
             ..Milliseconds::default()
         };
         let finished = Finished {
-            destination,
+            files: files?,
             accelerator: built.accelerator(),
             size: built.size(),
             precision: self.plan.precision,
             simd: self.plan.simd,
             rendering,
-            legend: legend?,
             ms,
             peak_bytes: peak_bytes(),
             tree: None,

@@ -1,11 +1,13 @@
-//! Options for the content of images: checked against the format of each image.
+//! Options for the content of images, and the content that they choose for each file.
 
 use super::encode::{ChannelFile, ChannelFormat, Content, ViewFile};
+use super::option_meanings::{FileKind, ImageOption, check_meanings};
 use crate::cli::files::destination::Destination;
 use crate::cli::options::output::OutputArgs;
 use crate::cli::options::values::refuse_repeated;
+use crate::cli::terminal::words::counted;
 use feimos::error::{Error, Result};
-use feimos::film::view::Depth16;
+use feimos::film::view::{Background, Depth16};
 use feimos::film::{Aov, ChannelName, ColorMap, ColorRange, Format, View};
 
 /// The options; `None` where the user has chosen nothing.
@@ -13,16 +15,17 @@ use feimos::film::{Aov, ChannelName, ColorMap, ColorRange, Format, View};
 pub(super) struct ImageOptions {
     aov: Option<Vec<Aov>>,
     depth_channel: Option<String>,
-    view: Option<View>,
+    format: Option<Format>,
+    format_of_stdout: Format,
+    views: Vec<View>,
     colors: Option<ColorMap>,
     range: Option<ColorRange>,
+    legend: bool,
+    background: Option<Background>,
     scale: Option<f64>,
     miss: Option<f32>,
     skip_existing: bool,
 }
-
-/// An option, and whether the user has set it.
-type Flag = (&'static str, bool);
 
 impl ImageOptions {
     /// # Errors
@@ -32,50 +35,121 @@ impl ImageOptions {
         Ok(ImageOptions {
             aov: args.aov.clone(),
             depth_channel: args.depth_channel.clone(),
-            view: args.view,
+            format: args.format,
+            format_of_stdout: args.format_without_name(),
+            views: args.view.clone(),
             colors: args.colormap,
             range: args.range.map(color_range).transpose()?,
+            legend: args.legend,
+            background: args.background,
             scale: args.scale,
             miss: args.miss,
             skip_existing,
         })
     }
 
-    /// The content for `destination`.
+    /// The content for each of the `destinations` of an image.
     ///
     /// # Errors
-    /// An option has no meaning for the format.
-    pub(super) fn content(&self, destination: &Destination) -> Result<Content> {
-        let format = match destination {
-            Destination::Stdout if self.view.is_some() => Format::Png,
-            Destination::Stdout => Format::Exr,
-            Destination::File(path) => Format::of_path(path)?,
+    /// An option has no meaning for the formats, or a name has no format.
+    pub(super) fn contents(&self, destinations: &[Destination]) -> Result<Vec<Content>> {
+        let formats = destinations
+            .iter()
+            .map(|destination| self.format(destination));
+        let kinds = self.kinds(&formats.collect::<Result<Vec<_>>>()?)?;
+        check_meanings(&self.set_options(), destinations, &kinds)?;
+        let files = destinations.iter().zip(kinds);
+        let content = |(destination, kind)| match kind {
+            FileKind::Exr => self.exr(),
+            FileKind::Npy => Ok(self.channels(self.aovs_or(&[Aov::Z]), ChannelFormat::Npy)),
+            FileKind::Pfm => self.pfm(destination),
+            FileKind::Png(view) => self.png(view),
         };
-        match format {
-            Format::Exr => self.exr(destination),
-            Format::Npy => self
-                .headerless(destination, ChannelFormat::Npy)
-                .map(Content::Channels),
-            Format::Pfm => self.pfm(destination),
-            Format::Png => self.png(destination),
+        files.map(content).collect()
+    }
+
+    fn format(&self, destination: &Destination) -> Result<Format> {
+        match destination {
+            Destination::Stdout => Ok(self.format_of_stdout),
+            Destination::File(path) => Format::of_path(path).or_else(|error| {
+                let advised = || match path.extension() {
+                    Some(_) => error,
+                    None => error.note("or choose the format of -o by --format"),
+                };
+                self.format.ok_or_else(advised)
+            }),
         }
     }
 
-    fn exr(&self, destination: &Destination) -> Result<Content> {
-        let aovs = self.aov.clone().unwrap_or_else(|| Aov::USUAL.to_vec());
+    /// The kinds of files of these formats: each PNG has a view.
+    ///
+    /// # Errors
+    /// There are several views, but not one for each PNG.
+    fn kinds(&self, formats: &[Format]) -> Result<Vec<FileKind>> {
+        let pngs = formats
+            .iter()
+            .filter(|format| **format == Format::Png)
+            .count();
+        let count = self.views.len();
+        // One view is for all; without a PNG, another message says so.
+        if count > 1 && pngs > 0 && count != pngs {
+            let views = self.views.iter().map(|view| view.name());
+            let views = views.collect::<Vec<_>>().join(",");
+            let pngs = counted(pngs as u64, "PNG output");
+            let error = Error::usage(format!("--view {views} names {count} views for {pngs}"));
+            return Err(error.note("give one -o NAME.png for each view, in the same order"));
+        }
+        let mut views = self.views.iter().copied();
+        let last = self.views.last().copied().unwrap_or_default();
+        let mut kind = |format: &Format| match format {
+            Format::Exr => FileKind::Exr,
+            Format::Npy => FileKind::Npy,
+            Format::Pfm => FileKind::Pfm,
+            Format::Png => FileKind::Png(views.next().unwrap_or(last)),
+        };
+        Ok(formats.iter().map(&mut kind).collect())
+    }
+
+    /// The options that the user has set.
+    fn set_options(&self) -> Vec<ImageOption> {
+        let options = [
+            (ImageOption::Aov, self.aov.is_some()),
+            (ImageOption::DepthChannel, self.depth_channel.is_some()),
+            (ImageOption::View, !self.views.is_empty()),
+            (ImageOption::ColorMap, self.colors.is_some()),
+            (ImageOption::Range, self.range.is_some()),
+            (ImageOption::Legend, self.legend),
+            (ImageOption::Background, self.background.is_some()),
+            (ImageOption::Scale, self.scale.is_some()),
+            (ImageOption::Miss, self.miss.is_some()),
+            (ImageOption::SkipExisting, self.skip_existing),
+        ];
+        let set = options.into_iter().filter(|(_, is_set)| *is_set);
+        set.map(|(option, _)| option).collect()
+    }
+
+    fn aovs_or(&self, usual: &[Aov]) -> Vec<Aov> {
+        self.aov.clone().unwrap_or_else(|| usual.to_vec())
+    }
+
+    fn exr(&self) -> Result<Content> {
+        let aovs = self.aovs_or(&Aov::USUAL);
         if self.depth_channel.is_some() && !aovs.contains(&Aov::Z) {
             let error = Error::usage("--depth-channel has no meaning without Z");
             return Err(error.note("add Z to --aov"));
         }
         let depth_channel = self.depth_channel.clone();
         let depth_channel = depth_channel.filter(|name| name != ChannelName::Z.name());
-        let file = self.channels(aovs, destination, ChannelFormat::Exr { depth_channel })?;
-        Ok(Content::Channels(file))
+        Ok(self.channels(aovs, ChannelFormat::Exr { depth_channel }))
     }
 
     fn pfm(&self, destination: &Destination) -> Result<Content> {
-        let file = self.headerless(destination, ChannelFormat::Pfm)?;
-        let channels = file.channels();
+        let aovs = self.aovs_or(&[Aov::Z]);
+        let channels: Vec<ChannelName> = aovs
+            .iter()
+            .flat_map(|aov| aov.channels())
+            .copied()
+            .collect();
         if !matches!(channels.len(), 1 | 3) || channels.iter().any(|channel| channel.is_integer()) {
             let error = Error::usage(format!(
                 "{destination}: a PFM holds one of Z, t, A, N and P"
@@ -83,42 +157,11 @@ impl ImageOptions {
             let advice = "for more, or for integers, give the output the extension .exr or .npy";
             return Err(error.note(advice));
         }
-        Ok(Content::Channels(file))
+        Ok(self.channels(aovs, ChannelFormat::Pfm))
     }
 
-    /// Formats without a header.
-    fn headerless(&self, destination: &Destination, format: ChannelFormat) -> Result<ChannelFile> {
-        let flags = [
-            ("--depth-channel", self.depth_channel.is_some()),
-            ("--skip-existing", self.skip_existing),
-        ];
-        refuse(
-            &flags,
-            destination,
-            "a file without a header for it; an .exr has one",
-        )?;
-        let aovs = self.aov.clone().unwrap_or_else(|| vec![Aov::Z]);
-        self.channels(aovs, destination, format)
-    }
-
-    fn channels(
-        &self,
-        aovs: Vec<Aov>,
-        destination: &Destination,
-        format: ChannelFormat,
-    ) -> Result<ChannelFile> {
-        let flags = [
-            ("--view", self.view.is_some()),
-            ("--colormap", self.colors.is_some()),
-            ("--range", self.range.is_some()),
-            ("--scale", self.scale.is_some()),
-        ];
-        refuse(
-            &flags,
-            destination,
-            "a file that holds the values themselves",
-        )?;
-        Ok(ChannelFile {
+    fn channels(&self, aovs: Vec<Aov>, format: ChannelFormat) -> Content {
+        Content::Channels(ChannelFile {
             format,
             aovs,
             miss: self.miss.unwrap_or(f32::INFINITY),
@@ -126,53 +169,21 @@ impl ImageOptions {
         })
     }
 
-    fn png(&self, destination: &Destination) -> Result<Content> {
-        let flags = [
-            ("--aov", self.aov.is_some()),
-            ("--depth-channel", self.depth_channel.is_some()),
-        ];
-        refuse(
-            &flags,
-            destination,
-            "a PNG; for channels give the output the extension .exr",
-        )?;
-        let view = self.view.unwrap_or_default();
-        if !matches!(view, View::Depth | View::Cost) {
-            let flags = [
-                ("--colormap", self.colors.is_some()),
-                ("--range", self.range.is_some()),
-            ];
-            let reason = format!("a PNG of the view {view}, whose colours are fixed");
-            refuse(&flags, destination, &reason)?;
-        }
-        if view != View::Depth16 {
-            let flags = [
-                ("--scale", self.scale.is_some()),
-                ("--miss", self.miss.is_some()),
-            ];
-            refuse(&flags, destination, "a PNG, but not of the view depth16")?;
-        }
-        let (colors, range) = (self.colors.unwrap_or_default(), self.range);
-        Ok(Content::View(match view {
-            View::Hit => ViewFile::Hit,
-            View::Normal => ViewFile::Normal,
-            View::Id => ViewFile::Id,
-            View::Depth => ViewFile::Depth { colors, range },
-            View::Cost => ViewFile::Cost { colors, range },
-            View::Depth16 => ViewFile::Depth16(Depth16 {
-                scale: self.scale.unwrap_or(Depth16::SCALE),
-                miss: self.miss.map_or(Ok(0), whole_miss)?,
-            }),
+    /// A PNG of `view`. Options without a meaning for this view are for other files.
+    fn png(&self, view: View) -> Result<Content> {
+        let scale = self.scale.unwrap_or(Depth16::SCALE);
+        let miss = self.miss.filter(|_| view == View::Depth16);
+        let miss = miss.map_or(Ok(0), whole_miss)?;
+        Ok(Content::View(ViewFile {
+            view,
+            colors: self.colors.unwrap_or_default(),
+            range: self.range.filter(|_| view.has_color_map()),
+            beyond: None,
+            depth16: Depth16 { scale, miss },
+            background: self.background.filter(|_| view.has_background()),
+            has_legend: self.legend && view.has_color_map(),
         }))
     }
-}
-
-fn refuse(flags: &[Flag], destination: &Destination, reason: &str) -> Result<()> {
-    let Some((flag, _)) = flags.iter().find(|(_, is_set)| *is_set) else {
-        return Ok(());
-    };
-    let message = format!("{flag} has no meaning for {destination}: it is {reason}");
-    Err(Error::usage(message))
 }
 
 /// The value of a miss among 16-bit integers.

@@ -2,6 +2,7 @@
 
 use super::record::Record;
 use crate::cli::files::inputs::{Inputs, check_against_scene};
+use crate::cli::files::new_folders::NewFolders;
 use crate::cli::files::results::check_extension;
 use crate::cli::terminal::reporter::Reporter;
 use crate::cli::terminal::words::counted;
@@ -75,6 +76,7 @@ pub(super) fn check(path: &Path, inputs: &Inputs) -> Result<()> {
 
 impl Manifest {
     pub(super) fn open(path: &Path) -> Result<Manifest> {
+        let _folders = NewFolders::make_for(path)?;
         // Readable, too: the last byte shows whether the last line is complete.
         let open = |reads| {
             OpenOptions::new()

@@ -9,13 +9,16 @@ mod image;
 mod image_options;
 mod manifest;
 mod milliseconds;
+mod option_meanings;
 mod output_name;
+mod output_names;
 mod outputs;
 mod plan;
 mod record;
 mod scene;
 mod summary;
 mod target;
+mod target_file;
 mod tree_statistics;
 
 pub(crate) use args::RenderArgs;

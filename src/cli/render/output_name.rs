@@ -3,34 +3,62 @@
 use crate::cli::files::destination::Destination;
 use crate::cli::options::engine::AcceleratorChoice;
 use feimos::error::{Error, Result};
+use feimos::film::Format;
 use std::path::{Path, PathBuf};
 
 /// The template of `-o`, checked; without one, the scene names its image.
 #[derive(Debug, Clone)]
 pub(crate) struct OutputName {
     template: Option<String>,
+    /// The name does not choose the format.
+    lacks_format: bool,
 }
 
 /// pbrt's name for an image whose Film has none.
 const PBRT_DEFAULT: &str = "pbrt.exr";
 
 impl OutputName {
+    /// The name that the scene gives its image.
+    pub(crate) fn of_scene() -> OutputName {
+        OutputName {
+            template: None,
+            lacks_format: false,
+        }
+    }
+
+    /// The name by `template`. That of a folder is completed, with the extension of `format`.
+    ///
     /// # Errors
-    /// The template has an unknown placeholder, or {camera} without a list of cameras.
-    pub(crate) fn new(template: Option<String>, has_cameras: bool) -> Result<OutputName> {
-        if let Some(unknown) = template.as_deref().and_then(unknown_placeholder) {
+    /// The template is a list, or it has an unknown placeholder, or {camera} without a list of
+    /// cameras.
+    pub(crate) fn new(template: &str, format: Format, has_cameras: bool) -> Result<OutputName> {
+        if let Some(unknown) = unknown_placeholder(template) {
             let error = Error::usage(format!(
                 "the output name has an unknown placeholder `{unknown}`"
             ));
             return Err(error.note(format!("known placeholders: {}", PLACEHOLDERS.join(", "))));
         }
-        let output_name = OutputName { template };
+        refuse_list(template)?;
+        let names_format = Format::of_path(Path::new(template)).is_ok();
+        let template = match is_folder(template) {
+            true => in_folder(template, format, has_cameras),
+            false => template.to_owned(),
+        };
+        let output_name = OutputName {
+            template: Some(template),
+            lacks_format: !names_format,
+        };
         if output_name.has("{camera}") && !has_cameras {
             return Err(Error::usage(
                 "the output name has {camera}, but --cameras is missing",
             ));
         }
         Ok(output_name)
+    }
+
+    /// Returns true if the name does not choose the format.
+    pub(crate) fn lacks_format(&self) -> bool {
+        self.lacks_format
     }
 
     /// Returns true if the name depends on the content of the scene file.
@@ -52,15 +80,6 @@ impl OutputName {
     /// Returns true if the user gave a template.
     pub(crate) fn is_given(&self) -> bool {
         self.template.is_some()
-    }
-
-    /// The source of image names, for messages.
-    pub(crate) fn cause(&self) -> &'static str {
-        if self.is_given() {
-            "-o"
-        } else {
-            "the image name in the scene"
-        }
     }
 
     /// Returns true if the template has this placeholder.
@@ -90,6 +109,37 @@ impl OutputName {
             }),
         }
     }
+}
+
+/// Returns true for a name that ends like that of a folder, or that of an existing folder unless it
+/// has the extension of a format.
+fn is_folder(template: &str) -> bool {
+    let path = Path::new(template);
+    template.ends_with(std::path::is_separator) || path.is_dir() && Format::of_path(path).is_err()
+}
+
+/// The template for images in `folder`, each with its own name.
+fn in_folder(folder: &str, format: Format, has_cameras: bool) -> String {
+    let slash = if folder.ends_with(std::path::is_separator) {
+        ""
+    } else {
+        "/"
+    };
+    let camera = if has_cameras { "-{camera}" } else { "" };
+    format!("{folder}{slash}{{stem}}{camera}.{format}")
+}
+
+/// # Errors
+/// The template is a list of names with commas.
+fn refuse_list(template: &str) -> Result<()> {
+    let names: Vec<&str> = template.split(',').collect();
+    let is_name = |name: &&str| *name == "-" || Format::of_path(Path::new(name)).is_ok();
+    if names.len() < 2 || !names.iter().all(is_name) {
+        return Ok(());
+    }
+    let flags: Vec<String> = names.iter().map(|name| format!("-o {name}")).collect();
+    let error = Error::usage(format!("-o {template}: commas do not separate outputs"));
+    Err(error.note(format!("use {}", flags.join(" "))))
 }
 
 /// The scene's file name without `.gz` and its extension; `stdin` for standard input.
@@ -141,15 +191,16 @@ fn unknown_placeholder(template: &str) -> Option<&str> {
 mod tests {
     use super::*;
 
+    fn named(template: &str, has_cameras: bool) -> Result<OutputName> {
+        OutputName::new(template, Format::Exr, has_cameras)
+    }
+
     fn name(template: Option<&str>, scene: &str, film: Option<&str>) -> String {
-        let output = OutputName::new(template.map(str::to_owned), true).unwrap();
+        let named = |template| named(template, true).unwrap();
+        let output = template.map_or_else(OutputName::of_scene, named);
+        let camera = Some("left");
         output
-            .destination(
-                Path::new(scene),
-                film,
-                AcceleratorChoice::Auto,
-                Some("left"),
-            )
+            .destination(Path::new(scene), film, AcceleratorChoice::Auto, camera)
             .to_string()
     }
 
@@ -179,12 +230,33 @@ mod tests {
     }
 
     #[test]
+    fn a_folder_holds_an_image_of_each_scene() {
+        assert_eq!(name(Some("out/"), "a/b.pbrt", None), "out/b-left.exr");
+        let alone = |template| named(template, false).unwrap().template.unwrap();
+        assert_eq!(alone("out/"), "out/{stem}.exr");
+        assert_eq!(alone("src"), "src/{stem}.exr", "it exists");
+        assert_eq!(alone("gone"), "gone");
+        let png = OutputName::new("out/", Format::Png, false).unwrap();
+        assert_eq!(png.template.unwrap(), "out/{stem}.png");
+        let lacks = |template| named(template, false).unwrap().lacks_format();
+        assert!(lacks("out/") && lacks("-") && lacks("/dev/null") && lacks("a.b"));
+        assert!(!lacks("a.exr") && !OutputName::of_scene().lacks_format());
+    }
+
+    #[test]
+    fn lists_with_commas_are_refused() {
+        for list in ["a.npy,b.png", "a.npy,b/c.PNG,-", "-,a.exr"] {
+            let error = named(list, false).unwrap_err().to_string();
+            assert!(error.contains("use -o "), "{error}");
+        }
+        for name in ["a,b.png", "a.npy,b", "1,5m.exr", "a.exr,", ","] {
+            assert!(named(name, false).is_ok(), "{name}");
+        }
+    }
+
+    #[test]
     fn an_example_exists_if_the_format_is_known() {
-        let example = |template: &str| {
-            OutputName::new(Some(template.into()), false)
-                .unwrap()
-                .example()
-        };
+        let example = |template: &str| named(template, false).unwrap().example();
         assert_eq!(example("-"), Some(Destination::Stdout));
         assert_eq!(
             example("{stem}.jpg"),
@@ -192,15 +264,15 @@ mod tests {
         );
         assert_eq!(example("a"), Some(Destination::File("a".into())));
         assert_eq!(example("out.d/{stem}"), None, "for a.exr.pbrt it is an EXR");
-        assert_eq!(OutputName::new(None, false).unwrap().example(), None);
+        assert_eq!(OutputName::of_scene().example(), None);
     }
 
     #[test]
     fn unknown_placeholders_are_refused() {
-        assert!(OutputName::new(Some("{stem}-{name}.png".into()), true).is_err());
-        assert!(OutputName::new(Some("{stem}-{camera}.png".into()), false).is_err());
+        assert!(named("{stem}-{name}.png", true).is_err());
+        assert!(named("{stem}-{camera}.png", false).is_err());
         assert!(
-            OutputName::new(Some("{stem.png".into()), false).is_ok(),
+            named("{stem.png", false).is_ok(),
             "an open brace is an ordinary character"
         );
     }

@@ -1,6 +1,6 @@
 //! The destinations of a batch, as far as they are known before a scene is read.
 
-use super::output_name::OutputName;
+use super::output_names::OutputNames;
 use super::plan::Plan;
 use super::target::Targets;
 use crate::cli::files::destination::Destination;
@@ -28,10 +28,10 @@ impl fmt::Display for ImageName<'_> {
     }
 }
 
-/// The destinations of each scene, in the order of the cameras; `None` if the scene must be read
-/// first.
+/// The destinations of the images of each scene, in the order of the cameras; `None` if the scene
+/// must be read first.
 pub(super) struct Outputs {
-    known: Vec<Option<Vec<Destination>>>,
+    known: Vec<Option<Vec<Vec<Destination>>>>,
     of_scene: usize,
     taken: Taken,
 }
@@ -51,17 +51,18 @@ impl Outputs {
         let mut known = Vec::with_capacity(scenes.len());
         for scene in scenes {
             // Do not read a single scene twice only for the name of its image.
-            let is_late = is_single && plan.output_name.needs_scene();
+            let is_late = is_single && plan.output_names.needs_scene();
             let destinations = if is_late {
                 None
             } else {
                 destinations(scene, plan)
             };
-            for (destination, camera) in destinations.iter().flatten().zip(cameras(plan)) {
-                if let Destination::File(path) = destination {
-                    inputs.check(path, plan.output_name.cause())?;
+            for (destinations, camera) in destinations.iter().flatten().zip(cameras(plan)) {
+                for path in destinations.iter().filter_map(Destination::file) {
+                    inputs.check(path, plan.output_names.cause())?;
                 }
-                taken.add(&ImageName { scene, camera }, destination, &plan.output_name)?;
+                let name = ImageName { scene, camera };
+                taken.add(&name, destinations, &plan.output_names)?;
             }
             known.push(destinations);
         }
@@ -102,8 +103,8 @@ impl Outputs {
         let late = || replaces_nothing.then(|| destinations(path, plan)).flatten();
         let destinations = self.known[number].clone().or_else(late).unwrap_or_default();
         let mut first = None;
-        for destination in &destinations {
-            match targets.check_place(destination) {
+        for files in &destinations {
+            match files.iter().try_for_each(|file| targets.check_place(file)) {
                 Ok(()) => return Ok(()),
                 Err(error) => _ = first.get_or_insert(error),
             }
@@ -111,46 +112,71 @@ impl Outputs {
         first.map_or(Ok(()), Err)
     }
 
-    /// Claims the destination of an image of scene `number`, after the scene has been read.
+    /// Claims the destinations of an image of scene `number`, after the scene has been read.
     ///
     /// # Errors
-    /// Another image has this destination.
+    /// Another file has one of these destinations.
     pub(super) fn claim(
         &mut self,
         number: usize,
         name: &ImageName,
-        destination: &Destination,
+        destinations: &[Destination],
         plan: &Plan,
     ) -> Result<()> {
         if self.known[number].is_some() || self.count() == 1 {
             return Ok(());
         }
-        self.taken.add(name, destination, &plan.output_name)
+        self.taken.add(name, destinations, &plan.output_names)
     }
 }
 
-/// The places of images, each with the scene and the camera of its image.
+/// The owner of a place.
+#[derive(Debug, Clone)]
+struct Owner {
+    scene: PathBuf,
+    camera: Option<String>,
+    /// The place of the file among those of its image.
+    file: usize,
+}
+
+impl Owner {
+    fn image(&self) -> ImageName<'_> {
+        ImageName {
+            scene: &self.scene,
+            camera: self.camera.as_deref(),
+        }
+    }
+}
+
+/// The places of files, each with its owner.
 #[derive(Debug, Default)]
-struct Taken(Places<(PathBuf, Option<String>)>);
+struct Taken(Places<Owner>);
 
 impl Taken {
     /// # Errors
-    /// Another image has this place.
+    /// Another file has one of these places.
     fn add(
         &mut self,
         name: &ImageName,
-        destination: &Destination,
-        output_name: &OutputName,
+        destinations: &[Destination],
+        output_names: &OutputNames,
     ) -> Result<()> {
-        let owner = (name.scene.to_path_buf(), name.camera.map(str::to_owned));
-        let Some((scene, camera)) = self.0.take(destination, owner) else {
-            return Ok(());
-        };
-        let other = ImageName {
-            scene: &scene,
-            camera: camera.as_deref(),
-        };
-        Err(twice(&other, name, destination, output_name))
+        for (file, destination) in destinations.iter().enumerate() {
+            let owner = Owner {
+                scene: name.scene.to_path_buf(),
+                camera: name.camera.map(str::to_owned),
+                file,
+            };
+            let Some(other) = self.0.take(destination, owner) else {
+                continue;
+            };
+            if other.file != file {
+                let message = format!("two outputs would both be written to {destination}");
+                return Err(Error::usage(message).note("give each -o another name"));
+            }
+            return Err(twice(&other.image(), name, destination, output_names));
+        }
+        Ok(())
     }
 
     /// Reserves the place of the manifest.
@@ -159,14 +185,15 @@ impl Taken {
     /// An image has this place.
     fn reserve(&mut self, manifest: &Path) -> Result<()> {
         let destination = Destination::File(manifest.to_path_buf());
-        let Some((scene, camera)) = self.0.take(&destination, (manifest.to_path_buf(), None))
-        else {
+        let owner = Owner {
+            scene: manifest.to_path_buf(),
+            camera: None,
+            file: 0,
+        };
+        let Some(other) = self.0.take(&destination, owner) else {
             return Ok(());
         };
-        let name = ImageName {
-            scene: &scene,
-            camera: camera.as_deref(),
-        };
+        let name = other.image();
         let manifest = manifest.display();
         let message = format!("{manifest}: the manifest and the image of {name} would be one file");
         Err(Error::usage(message).note("give one of them another name"))
@@ -181,9 +208,10 @@ fn cameras(plan: &Plan) -> Vec<Option<&str>> {
     }
 }
 
-/// The destinations of a scene; `None` if it cannot be read, which rendering will report.
-fn destinations(path: &Path, plan: &Plan) -> Option<Vec<Destination>> {
-    let film_filename = if plan.output_name.needs_scene() {
+/// The destinations of each image of a scene; `None` if it cannot be read, which rendering will
+/// report.
+fn destinations(path: &Path, plan: &Plan) -> Option<Vec<Vec<Destination>>> {
+    let film_filename = if plan.output_names.needs_scene() {
         if path == Path::new("-") {
             return None;
         }
@@ -191,23 +219,22 @@ fn destinations(path: &Path, plan: &Plan) -> Option<Vec<Destination>> {
     } else {
         None
     };
-    let destination = |camera| {
-        plan.output_name
-            .destination(path, film_filename.as_deref(), plan.accel, camera)
-    };
-    Some(cameras(plan).into_iter().map(destination).collect())
+    let film_filename = film_filename.as_deref();
+    let names = &plan.output_names;
+    let destinations = |camera| names.destinations(path, film_filename, plan.accel, camera);
+    Some(cameras(plan).into_iter().map(destinations).collect())
 }
 
 fn twice(
     one: &ImageName,
     other: &ImageName,
     destination: &Destination,
-    output_name: &OutputName,
+    output_names: &OutputNames,
 ) -> Error {
     let message = format!("{one} and {other} would both be written to {destination}");
     Error::usage(message).note(if one.scene == other.scene && one.camera != other.camera {
         "use -o with {camera} in the name, such as -o '{stem}-{camera}.exr'"
-    } else if output_name.has("{stem}") {
+    } else if output_names.have("{stem}") {
         "render scenes of the same name by separate commands"
     } else {
         "use -o with {stem} in the name, such as -o 'out/{stem}.png'"

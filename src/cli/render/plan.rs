@@ -2,21 +2,22 @@
 
 use super::args::RenderArgs;
 use super::image_options::ImageOptions;
-use super::output_name::OutputName;
+use super::output_names::OutputNames;
 use crate::cli::options::engine::{
     AcceleratorChoice, accelerator_note, build_options, method_of_scene,
 };
 use crate::cli::terminal::reporter::Reporter;
+use crate::cli::terminal::stdout;
 use feimos::accel::{BuildOptions, Precision, SplitMethod};
 use feimos::error::{Error, Result};
 use feimos::film::{Aov, PixelBounds, View};
-use feimos::scene::{self, AcceleratorParameters, Film, LoadOptions, Pose};
+use feimos::scene::{AcceleratorParameters, Film, LoadOptions, Pose};
 use feimos::simd::Level;
 
 /// How the command renders every scene.
 #[derive(Debug)]
 pub(super) struct Plan {
-    pub(super) output_name: OutputName,
+    pub(super) output_names: OutputNames,
     pub(super) images: ImageOptions,
     pub(super) load: LoadOptions,
     pub(super) accel: AcceleratorChoice,
@@ -36,33 +37,25 @@ impl Plan {
     pub(super) fn new(args: &RenderArgs) -> Result<Plan> {
         let output = &args.output;
         let images = ImageOptions::new(output, args.batch.skip_existing)?;
-        if args.report.json && output.output.as_deref() == Some("-") {
-            return Err(Error::usage(
-                "--json and -o - would both write to standard output",
-            ));
+        if output.output.iter().any(|name| name == "-") {
+            if args.report.json {
+                let message = "--json and -o - would both write to standard output";
+                return Err(Error::usage(message));
+            }
+            stdout::check_binary()?;
         }
-        let poses = args
-            .cameras
-            .cameras
-            .as_deref()
-            .map(scene::read_poses)
-            .transpose()?;
-        let mut sized = poses.iter().flatten().filter(|pose| pose.has_resolution());
-        if let (Some(_), Some(pose)) = (args.region.resolution, sized.next()) {
-            let name = pose.name();
-            let message = format!("--resolution contradicts the resolution of camera `{name}`");
-            let error = Error::usage(message);
-            return Err(error.note("leave out --resolution: `K` fits one size of image"));
-        }
+        let poses = args.cameras.poses()?;
+        let mut sized = poses.iter().flatten();
+        sized.try_for_each(|pose| pose.check_resolution(args.region.resolution))?;
         let has_aov = |wanted| output.aov.iter().flatten().any(|aov| *aov == wanted);
         let load = LoadOptions {
             resolution: args.region.resolution,
-            orientation: has_aov(Aov::Normal) || output.view == Some(View::Normal),
+            orientation: has_aov(Aov::Normal) || output.view.contains(&View::Normal),
             uv: has_aov(Aov::Uv),
             ..args.input.load_options()
         };
         let plan = Plan {
-            output_name: OutputName::new(output.output.clone(), poses.is_some())?,
+            output_names: OutputNames::new(output, poses.is_some())?,
             images,
             load,
             accel: args.engine.accel,
@@ -76,8 +69,8 @@ impl Plan {
             pixelbounds: args.region.pixelbounds,
         };
         // Report mistakes that every scene would show before the first one is read.
-        if let Some(example) = plan.output_name.example() {
-            plan.images.content(&example)?;
+        if let Some(examples) = plan.output_names.examples() {
+            plan.images.contents(&examples)?;
         }
         Ok(plan)
     }

@@ -10,16 +10,22 @@ use feimos::render::Rendering;
 use feimos::simd::Level;
 use serde::Serialize;
 
+/// A file that was written.
+pub(super) struct WrittenFile {
+    pub(super) destination: Destination,
+    /// The meaning of a view's colours, in words.
+    pub(super) description: Option<String>,
+}
+
 /// An image that was rendered and written.
 pub(super) struct Finished {
-    pub(super) destination: Destination,
+    /// At least one.
+    pub(super) files: Vec<WrittenFile>,
     pub(super) accelerator: Accelerator,
     pub(super) size: BuiltSize,
     pub(super) precision: Precision,
     pub(super) simd: Level,
     pub(super) rendering: Rendering,
-    /// The meaning of a view's colours.
-    pub(super) legend: Option<String>,
     pub(super) ms: Milliseconds,
     /// The most memory that the process has used so far, if the system knows.
     pub(super) peak_bytes: Option<u64>,
@@ -34,7 +40,11 @@ pub(super) struct Record {
     /// The name in the list of cameras, if there is one.
     #[serde(skip_serializing_if = "Option::is_none")]
     camera: Option<String>,
+    /// The first of the files that were written.
     output: String,
+    /// All of them, if there are several.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    outputs: Option<Vec<String>>,
     accel: &'static str,
     precision: &'static str,
     threads: usize,
@@ -159,6 +169,8 @@ impl RayStatistics {
 impl Record {
     pub(super) fn new(loaded: &LoadedScene, view: &Viewpoint, finished: &Finished) -> Record {
         let window = finished.rendering.image.data_window;
+        let outputs = finished.files.iter();
+        let outputs: Vec<String> = outputs.map(|file| file.destination.to_string()).collect();
         let geometry = &loaded.scene.geometry;
         let (bvh, bins) = match finished.size {
             BuiltSize::Tree(statistics) => (Some(Bvh::new(statistics)), None),
@@ -180,7 +192,8 @@ impl Record {
         Record {
             scene: loaded.path.display().to_string(),
             camera: view.name.clone(),
-            output: finished.destination.to_string(),
+            output: outputs[0].clone(),
+            outputs: (outputs.len() > 1).then_some(outputs),
             accel: finished.accelerator.name(),
             precision: finished.precision.name(),
             threads: rayon::current_num_threads(),

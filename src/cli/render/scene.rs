@@ -6,6 +6,7 @@ use super::plan::Plan;
 use crate::cli::terminal::progress::{Phase, ProgressBars};
 use crate::cli::terminal::reporter::Reporter;
 use crate::cli::terminal::scene_summary::report_scene;
+use crate::cli::terminal::words::counted;
 use feimos::accel::BuildOptions;
 use feimos::camera::Camera;
 use feimos::digest::Digest;
@@ -35,6 +36,25 @@ pub(super) struct Viewpoint {
     pub(super) name: Option<String>,
     pub(super) camera: Camera,
     pub(super) film: Film,
+}
+
+/// Reports, once, cameras with lenses that show nothing at some pixels.
+fn report_blind_edges(views: &[Viewpoint], reporter: &Reporter) {
+    let mut blind = views
+        .iter()
+        .filter_map(|view| Some((view.name.as_deref()?, view.camera.blind_edge()?)));
+    let Some((name, ([x, y], count))) = blind.next() else {
+        return;
+    };
+    let others = match blind.count() {
+        0 => String::new(),
+        more => format!("; {} more have such lenses", counted(more as u64, "camera")),
+    };
+    reporter.note(format_args!(
+        "camera `{name}`: its lens shows nothing at {} on the edge of the film, such as {x},{y}: \
+         its model folds back before that. They and those near them are misses{others}",
+        counted(count as u64, "pixel"),
+    ));
 }
 
 impl<'a> LoadedScene<'a> {
@@ -73,6 +93,7 @@ impl<'a> LoadedScene<'a> {
                 film: scene.film.clone(),
             }],
         };
+        report_blind_edges(&views, reporter);
         LoadedScene {
             path,
             scene,

@@ -5,6 +5,7 @@ use super::record::Finished;
 use super::tree_statistics::TreeStatistics;
 use feimos::error::grouped;
 
+use crate::cli::files::destination::joined;
 use crate::cli::terminal::reporter::Reporter;
 use crate::cli::terminal::scene_summary::StoredGeometry;
 use crate::cli::terminal::words::counted;
@@ -25,7 +26,7 @@ pub(super) fn report_built(built: &Built, geometry: &Geometry, reporter: &Report
     }
 }
 
-/// Prints one line on the image.
+/// Prints one line on the image, and one on each of several files whose colours have a meaning.
 pub(super) fn report_image(finished: &Finished, reporter: &Reporter) {
     let hits = finished.rendering.traced.hits;
     if hits == 0 {
@@ -33,13 +34,15 @@ pub(super) fn report_image(finished: &Finished, reporter: &Reporter) {
     }
     let window = &finished.rendering.image.data_window;
     let (width, height) = (window.width(), window.height());
-    let legend = finished.legend.as_ref();
-    let legend = legend.map_or(String::new(), |legend| format!(", {legend}"));
+    let (names, description) = match &finished.files[..] {
+        [file] => (file.destination.to_string(), file.description.as_deref()),
+        files => (joined(files.iter().map(|file| &file.destination)), None),
+    };
+    let description = description.map_or(String::new(), |words| format!(", {words}"));
     let ms = &finished.ms;
     reporter.result(format_args!(
-        "{}: {width} x {height} pixels, {} hit{legend} \
+        "{names}: {width} x {height} pixels, {} hit{description} \
          (load {:.0}, build {:.0} by {}, trace {:.0}, write {:.0} ms)",
-        finished.destination,
         grouped(hits),
         ms.load,
         ms.build,
@@ -47,6 +50,11 @@ pub(super) fn report_image(finished: &Finished, reporter: &Reporter) {
         ms.trace,
         ms.write,
     ));
+    for file in finished.files.iter().filter(|_| finished.files.len() > 1) {
+        if let Some(description) = &file.description {
+            reporter.result(format_args!("{}: {description}", file.destination));
+        }
+    }
 }
 
 /// Prints the lines of `--stats`.

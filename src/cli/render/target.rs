@@ -3,21 +3,45 @@
 use super::encode::{Content, Existing, Provenance};
 use super::plan::Plan;
 use super::scene::{LoadedScene, Viewpoint};
+use super::target_file::TargetFile;
 use crate::cli::files::destination::Destination;
 use crate::cli::files::folders::OpenFolders;
 use crate::cli::terminal::reporter::Reporter;
+use crate::cli::terminal::stdout;
 use feimos::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
-use feimos::film::PixelBounds;
 use feimos::film::atomic_file::Overwrite;
+use feimos::film::{ChannelName, PixelBounds};
 use std::path::Path;
 
-/// What to write, and where.
+/// What to render, and where to write it.
 pub(super) struct Target {
-    pub(super) destination: Destination,
-    pub(super) content: Content,
+    /// At least one.
+    pub(super) files: Vec<TargetFile>,
     pub(super) window: PixelBounds,
-    /// The header of the file, if the format has one.
-    pub(super) header: Option<String>,
+}
+
+impl Target {
+    /// The channels that any of the files needs.
+    pub(super) fn channels(&self) -> Vec<ChannelName> {
+        let mut all = Vec::new();
+        for name in self.files.iter().flat_map(|file| file.content.channels()) {
+            if !all.contains(&name) {
+                all.push(name);
+            }
+        }
+        all
+    }
+
+    /// Returns true if a file is about rays in a tree.
+    pub(super) fn needs_tree(&self) -> bool {
+        self.files.iter().any(|file| file.content.needs_tree())
+    }
+
+    /// The value of `Z` and `t` at a miss.
+    pub(super) fn miss(&self) -> f32 {
+        let mut values = self.files.iter().filter_map(|file| file.content.miss());
+        values.next().unwrap_or(f32::INFINITY)
+    }
 }
 
 /// Finds the targets of a batch.
@@ -38,91 +62,86 @@ impl<'a> Targets<'a> {
         }
     }
 
-    /// The destination of the image of `view`.
-    pub(super) fn destination(&self, loaded: &LoadedScene, view: &Viewpoint) -> Destination {
+    /// The destinations of the image of `view`.
+    pub(super) fn destinations(&self, loaded: &LoadedScene, view: &Viewpoint) -> Vec<Destination> {
         let (filename, camera) = (view.film.filename.as_deref(), view.name.as_deref());
         let Plan {
-            output_name, accel, ..
+            output_names,
+            accel,
+            ..
         } = self.plan;
-        output_name.destination(loaded.path, filename, *accel, camera)
+        output_names.destinations(loaded.path, filename, *accel, camera)
     }
 
-    /// The target of the image of `view`; `None` if the image exists and is to be skipped.
+    /// The target of the image of `view`; `None` if all of its files exist and are to be skipped.
     ///
     /// # Errors
-    /// An option has no meaning for the image; the file must not be replaced or cannot be made.
+    /// An option has no meaning for the image; a file must not be replaced or cannot be made.
     pub(super) fn find(&self, loaded: &LoadedScene, view: &Viewpoint) -> Result<Option<Target>> {
-        let destination = self.destination(loaded, view);
+        let destinations = self.destinations(loaded, view);
         if self.overwrite == Overwrite::No {
-            destination.check_free()?;
+            destinations.iter().try_for_each(Destination::check_free)?;
         }
-        let content = self.content(&destination, loaded)?;
+        let contents = self.contents(&destinations, loaded)?;
         let window = self.plan.data_window(&view.film)?;
         let is_whole = [window.width(), window.height()] == view.film.resolution;
-        if let (false, Some((view, ends))) = (is_whole, content.missing_range()) {
+        let mut missing = contents.iter().filter_map(Content::missing_range);
+        if let (false, Some((view, ends))) = (is_whole, missing.next()) {
             let message = format!("a {view} PNG of a part of the film needs --range {ends}");
             let advice = "without it each part has colours of its own; or write an .exr";
             return Err(Error::usage(message).note(advice));
         }
         // The digest reads the whole geometry: compute it only for a header.
-        let provenance = content.has_header().then(|| Provenance {
+        let has_header = contents.iter().any(Content::has_header);
+        let provenance = has_header.then(|| Provenance {
             scene: loaded.digest(view),
-            mapping: view.camera.projection.sphere_mapping(),
+            projection: view.camera.projection,
             precision: self.plan.precision,
             accel: loaded.build.method,
             film: view.film.resolution,
             window,
         });
-        let header = provenance.map(|provenance| provenance.header(&content));
-        if let Destination::File(path) = &destination
-            && path.is_file()
-            && !self.may_replace_anything()
-        {
-            let existing = match (&provenance, &header) {
-                (Some(provenance), Some(header)) => {
-                    Existing::find(path, &content, header, provenance)?
-                }
-                // Without a header the writer of the file is unknown.
-                _ => Existing::Foreign,
-            };
-            if self.is_skipped(path, existing)? {
-                return Ok(None);
+        let mut files = Vec::with_capacity(destinations.len());
+        for (destination, content) in destinations.into_iter().zip(contents) {
+            let file = TargetFile::new(destination, content, provenance.as_ref());
+            if !self.is_skipped(&file, provenance.as_ref())? {
+                self.check_place(&file.destination)?;
+                files.push(file);
             }
         }
-        self.check_place(&destination)?;
-        Ok(Some(Target {
-            destination,
-            content,
-            window,
-            header,
-        }))
+        Ok((!files.is_empty()).then_some(Target { files, window }))
     }
 
-    fn content(&self, destination: &Destination, loaded: &LoadedScene) -> Result<Content> {
-        let content = self.plan.images.content(destination).map_err(|error| {
-            if self.plan.output_name.is_given() {
+    fn contents(&self, destinations: &[Destination], loaded: &LoadedScene) -> Result<Vec<Content>> {
+        let contents = self.plan.images.contents(destinations).map_err(|error| {
+            if self.plan.output_names.are_given() {
                 return error;
             }
             error.note("the scene names this file; use -o to name another one")
         })?;
-        Ok(content.for_scene(&loaded.scene.geometry, self.reporter))
+        let for_scene = |content: Content| content.for_scene(&loaded.scene.geometry, self.reporter);
+        Ok(contents.into_iter().map(for_scene).collect())
     }
 
-    /// Returns true if the existing file `path` is kept, false if it is replaced.
-    fn is_skipped(&self, path: &Path, existing: Existing) -> Result<bool> {
-        let (skip, name) = (self.plan.skip_existing, path.display());
-        match existing {
-            Existing::Same => return Ok(skip),
-            Existing::Foreign => return Err(self.foreign(path)),
-            Existing::Stale if skip => {
+    /// Returns true if a file exists in the place of `file` and is kept, false if it is replaced.
+    fn is_skipped(&self, file: &TargetFile, provenance: Option<&Provenance>) -> Result<bool> {
+        if self.may_replace_anything() {
+            return Ok(false);
+        }
+        let (skip, name) = (self.plan.skip_existing, &file.destination);
+        match file.existing(provenance)? {
+            None => {}
+            Some(Existing::Same) => return Ok(skip),
+            Some(Existing::Foreign) => return Err(self.foreign(name)),
+            Some(Existing::Stale) if skip => {
                 let message = format_args!("{name}: exists with other options, rendering it again");
                 self.reporter.detail(message);
             }
-            Existing::Truncated if skip => {
+            Some(Existing::Truncated) if skip => {
                 self.reporter
                     .note(format_args!("{name}: is truncated, rendering it again"));
             }
-            Existing::Stale | Existing::Truncated => {}
+            Some(Existing::Stale | Existing::Truncated) => {}
         }
         Ok(false)
     }
@@ -133,23 +152,28 @@ impl<'a> Targets<'a> {
         if self.overwrite == Overwrite::No {
             destination.check_free()?;
         }
+        destination
+            .file()
+            .map_or(Ok(()), stdout::check_binary_file)?;
         self.folders.check(destination)
     }
 
     /// Returns true if the user named the file, or replaces any file.
     fn may_replace_anything(&self) -> bool {
-        self.plan.force || (self.plan.output_name.is_given() && !self.plan.skip_existing)
+        self.plan.force || (self.plan.output_names.are_given() && !self.plan.skip_existing)
     }
 
-    fn foreign(&self, path: &Path) -> Error {
+    fn foreign(&self, destination: &Destination) -> Error {
         let diagnostic = Diagnostic::new("exists already, and is not an image by feimos");
-        let advice = if self.plan.output_name.is_given() {
+        let advice = if self.plan.output_names.are_given() {
             "move it away, or use --force to overwrite it"
         } else {
             "the scene names this file: use -o to name another one, move it away, or use --force \
              to overwrite it"
         };
-        let diagnostic = diagnostic.at(SourceLocation::file(path)).note(advice);
+        let path = destination.file().unwrap_or(Path::new("-"));
+        let place = SourceLocation::file(path);
+        let diagnostic = diagnostic.at(place).note(advice);
         Error::new(ErrorKind::Output, diagnostic)
     }
 }

@@ -22,8 +22,8 @@ pub(crate) enum Phase {
     Building(usize),
     /// Renders this many pixels.
     Rendering(u64),
-    /// Writes this many rows of an image.
-    Writing(u32),
+    /// Writes this many rows of images.
+    Writing(u64),
     /// Counts the tests of this many rays.
     Counting(u64),
     /// Computes the exact answers for this many pixels.
@@ -84,7 +84,7 @@ fn bar(phase: Phase, batch: Option<BatchProgress>, target: ProgressDrawTarget) -
         Phase::Loading => ("loading", None, ""),
         Phase::Building(count) => ("building", Some(count as u64), "primitives"),
         Phase::Rendering(pixels) => ("rendering", Some(pixels), "pixels"),
-        Phase::Writing(rows) => ("writing", Some(rows.into()), "rows"),
+        Phase::Writing(rows) => ("writing", Some(rows), "rows"),
         Phase::Counting(rays) => ("counting", Some(rays), "rays"),
         Phase::Reference(pixels) => ("reference", Some(pixels), "pixels"),
         Phase::Measuring(runs) => ("measuring", Some(runs as u64), "runs"),

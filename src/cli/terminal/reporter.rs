@@ -6,7 +6,7 @@ use crate::cli::options::messages::{MessageArgs, When};
 use anstream::{AutoStream, ColorChoice};
 use anstyle::{AnsiColor, Style};
 use feimos::error::Error;
-use feimos::scene::Warnings;
+use feimos::scene::Warning;
 use feimos::terminal_text;
 use std::fmt::Display;
 use std::io::{Stderr, Write, stderr};
@@ -53,11 +53,11 @@ impl Reporter {
     }
 
     /// Prints the warnings about a scene, one of each kind, unless quiet.
-    pub(crate) fn warnings(&self, warnings: &Warnings) {
+    pub(crate) fn warnings<'a>(&self, warnings: impl IntoIterator<Item = &'a Warning>) {
         if self.quiet {
             return;
         }
-        for warning in warnings.iter() {
+        for warning in warnings {
             let mut first = warning.first.clone();
             if warning.count > 1 {
                 first = first.note(format!("the first of {}", warning.count));

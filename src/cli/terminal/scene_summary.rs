@@ -9,7 +9,7 @@ use std::fmt::{self, Display, Formatter};
 
 /// Prints warnings, a note on what was skipped, and if verbose the content.
 pub(crate) fn report_scene(scene: &Scene, reporter: &Reporter) {
-    reporter.warnings(&scene.warnings);
+    reporter.warnings(scene.warnings.iter());
     if let Some(summary) = scene.census.summary() {
         reporter.note(summary);
     }

@@ -23,8 +23,8 @@ Examples:
   feimos render *.pbrt -o 'out/{stem}.exr' --json   Many scenes
   feimos render scene.pbrt --cameras poses.json -o '{camera}.exr'
 
-A scene is a .pbrt file, `-` for standard input, or a bare .ply or .obj mesh, which is framed \
-automatically.";
+A scene is a .pbrt file, `-` for standard input, or a bare .ply, .obj, .stl or .off mesh, which is \
+framed automatically.";
 
 pub(in crate::cli) const CHECK: &str = "\
 Check scenes without rendering them: list their content and their mistakes.
@@ -35,7 +35,8 @@ Examples:
   feimos check scene.pbrt --json   A line of JSON
 
 Reads everything that rendering needs, and prints the camera, the film, shapes, bounds and \
-directives. Casts no ray and builds no tree.";
+directives. Warns of shapes that are far away, of an odd size, stretched or behind the camera, and \
+of a camera that sees nothing. Casts no ray and builds no tree.";
 
 pub(in crate::cli) const BENCH: &str = "\
 Measure speed against error: how fast accelerators are built and traced, and how many answers are \
@@ -72,6 +73,18 @@ Examples:
 
 Prints the answer of each precision, the cost with each accelerator, and the result of exact \
 arithmetic on every primitive.";
+
+pub(in crate::cli) const TREE: &str = "\
+Show the tree of a scene: nodes, leaves and surface areas by depth, sizes of leaves, the SAH cost, \
+and pictures of its boxes.
+
+Examples:
+  feimos tree scene.pbrt                            Its figures
+  feimos tree scene.pbrt --accel hlbvh --json       Those of a method
+  feimos tree scene.pbrt -o boxes.png --depth 3,6   A picture of boxes
+
+Objects of instances have trees of their own, each shown once. Pictures and meshes show the boxes \
+around primitives in no instance, and around instances.";
 
 pub(in crate::cli) const MERGE: &str = "\
 Merge crops of one film: into the file that one process would have written, byte for byte.

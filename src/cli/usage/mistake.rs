@@ -90,7 +90,7 @@ fn quoted(argument: &str) -> String {
 }
 
 fn is_like_scene(path: &Path) -> bool {
-    const EXTENSIONS: [&str; 4] = ["pbrt", "ply", "obj", "gz"];
+    const EXTENSIONS: [&str; 6] = ["pbrt", "ply", "obj", "stl", "off", "gz"];
     let extension = path.extension().and_then(|extension| extension.to_str());
     extension.is_some_and(|found| EXTENSIONS.contains(&found)) || path.exists()
 }

@@ -6,13 +6,20 @@
 //! happens for one angle in some hundreds, integers do (Ziv, "Fast evaluation of elementary
 //! mathematical functions with correctly rounded last bit", 1991).
 
-use super::{Bracket, pi, series};
+use super::series::{Bracket, pi, series};
 use crate::exact::Dyadic;
+use crate::exact::pair::Pair;
 use num_bigint::BigInt;
 use std::sync::LazyLock;
 
 /// The parts of a quarter turn in the table.
-const PARTS: u64 = 32;
+pub(super) const PARTS: u64 = 32;
+
+/// pi, off by less than 2^-109.
+pub(super) const PI: Pair = Pair {
+    high: std::f64::consts::PI,
+    low: 1.224_646_799_147_353_2e-16,
+};
 
 /// Bounds the relative error of a quick result. The cubic term of the series is less than 2^-13 of
 /// the sine of the rest, and takes less than four roundings of 2^-53; the sums of small terms take
@@ -45,16 +52,14 @@ fn sine_of_part(numerator: u64, denominator: u64) -> f64 {
     quick_sine(numerator, denominator).unwrap_or_else(|| exact_sine(numerator, denominator))
 }
 
-/// A sum of two `f64`, the second of which is at most half a unit in the last place of the first.
-type Pair = [f64; 2];
-
 /// The sine of each part of a quarter turn.
 static SINES: LazyLock<[Pair; PARTS as usize + 1]> = LazyLock::new(|| {
     std::array::from_fn(|part| {
         let [low, high] = exact_ends(part as u64, PARTS, 160);
         let middle = &(&low + &high) * &Dyadic::from(0.5);
         let first = exact_sine(part as u64, PARTS);
-        [first, (&middle - &Dyadic::from(first)).to_f64()]
+        let low = (&middle - &Dyadic::from(first)).to_f64();
+        Pair { high: first, low }
     })
 });
 
@@ -62,63 +67,59 @@ static SINES: LazyLock<[Pair; PARTS as usize + 1]> = LazyLock::new(|| {
 fn quick_sine(numerator: u64, denominator: u64) -> Option<f64> {
     let part = (2 * PARTS * numerator + denominator) / (2 * denominator);
     let rest = (PARTS * numerator) as i64 - (part * denominator) as i64;
-    let sine = SINES[part as usize];
-    let cosine = SINES[(PARTS - part) as usize];
     let angle = angle_of_rest(rest as f64, denominator as f64);
+    sine_beside(part as usize, angle).nearest_sine(0.0)
+}
+
+/// The sine of a 32nd of a quarter turn times `part`, plus `angle`: radians, at most a 64th of a
+/// quarter turn.
+pub(super) fn sine_beside(part: usize, angle: Pair) -> QuickSine {
+    let (sine, cosine) = (SINES[part], SINES[PARTS as usize - part]);
     // sin r - r, and cos r - 1.
-    let square = product(angle[0], angle[0]);
-    let z = square[0];
+    let square = Pair::of_product(angle.high, angle.high);
+    let z = square.high;
     let cubic = z * (-1.0 / 6.0 + z * (1.0 / 120.0 + z * (-1.0 / 5040.0 + z / 362_880.0)));
-    let small_sine = angle[1] * (1.0 - 0.5 * z) + angle[0] * cubic;
+    let small_sine = angle.low * (1.0 - 0.5 * z) + angle.high * cubic;
     let quartic = z * z * (1.0 / 24.0 + z * (-1.0 / 720.0 + z / 40_320.0));
-    let small_cosine = quartic - (0.5 * square[1] + angle[0] * angle[1]);
+    let small_cosine = quartic - (0.5 * square.low + angle.high * angle.low);
     // sin(a + r) = sin a + cos a sin r + sin a (cos r - 1)
-    let along = product(cosine[0], angle[0]);
-    let across = product(sine[0], -0.5 * z);
-    let first = sum(sine[0], along[0]);
-    let second = sum(first[0], across[0]);
-    let small = ((sine[1] + cosine[1] * angle[0]) + (along[1] + across[1]))
-        + (first[1] + second[1])
-        + (cosine[0] * small_sine + sine[0] * small_cosine);
-    let error = QUICK_ERROR * second[0].abs();
-    let [low, high] = [small - error, small + error].map(|small| second[0] + small);
-    (low == high).then_some(low)
+    let along = Pair::of_product(cosine.high, angle.high);
+    let across = Pair::of_product(sine.high, -0.5 * z);
+    let first = Pair::of_sum(sine.high, along.high);
+    let second = Pair::of_sum(first.high, across.high);
+    let small = ((sine.low + cosine.low * angle.high) + (along.low + across.low))
+        + (first.low + second.low)
+        + (cosine.high * small_sine + sine.high * small_cosine);
+    QuickSine {
+        large: second.high,
+        small,
+    }
+}
+
+/// A sine as a sum, off by at most [`QUICK_ERROR`] of itself.
+pub(super) struct QuickSine {
+    large: f64,
+    small: f64,
+}
+
+impl QuickSine {
+    /// The nearest `f64`, if the error bound decides it. `more` is the error of the angle.
+    pub(super) fn nearest_sine(&self, more: f64) -> Option<f64> {
+        let error = QUICK_ERROR * self.large.abs() + more;
+        let [low, high] = [self.small - error, self.small + error].map(|small| self.large + small);
+        (low == high).then_some(low)
+    }
 }
 
 /// The angle of `rest / (32 * denominator)` quarter turns in radians.
 fn angle_of_rest(rest: f64, denominator: f64) -> Pair {
     const SCALE: f64 = 1.0 / (2 * PARTS) as f64;
-    const PI: Pair = [
-        std::f64::consts::PI * SCALE,
-        1.224_646_799_147_353_2e-16 * SCALE,
-    ];
     let quotient = rest / denominator;
-    let back = product(quotient, denominator);
-    let remainder = ((rest - back[0]) - back[1]) / denominator;
-    let angle = product(quotient, PI[0]);
-    let small = angle[1] + (quotient * PI[1] + remainder * PI[0]);
-    sum(angle[0], small)
-}
-
-/// A sum without an error (Knuth, "The Art of Computer Programming", volume 2).
-fn sum(a: f64, b: f64) -> Pair {
-    let sum = a + b;
-    let part = sum - a;
-    [sum, (a - (sum - part)) + (b - part)]
-}
-
-/// A product without an error (Dekker, "A floating-point technique for extending the available
-/// precision", 1971). No factor is near the ends of the range.
-fn product(a: f64, b: f64) -> Pair {
-    const SPLIT: f64 = ((1u64 << 27) + 1) as f64;
-    let halves = |x: f64| {
-        let scaled = SPLIT * x;
-        let high = scaled - (scaled - x);
-        [high, x - high]
-    };
-    let ([a0, a1], [b0, b1]) = (halves(a), halves(b));
-    let product = a * b;
-    [product, ((a0 * b0 - product) + a0 * b1 + a1 * b0) + a1 * b1]
+    let back = Pair::of_product(quotient, denominator);
+    let remainder = ((rest - back.high) - back.low) / denominator;
+    let angle = Pair::of_product(quotient, PI.high * SCALE);
+    let small = angle.low + (quotient * (PI.low * SCALE) + remainder * (PI.high * SCALE));
+    Pair::of_sum(angle.high, small)
 }
 
 /// The sine by integers, with ever more bits.

@@ -20,7 +20,7 @@ use exr::meta::{BlockDescription, MetaData, magic_number};
 #[cfg(test)]
 mod tests;
 
-use super::{CameraAttributes, Channel, Image, Metadata, PixelBounds, Samples};
+use super::{CameraAttributes, Channel, ChannelName, Image, Metadata, PixelBounds, Samples};
 use crate::progress::Progress;
 
 /// The name of the attribute with the metadata of the caller. There is only one, because the `exr`
@@ -35,10 +35,25 @@ pub fn write(
     out: &mut (impl Write + Seek + Send),
     progress: Progress,
 ) -> io::Result<()> {
+    write_channels(image, &all_names(image), metadata, out, progress)
+}
+
+fn all_names(image: &Image) -> Vec<ChannelName> {
+    image.channels.iter().map(|channel| channel.name).collect()
+}
+
+/// Like [`write()`], but only those channels of `image` that `names` lists.
+pub fn write_channels(
+    image: &Image,
+    names: &[ChannelName],
+    metadata: &Metadata,
+    out: &mut (impl Write + Seek + Send),
+    progress: Progress,
+) -> io::Result<()> {
     image
         .validate()
         .map_err(|problem| io::Error::new(io::ErrorKind::InvalidInput, problem))?;
-    let channels = sorted_channels(image, metadata);
+    let channels = sorted_channels(image, names, metadata);
     let header = header(image, &channels, metadata)
         .and_then(|header| encode(&[header]))
         .map_err(into_io)?;
@@ -56,8 +71,13 @@ fn encode(headers: &[Header]) -> Result<Vec<u8>, ExrError> {
 }
 
 /// The channels in the order of their names in the file, by bytes, as the format demands.
-fn sorted_channels<'a>(image: &'a Image, metadata: &Metadata) -> Vec<&'a Channel> {
-    let mut channels: Vec<&Channel> = image.channels.iter().collect();
+fn sorted_channels<'a>(
+    image: &'a Image,
+    names: &[ChannelName],
+    metadata: &Metadata,
+) -> Vec<&'a Channel> {
+    let channels = image.channels.iter();
+    let mut channels: Vec<&Channel> = channels.filter(|c| names.contains(&c.name)).collect();
     channels.sort_by_key(|channel| metadata.name_in_file(channel.name));
     channels
 }

@@ -1,6 +1,6 @@
 //! The depth16 view: depth as 16-bit integers, for programs.
 
-use super::samples::measures;
+use super::samples::{measures, pixel_at};
 use crate::film::{ChannelName, Image};
 use rayon::prelude::*;
 use std::fmt;
@@ -69,13 +69,8 @@ impl Depth16 {
                 .zip(a)
                 .position(|sample| number(sample).is_none())
                 .unwrap_or(0);
-            let (window, width) = (image.data_window, image.data_window.width() as usize);
-            let pixel = [
-                window.x0 + (place % width) as u32,
-                window.y0 + (place / width) as u32,
-            ];
             return Ok(Err(Unfit {
-                pixel,
+                pixel: pixel_at(image, place),
                 depth: z[place],
                 fitting_scale: self.fitting_scale(z, a),
             }));

@@ -16,6 +16,15 @@ pub(super) fn numbers(image: &Image, name: ChannelName) -> io::Result<&[u32]> {
     available(image, name, Image::numbers)
 }
 
+/// Column and row, on the film, of the sample at `place` of a channel.
+pub(super) fn pixel_at(image: &Image, place: usize) -> [u32; 2] {
+    let (window, width) = (image.data_window, image.data_window.width() as usize);
+    [
+        window.x0 + (place % width) as u32,
+        window.y0 + (place / width) as u32,
+    ]
+}
+
 /// Checks the image and takes the samples of a channel with `samples`.
 fn available<T>(
     image: &Image,

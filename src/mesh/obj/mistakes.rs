@@ -3,10 +3,10 @@
 use std::ops::Range;
 use std::path::Path;
 
-use super::lexer::Statements;
 use super::plain::{index, is_corner, parse_index};
 use crate::decimal;
 use crate::error::{Diagnostic, SourceLocation};
+use crate::mesh::lexer::Statements;
 use crate::mesh::quote::quote;
 
 /// The first mistake in `text`, with a note about the next one; `None` if there is none.

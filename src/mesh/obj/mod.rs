@@ -4,7 +4,6 @@
 //! which are ignored. Vertices come in the order in which faces use them, each once; those without
 //! a face are left out.
 
-mod lexer;
 mod mistakes;
 mod parallel;
 mod plain;
@@ -14,37 +13,34 @@ mod tests;
 
 use std::path::Path;
 
-use self::lexer::Statements;
-use super::{CornerWants, Loaded, signature};
-use crate::error::{Diagnostic, Error, Result, SourceLocation};
-use crate::input::{Budget, gzip};
+use super::lexer::Statements;
+use super::{CornerWants, Loaded, MeshFormat};
+use crate::error::Result;
+use crate::input::{Budget, without_utf8_mark};
 
-/// Reads the bytes of an OBJ file, compressed or not, with what `wants` says of its corners;
-/// `path` is for messages only.
+/// Parses the content of an OBJ file, with what `wants` says of its corners; `path` is for messages
+/// only.
 pub(super) fn parse(
     path: &Path,
-    bytes: &[u8],
+    content: &[u8],
     wants: CornerWants,
     budget: &Budget,
 ) -> Result<Loaded> {
-    gzip::parsed(path, bytes, budget, |content| {
-        let text = signature::without_utf8_mark(content);
-        if let Some(found) = signature::describe(text) {
-            let diagnostic = Diagnostic::new(format!("not an OBJ mesh: this is {found}"));
-            return Err(Error::bad_input(diagnostic.at(SourceLocation::file(path))));
-        }
-        let has =
-            |keyword: &[u8]| Statements::new(text).any(|statement| statement.keyword() == keyword);
-        let found = CornerWants {
-            uv: wants.uv && has(b"vt"),
-            normals: wants.normals && has(b"vn"),
-        };
-        if found != CornerWants::NOTHING {
-            return reader::read(path, text, found, budget);
-        }
-        match parallel::read(text, budget) {
-            Some(mesh) => Ok(Loaded::new(path, mesh, Vec::new())),
-            None => reader::read(path, text, CornerWants::NOTHING, budget),
-        }
-    })
+    let text = without_utf8_mark(content);
+    if let Some(error) = MeshFormat::Obj.refused(path, text) {
+        return Err(error);
+    }
+    let has =
+        |keyword: &[u8]| Statements::new(text).any(|statement| statement.keyword() == keyword);
+    let found = CornerWants {
+        uv: wants.uv && has(b"vt"),
+        normals: wants.normals && has(b"vn"),
+    };
+    if found != CornerWants::NOTHING {
+        return reader::read(path, text, found, budget);
+    }
+    match parallel::read(text, budget) {
+        Some(mesh) => Ok(Loaded::new(path, mesh, Vec::new())),
+        None => reader::read(path, text, CornerWants::NOTHING, budget),
+    }
 }

@@ -10,10 +10,10 @@ use std::io::{self, BufRead, Read};
 use std::ops::Range;
 use std::path::Path;
 
-use super::lexer::{Statement, Statements};
 use crate::decimal;
 use crate::error::Diagnostic;
 use crate::mesh::CornerWants;
+use crate::mesh::lexer::{Statement, Statements};
 use crate::mesh::tally::Tally;
 
 /// Statements of OBJ that do not shape the mesh.

@@ -5,7 +5,8 @@ use std::path::Path;
 
 use super::header_lines::{Lines, Words};
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
-use crate::mesh::signature;
+use crate::input::without_utf8_mark;
+use crate::mesh::MeshFormat;
 use crate::mesh::tally::Tally;
 
 /// The encoding of the values.
@@ -143,7 +144,7 @@ struct Reader<'a> {
 
 impl<'a> Reader<'a> {
     fn begin(path: &'a Path, content: &'a [u8]) -> Result<Reader<'a>> {
-        let mark = content.len() - signature::without_utf8_mark(content).len();
+        let mark = content.len() - without_utf8_mark(content).len();
         let mut lines = Lines::new(content, mark);
         let first = lines.next().unwrap_or(mark..content.len());
         if content[first].trim_ascii() == b"ply" {
@@ -153,11 +154,10 @@ impl<'a> Reader<'a> {
                 lines,
             });
         }
-        let diagnostic = match signature::describe(content) {
-            Some(found) => Diagnostic::new(format!("not a PLY mesh: this is {found}")),
-            None => Diagnostic::new("not a PLY mesh").note("expected the first line to be `ply`"),
-        };
-        Err(Error::bad_input(diagnostic.at(SourceLocation::file(path))))
+        Err(MeshFormat::Ply.refused(path, content).unwrap_or_else(|| {
+            let diagnostic = Diagnostic::new("not a PLY mesh").at(SourceLocation::file(path));
+            Error::bad_input(diagnostic.note("expected the first line to be `ply`"))
+        }))
     }
 
     fn encoding(&mut self) -> Result<Encoding> {

@@ -41,46 +41,32 @@ pub(super) fn read_fast(path: &Path, storage: &Storage, budget: &Budget) -> Opti
     }
 }
 
-/// Reads the bytes of any PLY file, after [`read_fast`] has refused it.
-pub(super) fn parse(path: &Path, bytes: &[u8], budget: &Budget) -> Result<Loaded> {
-    let is_compressed = gzip::is_in(&Storage::Memory(bytes));
-    gzip::parsed(path, bytes, budget, |content| {
-        // The content may be in the usual form even if it could not be read as a stream.
-        let fast = match is_compressed {
-            true => parallel::read(path, &Storage::Memory(content)),
-            false => None,
-        };
-        match fast {
-            Some(loaded) => Ok(loaded),
-            None => {
-                let header = Header::parse(path, content)?;
-                read(path, content, header, CornerWants::NOTHING, budget)
-            }
-        }
-    })
-}
-
-/// Reads the bytes of any PLY file, with what `wants` says of the vertices, if it has that.
-pub(super) fn parse_with_corners(
+/// Parses the content of any PLY file, with what `wants` says of the vertices, if it has that.
+/// `is_refused` if [`read_fast`] has refused just this content.
+pub(super) fn parse(
     path: &Path,
-    bytes: &[u8],
+    content: &[u8],
+    is_refused: bool,
     wants: CornerWants,
     budget: &Budget,
 ) -> Result<Loaded> {
-    gzip::parsed(path, bytes, budget, |content| {
-        let header = Header::parse(path, content)?;
-        let mut vertices = header
-            .elements
-            .iter()
-            .filter(|element| element.name == "vertex");
-        if vertices.any(|element| found_of(element, wants) != CornerWants::NOTHING) {
-            return read(path, content, header, wants, budget);
-        }
-        match parallel::read(path, &Storage::Memory(content)) {
-            Some(loaded) => Ok(loaded),
-            None => read(path, content, header, CornerWants::NOTHING, budget),
-        }
-    })
+    let header = Header::parse(path, content)?;
+    let mut vertices = header
+        .elements
+        .iter()
+        .filter(|element| element.name == "vertex");
+    if vertices.any(|element| found_of(element, wants) != CornerWants::NOTHING) {
+        return read(path, content, header, wants, budget);
+    }
+    // The content may be in the usual form even if it could not be read as a stream.
+    let fast = match is_refused {
+        true => None,
+        false => parallel::read(path, &Storage::Memory(content)),
+    };
+    match fast {
+        Some(loaded) => Ok(loaded),
+        None => read(path, content, header, CornerWants::NOTHING, budget),
+    }
 }
 
 fn read(

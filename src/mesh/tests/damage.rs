@@ -1,6 +1,6 @@
 use proptest::prelude::*;
 
-use super::{gzipped, obj, ply, uv::with_uv};
+use super::{gzipped, obj, ply, stl, uv::with_uv};
 use crate::error::Result;
 use crate::mesh::{Loaded, MeshFormat};
 
@@ -14,6 +14,13 @@ const ASCII_UV: &[u8] = b"ply\nformat ascii 1.0\nelement vertex 3\nproperty floa
     property double v\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 .5 0 0 1\n1 .25 0 0 2\n0 0 1 0 3\n3 0 1 2\n";
 const OBJ: &[u8] =
     b"v 0 0 0\nv 1 0 0\nv 0 1 0 2\nv 1 1 0 .5 .5 .5\no a\nf 1 2 3\nvt .5 .25\nvt 1\nf -1/1 -2//1 -3/2/1\\\n -4 1\nl 1 2 3\n";
+
+const OFF: &[u8] =
+    b"STNOFF\n5 2 0\n0 0 0 0 0 1 .5 1\n1 0 0 0 0 1 0 0\n1 1 0 0 0 1 0 0\n.5 .5 0 0 0 1 1 1\n\
+    0 1 0 0 0 1 0 0\n5 0 1 2 3 4 .5\n3 0 1 2\n";
+const STL: &[u8] =
+    b"solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n\
+    endloop\nendfacet\nendsolid\n";
 
 /// Memory stays in proportion to the file, whatever the file says.
 fn check(bytes: &[u8], result: Result<Loaded>) {
@@ -38,7 +45,12 @@ fn check(bytes: &[u8], result: Result<Loaded>) {
 fn read(bytes: &[u8]) {
     check(bytes, ply(bytes));
     check(bytes, obj(bytes));
-    for format in [MeshFormat::Ply, MeshFormat::Obj] {
+    for format in [
+        MeshFormat::Ply,
+        MeshFormat::Obj,
+        MeshFormat::Stl,
+        MeshFormat::Off,
+    ] {
         check(bytes, with_uv(bytes, format));
     }
 }
@@ -49,6 +61,9 @@ fn any_mesh() -> impl Strategy<Value = Vec<u8>> {
         Just(ASCII_UV.to_vec()),
         Just(BINARY.to_vec()),
         Just(OBJ.to_vec()),
+        Just(OFF.to_vec()),
+        Just(STL.to_vec()),
+        Just(stl::binary(b"solid")),
         Just(gzipped(ASCII))
     ]
 }
@@ -57,8 +72,8 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
     #[test]
-    fn survives_noise(bytes in proptest::collection::vec(any::<u8>(), 0..200), start in 0..4_usize) {
-        let starts: [&[u8]; 4] = [b"", b"ply\nformat ascii 1.0\n", &BINARY[..BINARY.len() - 20], b"v 1 2 3\nf"];
+    fn survives_noise(bytes in proptest::collection::vec(any::<u8>(), 0..200), start in 0..6_usize) {
+        let starts: [&[u8]; 6] = [b"", b"OFF\n3 ", b"solid a\nfacet normal 0 0 1\nouter loop\n", b"ply\nformat ascii 1.0\n", &BINARY[..BINARY.len() - 20], b"v 1 2 3\nf"];
         read(&[starts[start], &bytes].concat());
     }
 
@@ -89,7 +104,13 @@ fn reads_the_meshes_before_they_are_damaged() {
     assert_eq!(ply(ASCII).map(|loaded| loaded.mesh.triangles.len()), Ok(4));
     assert_eq!(ply(BINARY).map(|loaded| loaded.mesh.triangles.len()), Ok(5));
     assert_eq!(obj(OBJ).map(|loaded| loaded.mesh.triangles.len()), Ok(4));
-    for (mesh, format) in [(ASCII_UV, MeshFormat::Ply), (OBJ, MeshFormat::Obj)] {
+    assert_eq!(ply(OFF).map(|loaded| loaded.mesh.triangles.len()), Ok(4));
+    assert_eq!(ply(STL).map(|loaded| loaded.mesh.triangles.len()), Ok(1));
+    for (mesh, format) in [
+        (ASCII_UV, MeshFormat::Ply),
+        (OBJ, MeshFormat::Obj),
+        (OFF, MeshFormat::Off),
+    ] {
         assert!(with_uv(mesh, format).unwrap().mesh.uv.is_some());
     }
 }

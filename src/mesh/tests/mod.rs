@@ -3,9 +3,11 @@
 mod damage;
 mod normals;
 mod obj;
+mod off;
 mod ply;
 mod ply_messages;
 mod polygon;
+mod stl;
 mod uv;
 
 use std::io::Write;

@@ -248,8 +248,9 @@ fn says_what_a_file_is_instead() {
         message(obj(utf16)),
         "a.obj: not an OBJ mesh: this is UTF-16 text"
     );
+    let reads = "feimos reads PBRT scenes, and PLY, OBJ, STL and OFF meshes";
     assert_eq!(
-        message(obj("ply\nformat ascii 1.0\n")),
-        "a.obj: not an OBJ mesh: this is a PLY mesh"
+        message(obj("Kaydara FBX Binary  \0\x1a\0")),
+        format!("a.obj: not an OBJ mesh: this is an FBX file\n   = {reads}")
     );
 }

@@ -99,7 +99,7 @@ impl CameraParameters {
     /// Whether the camera looks through a window of its own.
     fn has_screen_window(&self) -> bool {
         match &self.lens {
-            Lens::Known(projection) => projection.is_planar(),
+            Lens::Known(projection) => projection.is_linear(),
             Lens::Realistic(_) => false,
         }
     }

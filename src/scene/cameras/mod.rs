@@ -1,14 +1,9 @@
 //! Cameras: the `Camera` directive, and lists of cameras in files of their own.
 
 mod camera_directive;
-mod intrinsics;
-mod json;
 mod lens_file;
-mod poses;
+mod list;
 mod realistic;
-mod scalar;
-#[cfg(test)]
-mod tests;
 
 pub(super) use camera_directive::CameraParameters;
-pub use poses::{Pose, parse_poses, read_poses};
+pub use list::{Pose, parse_colmap, parse_poses, pose_files, read_poses};

@@ -258,7 +258,8 @@ impl SceneBuilder {
         self.shape_count = number;
         self.state.transform.record_shape();
         if let Some(locations) = &mut self.locations {
-            locations.add_shape(&entity.name.text, keyword);
+            let (matrix, is_light) = (self.state.transform.matrix(), self.state.is_light);
+            locations.add_shape(&entity.name.text, keyword, &matrix, is_light);
         }
         Ok(number)
     }
@@ -281,8 +282,7 @@ impl SceneBuilder {
                 .note("expected Camera and Film, WorldBegin, and then the shapes");
             return Err(Error::bad_input(diagnostic));
         }
-        let resolution = self.options.resolution;
-        let (camera, film, accelerator) = self.entities.resolve(path, resolution)?;
+        let (camera, film, accelerator) = self.entities.resolve(path, self.options.resolution)?;
         let (geometry, transform_count) = self.objects.finish();
         Ok(Scene {
             camera,

@@ -5,12 +5,12 @@ use crate::input::advise_beside;
 use crate::mesh::MeshFormat;
 use crate::scene::parameters::Parameters;
 
-/// Adds the triangles of a PLY file.
+/// Adds the triangles of a mesh file: PLY, unless its content says otherwise.
 pub(super) fn add_ply(parameters: &mut Parameters, target: &mut ShapeTarget) -> ShapeResult<()> {
     add(parameters, target, MeshFormat::Ply)
 }
 
-/// Adds the triangles of an OBJ file.
+/// Adds the triangles of a mesh file: OBJ, unless its content says otherwise.
 pub(super) fn add_obj(parameters: &mut Parameters, target: &mut ShapeTarget) -> ShapeResult<()> {
     add(parameters, target, MeshFormat::Obj)
 }

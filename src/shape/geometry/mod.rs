@@ -16,6 +16,7 @@ mod patches;
 mod pose;
 mod runs;
 mod segments;
+mod shape_runs;
 mod sizes;
 mod surface_attributes;
 #[cfg(test)]
@@ -29,6 +30,7 @@ pub use instance::Instance;
 pub use non_finite::NonFiniteCounts;
 pub use pose::Pose;
 pub use runs::CapacityError;
+pub use shape_runs::ShapeRun;
 pub use vertex_normals::CornerNormals;
 
 use crate::geometry::{Matrix, Point};
@@ -291,9 +293,7 @@ impl Geometry {
         if let [mesh] = &self.meshes[..] {
             return mesh;
         }
-        &self.meshes[self
-            .meshes
-            .partition_point(|run| run.first_triangle <= triangle)
-            - 1]
+        let starts = |run: &MeshRun| run.first_triangle <= triangle;
+        &self.meshes[self.meshes.partition_point(starts) - 1]
     }
 }

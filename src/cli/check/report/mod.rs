@@ -1,15 +1,22 @@
 //! The report on a scene: one struct for `--json`, whose keys are its field names, and for text.
 
+mod bounds;
+mod shape_list;
 mod text;
+mod view;
 
+use super::checked::Checked;
 use crate::cli::terminal::scene_summary::StoredGeometry;
+use bounds::Bounds;
 use feimos::camera::{Camera, SphereMapping};
 use feimos::error::{Diagnostic, Error};
 use feimos::film::PixelBounds;
-use feimos::scene::{AcceleratorParameters, Film, Listed, Scene, ShapeCount, Warning};
+use feimos::scene::{AcceleratorParameters, Film, Listed, ShapeCount, Warning};
 use serde::Serialize;
+use shape_list::ShapeEntry;
 use std::collections::BTreeMap;
 use std::path::Path;
+use view::ViewContent;
 
 #[derive(Debug, Serialize)]
 pub(super) struct Report<'a> {
@@ -53,6 +60,11 @@ struct Content<'a> {
     transforms: usize,
     bytes: usize,
     bounds: Option<Bounds>,
+    /// What each camera may see.
+    views: Vec<ViewContent<'a>>,
+    /// Each shape and instance, if the user asks for them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    listed_shapes: Option<Vec<ShapeEntry<'a>>>,
     directives: BTreeMap<&'a str, u64>,
     skipped: BTreeMap<&'a str, u64>,
     unknown: BTreeMap<&'a str, u64>,
@@ -87,16 +99,12 @@ struct ShapeContent {
 }
 
 #[derive(Debug, Serialize)]
-struct Bounds {
-    low: [f64; 3],
-    high: [f64; 3],
-}
-
-#[derive(Debug, Serialize)]
 struct CameraContent {
     projection: &'static str,
     /// How a spherical camera maps directions to the film.
     mapping: Option<&'static str>,
+    /// The coefficients of a lens that distorts.
+    distortion: Option<Vec<f64>>,
     /// Degrees, across the shorter side of the usual screen window.
     fov: Option<f64>,
     eye: [f64; 3],
@@ -121,8 +129,15 @@ struct AcceleratorContent<'a> {
 }
 
 impl<'a> Report<'a> {
-    pub(super) fn new(path: &Path, exit_code: u8, result: &'a Result<Scene, Error>) -> Report<'a> {
-        let warnings = result.iter().flat_map(|scene| scene.warnings.iter());
+    /// The report on the scene `path`, with a list of all shapes if `lists_shapes`.
+    pub(super) fn new(
+        path: &Path,
+        exit_code: u8,
+        result: &'a Result<Checked, Error>,
+        lists_shapes: bool,
+    ) -> Report<'a> {
+        let warnings = result.iter().flat_map(|checked| checked.warnings.iter());
+        let content = |checked| Content::new(checked, lists_shapes);
         Report {
             scene: path.display().to_string(),
             exit_code,
@@ -131,7 +146,7 @@ impl<'a> Report<'a> {
                 .err()
                 .map(|error| Message::new(error.diagnostic())),
             warnings: warnings.map(CountedWarning::new).collect(),
-            content: result.as_ref().ok().map(Content::new),
+            content: result.as_ref().ok().map(content),
         }
     }
 }
@@ -157,7 +172,8 @@ impl<'a> CountedWarning<'a> {
 }
 
 impl<'a> Content<'a> {
-    fn new(scene: &'a Scene) -> Content<'a> {
+    fn new(checked: &'a Checked, lists_shapes: bool) -> Content<'a> {
+        let scene = &checked.scene;
         let (geometry, census) = (&scene.geometry, &scene.census);
         let AcceleratorParameters {
             name,
@@ -179,11 +195,6 @@ impl<'a> Content<'a> {
                 },
             )
         };
-        let extent = geometry.extent();
-        let bounds = Bounds {
-            low: extent.low.to_array(),
-            high: extent.high.to_array(),
-        };
         Content {
             camera: CameraContent::new(&scene.camera),
             film: FilmContent::new(&scene.film),
@@ -198,7 +209,9 @@ impl<'a> Content<'a> {
             never_hit: geometry.never_hit(),
             transforms: scene.transform_count,
             bytes: geometry.bytes(),
-            bounds: (!extent.is_empty()).then_some(bounds),
+            bounds: Bounds::of(&checked.survey.bounds),
+            views: view::contents(checked),
+            listed_shapes: lists_shapes.then(|| shape_list::entries(checked)),
             directives: census.executed().collect(),
             skipped: census.skipped().collect(),
             unknown: census.unknown().collect(),
@@ -229,6 +242,10 @@ impl CameraContent {
         CameraContent {
             projection: camera.projection.name(),
             mapping: camera.projection.sphere_mapping().map(SphereMapping::name),
+            distortion: camera
+                .projection
+                .distortion()
+                .map(|lens| lens.coefficients()),
             fov: camera.projection.field_of_view(),
             eye: camera.anchor().to_array(),
             direction: camera.view_direction().to_array(),

@@ -1,7 +1,7 @@
 //! The report on a scene as text.
 
-use super::{Bounds, CameraContent, FilmContent, Item, List, Report, ShapeContent};
-use crate::cli::terminal::words::{INDENT, counted, line, lines};
+use super::{CameraContent, FilmContent, Item, List, Report, ShapeContent, shape_list};
+use crate::cli::terminal::words::{INDENT, counted, line, lines, short, triple};
 use feimos::error::printable;
 use indicatif::HumanCount;
 use std::collections::BTreeMap;
@@ -9,6 +9,9 @@ use std::fmt::{self, Display, Formatter};
 
 /// Width of text, unless a word is longer.
 const WIDTH: usize = 100;
+
+/// The cameras whose views are shown.
+const SHOWN_VIEWS: usize = 10;
 
 /// Width of the name of a shape type.
 const NAME_WIDTH: usize = 40;
@@ -34,6 +37,13 @@ impl Display for Report<'_> {
             "bounds",
             bounds.as_deref().unwrap_or("nothing that can be hit"),
         )?;
+        for view in content.views.iter().take(SHOWN_VIEWS) {
+            lines(f, "view", view.lines())?;
+        }
+        if content.views.len() > SHOWN_VIEWS {
+            let more = counted((content.views.len() - SHOWN_VIEWS) as u64, "more camera");
+            line(f, "view", &format!("and {more}; --json lists all"))?;
+        }
         let transforms = counted(content.transforms as u64, "transform");
         let bytes = counted(content.bytes as u64, "byte");
         line(f, "memory", &format!("{transforms}, {bytes}"))?;
@@ -50,7 +60,9 @@ impl Display for Report<'_> {
         let textures = "textures that cut holes into shapes: their alpha";
         lines(f, "alpha", content.alpha_textures.lines(textures))?;
         let hidden = "shapes that their alpha hides";
-        lines(f, "hidden", content.hidden_shapes.lines(hidden))
+        lines(f, "hidden", content.hidden_shapes.lines(hidden))?;
+        let listed = content.listed_shapes.as_deref().unwrap_or_default();
+        lines(f, "listed", shape_list::table(listed))
     }
 }
 
@@ -86,12 +98,6 @@ impl Display for FilmContent<'_> {
             write!(f, ", cropped to x {x0} to {x1}, y {y0} to {y1}")?;
         }
         filename.map_or(Ok(()), |name| write!(f, ", {name}"))
-    }
-}
-
-impl Display for Bounds {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        write!(f, "{} to {}", triple(self.low), triple(self.high))
     }
 }
 
@@ -151,40 +157,4 @@ fn wrapped(counts: &BTreeMap<&str, u64>) -> Vec<String> {
         }
     }
     lines
-}
-
-fn triple(numbers: [f64; 3]) -> String {
-    let [x, y, z] = numbers.map(short);
-    format!("({x}, {y}, {z})")
-}
-
-/// A number in six digits.
-fn short(number: f64) -> String {
-    let rounded: f64 = format!("{number:.5e}").parse().unwrap_or(number);
-    match rounded.abs() {
-        0.0 => "0".to_owned(),
-        size if (1e-4..1e9).contains(&size) => rounded.to_string(),
-        _ => format!("{rounded:e}"),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::short;
-
-    #[test]
-    fn numbers_have_six_digits() {
-        let cases = [
-            (0.1 + 0.2, "0.3"),
-            (-0.0, "0"),
-            (1.0 / 3.0, "0.333333"),
-            (123_456_789.0, "123457000"),
-            (-1e300, "-1e300"),
-            (1.5e-7, "1.5e-7"),
-            (f64::INFINITY, "inf"),
-        ];
-        for (number, expected) in cases {
-            assert_eq!(short(number), expected);
-        }
-    }
 }

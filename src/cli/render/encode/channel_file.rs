@@ -66,7 +66,8 @@ impl ChannelFile {
             ChannelFormat::Exr { .. } => {
                 // The header names the depth channel.
                 let metadata = Metadata::of_json(header.unwrap_or_default().to_owned());
-                exr_file::write(image, &Metadata { camera, ..metadata }, out, progress)
+                let metadata = Metadata { camera, ..metadata };
+                exr_file::write_channels(image, &self.channels(), &metadata, out, progress)
             }
             ChannelFormat::Npy => {
                 let field = |aov: &Aov| Field {

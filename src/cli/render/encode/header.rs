@@ -8,10 +8,10 @@ use super::channel_file::{ChannelFile, ChannelFormat};
 use super::content::Content;
 use super::view_file::ViewFile;
 use feimos::accel::{Precision, SplitMethod};
-use feimos::camera::SphereMapping;
+use feimos::camera::Projection;
 use feimos::digest::Digest;
 use feimos::film::view::Depth16;
-use feimos::film::{Aov, ColorRange, DEPTH_CHANNEL, MISS, PixelBounds};
+use feimos::film::{Aov, ColorRange, DEPTH_CHANNEL, MISS, PixelBounds, View};
 use serde_json::{Map, Value, json};
 
 /// How the pixels of an image were made.
@@ -19,8 +19,8 @@ use serde_json::{Map, Value, json};
 pub(crate) struct Provenance {
     /// Digest of the scene and the camera.
     pub(crate) scene: Digest,
-    /// The mapping of a spherical camera.
-    pub(crate) mapping: Option<SphereMapping>,
+    /// How rays leave the camera.
+    pub(crate) projection: Projection,
     pub(crate) precision: Precision,
     pub(crate) accel: SplitMethod,
     /// Width and height of the film.
@@ -35,15 +35,22 @@ impl Provenance {
         header.insert("version".into(), env!("CARGO_PKG_VERSION").into());
         header.insert("scene".into(), self.scene.to_string().into());
         header.insert("precision".into(), self.precision.name().into());
-        if let Some(mapping) = self.mapping {
-            header.insert("camera".into(), "spherical".into());
+        if !self.projection.is_linear() {
+            header.insert("camera".into(), self.projection.name().into());
+        }
+        if let Some(mapping) = self.projection.sphere_mapping() {
             header.insert("mapping".into(), mapping.name().into());
+        }
+        if let Some(lens) = self.projection.distortion() {
+            header.insert("distortion".into(), lens.coefficients().into());
         }
         if content.needs_tree() {
             header.insert("accelerator".into(), self.accel.name().into());
         }
         match content {
-            Content::Channels(file) => add_channels(file, self.mapping.is_some(), &mut header),
+            Content::Channels(file) => {
+                add_channels(file, self.projection.has_planar_depth(), &mut header)
+            }
             Content::View(file) => add_view(file, self, &mut header),
         }
         Value::Object(header).to_string()
@@ -51,12 +58,12 @@ impl Provenance {
 }
 
 /// Adds the channels of an EXR; its windows are attributes of their own.
-fn add_channels(file: &ChannelFile, is_spherical: bool, header: &mut Map<String, Value>) {
+fn add_channels(file: &ChannelFile, has_planar_depth: bool, header: &mut Map<String, Value>) {
     header.insert(MISS.into(), number(file.miss));
     for aov in &file.aovs {
         let meaning = match aov {
             // Without a plane, both depths are the distance.
-            Aov::Z if is_spherical => meaning(Aov::T, file.within_instances),
+            Aov::Z if !has_planar_depth => meaning(Aov::T, file.within_instances),
             _ => meaning(*aov, file.within_instances),
         };
         header.insert(aov.name().into(), meaning.into());
@@ -103,19 +110,23 @@ fn meaning(aov: Aov, within_instances: bool) -> &'static str {
 
 fn add_view(file: &ViewFile, provenance: &Provenance, header: &mut Map<String, Value>) {
     let PixelBounds { x0, x1, y0, y1 } = provenance.window;
-    header.insert("view".into(), file.view().name().into());
+    header.insert("view".into(), file.view.name().into());
     header.insert("film".into(), json!(provenance.film));
     header.insert("window".into(), json!([x0, x1, y0, y1]));
-    match file {
-        ViewFile::Depth { colors, range } | ViewFile::Cost { colors, range } => {
-            let range = range.map(|ColorRange { start, end }| [start, end]);
-            header.insert("colormap".into(), colors.name().into());
-            header.insert("range".into(), json!(range));
-        }
-        ViewFile::Depth16(Depth16 { scale, miss }) => {
-            header.insert("scale".into(), json!(scale));
-            header.insert(MISS.into(), json!(miss));
-        }
-        ViewFile::Hit | ViewFile::Normal | ViewFile::Id => {}
+    if file.view.has_color_map() {
+        let range = file.range.map(|ColorRange { start, end }| [start, end]);
+        header.insert("colormap".into(), file.colors.name().into());
+        header.insert("range".into(), json!(range));
+    }
+    if file.view == View::Depth16 {
+        let Depth16 { scale, miss } = file.depth16;
+        header.insert("scale".into(), json!(scale));
+        header.insert(MISS.into(), json!(miss));
+    }
+    if let Some(background) = &file.background {
+        header.insert("background".into(), background.to_string().into());
+    }
+    if file.has_legend {
+        header.insert("legend".into(), true.into());
     }
 }

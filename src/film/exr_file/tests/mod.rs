@@ -108,12 +108,11 @@ fn assert_survives(image: &Image) {
         Vec2(window.x0 as i32, window.y0 as i32)
     );
     assert_eq!(layer.channel_data.list.len(), image.channels.len());
-    for (found, expected) in layer
-        .channel_data
-        .list
-        .iter()
-        .zip(sorted_channels(image, &Metadata::default()))
-    {
+    for (found, expected) in layer.channel_data.list.iter().zip(sorted_channels(
+        image,
+        &all_names(image),
+        &Metadata::default(),
+    )) {
         assert_eq!(found.name.to_string(), expected.name.to_string());
         let samples = decoded_bits(&found.sample_data);
         assert_eq!(
@@ -224,7 +223,10 @@ fn incompressible_lines_are_stored() {
     let lines = stored_lines(&encoded(&image, "{}"));
     assert_eq!(
         lines[0],
-        exr_zip::bytes_of_row(&sorted_channels(&image, &Metadata::default()), 0..64)
+        exr_zip::bytes_of_row(
+            &sorted_channels(&image, &all_names(&image), &Metadata::default()),
+            0..64
+        )
     );
     assert!(lines[1].len() < 30, "{}", lines[1].len());
     assert_survives(&image);
@@ -239,6 +241,24 @@ fn each_line_is_compressed_alone_in_increasing_order() {
     let encoding = file.layer_data[0].encoding;
     assert_eq!(encoding.compression, exr::compression::Compression::ZIP1);
     assert_eq!(encoding.line_order, LineOrder::Increasing);
+}
+
+#[test]
+fn only_the_named_channels_are_written() {
+    let window = PixelBounds::of_film(9, 9);
+    let names = [ChannelName::Id, ChannelName::Z];
+    let mut file = Cursor::new(Vec::new());
+    let all = picture((9, 9), window, &ChannelName::ALL);
+    write_channels(
+        &all,
+        &names,
+        &Metadata::default(),
+        &mut file,
+        Progress::SILENT,
+    )
+    .unwrap();
+    let two = picture((9, 9), window, &names);
+    assert!(file.into_inner() == encoded(&two, ""));
 }
 
 #[test]

@@ -11,14 +11,21 @@ use crate::input::Storage;
 use crate::input::gzip::{self, Stream};
 use crate::mesh::ply::header::Header;
 use crate::mesh::tests::told;
-use crate::mesh::{Loaded, TriangleMesh, ply};
+use crate::mesh::{CornerWants, Loaded, TriangleMesh, ply};
 
 const PATH: &str = "a.ply";
 
 /// What the reader of everything makes of `bytes`; NaN and negative zero made to differ from other
 /// numbers, and NaN from none.
 fn slowly(bytes: &[u8]) -> String {
-    told(&ply::parse(Path::new(PATH), bytes, &Budget::default()))
+    let wants = CornerWants::NOTHING;
+    told(&ply::parse(
+        Path::new(PATH),
+        bytes,
+        true,
+        wants,
+        &Budget::default(),
+    ))
 }
 
 /// Reads `bytes` in blocks of every kind of size; whatever is read must be what the reader of

@@ -1,5 +1,6 @@
 //! Bounds of how far the roundings of rules R2, R3 and R5 move rays, in the world and on the film.
 
+mod distorted;
 #[cfg(test)]
 mod tests;
 
@@ -7,6 +8,7 @@ use super::bound::{length, with_slack};
 use super::rounded_transform::RoundedTransform;
 use crate::camera::{Camera, Projection, SphereMapping};
 use crate::exact::{Rounded, UNIT_ROUNDOFF as U};
+use distorted::{Shift, bent, bent_in_pixels};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Bounds the error of a component of a spherical camera's direction, which is at most 1: less than
@@ -31,6 +33,10 @@ impl View<'_> {
         if let Some(mapping) = self.camera.projection.sphere_mapping() {
             let direction = mapping.direction(pixel, self.camera.resolution);
             along = direction.map(|x| Rounded::within(x, SPHERE_ERROR));
+        } else if let Some(lens) = self.camera.projection.distortion() {
+            along = bent(&lens, [x, y]);
+        }
+        if !self.camera.projection.has_planar_depth() {
             t = with_slack(with_slack(t / self.ray_length(pixel)));
         }
         let moved = self.rounded.inverse().map(|c| {
@@ -38,7 +44,9 @@ impl View<'_> {
             let [origin, direction] = match self.camera.projection {
                 Projection::Perspective { .. } => [c[3], across + c[2]],
                 Projection::Orthographic => [across + c[3], c[2]],
-                Projection::Spherical(_) => [c[3], across + c[2] * along[2]],
+                Projection::Spherical(_) | Projection::Distorted(_) => {
+                    [c[3], across + c[2] * along[2]]
+                }
             };
             with_slack(origin.error + t * direction.error)
         });
@@ -67,19 +75,30 @@ impl View<'_> {
             let t = f64::from(z.next_down()) / with_slack(self.ray_length(pixel));
             return self.turn_in_pixels(mapping, moved / t, pixel);
         }
+        let in_plane = |plane: [Rounded; 2], axis: usize| {
+            let depth = (f64::from(z.next_down()) - reach(linear(2))).next_down();
+            let sideways = [0, 1, 2].map(|j| rows[axis][j] - plane[axis] * rows[2][j]);
+            if depth > 0.0 {
+                reach(sideways) / depth
+            } else {
+                f64::INFINITY
+            }
+        };
         let (plane, widths) = (self.plane_coordinates(pixel), self.pixel_sizes());
+        if let Some(lens) = self.camera.projection.distortion() {
+            let [x, y, _] = bent(&lens, plane);
+            let around = length([0, 1, 2].map(|k| reach(linear(k))));
+            let t = f64::from(z.next_down()) / with_slack(self.ray_length(pixel));
+            let shift = Shift {
+                in_plane: length([in_plane([x, y], 0), in_plane([x, y], 1), 0.0]),
+                around: with_slack(around / t),
+            };
+            return bent_in_pixels(&lens, plane.map(|x| x.value), widths, shift);
+        }
         let across = |axis: usize| {
             let moved = match self.camera.projection {
-                Projection::Perspective { .. } => {
-                    let depth = (f64::from(z.next_down()) - reach(linear(2))).next_down();
-                    let sideways = [0, 1, 2].map(|j| rows[axis][j] - plane[axis] * rows[2][j]);
-                    if depth > 0.0 {
-                        reach(sideways) / depth
-                    } else {
-                        f64::INFINITY
-                    }
-                }
-                Projection::Orthographic | Projection::Spherical(_) => reach(linear(axis)),
+                Projection::Perspective { .. } => in_plane(plane, axis),
+                _ => reach(linear(axis)),
             };
             with_slack(moved / widths[axis])
         };
@@ -143,7 +162,8 @@ impl View<'_> {
         match self.camera.projection {
             Projection::Perspective { tangent: 1.0 }
             | Projection::Orthographic
-            | Projection::Spherical(_) => Rounded::exactly(1.0),
+            | Projection::Spherical(_)
+            | Projection::Distorted(_) => Rounded::exactly(1.0),
             Projection::Perspective { tangent } => Rounded::nearest(tangent),
         }
     }

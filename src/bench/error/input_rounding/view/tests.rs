@@ -2,7 +2,7 @@
 
 use super::super::high_precision::{self, High, chain};
 use super::*;
-use crate::camera::ScreenWindow;
+use crate::camera::{Distortion, Fisheye, RadialTangential, ScreenWindow};
 use proptest::prelude::*;
 
 fn camera(rounded: &RoundedTransform, projection: Projection) -> Camera {
@@ -206,4 +206,41 @@ fn displacements_are_measured_around_the_eye() {
         f64::INFINITY,
         "the point may be in any direction"
     );
+}
+
+#[test]
+fn steps_on_the_film_of_a_lens_are_pixels_at_most_as_bounded() {
+    let rounded = RoundedTransform::translate([0.0; 3]);
+    let brown = RadialTangential::new([-0.25, 0.0, 0.0, 0.0], [0.0; 3], [0.01, -0.02]);
+    let lenses = [
+        Distortion::RadialTangential(brown.unwrap()),
+        Distortion::Fisheye(Fisheye::new([-0.05, 0.01, 0.0, 0.0]).unwrap()),
+    ];
+    for lens in lenses {
+        let camera = camera(&rounded, Projection::Distorted(lens));
+        let view = View {
+            camera: &camera,
+            rounded: &rounded,
+        };
+        let direction = |[x, y]: [u32; 2]| lens.direction(camera.plane_coordinates(x, y));
+        let mut least = f64::INFINITY;
+        let mut steps = 0;
+        for from in (0..90).flat_map(|y| (0..159).map(move |x| [x, y])) {
+            let Some(a) = direction(from) else { continue };
+            let seen = view.plane_coordinates(from);
+            for (to, pixels) in [([from[0] + 1, from[1]], 1.0), ([from[0], from[1] + 1], 1.0)] {
+                let Some(b) = direction(to) else { continue };
+                let moved = length([0, 1, 2].map(|k| (a[k] - b[k]).abs()));
+                let shift = Shift {
+                    in_plane: moved,
+                    around: moved,
+                };
+                let bound = bent_in_pixels(&lens, seen.map(|x| x.value), view.pixel_sizes(), shift);
+                assert!(bound >= pixels, "{lens:?}: {from:?} to {to:?}: {bound}");
+                least = least.min(bound / pixels);
+                steps += 1;
+            }
+        }
+        assert!(least < 3.0 && steps > 5_000, "{lens:?}: {least}, {steps}");
+    }
 }

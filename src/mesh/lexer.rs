@@ -1,4 +1,4 @@
-//! Splits an OBJ file into statements and words.
+//! Splits the text of an OBJ or OFF file into statements and words.
 
 use std::ops::Range;
 
@@ -15,6 +15,11 @@ pub(super) struct Statements<'a> {
 impl<'a> Statements<'a> {
     pub(super) fn new(text: &'a [u8]) -> Statements<'a> {
         Statements { text, at: 0 }
+    }
+
+    /// The statements from the byte `at` on, which may be within a line.
+    pub(super) fn from(text: &'a [u8], at: usize) -> Statements<'a> {
+        Statements { text, at }
     }
 
     /// The end of the line with the byte `at`.
@@ -65,6 +70,13 @@ impl<'a> Statement<'a> {
     /// The first word; empty if there is none.
     pub(super) fn keyword(&self) -> &'a [u8] {
         self.words().next().map_or(b"", |word| &self.text[word])
+    }
+
+    /// The bytes from its first word to its last one; empty if it has none.
+    pub(super) fn words_span(&self) -> Range<usize> {
+        let mut words = self.words();
+        let first = words.next().unwrap_or(self.span.end..self.span.end);
+        first.start..words.last().unwrap_or(first).end
     }
 
     /// Its words, up to a comment.

@@ -1,4 +1,4 @@
-//! The id view: a colour for each shape.
+//! The views of numbers: a colour for each shape, primitive or instance.
 
 use super::samples::{NOTHING, numbers};
 use crate::film::color_map::Rgb;
@@ -6,13 +6,14 @@ use crate::film::{ChannelName, Image};
 use rayon::prelude::*;
 use std::io;
 
-/// The colours of `image`, row by row from the top; a miss is black. A number has the same colour
-/// in every image. Consecutive numbers never look alike, but some distant ones do.
+/// The colours of the numbers in channel `name` of `image`, row by row from the top; 0, as at a
+/// miss, is black. A number has the same colour in every image. Consecutive numbers never look
+/// alike, but some distant ones do.
 ///
 /// # Errors
-/// The image lacks the channel `id`.
-pub fn id(image: &Image) -> io::Result<Vec<Rgb>> {
-    Ok(numbers(image, ChannelName::Id)?
+/// The image lacks the channel.
+pub fn number(image: &Image, name: ChannelName) -> io::Result<Vec<Rgb>> {
+    Ok(numbers(image, name)?
         .par_iter()
         .map(|number| color_of(*number))
         .collect())
@@ -55,7 +56,7 @@ mod tests {
             data_window: PixelBounds::of_film(2, 2),
             channels,
         };
-        let colors = id(&image).unwrap();
+        let colors = number(&image, ChannelName::Id).unwrap();
         assert_eq!((colors[0], colors[1]), (NOTHING, colors[3]));
         assert!(colors[1] != colors[2]);
         assert!(

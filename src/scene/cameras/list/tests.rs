@@ -126,7 +126,15 @@ fn mistakes_in_a_list_are_reported_with_their_place() {
             "poses.json:2:7: camera 1, `nam`: unknown field `nam`",
         ),
         ("[".to_owned(), "EOF while parsing a list"),
-        ("{}".to_owned(), "invalid type: map, expected a sequence"),
+        ("{}".to_owned(), "`1`: no single place for the camera"),
+        (
+            r#"{"cameras": []}"#.to_owned(),
+            "`cameras`: unknown field `cameras`",
+        ),
+        (
+            "7".to_owned(),
+            "invalid type: integer `7`, expected a sequence",
+        ),
         ("[]".to_owned(), "a list of 0 cameras"),
         (
             r#"[{"lookat": [1, 2]}]"#.to_owned(),
@@ -218,7 +226,9 @@ fn contradictions_of_a_camera_are_reported() {
             "a skew of 2 in `K`",
         ),
         (
-            format!(r#"[{{"K": [[0,0,0],[0,1,0],[0,0,1]], "R": {eye}, "t": [0,0,0]}}]"#),
+            format!(
+                r#"[{{"K": [[0,0,0],[0,1,0],[0,0,1]], "R": {eye}, "t": [0,0,0], "resolution": [2, 2]}}]"#
+            ),
             "not that of a pinhole camera",
         ),
         (
