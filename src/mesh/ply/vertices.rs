@@ -69,12 +69,8 @@ pub(super) fn read<V: Values>(
     let count = element.count;
     let at_header = || reader.in_header(element.span.clone());
     check_count(count, "vertices").map_err(|error| error.or_at(at_header))?;
-    let too_large = || {
-        format!(
-            "{} are too many for this machine's memory",
-            counted(count, "vertex")
-        )
-    };
+    let words = counted(count, "vertex");
+    let too_large = || format!("{words} are too many for this machine's memory");
     memory::check(count.saturating_mul(size_of::<Point>() as u64), too_large)
         .map_err(|error| error.or_at(at_header))?;
     let found = found_of(element, wants);

@@ -249,14 +249,8 @@ fn only_the_named_channels_are_written() {
     let names = [ChannelName::Id, ChannelName::Z];
     let mut file = Cursor::new(Vec::new());
     let all = picture((9, 9), window, &ChannelName::ALL);
-    write_channels(
-        &all,
-        &names,
-        &Metadata::default(),
-        &mut file,
-        Progress::SILENT,
-    )
-    .unwrap();
+    let (metadata, silent) = (Metadata::default(), Progress::SILENT);
+    write_channels(&all, &names, &metadata, &mut file, silent).unwrap();
     let two = picture((9, 9), window, &names);
     assert!(file.into_inner() == encoded(&two, ""));
 }
@@ -289,16 +283,12 @@ fn channels_may_come_in_any_order() {
 
 #[test]
 fn content_that_the_format_cannot_hold_is_an_error() {
+    let is_refused = |image: &Image| {
+        let mut out = Cursor::new(Vec::new());
+        write(image, &metadata("{}"), &mut out, Progress::SILENT).is_err()
+    };
     let none = picture((1, 1), PixelBounds::of_film(1, 1), &[]);
-    assert!(
-        write(
-            &none,
-            &metadata("{}"),
-            &mut Cursor::new(Vec::new()),
-            Progress::SILENT
-        )
-        .is_err()
-    );
+    assert!(is_refused(&none));
     let far = PixelBounds {
         x0: u32::MAX - 1,
         x1: u32::MAX,
@@ -306,13 +296,5 @@ fn content_that_the_format_cannot_hold_is_an_error() {
         y1: 1,
     };
     let far = picture((u32::MAX, 1), far, &[ChannelName::Z]);
-    assert!(
-        write(
-            &far,
-            &metadata("{}"),
-            &mut Cursor::new(Vec::new()),
-            Progress::SILENT
-        )
-        .is_err()
-    );
+    assert!(is_refused(&far));
 }
