@@ -65,12 +65,12 @@ impl Number for Exactly {
 
 /// `1 + c0 s + c1 s^2 + ...`
 pub(super) fn one_and<N: Number>(coefficients: &[f64], s: &N) -> N {
-    let zero = N::from(0.0);
-    let rest = coefficients
-        .iter()
-        .rev()
-        .fold(zero, |sum, c| (sum + N::from(*c)) * s.clone());
-    N::from(1.0) + rest
+    let mut terms = coefficients.iter().rev().skip_while(|c| **c == 0.0);
+    let Some(last) = terms.next() else {
+        return N::from(1.0);
+    };
+    let last = N::from(*last) * s.clone();
+    N::from(1.0) + terms.fold(last, |sum, c| (sum + N::from(*c)) * s.clone())
 }
 
 /// The derivative of [`one_and`] by s.

@@ -30,6 +30,12 @@ pub struct RadialTangential {
     farthest: f64,
 }
 
+/// The square of a step, in parts of the place, whose next one is a rounding.
+const LAST_STEP: f64 = 1e-18;
+
+/// The square of a step, in parts of the place, that leads to the solution in any case.
+const SHORT_STEP: f64 = 1e-12;
+
 /// The largest radius of any lens: 89.1 degrees from the axis.
 const MAX_REACH: f64 = 64.0;
 
@@ -110,15 +116,19 @@ impl RadialTangential {
 
     /// How far `place` appears from `seen`, times the divisor of f.
     fn missing<N: Number>(&self, [x, y]: &[N; 2], seen: [f64; 2]) -> [N; 2] {
-        let [p1, p2] = self.tangential.map(N::from);
         let (xx, yy) = (x.clone() * x.clone(), y.clone() * y.clone());
-        let xy = x.clone() * y.clone();
         let s = xx.clone() + yy.clone();
-        let (over, under) = (one_and(&self.radial, &s), one_and(&self.divisor, &s));
-        let two = || N::from(2.0);
-        let (x2, y2) = (s.clone() + two() * xx, s + two() * yy);
-        let across = two() * p1.clone() * xy.clone() + p2.clone() * x2 - N::from(seen[0]);
-        let down = p1 * y2 + two() * p2 * xy - N::from(seen[1]);
+        let over = one_and(&self.radial, &s);
+        let under = one_and(&self.divisor, &s);
+        let [mut across, mut down] = seen.map(|place| N::from(-place));
+        if self.tangential != [0.0; 2] {
+            let [p1, p2] = self.tangential.map(N::from);
+            let two = || N::from(2.0);
+            let xy = two() * x.clone() * y.clone();
+            let (x2, y2) = (s.clone() + two() * xx, s + two() * yy);
+            across = p1.clone() * xy.clone() + p2.clone() * x2 + across;
+            down = p1 * y2 + p2 * xy + down;
+        }
         [
             x.clone() * over.clone() + across * under.clone(),
             y.clone() * over + down * under,
@@ -155,40 +165,42 @@ impl RadialTangential {
     /// missing, as it does for every gradient of a convex function if it is short enough.
     fn near(&self, seen: [f64; 2]) -> Option<[f64; 2]> {
         let most = self.reach * self.reach;
-        let size = |place: &[f64; 2]| {
-            let missing = self.missing(place, seen);
-            let under = one_and(&self.divisor, &square_length(*place));
+        let size = |place: [f64; 2], missing: [f64; 2]| {
+            let under = one_and(&self.divisor, &square_length(place));
             square_length(missing) / (under * under)
         };
         let mut place = [0.0; 2];
+        let mut missing = self.missing(&place, seen);
         for _ in 0..MAX_STEPS {
-            let step = self.step(place, self.missing(&place, seen));
-            let is_better =
-                |next: &[f64; 2]| square_length(*next) < most && size(next) < size(&place);
+            let step = self.step(place, missing);
+            let is_last = square_length(step) <= LAST_STEP * (1.0 + square_length(place));
+            let before = size(place, missing);
             let mut shares = (0..40).map(|halvings| 0.5f64.powi(halvings));
             let better = shares.find_map(|share| {
                 let next = [0, 1].map(|k| place[k] + share * step[k]);
-                Some(next).filter(is_better)
+                let missing = self.missing(&next, seen);
+                let is_better = square_length(next) < most && size(next, missing) < before;
+                (is_better || is_last).then_some((next, missing))
             });
-            match better {
-                Some(next) => place = next,
-                None => break,
+            let Some(next) = better else {
+                // Roundings may hide that a short step is one: exact arithmetic goes on from here.
+                let is_short = square_length(step) <= SHORT_STEP * (1.0 + square_length(place));
+                return is_short.then_some(place);
+            };
+            (place, missing) = next;
+            if is_last {
+                return Some(place);
             }
         }
-        // The rest is rounding: far less than a step of the next method takes.
-        let step = self.step(place, self.missing(&place, seen));
-        (square_length(step).sqrt() <= 1e-9 * (1.0 + square_length(place).sqrt())).then_some(place)
+        None
     }
 
     /// The nearest numbers, if pairs decide them.
     fn quick(&self, place: [f64; 2], seen: [f64; 2]) -> Option<[f64; 2]> {
-        let mut better = place.map(Pair::from);
-        // The first step ends with some forty bits, the second with all.
-        for _ in 0..2 {
-            let missing = self.missing(&better, seen).map(|rest| rest.high);
-            let step = self.step(better.map(|pair| pair.high), missing);
-            better = [0, 1].map(|k| better[k] + Pair::from(step[k]));
-        }
+        // Newton's last step left an error of roundings: its square is beyond the last bit.
+        let missing = self.missing(&place.map(Pair::from), seen);
+        let step = self.step(place, missing.map(|rest| rest.high));
+        let better = [0, 1].map(|k| Pair::of_sum(place[k], step[k]));
         let size = self.with_absolute_values();
         let at = better.map(|pair| pair.high.abs());
         let terms = size.missing(&at, seen.map(|x| -x.abs()));
