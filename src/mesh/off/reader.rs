@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::header::Keyword;
 use crate::decimal;
-use crate::error::{Diagnostic, Error, Result, SourceLocation, counted};
+use crate::error::{Diagnostic, Error, Result, SourceLocation, counted, grouped};
 use crate::geometry::Point;
 use crate::input::Budget;
 use crate::memory;
@@ -153,9 +153,11 @@ impl<'a> Reader<'a> {
         let left = self.bytes_left();
         if needed > left {
             let message = format!(
-                "{} and {} need {needed} bytes or more, but only {left} follow",
+                "{} and {} need {} bytes or more, but only {} follow",
                 counted(vertices, "vertex"),
-                counted(faces, "face")
+                counted(faces, "face"),
+                grouped(needed),
+                grouped(left)
             );
             let error = self.error(message, span);
             return Err(error.note("the file is cut off, or its counts are wrong"));

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::separate::mesh_of;
-use crate::error::{Diagnostic, Error, Result, SourceLocation, counted};
+use crate::error::{Diagnostic, Error, Result, SourceLocation, counted, grouped};
 use crate::geometry::Point;
 use crate::memory;
 use crate::mesh::Loaded;
@@ -49,8 +49,10 @@ pub(super) fn read(path: &Path, content: &[u8]) -> Result<Loaded> {
     let needed = size_of_file(count);
     if needed > size {
         let message = format!(
-            "the header counts {}, which need {needed} bytes, but the file has {size}",
-            counted(count, "triangle")
+            "the header counts {}, which need {} bytes, but the file has {}",
+            counted(count, "triangle"),
+            grouped(needed),
+            grouped(size)
         );
         let room = (size - HEADER as u64) / RECORD as u64;
         return Err(refuse(message).note(format!(

@@ -131,7 +131,7 @@ fn what_is_wrong_is_told_with_its_place() {
         (
             "4 2 0",
             "4 18446744073709551615 0",
-            "3:1: 4 vertices and 18446744073709551615 faces need",
+            "3:1: 4 vertices and 18,446,744,073,709,551,615 faces need",
         ),
         ("4 2 0", "4 3 0", "10:1: the file ends after 2 of 3 faces\n"),
         ("1 1 0", "1 x 0", "6:3: `x` is not a number\n"),
@@ -150,7 +150,7 @@ fn what_is_wrong_is_told_with_its_place() {
         (
             "4 0 1 2 3",
             "99999999999 0",
-            "8:1: a face of 99999999999 corners with 1 index\n",
+            "8:1: a face of 99,999,999,999 corners with 1 index\n",
         ),
     ] {
         let said = message_with(from, to);

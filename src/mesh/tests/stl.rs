@@ -121,7 +121,8 @@ fn what_is_wrong_with_binary_data_is_told_with_its_size() {
     );
     let mut many = whole.clone();
     many[80..84].fill(0xff);
-    assert!(message(stl(&many)).starts_with("a.stl: the header counts 4294967295 triangles, "));
+    let counted = "a.stl: the header counts 4,294,967,295 triangles, ";
+    assert!(message(stl(&many)).starts_with(counted));
     let longer = [&whole[..], b"\0\0\0"].concat();
     let warning = "a.stl: byte 184: 3 bytes after the last triangle, ignored";
     assert_eq!(warnings(stl(&longer)), [warning]);
