@@ -121,7 +121,7 @@ fn what_is_wrong_is_told_with_its_place() {
         (
             "4 2 0",
             "400 2 0",
-            "3:1: 400 vertices and 2 faces need 2403 bytes or more, but only 51 follow\n",
+            "3:1: 400 vertices and 2 faces need 2,403 bytes or more, but only 51 follow\n",
         ),
         (
             "4 2 0",
