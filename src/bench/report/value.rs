@@ -118,6 +118,16 @@ pub(super) fn mean(value: f64) -> String {
     }
 }
 
+/// A share in percent, with two digits; none has no unit.
+pub(super) fn percent(share: f64) -> String {
+    let value = 100.0 * share;
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let decimals = (1.0 - value.log10().floor()).clamp(0.0, 12.0) as usize;
+    format!("{value:.decimals$} %")
+}
+
 /// Two decimals, or two digits of small values.
 pub(super) fn rate(value: f64) -> String {
     if value < 0.01 {
@@ -134,5 +144,17 @@ pub(super) fn small(value: f64) -> String {
         value if value < 0.001 => format!("{value:.0e}"),
         value if value < 1000.0 => format!("{value:.3}"),
         value => grouped(value.round() as u64),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn percents_have_two_digits() {
+        let shares = [0.0, 1.5e-5, 0.049, 0.3, 1.0, 2e-11];
+        let texts = ["0", "0.0015 %", "4.9 %", "30 %", "100 %", "0.0000000020 %"];
+        assert_eq!(shares.map(percent), texts);
     }
 }
