@@ -1,7 +1,7 @@
 //! The results of a scene in sentences.
 
 use super::table::grouped;
-use super::value::{percent, rate};
+use super::value::{percent, percent_above, rate};
 use crate::accel::{Accelerator, SplitMethod};
 use crate::bench::error::Errors;
 use crate::bench::kernel::Kernel;
@@ -97,7 +97,7 @@ pub(super) fn wrong_with_share(errors: &Errors) -> [String; 2] {
     let share = (count > 0).then(|| percent(errors.wrong_share()));
     let bound = errors
         .confidence(count)
-        .map(|[_, high]| format!("below {} of all", percent(high)));
+        .map(|[_, high]| format!("below {}", percent_above(high)));
     let details: Vec<String> = share.into_iter().chain(bound).collect();
     let details = match details.is_empty() {
         true => String::new(),
@@ -192,7 +192,7 @@ mod tests {
     fn samples_are_named() {
         let [exact, ..] = Kernel::ALL;
         let errors_sampled = [with_ms(row(SplitMethod::Equal, exact, 100), 1.0)];
-        let expected = "exact: 3 wrong (3.0 %, below 8.5 % of all) of 100 pixels chosen from 1,000 \
+        let expected = "exact: 3 wrong (3.0 %, below 8.5 %) of 100 pixels chosen from 1,000 \
                         at 1.00 (0.50-2.00) Mrays/s (all with equal).";
         assert_eq!(
             plain(Summary::of_wrong_pixels(&errors_sampled)).unwrap(),

@@ -83,7 +83,8 @@ impl Block {
             .collect()
     }
 
-    /// The blocks of points with an error, at its height.
+    /// The blocks of points with an error, at its height. The largest error comes first, so that
+    /// the placement keeps this order.
     pub(super) fn with_error(
         points: &[Point],
         quantity: &Quantity,
@@ -103,6 +104,7 @@ impl Block {
                 blocks.push(Block::new(points, quantity, x, wanted, false));
             }
         }
+        blocks.sort_by(|a, b| a.shape.wanted.total_cmp(&b.shape.wanted));
         blocks
     }
 }
@@ -154,7 +156,7 @@ fn error_of(points: &[Point], quantity: &Quantity) -> String {
         words += &format!(" to {}", text(high));
     }
     if bound > high {
-        words += &format!(" (below {})", text(bound));
+        words += &format!(" (below {})", (quantity.bound)(bound));
     }
     words
 }

@@ -67,13 +67,23 @@ pub(super) fn elements(rows: &[Row]) -> [Option<String>; 2] {
     panels(rows).map(|panel| panel.map(element))
 }
 
+/// Both plots, equally high if there is room for all marks.
 fn panels(rows: &[Row]) -> [Option<Panel<'static>>; 2] {
-    [&QUANTITIES[0], &QUANTITIES[1]].map(|quantity| {
+    let points = |quantity| -> Vec<Point> {
         let rows = rows.iter().enumerate();
-        let points: Vec<Point> = rows
-            .filter_map(|(place, row)| Point::new(place, row, quantity))
-            .collect();
-        (!points.is_empty()).then(|| Panel::new(quantity, points))
+        rows.filter_map(|(place, row)| Point::new(place, row, quantity))
+            .collect()
+    };
+    let panel = |quantity, extra| {
+        let points = points(quantity);
+        (!points.is_empty()).then(|| Panel::new(quantity, points, extra))
+    };
+    let lowest = [&QUANTITIES[0], &QUANTITIES[1]].map(|quantity| panel(quantity, 0.0));
+    let heights = lowest.iter().flatten().map(Panel::height);
+    let height = heights.fold(0.0, f64::max);
+    lowest.map(|lowest| {
+        let lowest = lowest?;
+        panel(lowest.quantity, height - lowest.height())
     })
 }
 

@@ -51,14 +51,14 @@ pub(super) fn lines(intervals: &[[f64; 2]]) -> Vec<i32> {
 }
 
 /// Places each shape as close to where it wants to be as those before it leave room, between the
-/// upper and the lower of the `limits`. Returns how far each moves down; `None` if there is no
-/// room.
+/// upper and the lower of the `limits`; rather below than above. Returns how far each moves down;
+/// `None` if there is no room.
 pub(super) fn place(shapes: &[Shape], [top, bottom]: [f64; 2]) -> Option<Vec<f64>> {
     let mut placed: Vec<(&Shape, f64)> = Vec::new();
     for shape in shapes {
         let [first, last] = shape.extent();
         let [most_up, most_down] = [first - top, bottom - last].map(|room| room.ceil() as i64);
-        let by_distance = (0..=most_up.max(most_down).max(0)).flat_map(|d| [-d, d]);
+        let by_distance = (0..=most_up.max(most_down).max(0)).flat_map(|d| [d, -d]);
         let fits = |shift: &f64| {
             let is_inside = first + shift >= top && last + shift <= bottom;
             let mut others = placed.iter();
@@ -109,7 +109,7 @@ mod tests {
         let shapes = [shape(50.0, &[[0.0, 30.0]]), shape(50.0, &[[40.0, 70.0]])];
         assert_eq!(place(&shapes, [0.0, 100.0]), Some(vec![0.0, 0.0]));
         let crowded = [shape(50.0, &[[0.0, 30.0]]), shape(50.0, &[[35.0, 70.0]])];
-        assert_eq!(place(&crowded, [0.0, 100.0]), Some(vec![0.0, -LINE]));
+        assert_eq!(place(&crowded, [0.0, 100.0]), Some(vec![0.0, LINE]));
         assert_eq!(place(&crowded, [20.0, 45.0]), None);
     }
 
@@ -132,8 +132,8 @@ mod tests {
                 [left, left + f64::from(widths[index])]
             };
             let shape_of = |(index, wanted): (usize, &u16)| {
-                let ends: Vec<[f64; 2]> = (0..lengths[index]).map(|i| ends(3 * index + i)).collect();
-                shape(f64::from(*wanted), &ends)
+                let ends = (0..lengths[index]).map(|line| ends(3 * index + line));
+                shape(f64::from(*wanted), &ends.collect::<Vec<_>>())
             };
             let shapes: Vec<Shape> = wanted.iter().enumerate().map(shape_of).collect();
             // High enough for all of them below each other, with gaps of any size.
