@@ -43,10 +43,8 @@ pub fn to_svg(title: &str, rows: &[Row]) -> String {
     let mut bottom = 2.0 * TEXT_LINE;
     for (index, panel) in panels.iter().enumerate() {
         let left = MARGIN + index as f64 * (WIDTH + MARGIN);
-        // Panels share their base line.
-        let top = bottom + height - panel.height();
         let size = [WIDTH, panel.height()];
-        svg.nested([left, top], size, &panel.title(), panel.draw());
+        svg.nested([left, bottom], size, &panel.title(), panel.draw());
     }
     bottom += height;
     for line in legend(rows) {
@@ -67,23 +65,21 @@ pub(super) fn elements(rows: &[Row]) -> [Option<String>; 2] {
     panels(rows).map(|panel| panel.map(element))
 }
 
-/// Both plots, equally high if there is room for all marks.
+/// Both plots, equally high unless marks of the higher version need even more room.
 fn panels(rows: &[Row]) -> [Option<Panel<'static>>; 2] {
-    let points = |quantity| -> Vec<Point> {
+    let panel = |quantity| {
         let rows = rows.iter().enumerate();
-        rows.filter_map(|(place, row)| Point::new(place, row, quantity))
-            .collect()
+        let points = rows.filter_map(|(place, row)| Point::new(place, row, quantity));
+        let points: Vec<Point> = points.collect();
+        (!points.is_empty()).then(|| Panel::new(quantity, points))
     };
-    let panel = |quantity, extra| {
-        let points = points(quantity);
-        (!points.is_empty()).then(|| Panel::new(quantity, points, extra))
-    };
-    let lowest = [&QUANTITIES[0], &QUANTITIES[1]].map(|quantity| panel(quantity, 0.0));
-    let heights = lowest.iter().flatten().map(Panel::height);
+    let panels = [&QUANTITIES[0], &QUANTITIES[1]].map(panel);
+    let heights = panels.iter().flatten().map(Panel::height);
     let height = heights.fold(0.0, f64::max);
-    lowest.map(|lowest| {
-        let lowest = lowest?;
-        panel(lowest.quantity, height - lowest.height())
+    panels.map(|panel| {
+        let panel = panel?;
+        let extra = height - panel.height();
+        Some(panel.higher(extra))
     })
 }
 
@@ -145,6 +141,17 @@ mod tests {
             assert_eq!(svg.matches(&heading).count(), 2, "{kernel}");
         }
         assert!(svg.contains("</tspan> 0.30 %</text>") && svg.contains("</tspan> 3 ulp</text>"));
+    }
+
+    #[test]
+    fn both_plots_are_equally_high() {
+        let mut rows = all_rows();
+        for row in &mut rows {
+            let errors = row.errors.as_mut().unwrap();
+            (errors.tally.false_hits, errors.tally.wrong_primitives) = (0, 0);
+        }
+        let [left, right] = panels(&rows).map(|panel| panel.unwrap().height());
+        assert!((left - right).abs() < 1e-6, "{left}, {right}");
     }
 
     #[test]

@@ -30,11 +30,13 @@ const BELOW: f64 = 52.0;
 
 /// The places of everything in a panel.
 pub(super) struct Panel<'a> {
-    pub(super) quantity: &'a Quantity,
+    quantity: &'a Quantity,
     points: Vec<Point>,
     x: Scale,
     /// The axis of errors, if there are any.
     y: Option<Scale>,
+    /// The height of the area for points with an error.
+    error_height: f64,
     /// The area for points without an error: its upper and its lower end.
     zero_area: [f64; 2],
     /// Blocks and how far they move down from where they want to be.
@@ -42,15 +44,23 @@ pub(super) struct Panel<'a> {
 }
 
 impl<'a> Panel<'a> {
-    /// Places `points`, of which there is at least one. The panel is `extra` pixels higher than it
-    /// needs to be.
-    pub(super) fn new(quantity: &'a Quantity, points: Vec<Point>, extra: f64) -> Panel<'a> {
+    /// Places `points`, of which there is at least one.
+    pub(super) fn new(quantity: &'a Quantity, points: Vec<Point>) -> Panel<'a> {
+        Panel::with_height(quantity, points, LEAST_HEIGHT)
+    }
+
+    /// The same panel, `extra` pixels higher.
+    pub(super) fn higher(self, extra: f64) -> Panel<'a> {
+        Panel::with_height(self.quantity, self.points, self.error_height + extra)
+    }
+
+    /// Places `points` on an area of at least `height` for those with an error.
+    fn with_height(quantity: &'a Quantity, points: Vec<Point>, mut height: f64) -> Panel<'a> {
         let [left, right] = SIDES;
         let ends = [left + 14.0, right - label_room()];
         let x = Scale::of_speeds(points.iter().map(|point| point.speeds[1]), ends);
         let errors: Vec<f64> = points.iter().map(|point| point.error).collect();
         let (mut y, mut blocks, mut zero_top) = (None, Vec::new(), TOP);
-        let mut height = LEAST_HEIGHT + extra;
         // Ends, since a high enough area has room for all blocks below each other.
         while errors.iter().any(|error| *error > 0.0) {
             let bottom = TOP + height;
@@ -69,7 +79,7 @@ impl<'a> Panel<'a> {
         let highest = above_zero.iter().map(top).fold(-LINE / 2.0, f64::min);
         let mut zero_bottom = zero_top + LINE - highest;
         if y.is_none() {
-            zero_bottom += extra;
+            zero_bottom += height - LEAST_HEIGHT;
         }
         for (block, _) in &mut above_zero {
             block.shape.wanted += zero_bottom - LINE / 2.0 - 2.0;
@@ -80,6 +90,7 @@ impl<'a> Panel<'a> {
             points,
             x,
             y,
+            error_height: height,
             zero_area: [zero_top, zero_bottom],
             blocks,
         }
@@ -277,7 +288,7 @@ mod tests {
             errors in prop::collection::vec(prop_oneof![3 => 0u8..1, 2 => 0u8..40], 27),
         ) {
             let points = points(&speeds, &errors);
-            let panel = Panel::new(&QUANTITIES[1], points.clone(), 0.0);
+            let panel = Panel::new(&QUANTITIES[1], points.clone());
             let rectangles = rectangles(&panel);
             prop_assert!(rectangles.len() > points.len(), "marks and headings");
             for (index, (ends, top)) in rectangles.iter().enumerate() {
@@ -295,7 +306,7 @@ mod tests {
         #[test]
         fn marks_that_move_lead_to_their_errors(error in 1u8..200) {
             let points = points(&[100; 27], &[error; 27]);
-            let panel = Panel::new(&QUANTITIES[1], points, 0.0);
+            let panel = Panel::new(&QUANTITIES[1], points);
             let svg = panel.draw().element([WIDTH, panel.height()], "");
             let is_stem = |line: &&str| line.contains("class=\"stem\"");
             // Of 27 marks with one error and one speed, at most one is in its place.

@@ -111,7 +111,7 @@ fn step_above(value: f64) -> f64 {
 
 /// A value of an axis as text.
 pub(super) fn plain(value: f64) -> String {
-    if value > 0.999e7 || value < 0.999e-4 {
+    if !(0.999e-4..=0.999e7).contains(&value) {
         return format!("{value:.0e}");
     }
     if value >= 1.0 {
