@@ -30,6 +30,8 @@ pub fn to_html(machine: &Machine, command: &str, sections: &[Section]) -> String
         plot::STYLE
     );
     page += "<h1>Speed against error</h1>\n";
+    page += "<p>How fast feimos and two baseline kernels find what each pixel shows, and how often \
+             they are wrong.</p>\n";
     page += &format!(
         "<p class=\"quiet\">Measured on {}.</p>\n",
         escaped(&machine.to_string())
