@@ -8,6 +8,7 @@ use super::notes::notes;
 use super::plot;
 use super::section::Section;
 use super::summary::Summary;
+use crate::accel::Accelerator;
 use crate::bench::run::{Machine, Row, totals};
 
 /// Distinguishes the page from others.
@@ -75,13 +76,34 @@ fn of_all(machine: &Machine, sections: &[Section]) -> String {
     let rows = sections
         .iter()
         .flat_map(|section| section.rows.iter().cloned());
-    let totals = totals(&rows.collect::<Vec<Row>>());
+    let rows: Vec<Row> = rows.collect();
+    let totals = totals(&rows);
     format!(
-        "<p><a href=\"#{}\">Contents: {count} scenes</a></p>\n<h2>All {count} scenes</h2>\n{}{}",
+        "<p><a href=\"#{}\">Contents: {count} scenes</a></p>\n<h2>All {count} scenes</h2>\n{}{}{}",
         contents::ID,
         plots(&totals),
+        without_total(&rows, &totals),
         table(&ray_table(&totals, machine.mhz)),
         count = sections.len()
+    )
+}
+
+/// Names the accelerators of `rows` that have no row among the `totals`.
+fn without_total(rows: &[Row], totals: &[Row]) -> String {
+    let has_row = |rows: &[Row], accelerator| rows.iter().any(|row| row.accelerator == accelerator);
+    let lacks = |one: &Accelerator| has_row(rows, *one) && !has_row(totals, *one);
+    let names: Vec<&str> = Accelerator::ALL
+        .iter()
+        .filter(|one| lacks(one))
+        .map(|one| one.name())
+        .collect();
+    if names.is_empty() {
+        return String::new();
+    }
+    format!(
+        "<p class=\"quiet\">Not among the totals: {}, which some scenes lack, or of whose rays \
+         they trace only a sample.</p>\n",
+        names.join(", ")
     )
 }
 
@@ -187,6 +209,15 @@ mod tests {
         }
         assert!(targets.contains(&"#scene-2") && targets.contains(&"#contents"));
         assert!(!page.contains("src=\"http") && !page.contains("<script"));
+    }
+
+    #[test]
+    fn accelerators_without_totals_are_named() {
+        let (mut a, b) = (section("a.pbrt"), section("b.pbrt"));
+        assert!(!page(&[section("a.pbrt"), section("b.pbrt")]).contains("Not among the totals"));
+        let exact = Kernel::ALL[0];
+        a.rows.push(row(SplitMethod::Hlbvh, exact, 1000));
+        assert!(page(&[a, b]).contains("Not among the totals: hlbvh, which some scenes lack"));
     }
 
     #[test]

@@ -12,6 +12,10 @@ const LETTER: f64 = 8.0;
 /// The estimated width of a letter of a heading.
 const BOLD_LETTER: f64 = 8.6;
 
+/// Points of a kernel whose heights differ by less share a block: two would not have room at their
+/// heights, in pixels.
+const NEAR: f64 = 3.0 * LINE;
+
 /// Points of one kernel below a heading that names it.
 #[derive(Debug, Clone)]
 pub(super) struct Block {
@@ -95,7 +99,7 @@ impl Block {
         let mut blocks = Vec::new();
         for mut points in by_kernel(points.cloned().collect()) {
             points.sort_by(|a, b| a.error.total_cmp(&b.error));
-            let is_near = |a: &Point, b: &Point| y.place(a.error) - y.place(b.error) < LINE;
+            let is_near = |a: &Point, b: &Point| y.place(a.error) - y.place(b.error) < NEAR;
             for points in points.chunk_by(is_near) {
                 let heights = points.iter().map(|point| y.place(point.error));
                 let wanted = heights.sum::<f64>() / points.len() as f64;
