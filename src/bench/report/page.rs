@@ -65,7 +65,9 @@ answers, and two f32 baselines, <code>moeller-trumbore</code> with the textbook 
 and <code>watertight</code> with pbrt's.</p>
 <p>Errors are measured against exact arithmetic on all primitives. A pixel is wrong if it is a \
 false hit, a missed hit or shows the wrong primitive. For all other hits, the error of the depth \
-is measured in units in the last place of an f32 (ulp). Tests of nodes and primitives are those of \
+is measured in units in the last place of an f32 (ulp). Where only a sample of the pixels is \
+compared, brackets have an upper bound of the share of all pixels, with a confidence of 95 %.</p>
+<p>Tests of nodes and primitives are those of \
 a ray that is traced alone through the whole tree. SAH is the cost of the tree by the surface area \
 heuristic, EPO the overlap of its nodes with surfaces of other nodes.</p>
 </details>

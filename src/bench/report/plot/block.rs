@@ -128,7 +128,7 @@ fn by_kernel(mut points: Vec<Point>) -> Vec<Vec<Point>> {
 
 /// The pixels that the range of speeds, the mark and the label of a point cover.
 fn covered(point: &Point, x: &Scale) -> [f64; 2] {
-    let [slow, middle, fast] = point.speeds.map(|speed| x.place_within(speed));
+    let [slow, middle, fast] = point.speeds.map(|speed| x.place(speed));
     let label = LETTER * point.accelerator.name().len() as f64;
     [
         slow.min(middle - REACH),

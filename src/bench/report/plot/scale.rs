@@ -47,12 +47,6 @@ impl Scale {
         start + (value.log10() - first) / (last - first) * (end - start)
     }
 
-    /// The place of `value` in pixels, or the nearer end of the axis.
-    pub(super) fn place_within(&self, value: f64) -> f64 {
-        let [first, last] = self.values;
-        self.place(value.clamp(first, last))
-    }
-
     /// The right end of a horizontal axis, in pixels.
     pub(super) fn right_end(&self) -> f64 {
         self.pixels[1]

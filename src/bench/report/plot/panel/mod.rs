@@ -61,7 +61,7 @@ impl<'a> Panel<'a> {
     fn with_height(quantity: &'a Quantity, points: Vec<Point>, mut height: f64) -> Panel<'a> {
         let [left, right] = SIDES;
         let ends = [left + 14.0, right - label_room()];
-        let x = Scale::of_speeds(points.iter().map(|point| point.speeds[1]), ends);
+        let x = Scale::of_speeds(points.iter().flat_map(|point| point.speeds), ends);
         let errors: Vec<f64> = points.iter().map(|point| point.error).collect();
         let (mut y, mut blocks, mut zero_top) = (None, Vec::new(), TOP);
         // Ends, since a high enough area has room for all blocks below each other.
@@ -213,7 +213,7 @@ impl<'a> Panel<'a> {
     }
 
     fn draw_point(&self, svg: &mut Svg, point: &Point, y: f64, is_best: bool) {
-        let places = point.speeds.map(|speed| self.x.place_within(speed));
+        let places = point.speeds.map(|speed| self.x.place(speed));
         let [slow, middle, fast] = places;
         svg.line("range", [slow, y], [fast, y]);
         if is_best {
