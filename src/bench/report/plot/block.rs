@@ -73,7 +73,7 @@ impl Block {
         }
     }
 
-    /// The blocks of points without an error, above the height `zero`.
+    /// The blocks of points without an error, above the height `zero`; the first kernel is lowest.
     pub(super) fn without_error(
         points: &[Point],
         quantity: &Quantity,
@@ -81,7 +81,7 @@ impl Block {
         zero: f64,
     ) -> Vec<Block> {
         let points = points.iter().filter(|point| point.error == 0.0);
-        let by_kernel = by_kernel(points.cloned().collect()).into_iter();
+        let by_kernel = by_kernel(points.cloned().collect()).into_iter().rev();
         by_kernel
             .map(|points| Block::new(points, quantity, x, zero, true))
             .collect()

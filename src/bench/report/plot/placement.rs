@@ -50,37 +50,75 @@ pub(super) fn lines(intervals: &[[f64; 2]]) -> Vec<i32> {
     intervals.iter().map(&mut line_of).collect()
 }
 
-/// Places each shape as close to where it wants to be as those before it leave room, between the
-/// upper and the lower of the `limits`; rather below than above. Returns how far each moves down;
-/// `None` if there is no room.
+/// Places shapes close to where they want to be, between the upper and the lower of the `limits`.
+/// Of two that share a column, the later one is below. Returns how far each moves down; `None` if
+/// there is no room.
 pub(super) fn place(shapes: &[Shape], [top, bottom]: [f64; 2]) -> Option<Vec<f64>> {
-    let mut placed: Vec<(&Shape, f64)> = Vec::new();
-    for shape in shapes {
-        let [first, last] = shape.extent();
-        let [most_up, most_down] = [first - top, bottom - last].map(|room| room.ceil() as i64);
-        let by_distance = (0..=most_up.max(most_down).max(0)).flat_map(|d| [d, -d]);
-        let fits = |shift: &f64| {
-            let is_inside = first + shift >= top && last + shift <= bottom;
-            let mut others = placed.iter();
-            is_inside && others.all(|(other, moved)| !collide(shape, *shift, other, *moved))
-        };
-        let shift = by_distance.map(|shift| shift as f64).find(fits)?;
-        placed.push((shape, shift));
+    let wanted: Vec<f64> = shapes.iter().map(|shape| shape.wanted).collect();
+    let (mut below, mut above) = (wanted.clone(), wanted.clone());
+    push_down(shapes, &mut below);
+    push_up(shapes, &mut above);
+    // Both keep all distances, so the middle does, too.
+    let middle = below
+        .iter()
+        .zip(&above)
+        .map(|(below, above)| (below + above) / 2.0);
+    let mut places: Vec<f64> = middle.collect();
+    let limits = |shape: &Shape| {
+        let [first, last] = shape.extent().map(|end| end - shape.wanted);
+        [top - first, bottom - last]
+    };
+    for (place, shape) in places.iter_mut().zip(shapes) {
+        *place = place.min(limits(shape)[1]);
     }
-    Some(placed.into_iter().map(|(_, shift)| shift).collect())
+    push_up(shapes, &mut places);
+    for (place, shape) in places.iter_mut().zip(shapes) {
+        *place = place.max(limits(shape)[0]);
+    }
+    push_down(shapes, &mut places);
+    let mut placed = places.iter().zip(shapes);
+    let has_room = placed.all(|(place, shape)| *place <= limits(shape)[1] + 1e-6);
+    has_room.then(|| {
+        places
+            .iter()
+            .zip(wanted)
+            .map(|(place, wanted)| place - wanted)
+            .collect()
+    })
 }
 
-fn collide(a: &Shape, a_shift: f64, b: &Shape, b_shift: f64) -> bool {
-    let middle =
-        |shape: &Shape, shift: f64, span: &Span| shape.wanted + shift + f64::from(span.line) * LINE;
-    a.spans.iter().any(|of_a| {
-        let a_middle = middle(a, a_shift, of_a);
-        let is_hit = |of_b: &Span| {
-            let distance = (a_middle - middle(b, b_shift, of_b)).abs();
-            distance < LINE && overlap(of_a.ends, of_b.ends)
-        };
-        b.spans.iter().any(is_hit)
-    })
+/// Moves shapes down until none hides an earlier one.
+fn push_down(shapes: &[Shape], places: &mut [f64]) {
+    for later in 0..shapes.len() {
+        for earlier in 0..later {
+            if let Some(distance) = distance(&shapes[earlier], &shapes[later]) {
+                places[later] = places[later].max(places[earlier] + distance);
+            }
+        }
+    }
+}
+
+/// Moves shapes up until none hides a later one.
+fn push_up(shapes: &[Shape], places: &mut [f64]) {
+    for earlier in (0..shapes.len()).rev() {
+        for later in earlier + 1..shapes.len() {
+            if let Some(distance) = distance(&shapes[earlier], &shapes[later]) {
+                places[earlier] = places[earlier].min(places[later] - distance);
+            }
+        }
+    }
+}
+
+/// The least distance from line 0 of the upper shape down to that of the lower one; `None` if they
+/// share no column.
+fn distance(upper: &Shape, lower: &Shape) -> Option<f64> {
+    let pairs = upper
+        .spans
+        .iter()
+        .flat_map(|a| lower.spans.iter().map(move |b| (a, b)));
+    let hiding = pairs.filter(|(a, b)| overlap(a.ends, b.ends));
+    let lines = hiding.map(|(a, b)| a.line - b.line + 1).max()?;
+    Some(f64::from(lines) * LINE)
 }
 
 fn overlap([left, right]: [f64; 2], [other_left, other_right]: [f64; 2]) -> bool {
@@ -109,7 +147,13 @@ mod tests {
         let shapes = [shape(50.0, &[[0.0, 30.0]]), shape(50.0, &[[40.0, 70.0]])];
         assert_eq!(place(&shapes, [0.0, 100.0]), Some(vec![0.0, 0.0]));
         let crowded = [shape(50.0, &[[0.0, 30.0]]), shape(50.0, &[[35.0, 70.0]])];
-        assert_eq!(place(&crowded, [0.0, 100.0]), Some(vec![0.0, LINE]));
+        assert_eq!(
+            place(&crowded, [0.0, 100.0]),
+            Some(vec![-LINE / 2.0, LINE / 2.0])
+        );
+        // The spans are one line above the places.
+        let at_bottom = place(&crowded, [0.0, 40.0]);
+        assert_eq!(at_bottom, Some(vec![-1.5 - LINE, -1.5]));
         assert_eq!(place(&crowded, [20.0, 45.0]), None);
     }
 
@@ -139,6 +183,13 @@ mod tests {
             // High enough for all of them below each other, with gaps of any size.
             let limits = [-3000.0, 3000.0];
             let shifts = place(&shapes, limits).expect("there is room");
+            let lines_0: Vec<f64> = shapes.iter().zip(&shifts).map(|(s, by)| s.wanted + by).collect();
+            for (later, lower) in shapes.iter().enumerate() {
+                for (earlier, upper) in shapes[..later].iter().enumerate() {
+                    let least = distance(upper, lower).unwrap_or(f64::NEG_INFINITY);
+                    prop_assert!(lines_0[later] - lines_0[earlier] >= least - 1e-6);
+                }
+            }
             let mut rectangles = Vec::new();
             for (shape, shift) in shapes.iter().zip(shifts) {
                 for Span { line, ends } in &shape.spans {
@@ -150,7 +201,7 @@ mod tests {
             for (index, (ends, top)) in rectangles.iter().enumerate() {
                 for (other, other_top) in &rectangles[..index] {
                     let apart = ends[1] <= other[0] || other[1] <= ends[0];
-                    prop_assert!(apart || (top - other_top).abs() >= LINE);
+                    prop_assert!(apart || (top - other_top).abs() >= LINE - 1e-6);
                 }
             }
         }
