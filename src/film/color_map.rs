@@ -42,8 +42,13 @@ impl ColorMap {
 
     /// The colours from near to far in equal steps.
     pub(super) fn table(self) -> Vec<Rgb> {
-        let last = (TABLE_LENGTH - 1) as f64;
-        (0..TABLE_LENGTH)
+        self.stops(TABLE_LENGTH)
+    }
+
+    /// `count` colours, at least two, in equal steps from near to far: for a colour bar.
+    pub fn stops(self, count: usize) -> Vec<[u8; 3]> {
+        let last = (count - 1) as f64;
+        (0..count)
             .map(|index| self.color(index as f64 / last))
             .collect()
     }

@@ -252,6 +252,10 @@ fn none_is_sampled_if_it_would_take_long_with_a_note() {
             && text.contains(" of 102,400 rays, in some tiles chosen at random"),
         "{text}"
     );
+    // Beside the times of samples, the table has the number of rays.
+    let titles = text.lines().find(|line| line.contains("trace ms"));
+    let titles = titles.unwrap().split_whitespace().take(3);
+    assert!(titles.eq(["accel", "precision", "rays"]), "{text}");
     let rows = rows(
         &folder,
         &format!("floor.pbrt {ONCE} --accel none,sah --precision fast,watertight"),

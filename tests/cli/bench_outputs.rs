@@ -61,11 +61,15 @@ fn every_output_holds_every_row() {
     );
     assert!(text("a.svg").starts_with("<svg") && text("a.svg").contains("ball.pbrt"));
     let page = text("out/page/index.html");
-    assert!(
-        page.contains("--report out/page")
-            && page.contains("<h2>ball.pbrt</h2>")
-            && page.contains("cost, sah")
-    );
+    for part in [
+        "--report out/page",
+        "<h2 id=\"scene-1\">ball.pbrt</h2>",
+        "<b>exact</b>: 0 wrong of 91 pixels at ",
+        "cost, sah",
+    ] {
+        assert!(page.contains(part), "{part}");
+    }
+    assert!(text("a.md").contains("- **exact**: 0 wrong of 91 pixels at "));
     let run = folder
         .bench(&format!("ball.pbrt {ONCE} --csv -"))
         .succeeded();

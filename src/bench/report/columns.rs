@@ -21,6 +21,8 @@ enum Table {
     Accelerators,
     /// One line for each accelerator and kernel.
     Rays,
+    /// The same, but only if some rows are those of sampled rays.
+    SampledRays,
     Both,
 }
 
@@ -47,7 +49,7 @@ const fn shown(
 
 /// All columns in order. Values take a row and the machine's clock in MHz, if it is known.
 pub(super) const COLUMNS: [Column; 34] = {
-    use Table::{Accelerators, Both, Rays};
+    use Table::{Accelerators, Both, Rays, SampledRays};
     use Value::{Confidence, Count, Input, Name, Real};
     [
         hidden("scene", |row, _| Name(row.scene.clone())),
@@ -59,7 +61,7 @@ pub(super) const COLUMNS: [Column; 34] = {
         }),
         hidden("threads", |row, _| Count(Some(row.threads as u64))),
         hidden("simd", |row, _| Name(row.simd.name().to_owned())),
-        hidden("rays", |row, _| Count(Some(row.rays))),
+        shown("rays", SampledRays, "rays", |row, _| Count(Some(row.rays))),
         hidden("pixels", |row, _| Count(Some(row.pixels))),
         shown("load_ms", Accelerators, "load ms", |row, _| {
             Value::Spread(Some(row.load_ms))
@@ -170,21 +172,28 @@ impl Column {
 /// The accelerators of a scene: one line for the rows of each.
 pub fn accelerator_table(rows: &[Row]) -> TextTable {
     let of_each = rows.chunk_by(|a, b| a.scene == b.scene && a.accelerator == b.accelerator);
-    table(Table::Accelerators, of_each.map(|rows| &rows[0]), None)
+    let accelerators: Vec<&Row> = of_each.map(|rows| &rows[0]).collect();
+    table(&[Table::Accelerators, Table::Both], &accelerators, None)
 }
 
-/// The rays of a scene, on a machine with a clock of `mhz`, if that is known.
+/// The rays of a scene, on a machine with a clock of `mhz`, if that is known. Tells the number of
+/// rays if some rows are those of a sample.
 pub fn ray_table(rows: &[Row], mhz: Option<f64>) -> TextTable {
-    table(Table::Rays, rows.iter(), mhz)
+    let tables: &[Table] = match rows.iter().any(Row::is_sampled) {
+        true => &[Table::Rays, Table::Both, Table::SampledRays],
+        false => &[Table::Rays, Table::Both],
+    };
+    table(tables, &rows.iter().collect::<Vec<_>>(), mhz)
 }
 
-fn table<'a>(table: Table, rows: impl Iterator<Item = &'a Row>, mhz: Option<f64>) -> TextTable {
+/// The columns of `tables`.
+fn table(tables: &[Table], rows: &[&Row], mhz: Option<f64>) -> TextTable {
     let title = |column: &'static Column| {
         let (of, title) = column.table?;
-        (of == table || of == Table::Both).then_some((column, title))
+        tables.contains(&of).then_some((column, title))
     };
     let columns: Vec<(&Column, &str)> = COLUMNS.iter().filter_map(title).collect();
-    let cells = |row: &Row| {
+    let cells = |row: &&Row| {
         columns
             .iter()
             .map(|(column, _)| column.value(row, mhz).text())
@@ -194,7 +203,7 @@ fn table<'a>(table: Table, rows: impl Iterator<Item = &'a Row>, mhz: Option<f64>
         let is_name = matches!(column.key, "accel" | "precision");
         (title.to_string(), is_name)
     });
-    TextTable::new(titles, rows.map(cells))
+    TextTable::new(titles, rows.iter().map(cells))
 }
 
 #[cfg(test)]
@@ -226,13 +235,37 @@ hlbvh   2.00 (1.00-3.00)  461 (415-492)  49.1  3.2     26  34,218,112
             titles,
             "raster exact 50.0 (50.0-53.0) 0.02 250,000 - - 1 0 2 3 3 0.750 12,345",
             "sah exact 50.0 (50.0-53.0) 0.02 250,000 19.9 1,235 1 0 2 3 3 0.750 12,345",
-            "sah fast 50.0 (50.0-53.0) 0.02 250,000 19.9 1,235 1 (<5.45%) 0 (<3.70%) 2 (<7.00%) 3 \
+            "sah fast 50.0 (50.0-53.0) 0.02 250,000 19.9 1,235 1 (<5.5 %) 0 (<3.7 %) 2 (<7.1 %) 3 \
              3 0.750 -",
             "hlbvh fast 50.0 (50.0-53.0) 0.02 250,000 19.9 1,235 - - - - - - -",
         ];
         let table = ray_table(&rows, Some(2500.0)).aligned();
         let words = |line: &str| line.split_whitespace().collect::<Vec<_>>().join(" ");
         assert_eq!(table.lines().map(words).collect::<Vec<_>>(), rays);
+    }
+
+    #[test]
+    fn sampled_rays_are_counted_beside_all_others() {
+        let [exact, ..] = Kernel::ALL;
+        let sampled = Row {
+            rays: 16,
+            ..row(SplitMethod::None, exact, 0)
+        };
+        let all = row(SplitMethod::Sah, exact, 0);
+        let column = |rows: &[Row]| -> Option<Vec<String>> {
+            let table = ray_table(rows, None);
+            let place = table.lines()[0].iter().position(|title| title == "rays")?;
+            Some(
+                table
+                    .lines()
+                    .iter()
+                    .map(|line| line[place].clone())
+                    .collect(),
+            )
+        };
+        assert_eq!(column(std::slice::from_ref(&all)), None);
+        let expected = ["rays", "16", "1,000"].map(str::to_owned);
+        assert_eq!(column(&[sampled, all]), Some(expected.to_vec()));
     }
 
     #[test]

@@ -2,8 +2,6 @@
 
 use super::table::TextTable;
 use crate::terminal_text;
-use base64::Engine;
-use base64::prelude::BASE64_STANDARD;
 
 /// Escapes text for content and attributes.
 pub(super) fn escaped(text: &str) -> String {
@@ -18,9 +16,9 @@ pub(super) fn escaped(text: &str) -> String {
     terminal_text::line(text).chars().map(escape).collect()
 }
 
-/// A table with titles.
+/// A table with titles. A line above separates rows that begin with another name.
 pub(super) fn table(table: &TextTable) -> String {
-    let line = |cells: &Vec<String>, tag: &str| {
+    let line = |cells: &Vec<String>, tag: &str, class: &str| {
         let cell = |(column, cell): (usize, &String)| {
             let class = if table.is_name(column) {
                 " class=\"name\""
@@ -30,24 +28,22 @@ pub(super) fn table(table: &TextTable) -> String {
             format!("<{tag}{class}>{}</{tag}>", escaped(cell))
         };
         format!(
-            "<tr>{}</tr>\n",
+            "<tr{class}>{}</tr>\n",
             cells.iter().enumerate().map(cell).collect::<String>()
         )
     };
     let (titles, rows) = table.lines().split_first().expect("a line of titles");
-    let rows: String = rows.iter().map(|cells| line(cells, "td")).collect();
+    let groups = rows.chunk_by(|a, b| a.first() == b.first());
+    let group = |rows: &[Vec<String>]| -> String {
+        let class = |index| if index == 0 { " class=\"first\"" } else { "" };
+        let rows = rows.iter().enumerate();
+        rows.map(|(index, cells)| line(cells, "td", class(index)))
+            .collect()
+    };
     format!(
-        "<div class=\"wide\"><table>\n{}{rows}</table></div>\n",
-        line(titles, "th")
-    )
-}
-
-/// A figure with an embedded PNG file.
-pub(super) fn figure(caption: &str, png: &[u8]) -> String {
-    let (caption, data) = (escaped(caption), BASE64_STANDARD.encode(png));
-    format!(
-        "<figure><img alt=\"{caption}\" src=\"data:image/png;base64,{data}\">\
-         <figcaption>{caption}</figcaption></figure>\n"
+        "<div class=\"wide\"><table>\n{}{}</table></div>\n",
+        line(titles, "th", ""),
+        groups.map(group).collect::<String>()
     )
 }
 
@@ -75,9 +71,14 @@ mod tests {
             table.contains("<td class=\"name\">&quot;c&quot; &amp; &#39;d&#39;</td><td>1</td>"),
             "{table}"
         );
-        assert!(
-            figure("\"<", &[0, 1])
-                .contains("alt=\"&quot;&lt;\" src=\"data:image/png;base64,AAE=\"")
-        );
+    }
+
+    #[test]
+    fn a_line_separates_rows_of_different_names() {
+        let table = table(&cells(["a", "b"], &[["x", "1"], ["x", "2"], ["y", "3"]]));
+        let is_first = table
+            .lines()
+            .filter(|line| line.starts_with("<tr class=\"first\""));
+        assert_eq!(is_first.count(), 2, "{table}");
     }
 }

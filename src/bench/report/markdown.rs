@@ -2,6 +2,7 @@
 
 use super::columns::{accelerator_table, ray_table};
 use super::notes::notes;
+use super::summary::Summary;
 use crate::bench::run::{Machine, Row, totals};
 use crate::terminal_text;
 
@@ -10,18 +11,30 @@ pub fn to_markdown(machine: &Machine, rows: &[Row]) -> String {
     let mut text = format!("{machine}\n");
     let scenes = rows.chunk_by(|a, b| a.scene == b.scene);
     if scenes.clone().count() > 1 {
-        let table = ray_table(&totals(rows), machine.mhz).markdown();
-        text += &format!("\n## All scenes\n\n{table}");
+        let totals = totals(rows);
+        text += "\n## All scenes\n\n";
+        summaries(&totals).for_each(|line| text += &format!("- {line}\n"));
+        text += &format!("\n{}", ray_table(&totals, machine.mhz).markdown());
     }
     for rows in scenes {
         text += &format!("\n## {}\n\n", escaped(&rows[0].scene));
-        notes(rows)
-            .iter()
+        summaries(rows)
+            .chain(notes(rows))
             .for_each(|note| text += &format!("- {note}\n"));
         let (accelerators, rays) = (accelerator_table(rows), ray_table(rows, machine.mhz));
         text += &format!("\n{}\n{}", accelerators.markdown(), rays.markdown());
     }
     text
+}
+
+/// The results in sentences.
+fn summaries(rows: &[Row]) -> impl Iterator<Item = String> {
+    let bold = |name: &str| format!("**{name}**");
+    let summaries = [Summary::of_wrong_pixels(rows), Summary::of_depths(rows)];
+    summaries
+        .into_iter()
+        .flatten()
+        .map(move |summary| summary.text(bold))
 }
 
 /// Escapes everything in a line that Markdown could take for markup.
@@ -86,7 +99,8 @@ mod tests {
             5
         );
         assert!(
-            text.contains("- errors are those of 10 of 1,000 pixels")
+            text.contains("- **exact**: 3 wrong (30 %, below ")
+                && text.contains("- errors are those of 10 of 1,000 pixels")
                 && text.contains("- errors were not measured")
         );
     }

@@ -28,7 +28,7 @@ impl Value {
             Value::Real(value, format) => value.map(format),
             Value::Spread(spread) => spread.map(|spread| spread.to_string()),
             Value::Pixels(pixels) => pixels.map(|(count, interval)| match interval {
-                Some([_, high]) => format!("{} (<{:.2}%)", grouped(count), 100.0 * high),
+                Some([_, high]) => format!("{} (<{})", grouped(count), percent_above(high)),
                 None => grouped(count),
             }),
             Value::Input(_) | Value::Confidence(_) => None,
@@ -118,6 +118,26 @@ pub(super) fn mean(value: f64) -> String {
     }
 }
 
+/// A share in percent, with two digits; none has no unit.
+pub(super) fn percent(share: f64) -> String {
+    in_percent(share, f64::round)
+}
+
+/// An upper bound of a share in percent, with two digits, rounded up.
+pub(super) fn percent_above(share: f64) -> String {
+    in_percent(share, f64::ceil)
+}
+
+fn in_percent(share: f64, rounded: fn(f64) -> f64) -> String {
+    let value = 100.0 * share;
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let decimals = (1.0 - value.log10().floor()).clamp(0.0, 12.0) as usize;
+    let unit = 10f64.powi(decimals as i32);
+    format!("{:.decimals$} %", rounded(value * unit) / unit)
+}
+
 /// Two decimals, or two digits of small values.
 pub(super) fn rate(value: f64) -> String {
     if value < 0.01 {
@@ -134,5 +154,22 @@ pub(super) fn small(value: f64) -> String {
         value if value < 0.001 => format!("{value:.0e}"),
         value if value < 1000.0 => format!("{value:.3}"),
         value => grouped(value.round() as u64),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn percents_have_two_digits() {
+        let shares = [0.0, 1.5e-5, 0.049, 0.3, 1.0, 2e-11];
+        let texts = ["0", "0.0015 %", "4.9 %", "30 %", "100 %", "0.0000000020 %"];
+        assert_eq!(shares.map(percent), texts);
+        let bounds = ["0", "0.0015 %", "4.9 %", "31 %", "100 %"];
+        assert_eq!(
+            [0.0, 1.41e-5, 0.04801, 0.301, 1.0].map(percent_above),
+            bounds
+        );
     }
 }

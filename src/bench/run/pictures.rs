@@ -27,6 +27,8 @@ pub struct Pictures {
 pub struct PictureFiles {
     /// Depths, if an exact kernel was measured.
     pub depth: Option<Vec<u8>>,
+    /// The nearest and the farthest depth; `None` without a hit.
+    pub depth_range: Option<ColorRange>,
     /// Tests of each ray, by accelerator, all on one scale.
     pub costs: Vec<(SplitMethod, Vec<u8>)>,
     /// The cost at the bright end of the scale.
@@ -141,16 +143,18 @@ impl Pictures {
             let pixels = pixels.as_ref();
             pixels.map(|pixels| file(size, pixels)).transpose()
         };
+        let depth_range = self.depth.as_ref().and_then(ColorRange::of_depths);
         let depth = |image: &Image| {
             let unit = ColorRange {
                 start: 0.0,
                 end: 1.0,
             };
-            let range = ColorRange::of_depths(image).unwrap_or(unit);
+            let range = depth_range.unwrap_or(unit);
             file(size, &view::depth(image, ColorMap::Turbo, range)?)
         };
         Ok(PictureFiles {
             depth: self.depth.as_ref().map(depth).transpose()?,
+            depth_range,
             costs: self.costs.iter().map(cost).collect::<io::Result<_>>()?,
             highest_cost: range.end,
             errors: self.errors.iter().map(errors).collect::<io::Result<_>>()?,
