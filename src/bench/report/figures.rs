@@ -1,10 +1,10 @@
 //! The pictures of a scene: depths, costs and errors, with colour bars.
 
 use super::html::{escaped, swatch};
-use super::table::grouped;
 use crate::bench::kernel::Kernel;
 use crate::bench::run::{PictureFiles, Row};
 use crate::compare::picture;
+use crate::error::grouped;
 use crate::film::ColorMap;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;

@@ -1,11 +1,11 @@
 //! The results of a scene in sentences.
 
-use super::table::grouped;
 use super::value::{percent, percent_above, rate};
 use crate::accel::{Accelerator, SplitMethod};
 use crate::bench::error::Errors;
 use crate::bench::kernel::Kernel;
 use crate::bench::run::Row;
+use crate::error::grouped;
 
 /// Speeds that differ by less are called equal.
 const NOISE: f64 = 0.05;

@@ -2,8 +2,8 @@
 
 use super::scale;
 use crate::bench::error::Errors;
-use crate::bench::report::table::grouped;
 use crate::bench::report::value::{percent, percent_above};
+use crate::error::grouped;
 
 /// A quantity on the vertical axis.
 #[derive(Debug)]

@@ -1,6 +1,6 @@
 //! Logarithmic axes of plots.
 
-use crate::bench::report::table::grouped;
+use crate::error::grouped;
 use std::ops::Range;
 
 /// A logarithmic axis: values on a range of pixels.
