@@ -217,7 +217,8 @@ impl<'a> Reader<'a> {
             let length = self.index(0)?;
             if length >= self.words.len() as u64 {
                 let found = counted(self.words.len() as u64 - 1, "index");
-                let message = format!("a face of {length} corners with {found}");
+                let corners = counted(length, "corner");
+                let message = format!("a face of {corners} with {found}");
                 let error = self.error(message, line.words_span());
                 return Err(error.note("expected the number of corners, and the vertex of each"));
             }
