@@ -183,11 +183,12 @@ mod tests {
             // High enough for all of them below each other, with gaps of any size.
             let limits = [-3000.0, 3000.0];
             let shifts = place(&shapes, limits).expect("there is room");
-            let lines_0: Vec<f64> = shapes.iter().zip(&shifts).map(|(s, by)| s.wanted + by).collect();
+            let placed = shapes.iter().zip(&shifts);
+            let places: Vec<f64> = placed.map(|(shape, shift)| shape.wanted + shift).collect();
             for (later, lower) in shapes.iter().enumerate() {
                 for (earlier, upper) in shapes[..later].iter().enumerate() {
                     let least = distance(upper, lower).unwrap_or(f64::NEG_INFINITY);
-                    prop_assert!(lines_0[later] - lines_0[earlier] >= least - 1e-6);
+                    prop_assert!(places[later] - places[earlier] >= least - 1e-6);
                 }
             }
             let mut rectangles = Vec::new();
