@@ -89,7 +89,8 @@ impl Fisheye {
     /// The angle, up to roundings, by Newton's method between bounds.
     fn near(&self, distance: f64) -> Option<f64> {
         let (mut low, mut high) = (0.0, self.reach);
-        if !(self.missing(&high, distance) > 0.0) {
+        let beyond = self.missing(&high, distance);
+        if beyond.is_nan() || beyond <= 0.0 {
             return None;
         }
         let mut angle = distance.min(0.5 * high);

@@ -110,6 +110,7 @@ mod tests {
     use super::*;
     use crate::exact::degrees::sine_and_cosine_of_quarter_turns;
     use proptest::prelude::*;
+    use std::f64::consts::FRAC_PI_2;
 
     #[test]
     fn known_values_are_right() {
@@ -149,7 +150,7 @@ mod tests {
         fn quick_ones_are_those_of_integers(
             angle in prop_oneof![
                 0.0f64..MOST, 0.0f64..1e-3,
-                (1u32..5, -1e-9f64..1e-9).prop_map(|(k, off)| f64::from(k) * 1.570_796 + off),
+                (1u32..5, -1e-9f64..1e-9).prop_map(|(k, off)| f64::from(k) * FRAC_PI_2 + off),
             ],
         ) {
             for (k, quick) in quick_sine_and_cosine(angle).into_iter().enumerate() {

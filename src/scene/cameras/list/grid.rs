@@ -69,7 +69,10 @@ impl<'de> Visitor<'de> for NumbersVisitor<'_> {
                 numbers.columns = columns;
             }
             let count = numbers.values.len() + row.len();
-            if numbers.columns != columns || columns == Some(0) || count > MOST {
+            if numbers.columns != columns {
+                return Err(Error::custom("rows of different lengths"));
+            }
+            if columns == Some(0) || count > MOST {
                 return Err(Error::invalid_length(count, &self));
             }
             numbers.values.extend(row);
@@ -92,7 +95,7 @@ fn read<'de, D: Deserializer<'de>, T>(
 impl<'de, const R: usize, const C: usize> Deserialize<'de> for Grid<R, C> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Grid<R, C>, D::Error> {
         let expected = match C {
-            1 => format!("{R} numbers"),
+            1 => format!("{R} numbers, or {R} lists of one number"),
             _ => format!("{R} rows of {C} numbers, or {} numbers", R * C),
         };
         read(deserializer, &expected, |numbers| {

@@ -13,7 +13,7 @@ pub(super) enum List {
     /// A list by feimos, or a single camera of one.
     Own(Vec<Entry>),
     /// The frames of a `transforms.json`.
-    Transforms(Transforms),
+    Transforms(Box<Transforms>),
 }
 
 /// The list in `bytes`, the content of the file `path`.
@@ -29,7 +29,8 @@ pub(super) fn list(path: &Path, bytes: &[u8]) -> Result<List> {
     }
     let probe = serde_json::from_slice::<Probe>(bytes);
     if probe.is_ok_and(|probe| probe.frames.is_some()) {
-        read(path, bytes, Form::Transforms).map(List::Transforms)
+        let list = read(path, bytes, Form::Transforms);
+        list.map(|list| List::Transforms(Box::new(list)))
     } else {
         read(path, bytes, Form::Single).map(|entry| List::Own(vec![entry]))
     }
@@ -72,11 +73,11 @@ fn in_words(path: &FieldPath) -> Option<String> {
 
 /// The notation of the field that `path` leads to.
 fn form_of(path: &FieldPath, form: Form) -> &'static str {
-    let keys = path.iter().filter_map(|segment| match segment {
+    let mut keys = path.iter().filter_map(|segment| match segment {
         Segment::Map { key } => Some(key.as_str()),
         _ => None,
     });
-    match keys.last() {
+    match keys.next_back() {
         Some("frames") => "expected \"frames\": [{\"file_path\": \"a.png\", ...}, ...]",
         Some("file_path") => "expected \"file_path\": \"images/a.png\"",
         Some("transform_matrix") => {

@@ -150,7 +150,7 @@ fn mistakes_in_a_list_are_reported_with_their_place() {
         ),
         (
             r#"[{"t": [[0], [0, 1], [5]]}]"#.to_owned(),
-            "camera 1, `t`: invalid length 2, expected a number, or a list of one",
+            "camera 1, `t`: rows of different lengths",
         ),
         (
             r#"[{"t": {"x": 1}}]"#.to_owned(),
