@@ -158,7 +158,7 @@ fn mistakes_in_a_list_are_reported_with_their_place() {
         ),
         (
             r#"[{"K": [[1, 0], [0, 1]]}]"#.to_owned(),
-            "camera 1, `K`: invalid length 2",
+            "camera 1, `K`: invalid length 4, expected 3 rows of 3 numbers",
         ),
     ]);
 }
