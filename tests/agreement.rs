@@ -6,11 +6,10 @@
 mod common;
 
 use common::{
-    Way, add_triangles, agreed_picture, assert_same, fisheye, picture, picture_by, whole,
-    wide_angle,
+    Way, add_triangles, agreed_picture, assert_same, picture, picture_by, projections, whole,
 };
 use feimos::accel::{Accelerator, BuildOptions, Precision, SplitMethod};
-use feimos::camera::{Camera, Projection, ScreenWindow, SphereMapping};
+use feimos::camera::{Camera, Projection, ScreenWindow};
 use feimos::film::{ChannelName, PixelBounds};
 use feimos::geometry::{Matrix, Point, Transform, Vector};
 use feimos::shape::{Cut, Disk, Form, Geometry, Revolved};
@@ -89,14 +88,7 @@ fn setting() -> impl Strategy<Value = Setting> {
         prop::collection::vec(ball(), 0..12),
         prop::sample::select(vec![0, 0, 90, 37]),
         corner(6),
-        prop::sample::select(vec![
-            Projection::Orthographic,
-            Projection::perspective(90.0),
-            Projection::Spherical(SphereMapping::Equirectangular),
-            Projection::Spherical(SphereMapping::EqualArea),
-            Projection::Distorted(wide_angle()),
-            Projection::Distorted(fisheye()),
-        ]),
+        prop::sample::select(projections()),
         prop::sample::select(vec![[9, 9], [17, 5], [1, 1], [8, 8]]),
     )
         .prop_map(

@@ -83,66 +83,67 @@ fn accelerators_crops_and_threads_agree() {
     }
 }
 
-#[test]
-fn points_appear_where_the_formulas_put_them() {
-    let folder = folder();
+/// Where the camera of a list puts its hits: pixel, point in its space with y down, and depth.
+fn hits(folder: &Folder, list: &str) -> Vec<([f64; 2], [f64; 3], f64)> {
     folder
-        .render("ball.pbrt --cameras brown.json -o a.exr --aov Z,t,P")
+        .render(&format!("ball.pbrt --cameras {list} -o a.exr --aov Z,t,P"))
         .succeeded();
     let image = folder.exr("a.exr");
-    let [px, py, pz] = ["P.X", "P.Y", "P.Z"].map(|name| image.measures(name));
-    let (z, mut seen) = (image.measures("Z"), 0);
-    for pixel in (0..z.len()).filter(|pixel| z[*pixel].is_finite()) {
-        let [x, y, depth] = [
-            f64::from(px[pixel]) + 0.1,
-            0.2 - f64::from(py[pixel]),
-            3.0 - f64::from(pz[pixel]),
+    let [x, y, z] = ["P.X", "P.Y", "P.Z"].map(|name| image.measures(name));
+    let depths = image.measures("Z");
+    let hit = |pixel: usize| {
+        let point = [
+            f64::from(x[pixel]) + 0.1,
+            0.2 - f64::from(y[pixel]),
+            3.0 - f64::from(z[pixel]),
         ];
-        assert!((depth - f64::from(z[pixel])).abs() < 1e-5);
+        let place = [(pixel % 13) as f64, (pixel / 13) as f64];
+        (place, point, f64::from(depths[pixel]))
+    };
+    let hits: Vec<_> = (0..depths.len())
+        .filter(|pixel| depths[*pixel].is_finite())
+        .map(hit)
+        .collect();
+    assert!(hits.len() > 20, "{}", hits.len());
+    hits
+}
+
+/// Asserts that a point projects to the centre of its pixel.
+fn assert_at(pixel: [f64; 2], [x, y]: [f64; 2]) {
+    let found = [9.0 * x + 6.25, 8.5 * y + 3.0];
+    assert!(
+        (0..2).all(|k| (found[k] - pixel[k]).abs() < 1e-5),
+        "{pixel:?}: {found:?}"
+    );
+}
+
+#[test]
+fn points_appear_where_the_formulas_put_them() {
+    for (pixel, [x, y, depth], z) in hits(&folder(), "brown.json") {
+        assert!((depth - z).abs() < 1e-5);
         let (x, y) = (x / depth, y / depth);
         let s = x * x + y * y;
         let f = 1.0 - 0.3 * s + 0.1 * s * s;
         let (p1, p2) = (0.002, -0.001);
-        let column = 9.0 * (x * f + 2.0 * p1 * x * y + p2 * (s + 2.0 * x * x)) + 6.25;
-        let row = 8.5 * (y * f + p1 * (s + 2.0 * y * y) + 2.0 * p2 * x * y) + 3.0;
-        let off = (column - (pixel % 13) as f64)
-            .abs()
-            .max((row - (pixel / 13) as f64).abs());
-        assert!(off < 1e-5, "{pixel}: {column}, {row}");
-        seen += 1;
+        let across = x * f + 2.0 * p1 * x * y + p2 * (s + 2.0 * x * x);
+        let down = y * f + p1 * (s + 2.0 * y * y) + 2.0 * p2 * x * y;
+        assert_at(pixel, [across, down]);
     }
-    assert!(seen > 20, "{seen}");
 }
 
 #[test]
 fn a_fisheye_gives_distances_at_angles() {
     let folder = folder();
-    folder
-        .render("ball.pbrt --cameras fisheye.json -o a.exr --aov Z,t,P")
-        .succeeded();
-    let image = folder.exr("a.exr");
-    assert_eq!(image.measures("Z"), image.measures("t"));
-    let [px, py, pz] = ["P.X", "P.Y", "P.Z"].map(|name| image.measures(name));
-    let (t, mut seen) = (image.measures("t"), 0);
-    for pixel in (0..t.len()).filter(|pixel| t[*pixel].is_finite()) {
-        let point = [
-            f64::from(px[pixel]) + 0.1,
-            0.2 - f64::from(py[pixel]),
-            3.0 - f64::from(pz[pixel]),
-        ];
-        let sideways = point[0].hypot(point[1]);
-        assert!((sideways.hypot(point[2]) - f64::from(t[pixel])).abs() < 1e-5);
-        let angle = sideways.atan2(point[2]);
+    for (pixel, [x, y, depth], z) in hits(&folder, "fisheye.json") {
+        let sideways = x.hypot(y);
+        assert!((sideways.hypot(depth) - z).abs() < 1e-5);
+        let angle = sideways.atan2(depth);
         let square = angle * angle;
         let scale = angle * (1.0 - 0.02 * square + 0.01 * square * square) / sideways;
-        let (column, row) = (9.0 * scale * point[0] + 6.25, 8.5 * scale * point[1] + 3.0);
-        let off = (column - (pixel % 13) as f64)
-            .abs()
-            .max((row - (pixel / 13) as f64).abs());
-        assert!(off < 1e-5, "{pixel}: {column}, {row}");
-        seen += 1;
+        assert_at(pixel, [x * scale, y * scale]);
     }
-    assert!(seen > 20, "{seen}");
+    let image = folder.exr("a.exr");
+    assert_eq!(image.measures("Z"), image.measures("t"));
 }
 
 #[test]

@@ -8,6 +8,8 @@ mod bench_outputs;
 mod bench_raster;
 mod bench_simd;
 mod camera_formats;
+mod camera_lists;
+mod camera_mistakes;
 mod cameras;
 mod check;
 mod check_json;

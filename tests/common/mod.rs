@@ -11,7 +11,9 @@ use single_rays::assert_single_rays_agree;
 use feimos::accel::{
     Accelerator, Aggregate, Bins, BuildOptions, Precision, SplitMethod, Structure,
 };
-use feimos::camera::{Camera, Distortion, Fisheye, Projection, RadialTangential, ScreenWindow};
+use feimos::camera::{
+    Camera, Distortion, Fisheye, Projection, RadialTangential, ScreenWindow, SphereMapping,
+};
 use feimos::film::{ChannelName, Image, PixelBounds};
 use feimos::geometry::{Matrix, Point};
 use feimos::progress::Progress;
@@ -264,14 +266,24 @@ pub(crate) fn grid_camera(world_from_camera: Matrix, projection: Projection, siz
     }
 }
 
-/// A lens that folds back within the film of most tests.
-pub(crate) fn wide_angle() -> Distortion {
+/// Cameras of every kind. The lens of one folds back within the film of most tests, and that of
+/// another sees behind the eye.
+pub(crate) fn projections() -> Vec<Projection> {
+    let mut projections = vec![
+        Projection::Perspective { tangent: 1.0 },
+        Projection::Orthographic,
+    ];
+    projections.extend(SphereMapping::ALL.map(Projection::Spherical));
+    projections.extend([wide_angle(), fisheye()].map(Projection::Distorted));
+    projections
+}
+
+fn wide_angle() -> Distortion {
     let lens = RadialTangential::new([-0.25, 0.0, 0.0, 0.0], [0.0; 3], [0.01, -0.02]);
     Distortion::RadialTangential(lens.unwrap())
 }
 
-/// A lens that sees behind the eye.
-pub(crate) fn fisheye() -> Distortion {
+fn fisheye() -> Distortion {
     Distortion::Fisheye(Fisheye::new([-0.05, 0.01, 0.0, 0.0]).unwrap())
 }
 

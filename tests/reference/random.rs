@@ -1,20 +1,13 @@
 //! Random cameras, corners, quadrics and matrices that the tests draw.
 
-use crate::common::{fisheye, wide_angle};
-use feimos::camera::{Projection, SphereMapping};
+use crate::common::projections;
+use feimos::camera::Projection;
 use feimos::geometry::{Matrix, Point, Transform, Vector};
 use feimos::shape::{Cut, Disk, Form, Geometry, Revolved};
 use proptest::prelude::*;
 
 pub(crate) fn projection() -> impl Strategy<Value = Projection> {
-    prop::sample::select(vec![
-        Projection::Perspective { tangent: 1.0 },
-        Projection::Orthographic,
-        Projection::Spherical(SphereMapping::Equirectangular),
-        Projection::Spherical(SphereMapping::EqualArea),
-        Projection::Distorted(wide_angle()),
-        Projection::Distorted(fisheye()),
-    ])
+    prop::sample::select(projections())
 }
 
 pub(crate) type Corner = [i32; 3];

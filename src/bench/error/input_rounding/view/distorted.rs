@@ -21,7 +21,8 @@ pub(super) fn bent(lens: &Distortion, seen: [Rounded; 2]) -> [Rounded; 3] {
 }
 
 /// A bound of how far `moved` in camera space moves what appears at `seen` on the
-/// film, in pixels, which are this wide and high. Both count at the distance 1, or at the plane at distance 1.
+/// film, in pixels, which are this wide and high. Both count at the
+/// distance 1, or at the plane at distance 1.
 pub(super) fn bent_in_pixels(
     lens: &Distortion,
     seen: [f64; 2],
