@@ -33,7 +33,7 @@ fn a_wrong_mesh_is_left_out_with_its_number() {
         ),
         (
             "Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0 ]",
-            "a.pbrt:1:18: a bilinear mesh of 1 vertices without `indices`",
+            "a.pbrt:1:18: a bilinear mesh of 1 vertex without `indices`",
         ),
     ];
     for (text, message) in cases {
