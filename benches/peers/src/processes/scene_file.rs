@@ -106,7 +106,7 @@ fn write_camera(camera: &Camera, out: &mut impl Write) -> Result<()> {
             write!(out, "Camera \"perspective\" \"float fov\" {fov}")?;
         }
         Projection::Orthographic => write!(out, "Camera \"orthographic\"")?,
-        Projection::Spherical(_) => panic!("no view looks in all directions"),
+        Projection::Spherical(_) | Projection::Distorted(_) => panic!("every view is linear"),
     }
     let window = &camera.screen_window;
     let (x0, x1, y0, y1) = (window.x0, window.x1, window.y0, window.y1);

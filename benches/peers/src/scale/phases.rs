@@ -111,7 +111,12 @@ pub(crate) fn print_phases(options: &PhaseOptions) -> Result<()> {
     let file = folder.path().join("sphere.exr");
     let write = || {
         write_file(&file, Overwrite::No, |out| {
-            exr_file::write(&rendering.image, &Metadata::default(), out, Progress::SILENT)
+            exr_file::write(
+                &rendering.image,
+                &Metadata::default(),
+                out,
+                Progress::SILENT,
+            )
         })
     };
     measured(&mut costs, write)??;

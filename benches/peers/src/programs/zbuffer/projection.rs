@@ -34,7 +34,7 @@ impl Projection {
         let (is_perspective, tangent) = match camera.projection {
             Lens::Perspective { tangent } => (true, tangent),
             Lens::Orthographic => (false, 1.0),
-            Lens::Spherical(_) => panic!("no view looks in all directions"),
+            Lens::Spherical(_) | Lens::Distorted(_) => panic!("every view is linear"),
         };
         let camera_from_world = camera.world_from_camera.inverse().rows;
         let [across, down] = [
