@@ -82,7 +82,7 @@ impl Fisheye {
         let angle = self.near(distance)?;
         Some(
             self.quick(angle, distance)
-                .unwrap_or_else(|| self.settled(angle, distance)),
+                .unwrap_or_else(|| self.settled(distance)),
         )
     }
 
@@ -134,20 +134,25 @@ impl Fisheye {
         self.missing(&angle, distance).high.abs() + PAIR_ERROR * terms
     }
 
-    /// The nearest angle, from one close to it, by exact signs: the distance grows with the angle.
-    fn settled(&self, mut angle: f64, distance: f64) -> f64 {
-        let is_beyond = |low: f64, high: f64| {
-            let middle = Exactly::from(low) + Exactly::from(high);
-            let middle = middle * Exactly::from(0.5);
-            self.missing(&middle, distance).0.sign()
-        };
-        while is_beyond(angle, angle.next_up()) == Ordering::Less {
-            angle = angle.next_up();
+    /// The nearest angle by exact signs: the distance grows with the angle. Halving all numbers up to
+    /// the reach takes no longer for lenses whose roundings hide the solution.
+    fn settled(&self, distance: f64) -> f64 {
+        let sign = |angle: Exactly| self.missing(&angle, distance).0.sign();
+        // The bits of positive numbers are in their order.
+        let (mut low, mut high) = (0, self.reach.to_bits());
+        while high - low > 1 {
+            let middle = low + (high - low) / 2;
+            match sign(Exactly::from(f64::from_bits(middle))) {
+                Ordering::Greater => high = middle,
+                _ => low = middle,
+            }
         }
-        while is_beyond(angle.next_down(), angle) == Ordering::Greater {
-            angle = angle.next_down();
+        let [low, high] = [low, high].map(f64::from_bits);
+        let middle = (Exactly::from(low) + Exactly::from(high)) * Exactly::from(0.5);
+        match sign(middle) {
+            Ordering::Less => high,
+            _ => low,
         }
-        angle
     }
 }
 
@@ -180,6 +185,26 @@ mod tests {
         assert_eq!(Fisheye::new([0.0, 0.0, 0.0, 2e6]), None);
     }
 
+    /// Roundings are larger than what they add up to.
+    #[test]
+    fn extreme_coefficients_end() {
+        for k in [
+            [1e6, -1e6, 1e6, -1e6],
+            [-1e6, 1e6, -1e6, 1e6],
+            [1e6, 1e6, 1e6, -1e-3],
+        ] {
+            let lens = Fisheye::new(k).unwrap();
+            for distance in [1e-300, 1e-9, 1e-3, 0.1, 1.0, 1e3, 1e10, 1e300] {
+                if let Some([x, y, z]) = lens.direction([distance, -distance]) {
+                    assert!(
+                        (x * x + y * y + z * z - 1.0).abs() < 1e-9,
+                        "{k:?} {distance}"
+                    );
+                }
+            }
+        }
+    }
+
     fn lens() -> impl Strategy<Value = Fisheye> {
         let small = || prop_oneof![Just(0.0), -0.05f64..0.05, -1.0f64..1.0];
         [small(), small(), small(), small()].prop_map(|k| Fisheye::new(k).unwrap())
@@ -193,7 +218,7 @@ mod tests {
             let distance = lens.missing(&(lens.reach() * share), 0.0);
             prop_assume!(distance > 0.0);
             if let Some(near) = lens.near(distance) {
-                let settled = lens.settled(near, distance);
+                let settled = lens.settled(distance);
                 prop_assert!((settled - lens.reach() * share).abs() < 1e-9);
                 if let Some(quick) = lens.quick(near, distance) {
                     prop_assert_eq!(quick, settled);

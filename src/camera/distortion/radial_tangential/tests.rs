@@ -47,6 +47,24 @@ fn the_middle_is_decided_at_once() {
     }
 }
 
+/// Roundings are larger than what they add up to.
+#[test]
+fn extreme_coefficients_end() {
+    for (radial, divisor, tangential) in [
+        ([1e6, -1e6, 1e6, -1e6], [0.0; 3], [0.0; 2]),
+        ([1e6; 4], [1e6, -1e6, 1e6], [1e6, -1e6]),
+        ([-1e6, 1e6, -1e6, 1e6], [1e-6; 3], [1e-9, 0.0]),
+        ([0.0; 4], [1e6, 1e6, 1e6], [0.0; 2]),
+    ] {
+        let lens = RadialTangential::new(radial, divisor, tangential).unwrap();
+        for seen in [1e-300, 1e-12, 1e-6, 1e-3, 0.1, 1.0, 1e3, 1e10, 1e300] {
+            if let Some([x, y]) = lens.undistorted([seen, -seen]) {
+                assert!(x.is_finite() && y.is_finite(), "{radial:?} {seen}");
+            }
+        }
+    }
+}
+
 fn lens() -> impl Strategy<Value = RadialTangential> {
     let number = || prop_oneof![2 => Just(0.0), 3 => -0.3f64..0.3, 1 => -2.0f64..2.0];
     let small = || prop_oneof![Just(0.0), -0.003f64..0.003, -0.05f64..0.05];
