@@ -40,17 +40,18 @@ const TOLERANCE: f64 = 1e-9;
 impl ViewVolume {
     /// The volume that the pixels `window` of a camera's film show.
     pub fn new(camera: &Camera, window: &PixelBounds) -> ViewVolume {
-        if !camera.projection.is_linear() {
-            return ViewVolume {
-                front: None,
-                sides: Vec::new(),
-            };
-        }
         let [x, y, z] = [0, 1, 2].map(|j| Vector::from(camera.world_from_camera.column(j)));
         let front = HalfSpace {
             origin: camera.anchor(),
             normal: facing(x.cross(y), z),
         };
+        if !camera.projection.is_linear() {
+            // Lenses with a planar depth see nothing behind them.
+            return ViewVolume {
+                front: camera.projection.has_planar_depth().then_some(front),
+                sides: Vec::new(),
+            };
+        }
         let corners = corners(camera, window);
         let middle = camera.ray_through([0, 1].map(|k| 0.5 * (corners[0][k] + corners[2][k])));
         let inside = middle.origin + middle.direction;
@@ -149,7 +150,7 @@ fn facing(normal: Vector, direction: Vector) -> Vector {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::camera::{ScreenWindow, SphereMapping};
+    use crate::camera::{Distortion, Fisheye, RadialTangential, ScreenWindow, SphereMapping};
     use crate::geometry::{Matrix, Ray};
 
     fn camera(projection: Projection) -> Camera {
@@ -197,6 +198,20 @@ mod tests {
         let spherical = camera(Projection::Spherical(SphereMapping::Equirectangular));
         let behind = around([10.0, 0.0, -5.0]);
         assert_eq!(volume(&spherical).visibility(&behind), InView);
+    }
+
+    #[test]
+    fn lenses_see_nothing_behind_unless_they_are_fisheyes() {
+        let wide = RadialTangential::new([-0.2, 0.0, 0.0, 0.0], [0.0; 3], [0.0; 2]);
+        let wide = Distortion::RadialTangential(wide.unwrap());
+        let fisheye = Distortion::Fisheye(Fisheye::new([0.0; 4]).unwrap());
+        let behind = around([10.0, 0.0, -5.0]);
+        for (lens, expected) in [(wide, Visibility::Behind), (fisheye, Visibility::InView)] {
+            let volume = volume(&camera(Projection::Distorted(lens)));
+            assert_eq!(volume.visibility(&behind), expected, "{lens:?}");
+            let beside = around([17.0, 0.0, 5.0]);
+            assert_eq!(volume.visibility(&beside), Visibility::InView, "{lens:?}");
+        }
     }
 
     #[test]
