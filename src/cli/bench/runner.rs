@@ -7,13 +7,12 @@ use crate::cli::terminal::reporter::Reporter;
 use crate::cli::terminal::scene_summary::report_scene;
 use crate::cli::terminal::words::counted;
 use feimos::bench::{Bench, GroundTruth, Measured, Plan, Rounds, has_ground_truth, timed};
-use feimos::error::{Error, Result};
+use feimos::error::{Error, Result, grouped};
 use feimos::file_id::InputFiles;
 use feimos::progress::Progress;
 use feimos::reference::MAX_PRIMITIVES;
 use feimos::scene::{self, LoadOptions, Pose, Scene};
 use feimos::simd::Level;
-use indicatif::HumanCount;
 use std::path::Path;
 
 /// The options of `bench`, checked.
@@ -131,8 +130,8 @@ impl<'a> Runner<'a> {
                 "{}: errors are not measured: exact arithmetic takes too long for more than {} \
                  primitives, and the scene has {}",
                 path.display(),
-                HumanCount(MAX_PRIMITIVES),
-                HumanCount(scene.geometry.primitive_count()),
+                grouped(MAX_PRIMITIVES),
+                grouped(scene.geometry.primitive_count()),
             ));
             return None;
         }

@@ -1,10 +1,9 @@
 //! Warnings about shapes that are in odd places, and cameras that see none.
 
 use crate::cli::terminal::words::{counted, short};
-use feimos::error::Diagnostic;
+use feimos::error::{Diagnostic, grouped};
 use feimos::scene::{Place, Scene, Warning};
 use feimos::survey::{Finding, Oddity, Sight, Source, Survey, Visibility};
-use indicatif::HumanCount;
 
 /// Further places or cameras that a warning lists.
 const MORE_PLACES: usize = 3;
@@ -119,7 +118,7 @@ fn warnings_of_sight(
 fn warning_of_nothing(sight: &Sight, camera: &str) -> Warning {
     let message = format!("{camera} sees nothing: no shape's bounds reach the picture");
     let beside = counted(sight.count(Visibility::Beside) as u64, "shape");
-    let behind = HumanCount(sight.count(Visibility::Behind) as u64);
+    let behind = grouped(sight.count(Visibility::Behind) as u64);
     let note =
         format!("{beside} beside the picture, {behind} behind the camera; --shapes lists all");
     Warning {

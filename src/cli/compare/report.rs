@@ -5,8 +5,8 @@ use super::args::CompareArgs;
 use super::pixel::Pixel;
 use crate::cli::terminal::words::{counted, line, lines};
 use feimos::compare::{Comparison, Details, Ulps};
+use feimos::error::grouped;
 use feimos::film::{ChannelName, Image};
-use indicatif::HumanCount;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt::{self, Display, Formatter};
@@ -136,10 +136,10 @@ impl Display for Report {
             self.false_hits,
             self.missed_hits,
         ]
-        .map(HumanCount);
+        .map(grouped);
         line(f, "A", &self.expected)?;
         line(f, "B", &self.found)?;
-        line(f, "pixels", &HumanCount(self.pixels).to_string())?;
+        line(f, "pixels", &grouped(self.pixels))?;
         line(
             f,
             "hits",
@@ -148,7 +148,7 @@ impl Display for Report {
         line(f, "false hits", &format!("{false_hits}, only in B"))?;
         line(f, "missed hits", &format!("{missed_hits}, only in A"))?;
         let wrong =
-            in_order(&self.wrong).map(|(name, count)| format!("{} {name}", HumanCount(*count)));
+            in_order(&self.wrong).map(|(name, count)| format!("{} {name}", grouped(*count)));
         lines(f, "wrong", joined(wrong))?;
         lines(f, "ulps", self.error_table())?;
         let alone =
@@ -192,18 +192,17 @@ impl Report {
                 p99_9,
                 above,
             } = errors;
-            let ulps = |ulps: &Option<u32>| {
-                ulps.map_or("-".to_owned(), |ulps| HumanCount(ulps.into()).to_string())
-            };
+            let ulps =
+                |ulps: &Option<u32>| ulps.map_or("-".to_owned(), |ulps| grouped(ulps.into()));
             rows.push([
                 name.to_owned(),
-                HumanCount(*compared).to_string(),
+                grouped(*compared),
                 ulps(largest),
                 mean.map_or("-".to_owned(), |mean| format!("{mean:.3}")),
                 ulps(p50),
                 ulps(p99),
                 ulps(p99_9),
-                HumanCount(*above).to_string(),
+                grouped(*above),
             ]);
         }
         let width = |column: usize| rows.iter().map(|row| row[column].len()).max().unwrap_or(0);
@@ -220,7 +219,7 @@ impl Report {
     }
 
     fn verdict(&self) -> String {
-        let allowed = HumanCount(self.max_pixels);
+        let allowed = grouped(self.max_pixels);
         match (self.different, self.max_error) {
             (0, 0) => "equal".to_owned(),
             (0, error) => format!("equal within {}", counted(error.into(), "ulp")),

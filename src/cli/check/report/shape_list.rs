@@ -4,9 +4,8 @@ use super::super::checked::Checked;
 use super::super::oddities::{name, place};
 use super::bounds::Bounds;
 use crate::cli::terminal::words::short;
-use feimos::error::printable;
+use feimos::error::{grouped, printable};
 use feimos::survey::{Source, Visibility};
-use indicatif::HumanCount;
 use serde::Serialize;
 
 /// A shape in no object, or an instance.
@@ -78,7 +77,7 @@ impl<'a> ShapeEntry<'a> {
         let mut cells = vec![
             printable(&self.shape),
             printable(self.place.as_deref().unwrap_or("-")),
-            HumanCount(self.primitives).to_string(),
+            grouped(self.primitives),
             size,
         ];
         for ShapeView { distance, view, .. } in &self.views {

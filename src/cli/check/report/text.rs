@@ -2,8 +2,7 @@
 
 use super::{CameraContent, FilmContent, Item, List, Report, ShapeContent, shape_list};
 use crate::cli::terminal::words::{INDENT, counted, line, lines, short, triple};
-use feimos::error::printable;
-use indicatif::HumanCount;
+use feimos::error::{grouped, printable};
 use std::collections::BTreeMap;
 use std::fmt::{self, Display, Formatter};
 
@@ -107,12 +106,12 @@ impl List<'_> {
         if self.count == 0 {
             return Vec::new();
         }
-        let mut lines = vec![format!("{} {noun}", HumanCount(self.count))];
+        let mut lines = vec![format!("{} {noun}", grouped(self.count))];
         let item =
             |Item { name, place }: &Item| format!("{}, {}", printable(name), printable(place));
         lines.extend(self.first.iter().map(item));
         let more = self.count - self.first.len() as u64;
-        lines.extend((more > 0).then(|| format!("and {} more", HumanCount(more))));
+        lines.extend((more > 0).then(|| format!("and {} more", grouped(more))));
         lines
     }
 }
@@ -125,8 +124,8 @@ fn shape_table(shapes: &BTreeMap<&str, ShapeContent>) -> Vec<String> {
         return vec!["none".to_owned()];
     };
     let row = |(name, shape): (&String, &ShapeContent)| {
-        let statements = HumanCount(shape.statements).to_string();
-        let primitives = HumanCount(shape.primitives).to_string();
+        let statements = grouped(shape.statements);
+        let primitives = grouped(shape.primitives);
         let primitives = if shape.left_out {
             "left out"
         } else {
@@ -144,7 +143,7 @@ fn shape_table(shapes: &BTreeMap<&str, ShapeContent>) -> Vec<String> {
 fn wrapped(counts: &BTreeMap<&str, u64>) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for (name, count) in counts {
-        let item = format!("{} {}", HumanCount(*count), printable(name));
+        let item = format!("{} {}", grouped(*count), printable(name));
         match lines.last_mut() {
             Some(last) if INDENT + last.len() + 2 + item.len() < WIDTH => {
                 last.push_str(&format!(", {item}"));

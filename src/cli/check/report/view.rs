@@ -3,9 +3,8 @@
 use super::super::checked::{Checked, View};
 use super::super::oddities::{counted_units, name, place};
 use crate::cli::terminal::words::counted;
-use feimos::error::printable;
+use feimos::error::{grouped, printable};
 use feimos::survey::Visibility;
-use indicatif::HumanCount;
 use serde::Serialize;
 
 /// Shapes behind the camera that the report names.
@@ -74,17 +73,14 @@ impl<'a> ViewContent<'a> {
         if all == 0 {
             return Vec::new();
         }
-        let (in_view, of_all) = (
-            HumanCount(self.in_view as u64),
-            counted(all as u64, "shape"),
-        );
+        let (in_view, of_all) = (grouped(self.in_view as u64), counted(all as u64, "shape"));
         let mut counts = vec![format!("{in_view} of {of_all} may be in view")];
         for (count, what) in [
             (self.beside, "beside the picture"),
             (self.behind, "behind the camera"),
             (self.never_hit, "never hit"),
         ] {
-            counts.extend((count > 0).then(|| format!("{} {what}", HumanCount(count as u64))));
+            counts.extend((count > 0).then(|| format!("{} {what}", grouped(count as u64))));
         }
         let within = match self.is_within_bounds {
             true => "; the camera is within the bounds",
@@ -95,7 +91,7 @@ impl<'a> ViewContent<'a> {
         lines.extend(self.first_behind.iter().map(ShapeBehind::line));
         let more = self.behind.saturating_sub(self.first_behind.len());
         if more > 0 && !self.first_behind.is_empty() {
-            let more = HumanCount(more as u64);
+            let more = grouped(more as u64);
             lines.push(format!("and {more} more; --shapes lists all"));
         }
         lines

@@ -2,8 +2,7 @@
 
 use super::{LeafSize, Report, Tree, TreeLevel};
 use crate::cli::terminal::words::{counted, line, lines, short};
-use feimos::error::printable;
-use indicatif::HumanCount;
+use feimos::error::{grouped, printable};
 use std::fmt::{self, Display, Formatter};
 
 /// The most rows of a table of depths; deeper trees have several depths a row.
@@ -19,7 +18,7 @@ impl Display for Report {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         writeln!(f, "{}, {}", printable(&self.scene), self.accel)?;
         let nodes = counted(self.nodes as u64, "node");
-        let leaves = HumanCount(self.leaves as u64);
+        let leaves = grouped(self.leaves as u64);
         line(f, "all trees", &format!("{nodes}, {leaves} of them leaves"))?;
         line(f, "depth", &self.depth.to_string())?;
         line(f, "SAH cost", &short(self.sah_cost))?;
@@ -81,7 +80,7 @@ impl Tree {
         );
         let row = |row: &Row| {
             let [nodes, leaves, items] =
-                [row.nodes, row.leaves, row.items].map(|count| HumanCount(count as u64));
+                [row.nodes, row.leaves, row.items].map(|count| grouped(count as u64));
             let [nodes, leaves, items] = [nodes, leaves, items].map(|count| count.to_string());
             let bar = bar(row.items, most);
             let (depths, area) = (&row.depths, row.area);
@@ -117,7 +116,7 @@ impl Tree {
         let most = rows.iter().map(|(_, leaves)| *leaves).max().unwrap_or(0);
         let title = format!("{:>20}  {:>9}", format!("{}s", self.items()), "leaves");
         let row = |(name, leaves): &(String, usize)| {
-            let count = HumanCount(*leaves as u64).to_string();
+            let count = grouped(*leaves as u64);
             let text = format!("{name:>20}  {count:>9}  {}", bar(*leaves, most));
             text.trim_end().to_owned()
         };
@@ -163,7 +162,7 @@ fn object_table(objects: &[&Tree]) -> Vec<String> {
     );
     let row = |tree: &&Tree| {
         let counts = [tree.instances.unwrap_or(0), tree.items, tree.nodes];
-        let [instances, items, nodes] = counts.map(|count| HumanCount(count as u64).to_string());
+        let [instances, items, nodes] = counts.map(|count| grouped(count as u64));
         format!(
             "{:>7}  {instances:>9}  {items:>11}  {nodes:>9}  {:>5}  {:>8}",
             tree.object.unwrap_or(0),
@@ -174,10 +173,7 @@ fn object_table(objects: &[&Tree]) -> Vec<String> {
     let mut rows = vec![title];
     rows.extend(sorted.iter().take(MOST_OBJECTS).map(row));
     if let Some(more @ 1..) = sorted.len().checked_sub(MOST_OBJECTS) {
-        rows.push(format!(
-            "and {} more; --json has all",
-            HumanCount(more as u64)
-        ));
+        rows.push(format!("and {} more; --json has all", grouped(more as u64)));
     }
     rows
 }
