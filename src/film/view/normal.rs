@@ -1,6 +1,6 @@
 //! The normal view: the orientation of surfaces.
 
-use super::samples::{NOTHING, measures};
+use super::samples::{NOTHING, measures, normals};
 use crate::film::color_map::Rgb;
 use crate::film::{ChannelName, Image};
 use rayon::prelude::*;
@@ -12,13 +12,8 @@ use std::io;
 /// # Errors
 /// The image lacks the channels of `N`, or `A`.
 pub fn normal(image: &Image) -> io::Result<Vec<Rgb>> {
-    let channel = |name| measures(image, name);
-    let (x, y, z) = (
-        channel(ChannelName::Nx)?,
-        channel(ChannelName::Ny)?,
-        channel(ChannelName::Nz)?,
-    );
-    let a = channel(ChannelName::A)?;
+    let [x, y, z] = normals(image)?;
+    let a = measures(image, ChannelName::A)?;
     let pixel = |(((x, y), z), a): (((&f32, &f32), &f32), &f32)| {
         if *a != 0.0 {
             [*x, *y, *z].map(component)

@@ -11,6 +11,15 @@ pub(super) fn measures(image: &Image, name: ChannelName) -> io::Result<&[f32]> {
     available(image, name, Image::measures)
 }
 
+/// The samples of the channels of `N`: x, y and z.
+pub(super) fn normals(image: &Image) -> io::Result<[&[f32]; 3]> {
+    Ok([
+        measures(image, ChannelName::Nx)?,
+        measures(image, ChannelName::Ny)?,
+        measures(image, ChannelName::Nz)?,
+    ])
+}
+
 /// The samples of the `u32` channel of that name.
 pub(super) fn numbers(image: &Image, name: ChannelName) -> io::Result<&[u32]> {
     available(image, name, Image::numbers)

@@ -1,7 +1,7 @@
 //! The shaded view: the colours of depth, lit by a lamp at the eye.
 
 use super::depth;
-use super::samples::{measures, pixel_at};
+use super::samples::{measures, normals, pixel_at};
 use crate::camera::Camera;
 use crate::film::color_map::Rgb;
 use crate::film::{ChannelName, ColorMap, ColorRange, Image};
@@ -24,13 +24,8 @@ pub fn shaded(
     range: ColorRange,
 ) -> io::Result<Vec<Rgb>> {
     let mut pixels = depth(image, colors, range)?;
-    let channel = |name| measures(image, name);
-    let (x, y, z) = (
-        channel(ChannelName::Nx)?,
-        channel(ChannelName::Ny)?,
-        channel(ChannelName::Nz)?,
-    );
-    let a = channel(ChannelName::A)?;
+    let [x, y, z] = normals(image)?;
+    let a = measures(image, ChannelName::A)?;
     let light = |(place, pixel): (usize, &mut Rgb)| {
         if a[place] == 0.0 {
             return;
