@@ -20,7 +20,7 @@ type Result<T> = std::result::Result<T, Refusal>;
 
 /// An object of the file: the whole, with `frames`, or one of them. Both may tell what cameras see
 /// through.
-#[derive(Debug, Clone, Default, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Deserialize)]
 struct Block {
     frames: Option<Vec<Block>>,
     file_path: Option<String>,
@@ -68,6 +68,7 @@ impl Transforms {
             .map(|(frame, number)| frame.file_path.as_deref().unwrap_or(number))
             .collect();
         let names = names_of_images(&images);
+        let mut last = LastOptics::default();
         let named = self.frames().iter().zip(names).enumerate();
         named
             .map(|(place, (frame, name))| {
@@ -75,21 +76,40 @@ impl Transforms {
                     (format!("frame {}, `{name}`: {found}", place + 1), expected)
                 };
                 check_name(&name).map_err(refused)?;
-                frame.pose(&self.0, name.clone()).map_err(refused)
+                let optics = || last.intrinsics(frame.over(&self.0));
+                frame.pose(name.clone(), optics).map_err(refused)
             })
             .collect()
     }
 }
 
+/// What the frame before saw through: most frames share it, and the reach of a lens takes a tenth of
+/// a millisecond.
+#[derive(Default)]
+struct LastOptics(Option<(Block, Intrinsics)>);
+
+impl LastOptics {
+    fn intrinsics(&mut self, optics: Block) -> Result<Intrinsics> {
+        if let Some((known, intrinsics)) = &self.0
+            && *known == optics
+        {
+            return Ok(intrinsics.clone());
+        }
+        let intrinsics = optics.intrinsics()?;
+        self.0 = Some((optics, intrinsics.clone()));
+        Ok(intrinsics)
+    }
+}
+
 impl Block {
-    fn pose(&self, shared: &Block, name: String) -> Result<Pose> {
+    fn pose(&self, name: String, intrinsics: impl FnOnce() -> Result<Intrinsics>) -> Result<Pose> {
         let Some(Affine(matrix)) = self.transform_matrix else {
             return Err((
                 "no `transform_matrix`".to_owned(),
                 "the matrix from camera to world".to_owned(),
             ));
         };
-        let intrinsics = self.over(shared).intrinsics()?;
+        let intrinsics = intrinsics()?;
         Ok(Pose {
             name,
             world_from_camera: world_from_camera(&matrix)?,
