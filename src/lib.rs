@@ -41,6 +41,8 @@ pub mod accel;
 pub mod bench;
 pub mod boxes;
 pub mod camera;
+#[cfg(feature = "cli")]
+pub mod cli;
 pub mod compare;
 pub mod decimal;
 pub mod digest;

@@ -1,7 +1,5 @@
 //! The `feimos` program: parse the command line, run, print what went wrong, exit.
 
-mod cli;
-
 use std::process::ExitCode;
 
 #[cfg(target_os = "linux")]
@@ -11,5 +9,5 @@ static ALLOCATOR: feimos::huge_pages::HugePageAllocator = feimos::huge_pages::Hu
 fn main() -> ExitCode {
     #[cfg(target_os = "linux")]
     feimos::huge_pages::prepare();
-    cli::run()
+    feimos::cli::run(std::env::args_os()).into()
 }

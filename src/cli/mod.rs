@@ -14,8 +14,8 @@ mod terminal;
 mod tree;
 mod usage;
 
+use crate::error::Result;
 use clap::{CommandFactory, Parser, Subcommand};
-use feimos::error::Result;
 use manual::completions::{CompletionsArgs, completions};
 use manual::man::{ManArgs, man};
 use manual::version::long_version;
@@ -23,7 +23,7 @@ use options::messages::MessageArgs;
 use process::panics;
 #[cfg(unix)]
 use process::signals;
-use std::process::ExitCode;
+use std::ffi::OsString;
 use terminal::reporter::Reporter;
 
 /// Hit and depth images of PBRT scenes.
@@ -68,11 +68,13 @@ enum Command {
     Man(ManArgs),
 }
 
-/// Runs the command that the user typed and returns its exit code.
-pub(crate) fn run() -> ExitCode {
+/// Runs the command that the user typed and returns its exit code. The first of the `arguments` is
+/// the name of the program.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
+    process::arguments::keep(arguments.into_iter().collect());
     let cli: Cli = match usage::parse(Cli::command().long_version(long_version())) {
         Ok(cli) => cli,
-        Err(code) => return code.into(),
+        Err(code) => return code,
     };
     match cli.command {
         Command::Render(args) => report(&args.messages, |reporter| render::render(&args, reporter)),
@@ -92,12 +94,12 @@ pub(crate) fn run() -> ExitCode {
 }
 
 /// Runs a command whose messages the user has chosen.
-fn report(args: &MessageArgs, command: impl FnOnce(&Reporter) -> Result<u8>) -> ExitCode {
+fn report(args: &MessageArgs, command: impl FnOnce(&Reporter) -> Result<u8>) -> u8 {
     conclude(&Reporter::new(args), command)
 }
 
 /// Runs a command and reports the error that ended it, if any.
-fn conclude(reporter: &Reporter, command: impl FnOnce(&Reporter) -> Result<u8>) -> ExitCode {
+fn conclude(reporter: &Reporter, command: impl FnOnce(&Reporter) -> Result<u8>) -> u8 {
     panics::keep_messages();
     #[cfg(unix)]
     {
@@ -106,9 +108,8 @@ fn conclude(reporter: &Reporter, command: impl FnOnce(&Reporter) -> Result<u8>) 
     }
     let result = panics::guarded(None, || command(reporter));
     reporter.repetitions();
-    let code = result.unwrap_or_else(|error| {
+    result.unwrap_or_else(|error| {
         reporter.error(&error);
         error.kind().exit_code()
-    });
-    code.into()
+    })
 }

@@ -1,13 +1,13 @@
 //! Options of `bench` as typed.
 
+use crate::accel::Accelerator;
+use crate::bench::Kernel;
 use crate::cli::options::cameras::CameraArgs;
 use crate::cli::options::engine::{SimdArgs, ThreadArgs};
 use crate::cli::options::messages::MessageArgs;
 use crate::cli::options::scene::SceneArgs;
 use crate::cli::options::values::{integer, named};
 use clap::{Args, ValueEnum};
-use feimos::accel::Accelerator;
-use feimos::bench::Kernel;
 use std::path::PathBuf;
 
 #[derive(Debug, Args)]

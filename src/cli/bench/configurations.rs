@@ -1,13 +1,13 @@
 //! The accelerators and kernels that `bench` measures.
 
 use super::args::ConfigurationArgs;
+use crate::accel::{Accelerator, SplitMethod};
+use crate::bench::{Build, Kernel};
 use crate::cli::options::engine::{build_options, method_of_scene};
 use crate::cli::options::values::refuse_repeated;
 use crate::cli::terminal::reporter::Reporter;
-use feimos::accel::{Accelerator, SplitMethod};
-use feimos::bench::{Build, Kernel};
-use feimos::error::{Error, Result};
-use feimos::scene::AcceleratorParameters;
+use crate::error::{Error, Result};
+use crate::scene::AcceleratorParameters;
 
 /// Accelerators that each suit some of the kernels, and kernels that each suit some of them.
 #[derive(Debug)]

@@ -2,18 +2,19 @@
 
 use super::args::OutputArgs;
 use super::page;
+use crate::bench::{Machine, Row, Section, to_csv, to_html, to_json, to_markdown, to_svg, totals};
 use crate::cli::files::destination::Destination;
 use crate::cli::files::inputs::{Inputs, check_against_scene};
 use crate::cli::files::new_folders::{NewFolders, write_with_folders};
 use crate::cli::files::places::Places;
 use crate::cli::files::results::check_extension;
+use crate::cli::process::arguments::arguments;
 use crate::cli::terminal::reporter::Reporter;
 use crate::cli::terminal::stdout::write_to_stdout;
-use feimos::bench::{Machine, Row, Section, to_csv, to_html, to_json, to_markdown, to_svg, totals};
-use feimos::error::{Error, Result};
-use feimos::file_id::InputFiles;
-use feimos::film::atomic_file::Overwrite;
-use feimos::terminal_text;
+use crate::error::{Error, Result};
+use crate::file_id::InputFiles;
+use crate::film::atomic_file::Overwrite;
+use crate::terminal_text;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -212,7 +213,7 @@ fn write_file(path: &Path, bytes: io::Result<Vec<u8>>) -> Result<()> {
 
 /// The command line, with the program but without its path.
 fn command_line() -> String {
-    let arguments = std::env::args_os().skip(1);
+    let arguments = arguments().iter().skip(1);
     let arguments = arguments.map(|argument| argument.to_string_lossy().into_owned());
     let words = std::iter::once("feimos".to_owned()).chain(arguments);
     words.collect::<Vec<_>>().join(" ")

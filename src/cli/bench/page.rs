@@ -1,7 +1,7 @@
 //! The page of a report: `index.html` in a folder, a name that other pages have, too.
 
-use feimos::bench::is_report;
-use feimos::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
+use crate::bench::is_report;
+use crate::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;

@@ -2,17 +2,17 @@
 
 use super::args::{BenchArgs, Reference};
 use super::configurations::Configurations;
+use crate::bench::{Bench, GroundTruth, Measured, Plan, Rounds, has_ground_truth, timed};
 use crate::cli::terminal::progress::{Phase, ProgressBars};
 use crate::cli::terminal::reporter::Reporter;
 use crate::cli::terminal::scene_summary::report_scene;
 use crate::cli::terminal::words::counted;
-use feimos::bench::{Bench, GroundTruth, Measured, Plan, Rounds, has_ground_truth, timed};
-use feimos::error::{Error, Result, grouped};
-use feimos::file_id::InputFiles;
-use feimos::progress::Progress;
-use feimos::reference::MAX_PRIMITIVES;
-use feimos::scene::{self, LoadOptions, Pose, Scene};
-use feimos::simd::Level;
+use crate::error::{Error, Result, grouped};
+use crate::file_id::InputFiles;
+use crate::progress::Progress;
+use crate::reference::MAX_PRIMITIVES;
+use crate::scene::{self, LoadOptions, Pose, Scene};
+use crate::simd::Level;
 use std::path::Path;
 
 /// The options of `bench`, checked.

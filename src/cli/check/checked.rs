@@ -1,10 +1,10 @@
 //! A scene that could be read, and what its survey found.
 
 use super::oddities;
-use feimos::camera::Camera;
-use feimos::film::PixelBounds;
-use feimos::scene::{Pose, Scene, Warning};
-use feimos::survey::{Sight, Survey};
+use crate::camera::Camera;
+use crate::film::PixelBounds;
+use crate::scene::{Pose, Scene, Warning};
+use crate::survey::{Sight, Survey};
 
 /// A scene with its survey.
 pub(super) struct Checked {

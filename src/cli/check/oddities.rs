@@ -1,9 +1,9 @@
 //! Warnings about shapes that are in odd places, and cameras that see none.
 
 use crate::cli::terminal::words::{counted, short};
-use feimos::error::{Diagnostic, grouped};
-use feimos::scene::{Place, Scene, Warning};
-use feimos::survey::{Finding, Oddity, Sight, Source, Survey, Visibility};
+use crate::error::{Diagnostic, grouped};
+use crate::scene::{Place, Scene, Warning};
+use crate::survey::{Finding, Oddity, Sight, Source, Survey, Visibility};
 
 /// Further places or cameras that a warning lists.
 const MORE_PLACES: usize = 3;
@@ -233,7 +233,7 @@ pub(super) fn counted_units(length: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use feimos::scene::{LoadOptions, parse};
+    use crate::scene::{LoadOptions, parse};
     use std::path::Path;
 
     #[test]

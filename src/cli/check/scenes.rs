@@ -1,7 +1,7 @@
 //! Finds the scenes in a directory.
 
-use feimos::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
-use feimos::scene;
+use crate::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
+use crate::scene;
 use std::fs::{self, DirEntry};
 use std::io;
 use std::path::{Path, PathBuf};

@@ -1,7 +1,7 @@
 //! A pixel that differs, with its values in both images.
 
-use feimos::compare::Difference;
-use feimos::film::{ChannelName, Image, Samples};
+use crate::compare::Difference;
+use crate::film::{ChannelName, Image, Samples};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt::{self, Display, Formatter};

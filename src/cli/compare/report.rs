@@ -4,9 +4,9 @@
 use super::args::CompareArgs;
 use super::pixel::Pixel;
 use crate::cli::terminal::words::{counted, line, lines};
-use feimos::compare::{Comparison, Details, Ulps};
-use feimos::error::grouped;
-use feimos::film::{ChannelName, Image};
+use crate::compare::{Comparison, Details, Ulps};
+use crate::error::grouped;
+use crate::film::{ChannelName, Image};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt::{self, Display, Formatter};

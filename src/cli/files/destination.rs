@@ -2,9 +2,9 @@
 
 use super::new_folders;
 use crate::cli::terminal::stdout::{self, write_to_stdout};
-use feimos::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
-use feimos::film::atomic_file::Overwrite;
-use feimos::progress::Progress;
+use crate::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
+use crate::film::atomic_file::Overwrite;
+use crate::progress::Progress;
 use std::fmt::{self, Display, Formatter};
 use std::io::{self, Cursor, Seek, Write};
 use std::path::{Path, PathBuf};

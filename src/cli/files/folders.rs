@@ -1,8 +1,8 @@
 //! Folders for outputs: tried once.
 
 use super::destination::Destination;
-use feimos::error::Result;
-use feimos::film::atomic_file::directory_of;
+use crate::error::Result;
+use crate::film::atomic_file::directory_of;
 use std::collections::HashSet;
 use std::io;
 use std::path::PathBuf;

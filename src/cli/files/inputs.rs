@@ -1,7 +1,7 @@
 //! Input files of a command: no output may overwrite one of them.
 
-use feimos::error::{Error, Result};
-use feimos::file_id::{FileId, InputFiles};
+use crate::error::{Error, Result};
+use crate::file_id::{FileId, InputFiles};
 use std::path::Path;
 
 /// The input files that the command line names, each list with a name for messages.

@@ -1,7 +1,7 @@
 //! Folders for outputs: made if they are missing.
 
-use feimos::error::{Error, Result};
-use feimos::film::atomic_file::{self, Out, Overwrite, directory_of};
+use crate::error::{Error, Result};
+use crate::film::atomic_file::{self, Out, Overwrite, directory_of};
 use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};

@@ -1,8 +1,8 @@
 //! Places of outputs: two names of one place are recognized.
 
 use super::destination::Destination;
-use feimos::file_id::FileId;
-use feimos::film::atomic_file::{self, directory_of};
+use crate::file_id::FileId;
+use crate::film::atomic_file::{self, directory_of};
 use std::collections::HashMap;
 use std::path::{Component, Path, PathBuf};
 

@@ -1,6 +1,6 @@
 //! Names of result files: tables, lines of JSON, plots.
 
-use feimos::error::{Error, Result};
+use crate::error::{Error, Result};
 use std::path::Path;
 
 /// Extensions of result files, which no scene has.

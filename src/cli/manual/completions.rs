@@ -1,9 +1,9 @@
 //! `feimos completions`: prints a completion script for a shell.
 
 use crate::cli::terminal::stdout::write_to_stdout;
+use crate::error::Result;
 use clap::{Args, Command};
 use clap_complete::Shell;
-use feimos::error::Result;
 
 #[derive(Debug, Args)]
 pub(crate) struct CompletionsArgs {

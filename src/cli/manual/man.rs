@@ -1,9 +1,9 @@
 //! `feimos man`: writes the manual pages.
 
+use crate::error::{Error, Result};
+use crate::film::atomic_file::{Overwrite, write_file};
 use clap::{Args, Command};
 use clap_mangen::Man;
-use feimos::error::{Error, Result};
-use feimos::film::atomic_file::{Overwrite, write_file};
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};

@@ -1,6 +1,6 @@
 //! `feimos --version`: the version, the build and the machine, for bug reports.
 
-use feimos::simd::Level;
+use crate::simd::Level;
 
 /// How the C library is linked; a static program runs on any Linux.
 const C_RUNTIME: &str = if cfg!(target_feature = "crt-static") {

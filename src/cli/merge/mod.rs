@@ -11,11 +11,11 @@ use crate::cli::terminal::progress::{Phase, ProgressBars};
 use crate::cli::terminal::reporter::Reporter;
 use crate::cli::terminal::stdout;
 use crate::cli::terminal::words::counted;
-use feimos::error::{Error, Result};
-use feimos::film::atomic_file::Overwrite;
-use feimos::film::{Format, exr_file};
-use feimos::merge::{self, Merged};
-use feimos::progress::Progress;
+use crate::error::{Error, Result};
+use crate::film::atomic_file::Overwrite;
+use crate::film::{Format, exr_file};
+use crate::merge::{self, Merged};
+use crate::progress::Progress;
 use std::io::{self, Seek, Write};
 use std::path::Path;
 

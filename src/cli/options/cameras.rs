@@ -1,8 +1,8 @@
 //! Options for cameras of a list, in place of the scene's own.
 
+use crate::error::{Error, Result};
+use crate::scene::{self, Pose};
 use clap::Args;
-use feimos::error::{Error, Result};
-use feimos::scene::{self, Pose};
 use std::path::PathBuf;
 
 #[derive(Debug, Args)]

@@ -1,12 +1,12 @@
 //! Options for the engine, and the accelerator that a scene asks for.
 
 use super::values::{described, integer};
+use crate::accel::{Accelerator, BuildOptions, Precision, SplitMethod};
+use crate::named::UnknownName;
+use crate::scene::{AcceleratorParameters, spelling};
+use crate::simd::Level;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use feimos::accel::{Accelerator, BuildOptions, Precision, SplitMethod};
-use feimos::named::UnknownName;
-use feimos::scene::{AcceleratorParameters, spelling};
-use feimos::simd::Level;
 use std::str::FromStr;
 
 #[derive(Debug, Args)]

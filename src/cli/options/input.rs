@@ -1,7 +1,7 @@
 //! Options for input: the moment that is shown, and limits on what input files may expand to.
 
+use crate::input::BudgetFactor;
 use clap::Args;
-use feimos::input::BudgetFactor;
 
 #[derive(Debug, Args)]
 pub(crate) struct InputArgs {

@@ -1,10 +1,10 @@
 //! Options for image files: their name, format and content.
 
 use super::values::{depth_channel, named, numbers};
+use crate::film::view::{Background, Depth16, DepthConvention};
+use crate::film::{Aov, ColorMap, Format, View};
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use feimos::film::view::{Background, Depth16, DepthConvention};
-use feimos::film::{Aov, ColorMap, Format, View};
 use std::str::FromStr;
 
 #[derive(Debug, Args)]

@@ -1,9 +1,9 @@
 //! Options for reading scenes.
 
 use super::input::{InputArgs, MomentArgs};
+use crate::scene::LoadOptions;
+use crate::shape::AlphaCutoff;
 use clap::Args;
-use feimos::scene::LoadOptions;
-use feimos::shape::AlphaCutoff;
 
 #[derive(Debug, Args)]
 pub(crate) struct SceneArgs {

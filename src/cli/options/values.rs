@@ -1,8 +1,8 @@
 //! Parsers of option values.
 
+use crate::error::Error;
+use crate::film::{ChannelName, PixelBounds};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use feimos::error::Error;
-use feimos::film::{ChannelName, PixelBounds};
 use std::fmt::Display;
 use std::ops::RangeInclusive;
 use std::str::FromStr;
@@ -123,7 +123,7 @@ pub(super) fn depth_channel(name: &str) -> Result<String, String> {
 pub(crate) fn refuse_repeated<T: Copy + PartialEq + Display>(
     flag: &str,
     items: Option<&[T]>,
-) -> feimos::error::Result<()> {
+) -> crate::error::Result<()> {
     let items = items.unwrap_or_default();
     let mut places = items.iter().enumerate();
     match places.find(|(place, item)| items[..*place].contains(item)) {

@@ -1,12 +1,12 @@
 //! Options of `pixel` as typed.
 
+use crate::accel::SplitMethod;
 use crate::cli::options::cameras::CameraArgs;
 use crate::cli::options::engine::ThreadArgs;
 use crate::cli::options::messages::MessageArgs;
 use crate::cli::options::scene::SceneArgs;
 use crate::cli::options::values::{integers, named, resolution};
 use clap::Args;
-use feimos::accel::SplitMethod;
 use std::path::PathBuf;
 
 #[derive(Debug, Args)]

@@ -11,11 +11,11 @@ use super::terminal::progress::{Phase, ProgressBars};
 use super::terminal::reporter::Reporter;
 use super::terminal::scene_summary::report_scene;
 use super::terminal::stdout::{self, write_json_line, write_to_stdout};
-use feimos::accel::{BuildOptions, SplitMethod};
-use feimos::error::{Diagnostic, Error, ErrorKind, Result};
-use feimos::pixel::{Explanation, explain};
-use feimos::progress::Progress;
-use feimos::scene::{self, LoadOptions, Scene};
+use crate::accel::{BuildOptions, SplitMethod};
+use crate::error::{Diagnostic, Error, ErrorKind, Result};
+use crate::pixel::{Explanation, explain};
+use crate::progress::Progress;
+use crate::scene::{self, LoadOptions, Scene};
 use report::Report;
 
 /// Explains a pixel and returns the exit code.

@@ -1,6 +1,6 @@
 //! Panics: bugs in feimos, which end one image but not a batch.
 
-use feimos::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
+use crate::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
 use std::any::Any;
 use std::backtrace::{Backtrace, BacktraceStatus};
 use std::panic::{self, AssertUnwindSafe, PanicHookInfo};

@@ -1,8 +1,8 @@
 //! Signals that end the program: it removes unfinished files and exits as usual for the signal.
 
 use crate::cli::terminal::reporter::Reporter;
-use feimos::error::ErrorKind;
-use feimos::film::atomic_file;
+use crate::error::ErrorKind;
+use crate::film::atomic_file;
 use signal_hook::consts::{
     SIGABRT, SIGALRM, SIGHUP, SIGINT, SIGPROF, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2, SIGVTALRM,
     SIGXCPU, SIGXFSZ,

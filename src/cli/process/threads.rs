@@ -2,7 +2,7 @@
 
 use crate::cli::terminal::reporter::Reporter;
 use crate::cli::terminal::words::counted;
-use feimos::error::{Diagnostic, Error, ErrorKind, Result};
+use crate::error::{Diagnostic, Error, ErrorKind, Result};
 use rayon::{ThreadBuilder, ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 use std::io;
 use std::thread::JoinHandle;

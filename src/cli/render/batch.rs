@@ -19,9 +19,9 @@ use crate::cli::terminal::failures::Failures;
 use crate::cli::terminal::progress::ProgressBars;
 use crate::cli::terminal::reporter::Reporter;
 use crate::cli::terminal::stdout::{self, write_json_line};
-use feimos::error::Result;
-use feimos::file_id::InputFiles;
-use feimos::film::atomic_file::{self, Overwrite};
+use crate::error::Result;
+use crate::file_id::InputFiles;
+use crate::film::atomic_file::{self, Overwrite};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 

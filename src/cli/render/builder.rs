@@ -6,14 +6,14 @@ use super::plan::Plan;
 use super::scene::{LoadedScene, Viewpoint};
 use super::summary::report_built;
 use super::target::Target;
+use crate::accel::{Accelerator, Aggregate, Bins, Precision};
 use crate::cli::options::engine::AcceleratorChoice;
 use crate::cli::terminal::progress::{Phase, ProgressBars};
 use crate::cli::terminal::reporter::Reporter;
-use feimos::accel::{Accelerator, Aggregate, Bins, Precision};
-use feimos::error::{Error, Result};
-use feimos::film::PixelBounds;
-use feimos::geometry::Point;
-use feimos::progress::Progress;
+use crate::error::{Error, Result};
+use crate::film::PixelBounds;
+use crate::geometry::Point;
+use crate::progress::Progress;
 
 /// Builds structures as the plan has it.
 pub(super) struct Builder<'a> {

@@ -1,9 +1,9 @@
 //! The structure that an image is traced through: bins of its view, or a tree.
 
+use crate::accel::{Accelerator, Aggregate, Bins, SplitMethod, Statistics, Structure};
 use crate::cli::terminal::words::counted;
-use feimos::accel::{Accelerator, Aggregate, Bins, SplitMethod, Statistics, Structure};
-use feimos::error::grouped;
-use feimos::shape::Geometry;
+use crate::error::grouped;
+use crate::shape::Geometry;
 
 /// A tree and its statistics, which take a traversal to collect.
 pub(super) struct BuiltTree {

@@ -13,10 +13,10 @@ use super::tree_statistics::TreeStatistics;
 use crate::cli::files::destination::Destination;
 use crate::cli::terminal::progress::{Phase, ProgressBars};
 use crate::cli::terminal::reporter::Reporter;
-use feimos::error::Result;
-use feimos::film::PixelBounds;
-use feimos::progress::Progress;
-use feimos::render::{RenderOptions, render};
+use crate::error::Result;
+use crate::film::PixelBounds;
+use crate::progress::Progress;
+use crate::render::{RenderOptions, render};
 use std::time::Instant;
 
 /// Renders the images of a batch.

@@ -6,9 +6,9 @@ use crate::cli::files::destination::Destination;
 use crate::cli::options::output::OutputArgs;
 use crate::cli::options::values::refuse_repeated;
 use crate::cli::terminal::words::counted;
-use feimos::error::{Error, Result};
-use feimos::film::view::{Background, Depth16};
-use feimos::film::{Aov, ChannelName, ColorMap, ColorRange, Format, View};
+use crate::error::{Error, Result};
+use crate::film::view::{Background, Depth16};
+use crate::film::{Aov, ChannelName, ColorMap, ColorRange, Format, View};
 
 /// The options; `None` where the user has chosen nothing.
 #[derive(Debug)]

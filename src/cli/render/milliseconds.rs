@@ -1,6 +1,6 @@
 //! Wall-clock times of the phases of an image.
 
-use feimos::render::TraceTimes;
+use crate::render::TraceTimes;
 use serde::Serialize;
 use std::time::{Duration, Instant};
 

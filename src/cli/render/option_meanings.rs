@@ -1,8 +1,8 @@
 //! Which options have a meaning for which kind of file.
 
 use crate::cli::files::destination::Destination;
-use feimos::error::{Error, Result};
-use feimos::film::View;
+use crate::error::{Error, Result};
+use crate::film::View;
 
 /// The kind of a file: its format, and the view of a PNG.
 #[derive(Debug, Clone, Copy, PartialEq)]

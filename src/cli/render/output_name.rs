@@ -2,8 +2,8 @@
 
 use crate::cli::files::destination::Destination;
 use crate::cli::options::engine::AcceleratorChoice;
-use feimos::error::{Error, Result};
-use feimos::film::Format;
+use crate::error::{Error, Result};
+use crate::film::Format;
 use std::path::{Path, PathBuf};
 
 /// The template of `-o`, checked; without one, the scene names its image.
@@ -104,7 +104,7 @@ impl OutputName {
             ),
             None => Destination::File(match film_filename {
                 Some(name) => name.into(),
-                None if feimos::scene::is_bare_mesh(scene) => format!("{stem}.png").into(),
+                None if crate::scene::is_bare_mesh(scene) => format!("{stem}.png").into(),
                 None => PBRT_DEFAULT.into(),
             }),
         }

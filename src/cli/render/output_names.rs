@@ -4,8 +4,8 @@ use super::output_name::OutputName;
 use crate::cli::files::destination::Destination;
 use crate::cli::options::engine::AcceleratorChoice;
 use crate::cli::options::output::OutputArgs;
-use feimos::error::{Error, Result};
-use feimos::film::Format;
+use crate::error::{Error, Result};
+use crate::film::Format;
 use std::path::Path;
 
 /// The templates of `-o` in the order of the command line, or the name that a scene gives.

@@ -6,9 +6,9 @@ use super::target::Targets;
 use crate::cli::files::destination::Destination;
 use crate::cli::files::inputs::Inputs;
 use crate::cli::files::places::Places;
-use feimos::error::{Error, Result};
-use feimos::film::atomic_file::Overwrite;
-use feimos::scene;
+use crate::error::{Error, Result};
+use crate::film::atomic_file::Overwrite;
+use crate::scene;
 use std::fmt;
 use std::path::{Path, PathBuf};
 

@@ -3,16 +3,16 @@
 use super::args::RenderArgs;
 use super::image_options::ImageOptions;
 use super::output_names::OutputNames;
+use crate::accel::{BuildOptions, Precision, SplitMethod};
 use crate::cli::options::engine::{
     AcceleratorChoice, accelerator_note, build_options, method_of_scene,
 };
 use crate::cli::terminal::reporter::Reporter;
 use crate::cli::terminal::stdout;
-use feimos::accel::{BuildOptions, Precision, SplitMethod};
-use feimos::error::{Error, Result};
-use feimos::film::{Aov, PixelBounds, View};
-use feimos::scene::{AcceleratorParameters, Film, LoadOptions, Pose};
-use feimos::simd::Level;
+use crate::error::{Error, Result};
+use crate::film::{Aov, PixelBounds, View};
+use crate::scene::{AcceleratorParameters, Film, LoadOptions, Pose};
+use crate::simd::Level;
 
 /// How the command renders every scene.
 #[derive(Debug)]

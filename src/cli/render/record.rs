@@ -4,10 +4,10 @@ use super::built::BuiltSize;
 use super::milliseconds::{Milliseconds, TraceMilliseconds};
 use super::scene::{LoadedScene, Viewpoint};
 use super::tree_statistics::TreeStatistics;
+use crate::accel::{Accelerator, ExactFallbacks, Precision, Statistics};
 use crate::cli::files::destination::Destination;
-use feimos::accel::{Accelerator, ExactFallbacks, Precision, Statistics};
-use feimos::render::Rendering;
-use feimos::simd::Level;
+use crate::render::Rendering;
+use crate::simd::Level;
 use serde::Serialize;
 
 /// A file that was written.

@@ -3,18 +3,18 @@
 use super::built::BuiltTree;
 use super::milliseconds::timed;
 use super::plan::Plan;
+use crate::accel::BuildOptions;
+use crate::camera::Camera;
 use crate::cli::terminal::progress::{Phase, ProgressBars};
 use crate::cli::terminal::reporter::Reporter;
 use crate::cli::terminal::scene_summary::report_scene;
 use crate::cli::terminal::words::counted;
-use feimos::accel::BuildOptions;
-use feimos::camera::Camera;
-use feimos::digest::Digest;
-use feimos::error::Result;
-use feimos::file_id::InputFiles;
-use feimos::geometry::Point;
-use feimos::progress::Progress;
-use feimos::scene::{self, Film, Pose, Scene, SceneDigest};
+use crate::digest::Digest;
+use crate::error::Result;
+use crate::file_id::InputFiles;
+use crate::geometry::Point;
+use crate::progress::Progress;
+use crate::scene::{self, Film, Pose, Scene, SceneDigest};
 use std::path::Path;
 use std::sync::OnceLock;
 

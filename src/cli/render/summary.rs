@@ -3,15 +3,15 @@
 use super::built::{Built, BuiltSize};
 use super::record::Finished;
 use super::tree_statistics::TreeStatistics;
-use feimos::error::grouped;
+use crate::error::grouped;
 
+use crate::accel::{ExactFallbacks, Precision};
 use crate::cli::files::destination::joined;
 use crate::cli::terminal::reporter::Reporter;
 use crate::cli::terminal::scene_summary::StoredGeometry;
 use crate::cli::terminal::words::counted;
-use feimos::accel::{ExactFallbacks, Precision};
-use feimos::scene::Scene;
-use feimos::shape::Geometry;
+use crate::scene::Scene;
+use crate::shape::Geometry;
 
 /// If verbose, prints the size of a structure, and how many primitives no ray can hit.
 pub(super) fn report_built(built: &Built, geometry: &Geometry, reporter: &Reporter) {

@@ -8,9 +8,9 @@ use crate::cli::files::destination::Destination;
 use crate::cli::files::folders::OpenFolders;
 use crate::cli::terminal::reporter::Reporter;
 use crate::cli::terminal::stdout;
-use feimos::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
-use feimos::film::atomic_file::Overwrite;
-use feimos::film::{ChannelName, PixelBounds};
+use crate::error::{Diagnostic, Error, ErrorKind, Result, SourceLocation};
+use crate::film::atomic_file::Overwrite;
+use crate::film::{ChannelName, PixelBounds};
 use std::path::Path;
 
 /// What to render, and where to write it.

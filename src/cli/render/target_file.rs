@@ -2,12 +2,12 @@
 
 use super::encode::{Content, Encoding, Existing, Provenance};
 use super::record::WrittenFile;
+use crate::camera::Camera;
 use crate::cli::files::destination::Destination;
-use feimos::camera::Camera;
-use feimos::error::Result;
-use feimos::film::Image;
-use feimos::film::atomic_file::Overwrite;
-use feimos::progress::Progress;
+use crate::error::Result;
+use crate::film::Image;
+use crate::film::atomic_file::Overwrite;
+use crate::progress::Progress;
 
 /// A file that an image is to be written to.
 pub(super) struct TargetFile {

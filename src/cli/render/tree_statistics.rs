@@ -1,12 +1,12 @@
 //! The tree of `--stats`, and the tests of an image's rays in it.
 
 use super::built::BuiltTree;
-use feimos::accel::{Precision, SplitMethod, Statistics, TraversalCounts};
-use feimos::camera::Camera;
-use feimos::film::PixelBounds;
-use feimos::progress::Progress;
-use feimos::render::count_tests;
-use feimos::shape::Geometry;
+use crate::accel::{Precision, SplitMethod, Statistics, TraversalCounts};
+use crate::camera::Camera;
+use crate::film::PixelBounds;
+use crate::progress::Progress;
+use crate::render::count_tests;
+use crate::shape::Geometry;
 
 /// A tree, and the tests of an image's rays in it.
 pub(super) struct TreeStatistics {

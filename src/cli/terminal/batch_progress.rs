@@ -1,6 +1,6 @@
 //! The progress of a batch in words: `12/300 images, about 40 s left`.
 
-use feimos::error::grouped;
+use crate::error::grouped;
 use std::fmt::{self, Display, Formatter};
 use std::time::{Duration, Instant};
 

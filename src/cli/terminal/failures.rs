@@ -1,7 +1,7 @@
 //! Failures collected while a command runs.
 
 use super::reporter::Reporter;
-use feimos::error::{Diagnostic, Error, Position, SourceLocation, grouped};
+use crate::error::{Diagnostic, Error, Position, SourceLocation, grouped};
 use std::collections::BTreeMap;
 use std::fmt::Display;
 

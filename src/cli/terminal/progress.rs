@@ -2,7 +2,7 @@
 
 use super::batch_progress::BatchProgress;
 use crate::cli::options::messages::{MessageArgs, When};
-use feimos::progress::Progress;
+use crate::progress::Progress;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle, TermLike};
 use std::fmt;
 use std::io::{self, IsTerminal, Write, stderr};

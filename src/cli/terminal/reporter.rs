@@ -3,11 +3,11 @@
 use super::repetitions::Repetitions;
 use super::words::counted;
 use crate::cli::options::messages::{MessageArgs, When};
+use crate::error::Error;
+use crate::scene::Warning;
+use crate::terminal_text;
 use anstream::{AutoStream, ColorChoice};
 use anstyle::{AnsiColor, Style};
-use feimos::error::Error;
-use feimos::scene::Warning;
-use feimos::terminal_text;
 use std::fmt::Display;
 use std::io::{Stderr, Write, stderr};
 use std::sync::Arc;

@@ -2,8 +2,8 @@
 
 use super::reporter::Reporter;
 use super::words::counted;
-use feimos::scene::Scene;
-use feimos::shape::Geometry;
+use crate::scene::Scene;
+use crate::shape::Geometry;
 use serde::Serialize;
 use std::fmt::{self, Display, Formatter};
 

@@ -1,7 +1,7 @@
 //! Standard output: writes results, and detects that the caller has closed it.
 
-use feimos::error::{Error, Result};
-use feimos::json;
+use crate::error::{Error, Result};
+use crate::json;
 use serde::Serialize;
 use std::fs::{File, Metadata};
 use std::io::{self, IsTerminal, Write};

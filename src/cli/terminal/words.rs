@@ -1,9 +1,9 @@
 //! Words and lines: counts of things, and text in two columns.
 
-use feimos::error::printable;
+use crate::error::printable;
 use std::fmt::{self, Formatter};
 
-pub(crate) use feimos::error::counted;
+pub(crate) use crate::error::counted;
 
 /// Width of the first column.
 pub(crate) const INDENT: usize = 14;

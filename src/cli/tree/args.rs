@@ -1,12 +1,12 @@
 //! Options of `tree` as typed.
 
+use crate::accel::SplitMethod;
 use crate::cli::options::engine::ThreadArgs;
 use crate::cli::options::messages::MessageArgs;
 use crate::cli::options::scene::SceneArgs;
 use crate::cli::options::values::{integer, named, resolution};
+use crate::error::{Error, Result};
 use clap::Args;
-use feimos::accel::SplitMethod;
-use feimos::error::{Error, Result};
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 

@@ -12,11 +12,11 @@ use super::terminal::progress::{Phase, ProgressBars};
 use super::terminal::reporter::Reporter;
 use super::terminal::scene_summary::report_scene;
 use super::terminal::stdout;
-use feimos::accel::{Aggregate, SplitMethod};
-use feimos::error::Result;
-use feimos::json;
-use feimos::progress::Progress;
-use feimos::scene::{self, LoadOptions, Scene};
+use crate::accel::{Aggregate, SplitMethod};
+use crate::error::Result;
+use crate::json;
+use crate::progress::Progress;
+use crate::scene::{self, LoadOptions, Scene};
 use report::Report;
 
 /// Builds the tree of a scene, shows it, and returns the exit code.

@@ -1,6 +1,8 @@
 //! The files that `tree` writes: boxes as a mesh, and over a picture.
 
 use super::args::TreeArgs;
+use crate::accel::{Aggregate, NodeBox, Precision};
+use crate::boxes::{Palette, draw_boxes, write_ply};
 use crate::cli::files::destination::Destination;
 use crate::cli::files::inputs::{Inputs, check_against_scene};
 use crate::cli::files::places::Places;
@@ -8,16 +10,14 @@ use crate::cli::files::results::check_extension;
 use crate::cli::terminal::progress::{Phase, ProgressBars};
 use crate::cli::terminal::reporter::Reporter;
 use crate::cli::terminal::words::counted;
-use feimos::accel::{Aggregate, NodeBox, Precision};
-use feimos::boxes::{Palette, draw_boxes, write_ply};
-use feimos::error::{Error, Result};
-use feimos::file_id::InputFiles;
-use feimos::film::atomic_file::{self, Overwrite};
-use feimos::film::{ChannelName, png_file};
-use feimos::progress::Progress;
-use feimos::render::{RenderOptions, render};
-use feimos::scene::Scene;
-use feimos::simd::Level;
+use crate::error::{Error, Result};
+use crate::file_id::InputFiles;
+use crate::film::atomic_file::{self, Overwrite};
+use crate::film::{ChannelName, png_file};
+use crate::progress::Progress;
+use crate::render::{RenderOptions, render};
+use crate::scene::Scene;
+use crate::simd::Level;
 use std::path::Path;
 
 /// The flag that names a file, with its extension.

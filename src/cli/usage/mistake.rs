@@ -1,11 +1,11 @@
 //! Messages about wrong arguments.
 
+use crate::cli::process::arguments::arguments;
+use crate::error::Error;
+use crate::terminal_text;
 use clap::builder::StyledStr;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Command, FromArgMatches};
-use feimos::error::Error;
-use feimos::terminal_text;
-use std::env::args_os;
 use std::io::{self, Write};
 use std::path::Path;
 
@@ -51,7 +51,9 @@ const PBRT_FLAGS: [(&str, &[&str]); 6] = [
 ///
 /// The message quotes them, and they may hold anything: it is made again from printable arguments.
 pub(super) fn report<Cli: FromArgMatches>(mistake: &clap::Error, command: Command) -> u8 {
-    let printable = args_os().map(|argument| terminal_text::line(&argument.to_string_lossy()));
+    let printable = arguments()
+        .iter()
+        .map(|argument| terminal_text::line(&argument.to_string_lossy()));
     let printable: Vec<String> = printable.collect();
     let tip = missing_command(mistake, &command, &printable);
     let parse = |matches| Cli::from_arg_matches(&matches);

@@ -6,19 +6,19 @@ mod short_help;
 
 pub(super) use help_texts::*;
 
+use super::process::arguments::arguments;
 use super::terminal::reporter::Reporter;
 use super::terminal::stdout;
+use crate::error::Error;
 use clap::{ColorChoice, Command, FromArgMatches};
-use feimos::error::Error;
-use std::env::args_os;
 use std::ffi::OsString;
 use std::io::{self, Write};
 
-/// Parses the arguments of the process by `command`. Answers help, the version and mistakes at
-/// once, and returns their exit code as the error.
+/// Parses the arguments by `command`. Answers help, the version and mistakes at once, and returns
+/// their exit code as the error.
 pub(super) fn parse<Cli: FromArgMatches>(command: Command) -> Result<Cli, u8> {
-    let arguments: Vec<OsString> = args_os().collect();
-    let command = command.color(color_choice(&arguments));
+    let arguments = arguments();
+    let command = command.color(color_choice(arguments));
     let command = match arguments.iter().any(|argument| argument == "-h") {
         true => short_help::shortened(command),
         false => command,

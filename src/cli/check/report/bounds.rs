@@ -1,7 +1,7 @@
 //! A box in the world.
 
 use crate::cli::terminal::words::triple;
-use feimos::geometry;
+use crate::geometry;
 use serde::Serialize;
 use std::fmt::{self, Display, Formatter};
 

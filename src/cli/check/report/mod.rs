@@ -6,12 +6,12 @@ mod text;
 mod view;
 
 use super::checked::Checked;
+use crate::camera::{Camera, SphereMapping};
 use crate::cli::terminal::scene_summary::StoredGeometry;
+use crate::error::{Diagnostic, Error};
+use crate::film::PixelBounds;
+use crate::scene::{AcceleratorParameters, Film, Listed, ShapeCount, Warning};
 use bounds::Bounds;
-use feimos::camera::{Camera, SphereMapping};
-use feimos::error::{Diagnostic, Error};
-use feimos::film::PixelBounds;
-use feimos::scene::{AcceleratorParameters, Film, Listed, ShapeCount, Warning};
 use serde::Serialize;
 use shape_list::ShapeEntry;
 use std::collections::BTreeMap;

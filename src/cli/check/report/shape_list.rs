@@ -4,8 +4,8 @@ use super::super::checked::Checked;
 use super::super::oddities::{name, place};
 use super::bounds::Bounds;
 use crate::cli::terminal::words::short;
-use feimos::error::{grouped, printable};
-use feimos::survey::{Source, Visibility};
+use crate::error::{grouped, printable};
+use crate::survey::{Source, Visibility};
 use serde::Serialize;
 
 /// A shape in no object, or an instance.

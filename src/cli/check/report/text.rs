@@ -2,7 +2,7 @@
 
 use super::{CameraContent, FilmContent, Item, List, Report, ShapeContent, shape_list};
 use crate::cli::terminal::words::{INDENT, counted, line, lines, short, triple};
-use feimos::error::{grouped, printable};
+use crate::error::{grouped, printable};
 use std::collections::BTreeMap;
 use std::fmt::{self, Display, Formatter};
 

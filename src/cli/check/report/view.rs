@@ -3,8 +3,8 @@
 use super::super::checked::{Checked, View};
 use super::super::oddities::{counted_units, name, place};
 use crate::cli::terminal::words::counted;
-use feimos::error::{grouped, printable};
-use feimos::survey::Visibility;
+use crate::error::{grouped, printable};
+use crate::survey::Visibility;
 use serde::Serialize;
 
 /// Shapes behind the camera that the report names.

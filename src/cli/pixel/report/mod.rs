@@ -2,10 +2,10 @@
 
 mod text;
 
-use feimos::accel::{Precision, SplitMethod, TraversalCounts};
-use feimos::pixel::{Answer, CutHit, Explanation, HitDetails, Margin, Missed, Next, Scan};
-use feimos::scene::Scene;
-use feimos::shape::{InstancedId, Primitive};
+use crate::accel::{Precision, SplitMethod, TraversalCounts};
+use crate::pixel::{Answer, CutHit, Explanation, HitDetails, Margin, Missed, Next, Scan};
+use crate::scene::Scene;
+use crate::shape::{InstancedId, Primitive};
 use serde::Serialize;
 use std::path::Path;
 

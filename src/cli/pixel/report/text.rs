@@ -1,10 +1,10 @@
 //! The report on a pixel as text.
 
 use super::{AnswerLine, BASELINE, Behind, Cost, Cut, Hit, NearestMissed, PrimitiveName, Report};
+use crate::accel::Precision;
 use crate::cli::terminal::words::{counted, line, lines};
-use feimos::accel::Precision;
-use feimos::error::printable;
-use feimos::pixel::{MAX_REFERENCED, MAX_SCANNED};
+use crate::error::printable;
+use crate::pixel::{MAX_REFERENCED, MAX_SCANNED};
 use std::fmt::{self, Display, Formatter};
 
 impl Display for Report<'_> {

@@ -2,10 +2,10 @@
 
 use crate::cli::terminal::reporter::Reporter;
 use crate::cli::terminal::words::counted;
-use feimos::film::npy_file::{self, Field};
-use feimos::film::{Aov, CameraAttributes, ChannelName, Image, Metadata, exr_file, pfm_file};
-use feimos::progress::Progress;
-use feimos::shape::Geometry;
+use crate::film::npy_file::{self, Field};
+use crate::film::{Aov, CameraAttributes, ChannelName, Image, Metadata, exr_file, pfm_file};
+use crate::progress::Progress;
+use crate::shape::Geometry;
 use std::io::{self, Seek, Write};
 
 /// The channels of a file, and its format.

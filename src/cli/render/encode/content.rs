@@ -3,8 +3,8 @@
 use super::channel_file::{ChannelFile, ChannelFormat};
 use super::view_file::ViewFile;
 use crate::cli::terminal::reporter::Reporter;
-use feimos::film::{ChannelName, Image};
-use feimos::shape::Geometry;
+use crate::film::{ChannelName, Image};
+use crate::shape::Geometry;
 
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Content {

@@ -1,8 +1,8 @@
 //! The meaning of a view's colours in words. These words are part of files.
 
 use super::view_file::{NO_COST, SHOWN_PER_MILLE, ViewFile};
-use feimos::film::view::Depth16;
-use feimos::film::{ColorRange, View};
+use crate::film::view::Depth16;
+use crate::film::{ColorRange, View};
 
 impl ViewFile {
     /// The meaning of the colours.

@@ -2,11 +2,11 @@
 
 use super::content::Content;
 use super::picture::Picture;
+use crate::camera::Camera;
 use crate::cli::files::destination::Encode;
-use feimos::camera::Camera;
-use feimos::error::Result;
-use feimos::film::{CameraAttributes, Image};
-use feimos::progress::Progress;
+use crate::error::Result;
+use crate::film::{CameraAttributes, Image};
+use crate::progress::Progress;
 use std::io::{self, Seek, Write};
 
 /// A rendered image, ready to be written as a file. Several files may be made from one image.

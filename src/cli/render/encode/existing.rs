@@ -3,9 +3,9 @@
 use super::channel_file::ChannelFile;
 use super::content::Content;
 use super::header::Provenance;
-use feimos::error::{ErrorKind, Result};
-use feimos::film::exr_reader::{self, Outline};
-use feimos::film::{exr_file, png_reader};
+use crate::error::{ErrorKind, Result};
+use crate::film::exr_reader::{self, Outline};
+use crate::film::{exr_file, png_reader};
 use std::collections::BTreeSet;
 use std::path::Path;
 

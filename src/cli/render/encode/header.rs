@@ -7,11 +7,11 @@
 use super::channel_file::{ChannelFile, ChannelFormat};
 use super::content::Content;
 use super::view_file::ViewFile;
-use feimos::accel::{Precision, SplitMethod};
-use feimos::camera::Projection;
-use feimos::digest::Digest;
-use feimos::film::view::Depth16;
-use feimos::film::{Aov, ColorRange, DEPTH_CHANNEL, MISS, PixelBounds, View};
+use crate::accel::{Precision, SplitMethod};
+use crate::camera::Projection;
+use crate::digest::Digest;
+use crate::film::view::Depth16;
+use crate::film::{Aov, ColorRange, DEPTH_CHANNEL, MISS, PixelBounds, View};
 use serde_json::{Map, Value, json};
 
 /// How the pixels of an image were made.

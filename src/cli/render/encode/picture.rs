@@ -1,8 +1,8 @@
 //! The pixels of a PNG.
 
-use feimos::film::ColorBar;
-use feimos::film::png_file::{self, Text};
-use feimos::progress::Progress;
+use crate::film::ColorBar;
+use crate::film::png_file::{self, Text};
+use crate::progress::Progress;
 use std::io::{self, Write};
 
 /// A picture in memory.

@@ -1,12 +1,12 @@
 //! Files that show a view: PNG.
 
 use super::picture::{Picture, Pixels};
-use feimos::camera::Camera;
-use feimos::error::{Diagnostic, Error, ErrorKind, Result};
-use feimos::film::exr_file::ATTRIBUTE;
-use feimos::film::png_file::Text;
-use feimos::film::view::{self, Background, Depth16, TooLarge, Unfit};
-use feimos::film::{ChannelName, ColorBar, ColorMap, ColorRange, Image, View};
+use crate::camera::Camera;
+use crate::error::{Diagnostic, Error, ErrorKind, Result};
+use crate::film::exr_file::ATTRIBUTE;
+use crate::film::png_file::Text;
+use crate::film::view::{self, Background, Depth16, TooLarge, Unfit};
+use crate::film::{ChannelName, ColorBar, ColorMap, ColorRange, Image, View};
 use std::io;
 
 /// A view and everything that decides its colours.

@@ -3,8 +3,8 @@
 
 mod text;
 
-use feimos::accel::{Aggregate, Anatomy, Level, SplitMethod, Statistics, TreeKind};
-use feimos::scene::Scene;
+use crate::accel::{Aggregate, Anatomy, Level, SplitMethod, Statistics, TreeKind};
+use crate::scene::Scene;
 use serde::Serialize;
 use std::path::Path;
 

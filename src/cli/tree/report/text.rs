@@ -2,7 +2,7 @@
 
 use super::{LeafSize, Report, Tree, TreeLevel};
 use crate::cli::terminal::words::{counted, line, lines, short};
-use feimos::error::{grouped, printable};
+use crate::error::{grouped, printable};
 use std::fmt::{self, Display, Formatter};
 
 /// The most rows of a table of depths; deeper trees have several depths a row.
