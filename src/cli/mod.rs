@@ -71,8 +71,8 @@ enum Command {
 /// Runs the command that the user typed and returns its exit code. The first of the `arguments` is
 /// the name of the program.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
-    process::arguments::keep(arguments.into_iter().collect());
-    let cli: Cli = match usage::parse(Cli::command().long_version(long_version())) {
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    let cli: Cli = match usage::parse(Cli::command().long_version(long_version()), &arguments) {
         Ok(cli) => cli,
         Err(code) => return code,
     };
@@ -82,7 +82,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Compare(args) => {
             report(&args.messages, |reporter| compare::compare(&args, reporter))
         }
-        Command::Bench(args) => report(&args.messages, |reporter| bench::bench(&args, reporter)),
+        Command::Bench(args) => report(&args.messages, |reporter| {
+            bench::bench(&args, command_line(&arguments), reporter)
+        }),
         Command::Merge(args) => report(&args.messages, |reporter| merge::merge(&args, reporter)),
         Command::Pixel(args) => report(&args.messages, |reporter| pixel::pixel(&args, reporter)),
         Command::Tree(args) => report(&args.messages, |reporter| tree::tree(&args, reporter)),
@@ -91,6 +93,14 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         }
         Command::Man(args) => conclude(&Reporter::silent(), |_| man(&args, Cli::command())),
     }
+}
+
+/// The arguments as one line, with the program but without its path.
+fn command_line(arguments: &[OsString]) -> String {
+    let arguments = arguments.iter().skip(1);
+    let arguments = arguments.map(|argument| argument.to_string_lossy().into_owned());
+    let words = std::iter::once("feimos".to_owned()).chain(arguments);
+    words.collect::<Vec<_>>().join(" ")
 }
 
 /// Runs a command whose messages the user has chosen.

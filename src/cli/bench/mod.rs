@@ -24,10 +24,12 @@ use runner::Runner;
 use std::path::Path;
 
 /// Measures all scenes, prints tables for each, and returns the highest exit code of any scene.
-pub(crate) fn bench(args: &BenchArgs, reporter: &Reporter) -> Result<u8> {
+///
+/// `command_line` is what the user typed.
+pub(crate) fn bench(args: &BenchArgs, command_line: String, reporter: &Reporter) -> Result<u8> {
     refuse_results(&args.scenes, args.output.json, Some("--json-file"))?;
     let inputs = Inputs::of_scenes(&args.scenes).with(args.cameras.files(), "the list of cameras");
-    let outputs = Outputs::new(&args.output, &inputs)?;
+    let outputs = Outputs::new(&args.output, &inputs, command_line)?;
     stdout::check_if(!args.messages.quiet || outputs.replace_tables())?;
     let runner = Runner::new(args, outputs.need_pictures(), reporter)?;
     // All work runs in the pool: pictures are encoded in parallel, too.

@@ -8,7 +8,6 @@ use crate::cli::files::inputs::{Inputs, check_against_scene};
 use crate::cli::files::new_folders::{NewFolders, write_with_folders};
 use crate::cli::files::places::Places;
 use crate::cli::files::results::check_extension;
-use crate::cli::process::arguments::arguments;
 use crate::cli::terminal::reporter::Reporter;
 use crate::cli::terminal::stdout::write_to_stdout;
 use crate::error::{Error, Result};
@@ -21,6 +20,8 @@ use std::path::{Path, PathBuf};
 /// The outputs that the user wants.
 pub(super) struct Outputs {
     results: Vec<Output>,
+    /// As the user typed it; pages quote it.
+    command_line: String,
     /// The new folders of the report.
     _folders: Option<NewFolders>,
 }
@@ -41,11 +42,19 @@ enum Content {
     Page,
 }
 
+/// What outputs show.
+struct Measured<'a> {
+    machine: &'a Machine,
+    command_line: &'a str,
+    rows: &'a [Row],
+    sections: &'a [Section],
+}
+
 impl Outputs {
     /// # Errors
     /// A name is that of another kind of file or of one of the `inputs`, two outputs have one place,
     /// or a file cannot be made.
-    pub(super) fn new(args: &OutputArgs, inputs: &Inputs) -> Result<Outputs> {
+    pub(super) fn new(args: &OutputArgs, inputs: &Inputs, command_line: String) -> Result<Outputs> {
         let results = results(args);
         let mut taken = Places::default();
         for Output {
@@ -71,6 +80,7 @@ impl Outputs {
         args.report.as_deref().map_or(Ok(()), page::check)?;
         Ok(Outputs {
             results,
+            command_line,
             _folders: folders,
         })
     }
@@ -115,7 +125,13 @@ impl Outputs {
         if rows.is_empty() {
             return 0;
         }
-        let failed = |output: &Output| output.write(machine, rows, sections).err();
+        let measured = Measured {
+            machine,
+            command_line: &self.command_line,
+            rows,
+            sections,
+        };
+        let failed = |output: &Output| output.write(&measured).err();
         let codes = self.results.iter().filter_map(failed).map(|error| {
             reporter.error(&error);
             error.kind().exit_code()
@@ -158,8 +174,8 @@ impl Output {
         }
     }
 
-    fn write(&self, machine: &Machine, rows: &[Row], sections: &[Section]) -> Result<()> {
-        let bytes = self.content.bytes(machine, rows, sections);
+    fn write(&self, measured: &Measured) -> Result<()> {
+        let bytes = self.content.bytes(measured);
         match &self.destination {
             Destination::Stdout => write_to_stdout(bytes.map(printable)),
             Destination::File(path) => write_file(path, bytes),
@@ -179,13 +195,19 @@ impl Content {
         }
     }
 
-    fn bytes(self, machine: &Machine, rows: &[Row], sections: &[Section]) -> io::Result<Vec<u8>> {
+    fn bytes(self, measured: &Measured) -> io::Result<Vec<u8>> {
+        let Measured {
+            machine,
+            command_line,
+            rows,
+            sections,
+        } = *measured;
         match self {
             Content::Json => Ok(to_json(machine, rows)),
             Content::Csv => to_csv(machine, rows),
             Content::Markdown => Ok(to_markdown(machine, rows).into_bytes()),
             Content::Plot => Ok(plot(rows).into_bytes()),
-            Content::Page => Ok(to_html(machine, &command_line(), sections).into_bytes()),
+            Content::Page => Ok(to_html(machine, command_line, sections).into_bytes()),
         }
     }
 }
@@ -209,12 +231,4 @@ fn plot(rows: &[Row]) -> String {
 fn write_file(path: &Path, bytes: io::Result<Vec<u8>>) -> Result<()> {
     let write = |out: &mut _| bytes.and_then(|bytes| Write::write_all(out, &bytes));
     write_with_folders(path, Overwrite::Yes, write)
-}
-
-/// The command line, with the program but without its path.
-fn command_line() -> String {
-    let arguments = arguments().iter().skip(1);
-    let arguments = arguments.map(|argument| argument.to_string_lossy().into_owned());
-    let words = std::iter::once("feimos".to_owned()).chain(arguments);
-    words.collect::<Vec<_>>().join(" ")
 }

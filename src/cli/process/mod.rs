@@ -1,6 +1,5 @@
-//! The process: its arguments, its threads, its signals and its panics.
+//! The process: its threads, its signals and its panics.
 
-pub(super) mod arguments;
 pub(super) mod panics;
 #[cfg(unix)]
 pub(super) mod signals;

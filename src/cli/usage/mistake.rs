@@ -1,11 +1,11 @@
 //! Messages about wrong arguments.
 
-use crate::cli::process::arguments::arguments;
 use crate::error::Error;
 use crate::terminal_text;
 use clap::builder::StyledStr;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Command, FromArgMatches};
+use std::ffi::OsString;
 use std::io::{self, Write};
 use std::path::Path;
 
@@ -50,8 +50,12 @@ const PBRT_FLAGS: [(&str, &[&str]); 6] = [
 /// Reports what is wrong with the arguments, and returns the exit code.
 ///
 /// The message quotes them, and they may hold anything: it is made again from printable arguments.
-pub(super) fn report<Cli: FromArgMatches>(mistake: &clap::Error, command: Command) -> u8 {
-    let printable = arguments()
+pub(super) fn report<Cli: FromArgMatches>(
+    mistake: &clap::Error,
+    command: Command,
+    arguments: &[OsString],
+) -> u8 {
+    let printable = arguments
         .iter()
         .map(|argument| terminal_text::line(&argument.to_string_lossy()));
     let printable: Vec<String> = printable.collect();

@@ -6,7 +6,6 @@ mod short_help;
 
 pub(super) use help_texts::*;
 
-use super::process::arguments::arguments;
 use super::terminal::reporter::Reporter;
 use super::terminal::stdout;
 use crate::error::Error;
@@ -14,10 +13,12 @@ use clap::{ColorChoice, Command, FromArgMatches};
 use std::ffi::OsString;
 use std::io::{self, Write};
 
-/// Parses the arguments by `command`. Answers help, the version and mistakes at once, and returns
+/// Parses the `arguments` by `command`. Answers help, the version and mistakes at once, and returns
 /// their exit code as the error.
-pub(super) fn parse<Cli: FromArgMatches>(command: Command) -> Result<Cli, u8> {
-    let arguments = arguments();
+pub(super) fn parse<Cli: FromArgMatches>(
+    command: Command,
+    arguments: &[OsString],
+) -> Result<Cli, u8> {
     let command = command.color(color_choice(arguments));
     let command = match arguments.iter().any(|argument| argument == "-h") {
         true => short_help::shortened(command),
@@ -34,7 +35,7 @@ pub(super) fn parse<Cli: FromArgMatches>(command: Command) -> Result<Cli, u8> {
         }
         match mistake::about_pbrt(&answer) {
             Some(error) => report(&error),
-            None => mistake::report::<Cli>(&answer, command),
+            None => mistake::report::<Cli>(&answer, command, arguments),
         }
     })
 }
