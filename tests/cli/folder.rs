@@ -24,6 +24,12 @@ pub(crate) const SIZE: (u32, u32) = (13, 7);
 /// A scene with a warning about an unsupported shape.
 pub(crate) const WARNED: &str = "WorldBegin\nShape \"blob\"\nShape \"blob\"\n";
 
+/// The program under test: `FEIMOS`, such as that of a wheel, or the one that Cargo has built.
+fn program() -> PathBuf {
+    let named = std::env::var_os("FEIMOS").map(PathBuf::from);
+    named.unwrap_or_else(|| cargo_bin!("feimos").to_owned())
+}
+
 /// A folder that is removed after its test.
 pub(crate) struct Folder(TempDir);
 
@@ -56,7 +62,7 @@ impl Folder {
     }
 
     pub(crate) fn subcommand(&self, name: &str, arguments: &str) -> std::process::Command {
-        let mut command = std::process::Command::new(cargo_bin!("feimos"));
+        let mut command = std::process::Command::new(program());
         command
             .current_dir(self.0.path())
             .env_remove("NO_COLOR")
