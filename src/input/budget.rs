@@ -9,6 +9,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use crate::error::{Diagnostic, Error, grouped};
 use crate::file_id::FileId;
+use crate::progress::Progress;
 
 /// The largest expansion of a file that is not made to fill the memory.
 const MOST_TIMES: u64 = 256;
@@ -79,11 +80,13 @@ impl fmt::Display for BudgetFactor {
     }
 }
 
-/// The expansion of a scene's files so far, and its limits.
-#[derive(Debug, Default)]
-pub(crate) struct Budget {
+/// The expansion of a scene's files so far, and its limits. Also ends the reading if it is
+/// cancelled.
+#[derive(Default)]
+pub(crate) struct Budget<'a> {
     factor: BudgetFactor,
     account: Mutex<Account>,
+    progress: Progress<'a>,
 }
 
 #[derive(Debug, Default)]
@@ -106,17 +109,31 @@ struct Account {
     pairs: u64,
 }
 
-impl Budget {
-    /// A budget without charges.
-    pub(crate) fn new(factor: BudgetFactor) -> Budget {
+impl<'a> Budget<'a> {
+    /// A budget without charges. Reading ends if `progress` cancels it.
+    pub(crate) fn new(factor: BudgetFactor, progress: Progress<'a>) -> Budget<'a> {
         Budget {
             factor,
             account: Mutex::default(),
+            progress,
+        }
+    }
+
+    /// Unwinds if the reading is cancelled. Readers call it every few milliseconds.
+    pub(crate) fn check_cancelled(&self) {
+        self.progress.advance(0);
+    }
+
+    /// Like [`Budget::check_cancelled`], but only at every 4096th `number`.
+    #[inline]
+    pub(crate) fn check_sometimes(&self, number: u64) {
+        if number.is_multiple_of(1 << 12) {
+            self.check_cancelled();
         }
     }
 
     /// The budget of a single file of `size` bytes.
-    pub(crate) fn of_bytes(size: usize) -> Budget {
+    pub(crate) fn of_bytes(size: usize) -> Budget<'a> {
         let budget = Budget::default();
         budget.enter_bytes(size as u64);
         budget

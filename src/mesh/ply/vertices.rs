@@ -107,6 +107,7 @@ pub(super) fn read<V: Values>(
         normals: Vec::with_capacity(room(found.normals)),
     };
     for number in 0..count {
+        reader.budget.check_sometimes(number);
         let vertex = vertex(reader, &plan);
         let vertex = vertex.map_err(|fault| reader.error(fault, element, number))?;
         vertices.points.push(Point::from(vertex.point));
