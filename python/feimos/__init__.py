@@ -8,6 +8,7 @@ Lengths are in units of the scene, positions and directions in its world space. 
 ``[row, column]`` from the top left.
 """
 
+from importlib import import_module
 from typing import TYPE_CHECKING, Any, List
 
 from .errors import (
@@ -41,17 +42,22 @@ __all__ = [
 ]
 
 
+# Where the names are that are imported on demand: the program `feimos` imports this package, and
+# needs no NumPy.
+_MODULES = {
+    "Camera": ".camera",
+    "Scene": ".scene",
+    "__version__": "._feimos",
+    "load": ".scene",
+    "mesh": ".scene",
+}
+
+
 def __getattr__(name: str) -> Any:
-    # On demand, because the program `feimos` imports this package and needs no NumPy.
-    if name == "__version__":
-        from . import _feimos as module
-    elif name == "Camera":
-        from . import camera as module
-    elif name in ("Scene", "load", "mesh"):
-        from . import scene as module
-    else:
+    if name not in _MODULES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    globals()[name] = value = getattr(module, name)
+    value = getattr(import_module(_MODULES[name], __name__), name)
+    globals()[name] = value
     return value
 
 

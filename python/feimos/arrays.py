@@ -1,14 +1,17 @@
 """Arguments as arrays that the extension takes: of one type, contiguous, and checked."""
 
 from operator import index
-from typing import Any, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Optional, Tuple
 
 import numpy as np
 
 from .errors import ArgumentError
 
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
-def numbers(values: Any, name: str) -> np.ndarray:
+
+def numbers(values: Any, name: str) -> "NDArray[Any]":
     """``values`` as an array of real numbers of any type and shape.
 
     :raises TypeError: they are no numbers.
@@ -19,7 +22,7 @@ def numbers(values: Any, name: str) -> np.ndarray:
     return array
 
 
-def floats(values: Any, name: str, *shapes: Tuple[int, ...]) -> np.ndarray:
+def floats(values: Any, name: str, *shapes: Tuple[int, ...]) -> "NDArray[np.float64]":
     """``values`` as contiguous float64 of one of the ``shapes``; the first one is returned."""
     array = numbers(values, name)
     if array.shape not in shapes:
@@ -30,7 +33,7 @@ def floats(values: Any, name: str, *shapes: Tuple[int, ...]) -> np.ndarray:
     return array
 
 
-def vectors(values: Any, name: str) -> np.ndarray:
+def vectors(values: Any, name: str) -> "NDArray[np.float64]":
     """``values`` as float64 of the shape (..., 3)."""
     array = numbers(values, name)
     if array.ndim == 0 or array.shape[-1] != 3:
@@ -40,7 +43,7 @@ def vectors(values: Any, name: str) -> np.ndarray:
     return array.astype(np.float64, copy=False)
 
 
-def points(values: Any) -> np.ndarray:
+def points(values: Any) -> "NDArray[np.float32]":
     """``values`` as contiguous float32 of the shape (n, 3), each rounded to the nearest.
 
     :raises ArgumentError: a finite number is beyond float32, or the shape is wrong.
@@ -60,7 +63,7 @@ def points(values: Any) -> np.ndarray:
     return rounded
 
 
-def triangles(values: Any, count: int) -> np.ndarray:
+def triangles(values: Any, count: int) -> "NDArray[np.uint32]":
     """``values`` as contiguous uint32 of the shape (n, 3): numbers of ``count`` points.
 
     :raises ArgumentError: one is no number of a point, or the shape is wrong.

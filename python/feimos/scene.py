@@ -82,6 +82,8 @@ class Scene:
 
     __slots__ = ("_scene",)
 
+    _scene: "_feimos.Scene"
+
     def __init__(self) -> None:
         raise TypeError("a Scene is made by feimos.load or feimos.mesh")
 

@@ -26,5 +26,6 @@ mod _feimos {
     use super::scene::Scene;
 
     #[pymodule_export]
+    #[allow(non_upper_case_globals, reason = "a name of Python")]
     const __version__: &str = env!("CARGO_PKG_VERSION");
 }

@@ -5,8 +5,9 @@ use super::casting::Hits;
 use super::error::exception;
 use super::work::{run, run_here};
 use feimos::film::Samples;
+use feimos::progress::Progress;
 use feimos::{Accelerator, Channel, Error, Image, LoadOptions, Precision, Structure};
-use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray2};
+use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::PathBuf;
@@ -51,7 +52,7 @@ impl Scene {
             return Ok(structure);
         }
         let scene = self.scene.clone();
-        let build = move |progress| scene.build_reporting(accelerator, progress);
+        let build = move |progress: Progress<'_>| scene.build_reporting(accelerator, progress);
         let structure = run(py, threads, build)?;
         built().push((accelerator, structure.clone()));
         Ok(structure)
@@ -85,7 +86,8 @@ impl Scene {
         if let Some(factor) = input_budget {
             options = options.input_budget(factor);
         }
-        let load = move |progress| feimos::Scene::load_reporting(path, &options, progress);
+        let load =
+            move |progress: Progress<'_>| feimos::Scene::load_reporting(path, &options, progress);
         run(py, threads, load).map(Scene::new)
     }
 
@@ -101,9 +103,7 @@ impl Scene {
         // The caller may change the arrays while the work goes on.
         let points = points.as_slice()?.as_chunks::<3>().0.to_vec();
         let triangles = triangles.as_slice()?.as_chunks::<3>().0.to_vec();
-        let make = move |_: feimos::progress::Progress<'_>| {
-            feimos::Scene::from_triangles(&points, &triangles)
-        };
+        let make = move |_: Progress<'_>| feimos::Scene::from_triangles(&points, &triangles);
         run(py, threads, make).map(Scene::new)
     }
 
@@ -161,15 +161,18 @@ impl Scene {
         let image = match accel {
             None => {
                 let scene = self.scene.with_precision(precision);
-                let render = move |progress| scene.render_reporting(&camera, &channels, progress);
+                let render = move |progress: Progress<'_>| {
+                    scene.render_reporting(&camera, &channels, progress)
+                };
                 run(py, threads, render)?
             }
             Some(name) => {
                 let accelerator = name.parse().map_err(raised)?;
                 let structure = self.structure(py, accelerator, threads)?;
                 let structure = structure.with_precision(precision);
-                let render =
-                    move |progress| structure.render_reporting(&camera, &channels, progress);
+                let render = move |progress: Progress<'_>| {
+                    structure.render_reporting(&camera, &channels, progress)
+                };
                 run(py, threads, render)?
             }
         };

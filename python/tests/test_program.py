@@ -53,7 +53,8 @@ def test_exit_codes(program, tmp_path):
 
 @posix
 def test_names_that_are_no_text(tmp_path):
-    ran = shell('cp "$SCENES/sphere.pbrt" $\'s\\xff.pbrt\' && "$FEIMOS" check $\'s\\xff.pbrt\'', tmp_path)
+    copy = 'name=$(printf "s\\xff.pbrt"); cp "$SCENES/sphere.pbrt" "$name"; '
+    ran = shell(copy + '"$FEIMOS" check "$name"', tmp_path)
     assert ran.returncode == 0, ran.stderr
 
 
@@ -76,7 +77,8 @@ def test_a_closed_standard_output(tmp_path):
 
 @posix
 def test_an_interrupt_ends_it_as_usual(tmp_path):
-    arguments = ["render", str(SCENES / "sphere.pbrt"), "-o", "a.exr", "--resolution", "20000x20000"]
+    scene = str(SCENES / "sphere.pbrt")
+    arguments = ["render", scene, "-o", "a.exr", "--resolution", "20000x20000"]
     with subprocess.Popen(
         [str(PROGRAM), *arguments], cwd=tmp_path, stderr=subprocess.PIPE, text=True
     ) as process:

@@ -88,7 +88,9 @@ INTERRUPTED = textwrap.dedent(
         "load": lambda: feimos.load(pipe),
         "cameras": lambda: scene.cameras(pipe),
         "mesh": lambda: [feimos.mesh(np.zeros((3, 3)), many) for _ in range(100_000)],
-        "render": lambda: scene.render(k, t=[0, 0, 4], size=(2000, 2000), channels="cost", accel="none"),
+        "render": lambda: scene.render(
+            k, t=[0, 0, 4], size=(2000, 2000), channels="cost", accel="none"
+        ),
         "build": lambda: [soup(300_000).render(accel="sah") for _ in range(1_000)],
         "cast": lambda: [scene.cast(np.zeros((5_000_000, 3)), [0, 0, 1]) for _ in range(1_000)],
     }[what]
