@@ -28,7 +28,7 @@ def test_channels_are_those_of_the_program(program, tmp_path, ply, name, channel
     image = scene.render(channels=channel)
     assert list(image) == [channel]
     assert same(image[channel], expected)
-    assert (image[channel] != 0).any()
+    assert (image[channel] != 0).any() or (channel == "instance" and name != "instances")
 
 
 def test_channels_keep_the_order_in_which_they_are_asked_for():
@@ -124,7 +124,8 @@ def test_properties_of_a_scene():
     scene = feimos.load(SCENES / "sphere.pbrt")
     assert scene.camera.size == (400, 400) and scene.camera.name is None
     assert scene.primitive_count == 1 and scene.warnings == ()
-    assert np.array_equal(scene.bounds, [[-1, -1, -1], [1, 1, 1]])
+    # Bounds of quadrics are rounded outwards.
+    assert np.allclose(scene.bounds, [[-1, -1, -1], [1, 1, 1]])
     assert feimos.mesh([], []).bounds is None
     assert repr(scene) == "<feimos.Scene of 1 primitives>"
     assert repr(scene.camera) == "<feimos.Camera 400 x 400>"
