@@ -1,4 +1,4 @@
-"""Counts wrong decisions and errors of depths of each program, against the exact picture of feimos."""
+"""Counts wrong decisions and errors of depths of each program, against exact pictures of feimos."""
 
 import subprocess
 import sys

@@ -1,4 +1,7 @@
-"""One function for each program: a view to planar depths and primitives, from 0; misses are inf and -1."""
+"""One function for each program: a view to planar depths and primitives.
+
+Primitives count from 0. A miss has the depth inf and the primitive -1.
+"""
 
 import json
 import os
@@ -32,7 +35,8 @@ def write_camera(view, path):
 def feimos(view, precision="exact"):
     """The program, by files; the truth that the others are compared with."""
     with tempfile.TemporaryDirectory() as folder:
-        mesh, camera, image = (f"{folder}/{name}" for name in ("mesh.ply", "poses.json", "hits.npy"))
+        names = "mesh.ply", "poses.json", "hits.npy"
+        mesh, camera, image = (f"{folder}/{name}" for name in names)
         write_mesh(view, mesh)
         write_camera(view, camera)
         command = [FEIMOS, "render", mesh, "--cameras", camera, "-o", image, "--aov", "Z,prim"]
@@ -42,7 +46,7 @@ def feimos(view, precision="exact"):
 
 
 def rays_of(view):
-    """A ray through each pixel centre, with direction 1 along the view axis: then t is planar depth."""
+    """A ray through each pixel centre, of length 1 along the view axis: so t is planar depth."""
     width, height = view.size
     row, column = np.mgrid[:height, :width]
     pixels = np.stack([column, row, np.ones_like(row)], -1) @ np.linalg.inv(view.K).T

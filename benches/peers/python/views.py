@@ -1,4 +1,4 @@
-"""Meshes and cameras that the programs render: OpenCV's convention, whole numbers are pixel centres."""
+"""Meshes and cameras that the programs render, in OpenCV's convention."""
 
 import gzip
 import math
@@ -12,7 +12,10 @@ REPOSITORY = Path(__file__).resolve().parents[3]
 
 @dataclass
 class View:
-    """Triangles, and a camera: `x_camera = R x_world + t`, `K` in pixels, size as (width, height)."""
+    """Triangles, and a camera: `x_camera = R x_world + t`, `K` in pixels, width and height.
+
+    Whole numbers are pixel centres.
+    """
 
     points: np.ndarray
     triangles: np.ndarray
@@ -54,7 +57,7 @@ def wall():
 
 
 def turned_wall():
-    """The same wall and camera, turned: corners are almost, but not exactly, under pixel centres."""
+    """The same wall and camera, turned: corners are almost, not exactly, under pixel centres."""
     view = wall()
     world = turn([1, 2, 3], 30)
     view.points = (view.points.astype(float) @ world.T).astype(np.float32)
@@ -63,7 +66,7 @@ def turned_wall():
 
 
 def terrain():
-    """Hills in map coordinates, a grid of 10 m, from 800 m above: the eye is far from the origin."""
+    """Hills in map coordinates, a grid of 10 m, from 800 m above: far from the origin."""
     random = np.random.default_rng(7)
     points, triangles = grid(np.zeros((401, 401)))
     phase = random.uniform(0, 6.28, 2)
@@ -80,24 +83,17 @@ def dragon(size=(1920, 1080)):
     """The Stanford dragon of `scenes`, 871,414 triangles, filling the film."""
     path = REPOSITORY / "scenes" / "dragon_vrip.ply.gz"
     with gzip.open(path, "rt") as file:
-        words = iter(file)
-        counts = [int(line.split()[2]) for line in words_until_end(words) if line.startswith("element")]
-        numbers = np.array(" ".join(words).split(), float)
-    points = numbers[: 3 * counts[0]].reshape(-1, 3)
-    triangles = numbers[3 * counts[0] :].reshape(-1, 4)[:, 1:]
+        header = list(iter(lambda: file.readline().strip(), "end_header"))
+        counts = [int(line.split()[2]) for line in header if line.startswith("element")]
+        vertices = counts[0]
+        numbers = np.array(file.read().split(), float)
+    points = numbers[: 3 * vertices].reshape(-1, 3)
+    triangles = numbers[3 * vertices :].reshape(-1, 4)[:, 1:]
     R = np.diag([1.0, -1, -1])
     eye = np.array([-0.005, 0.125, 0.18])
     f = size[1] / 2 / math.tan(math.radians(20))
     K = intrinsics(f, size)
     return View(points.astype(np.float32), triangles.astype(np.uint32), K, R, -R @ eye, size)
-
-
-def words_until_end(lines):
-    """The lines of a PLY header."""
-    for line in lines:
-        if line.strip() == "end_header":
-            return
-        yield line
 
 
 VIEWS = {"wall": wall, "turned wall": turned_wall, "terrain": terrain, "dragon": dragon}
