@@ -5,7 +5,9 @@ from dataclasses import dataclass, field
 
 LANGUAGES = {"sh", "python", "rust", "pbrt", "json", "text"}
 COMMANDS = {"sh", "python"}
-FENCE = re.compile(r"( *)(`{3,}|~{3,})[ \t]*(.*)")
+FENCE = re.compile(r"( *)(`{3,}(?=[^`]*$)|~{3,})[ \t]*(.*)")
+# Blocks in quotations, behind the mark of a list, and in HTML: nothing reads these here.
+HIDDEN = re.compile(r"[ >*+\-\d.)\t]*(?:`{3,}[^`]*|~{3,}.*|<pre\b.*)")
 COMMENT = re.compile(r"\s*<!--\s*(.*?)\s*-->\s*")
 ITEM = re.compile(r"( *(?:[-*+]|\d+[.)]) +)\S")
 # A marker, and whether something has to follow its name.
@@ -87,6 +89,8 @@ class Reader:
             self.wrong(number + 1, "indented code: use a fence with a language")
         elif item:
             self.item = len(item[1])
+        if HIDDEN.fullmatch(line):
+            self.wrong(number + 1, "a block begins within a line: give its fence a line of its own")
         if line.startswith("#"):
             self.commands = None
         comment = COMMENT.fullmatch(line)

@@ -40,12 +40,16 @@ class Blocks(unittest.TestCase):
     def test_blocks_in_lists(self):
         blocks, mistakes = read("- item\n\n  more\n\n  ```sh\n  a\n    b\n  ```\n")
         self.assertEqual((blocks[0].text, mistakes), ("a\n  b\n", []))
+        self.assertEqual(read("```a``` is code in a line, as is ```` ``` ````\n"), ([], []))
         self.assertEqual(read("1. item\n\n   more\n\n      deep\n"), ([], []))
 
     def test_mistakes(self):
         self.mistake("a\n\n    feimos\n", 3, "indented code")
         self.mistake("- a\n\nb\n\n    feimos\n", 5, "indented code")
         self.mistake("# a\n    feimos\n", 2, "indented code")
+        self.mistake("> ```sh\n", 1, "within a line")
+        self.mistake("- ~~~ sh\n", 1, "within a line")
+        self.mistake("<pre>\n", 1, "within a line")
         self.mistake("```\na\n```\n", 1, "no language")
         self.mistake("```bash\na\n```\n", 1, "`bash`")
         self.mistake("```sh\na\n", 1, "no end")
