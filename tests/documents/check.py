@@ -19,7 +19,8 @@ def arguments():
     parser = argparse.ArgumentParser(
         prog="tests/documents/run",
         description=__doc__,
-        epilog="Environment: FEIMOS, the program; FEIMOS_PYTHON, a Python with the wheel; "
+        epilog="Environment: FEIMOS, the program; FEIMOS_PYTHON, a Python with the module, or "
+        "FEIMOS_WHEEL, a wheel for one; "
         "FEIMOS_CARGO=1, build in clones as documented.",
     )
     parser.add_argument("documents", nargs="*", help="Markdown files [all of the repository]")
