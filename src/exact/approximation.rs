@@ -53,6 +53,7 @@ impl Approximation {
     }
 
     /// The bracket of the number.
+    #[inline]
     pub fn bracket(&self) -> Bracket {
         Bracket::around(self.value, self.error)
     }

@@ -130,3 +130,26 @@ impl fmt::Debug for Structure {
             .finish_non_exhaustive()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::facade::{Accelerator, Scene};
+
+    /// Ties at coplanar triangles fill caches of megabytes: one for each thread, not for each ray.
+    #[test]
+    fn rays_share_the_memory_of_tracers() {
+        let points = [[0.0; 3], [2.0, 0.0, 0.0], [2.0, 2.0, 0.0], [0.0, 2.0, 0.0]];
+        let triangles = [[0, 1, 2], [2, 1, 0], [1, 2, 3]];
+        let scene = Scene::from_triangles(&points, &triangles).expect("triangles");
+        let structure = scene.build(Accelerator::Sah).expect("a structure");
+        let ray = Ray::new([1.5, 0.5, -1.0], [0.0, 0.0, 1.0]);
+        for _ in 0..10 {
+            assert_eq!(structure.cast(&ray).map(|hit| hit.prim), Some(1));
+        }
+        assert_eq!(structure.tracers.count(), 1);
+        structure.cast_all(&vec![ray; 20 * CHUNK]);
+        let threads = rayon::current_num_threads();
+        assert!((1..=threads + 1).contains(&structure.tracers.count()));
+    }
+}

@@ -16,6 +16,11 @@ impl TracerPool {
         self.lock().push(memory);
     }
 
+    #[cfg(test)]
+    pub(super) fn count(&self) -> usize {
+        self.lock().len()
+    }
+
     /// Nothing panics while the list is locked.
     fn lock(&self) -> MutexGuard<'_, Vec<TracerMemory>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)

@@ -76,7 +76,8 @@ impl Matrix {
 
     /// Column `j`: the image of an axis for 0 to 2, of the origin for 3.
     pub fn column(&self, j: usize) -> [f64; 3] {
-        self.rows.map(|row| row[j])
+        let [x, y, z] = &self.rows;
+        [x[j], y[j], z[j]]
     }
 
     /// The transposed 3x3 part, without translation.

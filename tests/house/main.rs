@@ -50,7 +50,7 @@ fn documented_arrows() -> Arrows {
         .expect("the end of the table");
     let mut arrows = Arrows::new();
     let mut from = "";
-    for line in table.lines() {
+    for line in table.lines().filter(|line| !line.starts_with("```")) {
         let list = line.split_once("->").map_or(line, |(name, list)| {
             from = name.trim();
             list

@@ -190,8 +190,13 @@ impl Binner<'_> {
 
     #[inline(always)]
     pub(super) fn corners(&self, index: usize) -> [FilmPoint; 3] {
-        let corners = self.geometry.corners_of(index);
-        corners.map(|corner| self.vertices[corner as usize])
+        // Written out: a closure is not always inlined into the kernel.
+        let [a, b, c] = *self.geometry.corners_of(index);
+        [
+            self.vertices[a as usize],
+            self.vertices[b as usize],
+            self.vertices[c as usize],
+        ]
     }
 
     /// A triangle, by its exact corners if need be.

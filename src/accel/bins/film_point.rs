@@ -78,13 +78,17 @@ impl<'a> Projector<'a> {
         } = self.view;
         let mut lanes = [[0.0f32; N]; 4];
         for k in 0..N {
-            let [x, y, z] = [0, 1, 2].map(|axis| points[axis][k] - eye[axis]);
+            let [x, y, z] = [
+                points[0][k] - eye[0],
+                points[1][k] - eye[1],
+                points[2][k] - eye[2],
+            ];
             let largest = x.abs().max(y.abs()).max(z.abs());
-            let [across, down, depth] =
-                [0, 1, 2].map(|row: usize| rows[row][0] * x + rows[row][1] * y + rows[row][2] * z);
-            let errors = self
-                .errors
-                .map(|error| largest * error + f64::from(UNDERFLOW));
+            let along = |row: &[f64; 3]| row[0] * x + row[1] * y + row[2] * z;
+            let [across, down, depth] = [along(&rows[0]), along(&rows[1]), along(&rows[2])];
+            let error = |error: f64| largest * error + f64::from(UNDERFLOW);
+            let [a, b, c] = self.errors;
+            let errors = [error(a), error(b), error(c)];
             let inverse = if *is_perspective { 1.0 / depth } else { 1.0 };
             let column = across * inverse + offset[0];
             let row = down * inverse + offset[1];
@@ -113,7 +117,12 @@ impl<'a> Projector<'a> {
             };
             lanes[3][k] = if is_known { side } else { FilmPoint::UNKNOWN };
         }
-        std::array::from_fn(|k| FilmPoint([0, 1, 2, 3].map(|lane: usize| lanes[lane][k])))
+        // A loop, since closures are not always inlined into the kernel.
+        let mut points = [FilmPoint([0.0; 4]); N];
+        for (k, point) in points.iter_mut().enumerate() {
+            point.0 = [lanes[0][k], lanes[1][k], lanes[2][k], lanes[3][k]];
+        }
+        points
     }
 }
 

@@ -66,6 +66,7 @@ struct Faces {
 }
 
 impl TriangleGroup {
+    #[inline(always)]
     fn fetch(geometry: &Geometry, first: usize, count: usize) -> TriangleGroup {
         let mut corners = [[[0.0; GROUP]; 3]; 3];
         for k in 0..count {
@@ -84,6 +85,7 @@ impl TriangleGroup {
         Triangle([point(a), point(b), point(c)])
     }
 
+    #[inline(always)]
     fn can_be_hit(&self) -> [bool; GROUP] {
         let mut alive = [false; GROUP];
         for k in 0..GROUP {
@@ -97,6 +99,7 @@ impl TriangleGroup {
 
     /// The faces around each triangle that can be hit. Its coordinates are finite, so plain
     /// comparisons are enough.
+    #[inline(always)]
     fn faces(&self, space: &AnchorSpace, axis: usize) -> Faces {
         let mut faces = Faces {
             low: [0.0; GROUP],

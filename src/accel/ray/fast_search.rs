@@ -54,7 +54,11 @@ impl<'a> FastSearch<'a> {
         } = self.ray;
         let from_origin = |point: &Point| -> [f32; 3] {
             let point = self.space.place(point);
-            std::array::from_fn(|k| point[k] - origin[k])
+            [
+                point[0] - origin[0],
+                point[1] - origin[1],
+                point[2] - origin[2],
+            ]
         };
         match surface {
             Primitive::Quadric(quadric) if quadric.form == Form::Patch => intersect_patch(

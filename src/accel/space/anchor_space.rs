@@ -161,7 +161,11 @@ impl AnchorSpace {
     /// A point in anchor space, each coordinate rounded to the nearest `f32`.
     #[inline]
     pub(crate) fn place(&self, point: &Point) -> [f32; 3] {
-        std::array::from_fn(|k| self.coordinate(point, k) as f32)
+        [
+            self.coordinate(point, 0) as f32,
+            self.coordinate(point, 1) as f32,
+            self.coordinate(point, 2) as f32,
+        ]
     }
 
     /// The origin of anchor space.

@@ -28,10 +28,12 @@ impl Box32 {
     /// The smallest box around both.
     #[inline]
     pub(crate) fn union(&self, other: &Box32) -> Box32 {
-        Box32 {
-            low: std::array::from_fn(|k| smaller(self.low[k], other.low[k])),
-            high: std::array::from_fn(|k| larger(self.high[k], other.high[k])),
-        }
+        // Written out: closures are not always inlined across codegen units.
+        let ([a, b, c], [d, e, f]) = (self.low, other.low);
+        let low = [smaller(a, d), smaller(b, e), smaller(c, f)];
+        let ([a, b, c], [d, e, f]) = (self.high, other.high);
+        let high = [larger(a, d), larger(b, e), larger(c, f)];
+        Box32 { low, high }
     }
 
     /// Half the surface area.
@@ -44,7 +46,8 @@ impl Box32 {
     /// The lengths of the sides.
     #[inline]
     pub(crate) fn extent(&self) -> [f32; 3] {
-        std::array::from_fn(|k| self.high[k] - self.low[k])
+        let ([a, b, c], [d, e, f]) = (self.low, self.high);
+        [d - a, e - b, f - c]
     }
 
     /// Tests whether `other` lies within.

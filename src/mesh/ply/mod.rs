@@ -24,7 +24,7 @@ use std::path::Path;
 use self::ascii::Ascii;
 use self::binary::{BigEndian, Binary, LittleEndian};
 use self::header::{Encoding, Header};
-use self::vertices::found_of;
+use self::vertices::has_wanted;
 use super::{CornerWants, Loaded};
 use crate::error::Result;
 use crate::input::{Budget, Storage, gzip};
@@ -73,13 +73,6 @@ pub(super) fn parse(
         Some(loaded) => Ok(loaded),
         None => read(path, content, header, CornerWants::NOTHING, budget),
     }
-}
-
-/// Whether vertices have something of what is wanted.
-fn has_wanted(header: &Header, wants: CornerWants) -> bool {
-    let elements = header.elements.iter();
-    let mut vertices = elements.filter(|element| element.name == "vertex");
-    vertices.any(|element| found_of(element, wants) != CornerWants::NOTHING)
 }
 
 fn read(

@@ -54,6 +54,7 @@ impl Cut {
 
     /// Whether a point belongs to the part, if `side` compares its `normal . q` with `offset`;
     /// `None` if that is unknown and matters.
+    #[inline]
     pub(super) fn holds(&self, side: impl Fn(&Plane) -> Option<Ordering>) -> Option<bool> {
         let beyond = |normal, offset| side(&Plane { normal, offset }).map(|side| side != Less);
         let above = beyond([0.0, 0.0, 1.0], self.z_min);

@@ -54,6 +54,7 @@ impl Disk {
     /// Whether a point of the plane belongs to the disk, if `from_axis` compares its distance from
     /// the axis with a number, and `side` its `normal . q` with `offset`; `None` if that is unknown
     /// and matters.
+    #[inline]
     pub(super) fn holds(
         &self,
         radius: f64,

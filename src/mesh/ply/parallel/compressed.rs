@@ -8,8 +8,8 @@ use super::element_lines::{read_faces, read_vertices};
 use super::form::{Form, SHORTEST_LINES};
 use crate::geometry::Point;
 use crate::input::gzip::Stream;
-use crate::mesh::ply::has_wanted;
 use crate::mesh::ply::header::{Encoding, Header};
+use crate::mesh::ply::vertices::has_wanted;
 use crate::mesh::{CornerWants, Loaded, TriangleMesh};
 
 /// Bytes that are decompressed at a time.

@@ -21,8 +21,8 @@ use std::path::Path;
 use self::blocks::HEAD;
 use self::form::Form;
 use super::binary::{BigEndian, LittleEndian};
-use super::has_wanted;
 use super::header::{Encoding, Header};
+use super::vertices::has_wanted;
 use crate::input::{Budget, Storage};
 use crate::mesh::{CornerWants, Loaded};
 

@@ -19,8 +19,13 @@ pub(super) struct Adjugate {
 }
 
 impl Adjugate {
+    #[inline]
     pub(super) fn new(m: &Matrix, scale: f64) -> Adjugate {
-        let [x, y, z] = [0, 1, 2].map(|j| Vector::from(m.column(j).map(|entry| entry / scale)));
+        let column = |j: usize| {
+            let [x, y, z] = m.column(j);
+            Vector::new(x / scale, y / scale, z / scale)
+        };
+        let [x, y, z] = [column(0), column(1), column(2)];
         let terms = [
             y.absolute_cross(z),
             z.absolute_cross(x),
@@ -36,6 +41,7 @@ impl Adjugate {
     /// Row `k` times `v`, whose components may be rounded once. An entry takes two roundings, and
     /// three more follow: six units of 2^-53 of the absolute terms, and two for the roundings of
     /// the bound.
+    #[inline]
     pub(super) fn row_times(&self, k: usize, v: Vector) -> Approximation {
         let size = v.absolute();
         let underflow = ENTRY_UNDERFLOW * (size.x + size.y + size.z + 1.0);

@@ -11,9 +11,8 @@ pub(crate) use self::eye_equation::{EyeEquation, LinearForm};
 use super::cut::{Cut, Plane};
 use super::{Disk, Form, Quadric, scale_of};
 use crate::exact::Approximation;
-use crate::geometry::{Matrix, Point};
+use crate::geometry::{Matrix, Point, Vector};
 use crate::shape::{FilterRay, FilterResult};
-use std::array::from_fn;
 use std::cmp::Ordering::{self, Greater, Less};
 
 pub(in crate::shape) type Approximations = [Approximation; 3];
@@ -149,9 +148,13 @@ impl ScaledSpace {
         let adjugate = Adjugate::new(m, scale);
         let determinant = adjugate.row_times(0, adjugate.column) * Approximation::exactly(scale);
         let from_centre = ray.ray.origin - Point::from(m.column(3));
+        let times = |v: Vector| -> Approximations {
+            let row = |k: usize| adjugate.row_times(k, v);
+            [row(0), row(1), row(2)]
+        };
         ScaledSpace {
-            origin: from_fn(|k| adjugate.row_times(k, from_centre)),
-            direction: from_fn(|k| adjugate.row_times(k, ray.ray.direction)),
+            origin: times(from_centre),
+            direction: times(ray.ray.direction),
             radius: Approximation::exactly(radius) * determinant.abs(),
             determinant,
         }
@@ -207,7 +210,8 @@ impl ScaledSpace {
     }
 
     fn point(&self, t: Approximation) -> Approximations {
-        from_fn(|k| self.origin[k] + t * self.direction[k])
+        let along = |k: usize| self.origin[k] + t * self.direction[k];
+        [along(0), along(1), along(2)]
     }
 
     /// Whether the cut leaves the point at `t`.
@@ -257,10 +261,12 @@ impl ScaledSpace {
     }
 }
 
+#[inline]
 pub(in crate::shape) fn dot(a: &Approximations, b: &Approximations) -> Approximation {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
+#[inline]
 pub(in crate::shape) fn cross(a: &Approximations, b: &Approximations) -> Approximations {
     let minor = |i: usize, j: usize| a[i] * b[j] - a[j] * b[i];
     [minor(1, 2), minor(2, 0), minor(0, 1)]
