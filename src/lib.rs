@@ -69,3 +69,8 @@ pub mod simd;
 pub mod survey;
 pub mod terminal_text;
 pub mod texture;
+
+/// The Rust of the documents, as doc tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Documents;
