@@ -1,9 +1,17 @@
-//! Links in the documents.
+//! Links in the documents: relative ones, and absolute ones to files of this repository, which the
+//! front page has because other sites show it without these files.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Relative links of all documents that lead to no file, or to no heading of one.
+/// Where the files of this repository stand: as pages, and as they are, for pictures.
+const REPOSITORY: [&str; 3] = [
+    "https://github.com/feimos/feimos/blob/main/",
+    "https://github.com/feimos/feimos/tree/main/",
+    "https://raw.githubusercontent.com/feimos/feimos/main/",
+];
+
+/// Links of all documents into this repository that lead to no file, or to no heading of one.
 pub(crate) fn dead_links() -> Vec<String> {
     let mut documents = Vec::new();
     for folder in [
@@ -14,6 +22,8 @@ pub(crate) fn dead_links() -> Vec<String> {
         "tests/cases",
         "fuzz",
         "benches",
+        "benches/peers",
+        "benches/peers/python",
     ] {
         documents.extend(documents_in(Path::new(folder)));
     }
@@ -35,16 +45,25 @@ fn documents_in(folder: &Path) -> Vec<PathBuf> {
 
 fn dead_links_of(document: &Path) -> Vec<String> {
     let text = fs::read_to_string(document).unwrap();
-    let links = text
-        .split("](")
-        .skip(1)
-        .filter_map(|rest| rest.split_once(')'))
-        .map(|(link, _)| link);
-    let relative =
-        links.filter(|link| !link.contains("://") && !link.contains(char::is_whitespace));
-    let dead = relative.filter(|link| !leads_somewhere(document, link));
+    let dead = links_of(&text).filter(|link| match path_in_repository(link) {
+        // From the top, where the tests run, and the front page stands.
+        Some(path) => !leads_somewhere(Path::new("README.md"), path),
+        None => !link.contains("://") && !leads_somewhere(document, link),
+    });
     dead.map(|link| format!("{}: {link}", document.display()))
         .collect()
+}
+
+/// What stands in parentheses behind a text in brackets.
+fn links_of(text: &str) -> impl Iterator<Item = &str> {
+    let ends = text.split("](").skip(1);
+    let links = ends.filter_map(|rest| Some(rest.split_once(')')?.0));
+    links.filter(|link| !link.contains(char::is_whitespace))
+}
+
+/// The file that an absolute link to this repository names, with its heading.
+fn path_in_repository(link: &str) -> Option<&str> {
+    REPOSITORY.iter().find_map(|start| link.strip_prefix(start))
 }
 
 fn leads_somewhere(document: &Path, link: &str) -> bool {
@@ -81,4 +100,32 @@ fn anchors_are_made_as_web_pages_make_them() {
         Some("speed-against-embree")
     );
     assert_eq!(anchor("no heading"), None);
+}
+
+#[test]
+fn absolute_links_to_the_repository_are_checked_as_files() {
+    let pages = "https://github.com/feimos/feimos/blob/main";
+    assert_eq!(
+        path_in_repository(&format!("{pages}/docs/design.md#layout")),
+        Some("docs/design.md#layout")
+    );
+    assert_eq!(path_in_repository("https://github.com/feimos/feimos"), None);
+    assert_eq!(path_in_repository("docs/design.md"), None);
+    let leads = |link| leads_somewhere(Path::new("README.md"), link);
+    assert!(leads("docs/design.md#layout"));
+    assert!(!leads("docs/design.md#no-such-heading"));
+    assert!(!leads("docs/no-such-file.md"));
+}
+
+#[test]
+fn the_front_page_has_no_relative_links() {
+    let text = fs::read_to_string("README.md").unwrap();
+    let relative: Vec<_> = links_of(&text)
+        .filter(|link| !link.contains("://"))
+        .collect();
+    assert!(
+        relative.is_empty(),
+        "PyPI resolves no relative links: {relative:?}"
+    );
+    assert!(links_of(&text).any(|link| path_in_repository(link).is_some()));
 }
