@@ -135,3 +135,8 @@ pub mod texture;
 pub use accel::Precision;
 pub use error::{Error, ErrorKind};
 pub use facade::{Accelerator, Camera, Channel, Hit, Image, LoadOptions, Ray, Scene, Structure};
+
+/// The Rust of the documents, as doc tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Documents;

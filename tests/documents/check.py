@@ -21,7 +21,7 @@ def arguments():
         description=__doc__,
         epilog="Environment: FEIMOS, the program; FEIMOS_PYTHON, a Python with the module, or "
         "FEIMOS_WHEEL, a wheel for one; "
-        "FEIMOS_CARGO=1, build in clones as documented.",
+        "FEIMOS_CARGO, the documents whose builds are made, separated by spaces.",
     )
     parser.add_argument("documents", nargs="*", help="Markdown files [all of the repository]")
     parser.add_argument("--list", action="store_true", help="list all blocks and run none")
@@ -76,7 +76,7 @@ def run(name, blocks, options):
     python = None if options.without_python else os.environ.get("FEIMOS_PYTHON")
     with tempfile.TemporaryDirectory(prefix="feimos-documents-") as folder:
         feimos = Path(os.environ["FEIMOS"]).resolve()
-        cargo = bool(os.environ.get("FEIMOS_CARGO"))
+        cargo = name in os.environ.get("FEIMOS_CARGO", "").split()
         sandbox = Sandbox(Path(folder).resolve(), feimos, python, cargo)
         # Builds take minutes.
         seconds = options.seconds + (1800 if cargo else 0)
