@@ -36,6 +36,7 @@ impl Aggregate {
         options: BuildOptions,
         progress: Progress,
     ) -> Aggregate {
+        progress.check();
         let outlines = Outlines::of(geometry);
         let space = space_around(geometry, &outlines.bounds_of_all(geometry), anchor);
         let Collected {
@@ -44,7 +45,9 @@ impl Aggregate {
         } = collect(geometry, &space);
         let instances =
             InstanceTrees::build(geometry, outlines, &space, &|_| true, options, progress);
+        progress.check();
         let tree = builder::build(primitives, options, progress, PrimitiveId::from_bits);
+        progress.check();
         let WideTree {
             nodes,
             blocks: runs,

@@ -29,7 +29,7 @@ pub use hit::{ExactFallbacks, Hit, TraversalCounts};
 pub use precision::Precision;
 pub use quality::{Anatomy, Level, NodeBox, Statistics, TreeKind};
 pub use raster::{TileOptions, TileTracer, Tiles, TracedTile};
-pub use ray::Tracer;
+pub use ray::{Tracer, TracerMemory};
 pub use split_method::SplitMethod;
 pub use structure::Structure;
 pub(crate) use view::TILE;

@@ -21,6 +21,7 @@ use std::path::Path;
 pub type Result<T> = std::result::Result<T, Error>;
 
 /// The kind of an error, which decides the exit code.
+#[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ErrorKind {
     /// The command line asks for something impossible (2).
@@ -37,6 +38,8 @@ pub enum ErrorKind {
     Io,
     /// A temporary failure: no space, no memory, a stale handle (75, `EX_TEMPFAIL`).
     TryAgain,
+    /// The work was cancelled (130). The program never ends with this kind: signals end it.
+    Cancelled,
 }
 
 impl ErrorKind {
@@ -50,6 +53,7 @@ impl ErrorKind {
             ErrorKind::Output => 73,
             ErrorKind::Io => 74,
             ErrorKind::TryAgain => 75,
+            ErrorKind::Cancelled => 130,
         }
     }
 
@@ -65,27 +69,32 @@ impl ErrorKind {
     }
 }
 
-/// An error: its kind and its message.
+/// An error: its kind and its message. [`Display`](fmt::Display) writes the message: the file, the
+/// line and the column, what is wrong, and what to do about it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Error(Box<(ErrorKind, Diagnostic)>);
 
 impl Error {
     /// An error of `kind` with the message `diagnostic`.
+    #[doc(hidden)]
     pub fn new(kind: ErrorKind, diagnostic: Diagnostic) -> Error {
         Error(Box::new((kind, diagnostic)))
     }
 
     /// The command line asks for something impossible.
+    #[doc(hidden)]
     pub fn usage(message: impl Into<String>) -> Error {
         Error::new(ErrorKind::Usage, Diagnostic::new(message))
     }
 
     /// A scene or mesh is wrong.
+    #[doc(hidden)]
     pub fn bad_input(diagnostic: Diagnostic) -> Error {
         Error::new(ErrorKind::BadInput, diagnostic)
     }
 
     /// `path` could not be read.
+    #[doc(hidden)]
     pub fn reading(path: &Path, error: &std::io::Error) -> Error {
         use std::io::ErrorKind as Io;
         let missing = matches!(
@@ -102,6 +111,7 @@ impl Error {
     }
 
     /// `path` could not be created.
+    #[doc(hidden)]
     pub fn creating(path: &Path, error: &std::io::Error) -> Error {
         let kind = ErrorKind::of_io(error, ErrorKind::Output);
         let diagnostic = Diagnostic::new(format!("cannot create: {error}"));
@@ -109,6 +119,7 @@ impl Error {
     }
 
     /// `path` could not be written completely; no file with its name is left.
+    #[doc(hidden)]
     pub fn writing(path: &Path, error: &std::io::Error) -> Error {
         let kind = ErrorKind::of_io(error, ErrorKind::Io);
         let diagnostic = Diagnostic::new(format!("cannot write: {error}"));
@@ -121,17 +132,20 @@ impl Error {
     }
 
     /// The message.
+    #[doc(hidden)]
     pub fn diagnostic(&self) -> &Diagnostic {
         &self.0.1
     }
 
     /// The same error with one more line of notes.
+    #[doc(hidden)]
     pub fn note(mut self, note: impl Into<String>) -> Error {
         self.0.1.notes.push(note.into());
         self
     }
 
     /// The same error at `location`, unless it already has one: the innermost helps most.
+    #[doc(hidden)]
     pub fn or_at(mut self, location: impl FnOnce() -> SourceLocation) -> Error {
         self.0.1.location.get_or_insert_with(location);
         self

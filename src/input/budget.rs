@@ -2,22 +2,19 @@
 //! memory.
 
 use std::collections::HashSet;
-use std::fmt;
-use std::num::NonZeroU32;
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
+use super::budget_factor::{BudgetFactor, MOST_TIMES};
 use crate::error::{Diagnostic, Error, grouped};
 use crate::file_id::FileId;
+use crate::progress::Progress;
 
-/// The largest expansion of a file that is not made to fill the memory.
-const MOST_TIMES: u64 = 256;
-/// The bytes that all compressed files of a scene may have beyond that: small ones may shrink more.
+/// The bytes that all compressed files of a scene may have beyond [`MOST_TIMES`]: small ones may
+/// shrink more.
 const FREE_DECOMPRESSED: u64 = 64 << 20;
 /// The bytes that repeated text, and stored meshes, may have beyond that.
 const FREE_BYTES: u64 = 1 << 30;
-/// The bytes that an image may have beyond that: one of misses alone shrinks a thousand times.
-const FREE_IMAGE: u64 = 256 << 20;
 /// The most files that a scene includes.
 const MOST_FILES: u64 = 100_000;
 /// The faces that subdivision may make in any case, for each control face, and in total.
@@ -31,59 +28,13 @@ const PAIRS_PER_SQUARE: u64 = 8;
 const PAIRS_BEFORE_PER_SQUARE: u64 = 2;
 const PAIRS_BEFORE_PER_BYTE: u64 = 1_000;
 
-/// The command line's flag that raises all limits.
-const FLAG: &str = "--input-budget";
-
-/// A factor for the usual limits on expansion; 1 by default.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct BudgetFactor(NonZeroU32);
-
-impl BudgetFactor {
-    /// The usual limits.
-    pub const ONCE: BudgetFactor = BudgetFactor(NonZeroU32::MIN);
-    /// The largest factor.
-    pub const MAX: u32 = 1_000_000;
-
-    /// `factor`, if it is from 1 to [`BudgetFactor::MAX`].
-    pub fn new(factor: u32) -> Option<BudgetFactor> {
-        NonZeroU32::new(factor)
-            .filter(|factor| factor.get() <= Self::MAX)
-            .map(BudgetFactor)
-    }
-
-    fn times(self, limit: u64) -> u64 {
-        limit.saturating_mul(self.0.get().into())
-    }
-
-    /// The bytes that the pixels of an image may take if its file has `size` bytes.
-    pub(crate) fn image_limit(self, size: u64) -> u64 {
-        self.times(size.saturating_mul(MOST_TIMES).saturating_add(FREE_IMAGE))
-    }
-
-    /// The advice when a limit is reached.
-    pub(crate) fn advice(self) -> String {
-        let wanted = self.0.get().saturating_mul(2).min(Self::MAX);
-        format!("if this is meant, raise what input files may expand to: {FLAG} {wanted}")
-    }
-}
-
-impl Default for BudgetFactor {
-    fn default() -> BudgetFactor {
-        BudgetFactor::ONCE
-    }
-}
-
-impl fmt::Display for BudgetFactor {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
-    }
-}
-
-/// The expansion of a scene's files so far, and its limits.
-#[derive(Debug, Default)]
-pub(crate) struct Budget {
+/// The expansion of a scene's files so far, and its limits. Also ends the reading if it is
+/// cancelled.
+#[derive(Default)]
+pub(crate) struct Budget<'a> {
     factor: BudgetFactor,
     account: Mutex<Account>,
+    progress: Progress<'a>,
 }
 
 #[derive(Debug, Default)]
@@ -106,17 +57,31 @@ struct Account {
     pairs: u64,
 }
 
-impl Budget {
-    /// A budget without charges.
-    pub(crate) fn new(factor: BudgetFactor) -> Budget {
+impl<'a> Budget<'a> {
+    /// A budget without charges. Reading ends if `progress` cancels it.
+    pub(crate) fn new(factor: BudgetFactor, progress: Progress<'a>) -> Budget<'a> {
         Budget {
             factor,
             account: Mutex::default(),
+            progress,
+        }
+    }
+
+    /// Unwinds if the reading is cancelled. Readers call it every few milliseconds.
+    pub(crate) fn check_cancelled(&self) {
+        self.progress.advance(0);
+    }
+
+    /// Like [`Budget::check_cancelled`], but only at every 4096th `number`.
+    #[inline]
+    pub(crate) fn check_sometimes(&self, number: u64) {
+        if number.is_multiple_of(1 << 12) {
+            self.check_cancelled();
         }
     }
 
     /// The budget of a single file of `size` bytes.
-    pub(crate) fn of_bytes(size: usize) -> Budget {
+    pub(crate) fn of_bytes(size: usize) -> Budget<'a> {
         let budget = Budget::default();
         budget.enter_bytes(size as u64);
         budget

@@ -1,7 +1,7 @@
 //! Decompresses gzip files, which are recognized by their content.
 
 use std::borrow::Cow;
-use std::io::Read;
+use std::io::{self, Read};
 use std::path::Path;
 
 use super::Storage;
@@ -34,6 +34,19 @@ pub(crate) struct Stream<'a> {
     pub(crate) trusted_size: usize,
 }
 
+/// Content whose reading may be cancelled.
+struct Cancellable<'a, R> {
+    content: R,
+    budget: &'a Budget<'a>,
+}
+
+impl<R: Read> Read for Cancellable<'_, R> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        self.budget.check_cancelled();
+        self.content.read(buffer)
+    }
+}
+
 /// Decompresses `storage` for `read`. `None` if the content is larger than `budget` allows.
 pub(crate) fn stream<T>(
     storage: &Storage,
@@ -47,7 +60,8 @@ pub(crate) fn stream<T>(
         .ok()?;
     let trusted_size = trusted_size(end, usize::try_from(size).ok()?);
     let limit = budget.decompressed_left();
-    let mut content = Members::new(storage.reader()).take(limit.saturating_add(1));
+    let content = Members::new(storage.reader());
+    let mut content = Cancellable { content, budget }.take(limit.saturating_add(1));
     let made = read(&mut Stream {
         content: Box::new(&mut content),
         trusted_size,
@@ -86,9 +100,13 @@ fn decompressed<'a>(path: &Path, bytes: &'a [u8], budget: &Budget) -> Result<Cow
     memory::check(trusted as u64, too_large)
         .map_err(|error| error.or_at(|| SourceLocation::file(path)))?;
     let mut content = Vec::with_capacity(trusted);
-    let read = Members::new(bytes)
-        .take(limit.saturating_add(1))
-        .read_to_end(&mut content);
+    let members = Members::new(bytes);
+    let read = Cancellable {
+        content: members,
+        budget,
+    }
+    .take(limit.saturating_add(1))
+    .read_to_end(&mut content);
     read.map_err(|error| damaged(path, &error))?;
     if content.len() as u64 > limit {
         return Err(bomb(path, bytes.len() as u64, limit).note(budget.advice()));

@@ -1,6 +1,7 @@
 //! Reads input files, whole or in pieces.
 
 mod budget;
+mod budget_factor;
 pub(crate) mod gzip;
 mod gzip_members;
 mod inflated;
@@ -10,8 +11,8 @@ mod signature;
 mod storage;
 mod text_stream;
 
-pub use budget::BudgetFactor;
 pub(crate) use budget::{Budget, pairs_of};
+pub use budget_factor::BudgetFactor;
 pub(crate) use irregular::refuse_special;
 pub(crate) use missing::advise_beside;
 pub(crate) use signature::{Kind, Signature, without_utf8_mark};

@@ -49,9 +49,10 @@ pub(crate) fn read_within(
     budget: &Budget,
 ) -> Result<Loaded> {
     budget.enter(path);
-    if (named, wants) == (MeshFormat::Ply, CornerWants::NOTHING) {
+    if named == MeshFormat::Ply {
         let storage = input::Storage::open(path);
-        if let Some(loaded) = storage.and_then(|storage| ply::read_fast(path, &storage, budget)) {
+        let read = |storage: input::Storage| ply::read_fast(path, &storage, wants, budget);
+        if let Some(loaded) = storage.and_then(read) {
             return Ok(loaded);
         }
     }
@@ -61,8 +62,8 @@ pub(crate) fn read_within(
 /// Like [`read`], for the bytes of a file; `path` is for messages only.
 pub fn parse(path: &Path, bytes: &[u8], named: MeshFormat, wants: CornerWants) -> Result<Loaded> {
     let budget = &Budget::of_bytes(bytes.len());
-    if (named, wants) == (MeshFormat::Ply, CornerWants::NOTHING) {
-        let fast = ply::read_fast(path, &input::Storage::Memory(bytes), budget);
+    if named == MeshFormat::Ply {
+        let fast = ply::read_fast(path, &input::Storage::Memory(bytes), wants, budget);
         if let Some(loaded) = fast {
             return Ok(loaded);
         }
@@ -79,12 +80,12 @@ fn parse_content(
     budget: &Budget,
 ) -> Result<Loaded> {
     let is_whole = !gzip::is_in(&input::Storage::Memory(bytes));
-    let is_refused = is_whole && (named, wants) == (MeshFormat::Ply, CornerWants::NOTHING);
+    let is_refused = is_whole && named == MeshFormat::Ply;
     gzip::parsed(path, bytes, budget, |content| {
         match format_of(content).unwrap_or(named) {
             MeshFormat::Ply => ply::parse(path, content, is_refused, wants, budget),
             MeshFormat::Obj => obj::parse(path, content, wants, budget),
-            MeshFormat::Stl => stl::parse(path, content),
+            MeshFormat::Stl => stl::parse(path, content, budget),
             MeshFormat::Off => off::parse(path, content, wants, budget),
         }
     })

@@ -85,7 +85,7 @@ fn fan(corners: &[u32], triangles: &mut Vec<[u32; 3]>) {
 }
 
 /// The working memory of steps 2 to 7, reused for each face.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub struct Clipper<'a> {
     flat: Vec<Flat>,
     previous: Vec<usize>,
@@ -98,7 +98,7 @@ pub struct Clipper<'a> {
     /// The number of pairs of corners that may still be looked at.
     pairs: u64,
     /// The budget of the pairs.
-    budget: Option<&'a Budget>,
+    budget: Option<&'a Budget<'a>>,
 }
 
 impl<'a> Clipper<'a> {

@@ -42,7 +42,7 @@ pub struct Loaded {
 
 impl Loaded {
     /// Adds the warnings that all formats have in common.
-    pub(super) fn new(path: &Path, mesh: TriangleMesh, mut warnings: Vec<Diagnostic>) -> Loaded {
+    pub(crate) fn new(path: &Path, mesh: TriangleMesh, mut warnings: Vec<Diagnostic>) -> Loaded {
         let broken = mesh
             .vertices
             .par_iter()

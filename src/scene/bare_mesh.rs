@@ -8,24 +8,73 @@ use super::locations::Locations;
 use super::warnings::Warnings;
 use super::{LoadOptions, Scene};
 use crate::camera::{Camera, Projection, ScreenWindow};
-use crate::error::{Diagnostic, Error, Result, SourceLocation};
+use crate::error::{Diagnostic, Error, Result, SourceLocation, counted};
 use crate::film::PixelBounds;
-use crate::geometry::Matrix;
-use crate::mesh::Loaded;
+use crate::geometry::{Matrix, Point};
+use crate::mesh::{Loaded, TriangleMesh};
 use crate::shape::Geometry;
+use rayon::prelude::*;
 use std::path::Path;
 
-/// The scene of one mesh in its [`AutomaticView`]. `shape` is the type that a scene would give the
-/// mesh.
+/// The scene of the mesh of the file `path` in its [`AutomaticView`]. `shape` is the type that a
+/// scene would give the mesh.
 pub(super) fn scene_of_mesh(
     path: &Path,
     shape: &str,
     loaded: Loaded,
     options: &LoadOptions,
 ) -> Result<Scene> {
-    let resolution = options.resolution.unwrap_or([1280, 720]);
     let refuse =
         |message: String| Error::bad_input(Diagnostic::new(message).at(SourceLocation::file(path)));
+    let scene = framed(shape, loaded, options, refuse)?;
+    Ok(Scene {
+        locations: options.locations.then(|| Locations::of_mesh(path, shape)),
+        ..scene
+    })
+}
+
+/// The scene of the triangles with these corners, like that of a mesh file with them.
+///
+/// # Errors
+/// A triangle with an index that no point has, or too many of them.
+pub fn scene_of_triangles(points: &[[f32; 3]], triangles: &[[u32; 3]]) -> Result<Scene> {
+    let is_wrong = |index: &u32| *index as usize >= points.len();
+    let wrong = triangles
+        .par_iter()
+        .position_first(|corners| corners.iter().any(is_wrong));
+    if let Some(place) = wrong {
+        let index = triangles[place].iter().copied().find(is_wrong);
+        let index = index.unwrap_or_default();
+        let points = counted(points.len() as u64, "point");
+        let error = Error::usage(format!("triangle {place} has index {index} of {points}"));
+        return Err(error.note("expected indices that count points from 0"));
+    }
+    let point = |point: &[f32; 3]| Point::from(point.map(f64::from));
+    let mesh = TriangleMesh {
+        vertices: points.par_iter().map(point).collect(),
+        triangles: triangles.to_vec(),
+        ..TriangleMesh::default()
+    };
+    let mut loaded = Loaded::new(Path::new(""), mesh, Vec::new());
+    // There is no file.
+    let warnings = loaded.warnings.iter_mut();
+    warnings.for_each(|warning| warning.location = None);
+    framed(
+        "trianglemesh",
+        loaded,
+        &LoadOptions::default(),
+        Error::usage,
+    )
+}
+
+/// The scene of a mesh in its [`AutomaticView`]. `refuse` makes an error of a message.
+fn framed(
+    shape: &str,
+    loaded: Loaded,
+    options: &LoadOptions,
+    refuse: impl Fn(String) -> Error,
+) -> Result<Scene> {
+    let resolution = options.resolution.unwrap_or([1280, 720]);
     let mut warnings = Warnings::default();
     loaded
         .warnings
@@ -65,7 +114,7 @@ pub(super) fn scene_of_mesh(
         transform_count: 1,
         warnings,
         census,
-        locations: options.locations.then(|| Locations::of_mesh(path, shape)),
+        locations: None,
         transform_history: options.transform_history.then(|| view.history()),
     })
 }

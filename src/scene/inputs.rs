@@ -7,6 +7,7 @@ use crate::error::Result;
 use crate::file_id::InputFiles;
 use crate::input::{self, Budget, BudgetFactor};
 use crate::mesh::{self, CornerWants, Loaded, MeshFormat};
+use crate::progress::Progress;
 use crate::texture::Texels;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -14,22 +15,23 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// All files of one scene.
-pub(super) struct Inputs {
+pub(super) struct Inputs<'a> {
     /// Relative names start here: the directory of the top-level file, as in pbrt.
     directory: PathBuf,
     files: InputFiles,
-    budget: Budget,
+    budget: Budget<'a>,
     meshes: MeshCache,
     images: ImageCache,
 }
 
-impl Inputs {
-    /// For the scene `path`, whose files may expand to `factor` times the usual limits.
-    pub(super) fn new(path: &Path, factor: BudgetFactor) -> Inputs {
+impl<'a> Inputs<'a> {
+    /// For the scene `path`, whose files may expand to `factor` times the usual limits. Reading
+    /// them ends if `progress` cancels it.
+    pub(super) fn new(path: &Path, factor: BudgetFactor, progress: Progress<'a>) -> Inputs<'a> {
         Inputs {
             directory: path.parent().unwrap_or(Path::new("")).to_path_buf(),
             files: InputFiles::default(),
-            budget: Budget::new(factor),
+            budget: Budget::new(factor, progress),
             meshes: MeshCache::default(),
             images: ImageCache::default(),
         }
@@ -55,7 +57,7 @@ impl Inputs {
         std::mem::take(&mut self.files)
     }
 
-    pub(super) fn budget(&self) -> &Budget {
+    pub(super) fn budget(&self) -> &Budget<'a> {
         &self.budget
     }
 

@@ -28,12 +28,11 @@ pub fn load_listing_files(
     if let Some((shape, format)) = bare_mesh(path) {
         let mut files = InputFiles::default();
         files.add(path);
-        let budget = Budget::new(options.input_budget);
+        let budget = Budget::new(options.input_budget, progress);
         let loaded = mesh::read_within(path, format, options.corners(), &budget);
-        return (
-            loaded.and_then(|loaded| scene_of_mesh(path, shape, loaded, options)),
-            files,
-        );
+        progress.check();
+        let scene = loaded.and_then(|loaded| scene_of_mesh(path, shape, loaded, options));
+        return (scene, files);
     }
     let mut interpreter = Interpreter::new(path, options, progress);
     let read = interpreter.read_top_level();

@@ -26,7 +26,8 @@ mod transform_history;
 mod warnings;
 
 pub use accelerator::AcceleratorParameters;
-pub use cameras::{Pose, parse_colmap, parse_poses, pose_files, read_poses};
+pub use bare_mesh::scene_of_triangles;
+pub use cameras::{Pose, calibrated_camera, parse_colmap, parse_poses, pose_files, read_poses};
 pub use census::{Census, ShapeCount};
 pub use digest::SceneDigest;
 pub use film::Film;

@@ -208,7 +208,7 @@ pub(crate) fn agreed_picture(
     let reference = picture_by(camera, geometry, way, precision, window);
     let trees: &[Tree] = match precision {
         Precision::Exact => &[Tree::Bins, Tree::Shared, Tree::OfAll],
-        Precision::Fast => &[Tree::Bins, Tree::OfAll],
+        _ => &[Tree::Bins, Tree::OfAll],
     };
     let mut turn = 0;
     for method in SplitMethod::ALL {

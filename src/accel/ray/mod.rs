@@ -20,7 +20,7 @@ pub(super) use self::fast_search::FastSearch;
 pub(super) use self::nearest::Nearest;
 pub(super) use self::search::Search;
 pub(super) use self::ties::Ties;
-pub use self::tracer::Tracer;
+pub use self::tracer::{Tracer, TracerMemory};
 
 #[cfg(test)]
 mod tests;

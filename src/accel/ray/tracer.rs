@@ -26,6 +26,15 @@ pub struct Tracer<'a> {
     fallbacks: ExactFallbacks,
 }
 
+/// The memory of a tracer, which the next one may take over.
+///
+/// It holds answers about primitives, so both must trace through the same geometry.
+#[derive(Default)]
+pub struct TracerMemory {
+    stacks: Stacks,
+    ties: Ties,
+}
+
 /// The stacks of both traversals; those of the binary trees once rays are counted.
 #[derive(Default)]
 struct Stacks {
@@ -62,6 +71,25 @@ impl<'a> Tracer<'a> {
     /// Hits do not depend on them.
     pub fn with_level(self, level: Level) -> Tracer<'a> {
         Tracer { level, ..self }
+    }
+
+    /// The same tracer with the memory of another one of the same geometry. Hits do not depend on
+    /// it.
+    pub fn with_memory(self, memory: TracerMemory) -> Tracer<'a> {
+        let TracerMemory { stacks, ties } = memory;
+        Tracer {
+            stacks,
+            ties,
+            ..self
+        }
+    }
+
+    /// The memory, for the next tracer.
+    pub fn into_memory(self) -> TracerMemory {
+        TracerMemory {
+            stacks: self.stacks,
+            ties: self.ties,
+        }
     }
 
     /// The nearest hit of `ray`. At equal `t` the primitive that comes first in the file wins (rule

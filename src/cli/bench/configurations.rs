@@ -3,11 +3,11 @@
 use super::args::ConfigurationArgs;
 use crate::accel::{Accelerator, SplitMethod};
 use crate::bench::{Build, Kernel};
-use crate::cli::options::engine::{build_options, method_of_scene};
 use crate::cli::options::values::refuse_repeated;
 use crate::cli::terminal::reporter::Reporter;
 use crate::error::{Error, Result};
 use crate::scene::AcceleratorParameters;
+use crate::structure_choice::{build_options, method_of_scene};
 
 /// Accelerators that each suit some of the kernels, and kernels that each suit some of them.
 #[derive(Debug)]

@@ -1,10 +1,11 @@
 //! Options for the engine, and the accelerator that a scene asks for.
 
 use super::values::{described, integer};
-use crate::accel::{Accelerator, BuildOptions, Precision, SplitMethod};
+use crate::accel::{Accelerator, Precision, SplitMethod};
 use crate::named::UnknownName;
 use crate::scene::{AcceleratorParameters, spelling};
 use crate::simd::Level;
+use crate::structure_choice::method_of_scene;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::str::FromStr;
@@ -142,29 +143,6 @@ fn simd() -> impl TypedValueParser<Value = Level> {
             format!("this machine has {available}; auto takes the widest")
         })
     })
-}
-
-/// Build options for `method`, with the leaf size that the scene asks for.
-pub(crate) fn build_options(
-    method: SplitMethod,
-    accelerator: &AcceleratorParameters,
-) -> BuildOptions {
-    let max_leaf = accelerator
-        .max_leaf
-        .map_or(BuildOptions::MAX_LEAF, |count| count as usize);
-    BuildOptions { method, max_leaf }
-}
-
-/// The split method that the scene asks for, or the name that feimos does not know.
-pub(crate) fn method_of_scene(accelerator: &AcceleratorParameters) -> Result<SplitMethod, &str> {
-    let AcceleratorParameters {
-        name, split_method, ..
-    } = accelerator;
-    match (name.as_deref(), split_method.as_deref()) {
-        (None, _) | (Some("bvh"), None) => Ok(SplitMethod::Sah),
-        (Some("bvh"), Some(name)) => name.parse().map_err(|_| name),
-        (Some(name), _) => Err(name),
-    }
 }
 
 /// A note on an accelerator that feimos does not know.

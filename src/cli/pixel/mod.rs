@@ -5,7 +5,6 @@ mod report;
 
 pub(crate) use args::PixelArgs;
 
-use super::options::engine::build_options;
 use super::process::threads::thread_pool;
 use super::terminal::progress::{Phase, ProgressBars};
 use super::terminal::reporter::Reporter;
@@ -16,6 +15,7 @@ use crate::error::{Diagnostic, Error, ErrorKind, Result};
 use crate::pixel::{Explanation, explain};
 use crate::progress::Progress;
 use crate::scene::{self, LoadOptions, Scene};
+use crate::structure_choice::build_options;
 use report::Report;
 
 /// Explains a pixel and returns the exit code.

@@ -6,7 +6,7 @@ use super::plan::Plan;
 use super::scene::{LoadedScene, Viewpoint};
 use super::summary::report_built;
 use super::target::Target;
-use crate::accel::{Accelerator, Aggregate, Bins, Precision};
+use crate::accel::{Accelerator, Aggregate, Bins};
 use crate::cli::options::engine::AcceleratorChoice;
 use crate::cli::terminal::progress::{Phase, ProgressBars};
 use crate::cli::terminal::reporter::Reporter;
@@ -14,6 +14,7 @@ use crate::error::{Error, Result};
 use crate::film::PixelBounds;
 use crate::geometry::Point;
 use crate::progress::Progress;
+use crate::structure_choice::{may_share_tree, shared_anchor, takes_bins};
 
 /// Builds structures as the plan has it.
 pub(super) struct Builder<'a> {
@@ -21,10 +22,6 @@ pub(super) struct Builder<'a> {
     pub(super) reporter: &'a Reporter,
     pub(super) bars: &'a ProgressBars,
 }
-
-/// With so many views of one scene, a tree that all share is faster than bins for each:
-/// docs/performance.md has the measurements.
-const MANY_VIEWS: usize = 16;
 
 impl Builder<'_> {
     /// The structure for an image, and the milliseconds that building it took now.
@@ -77,10 +74,8 @@ impl Builder<'_> {
                 Err(error.note("choose a tree, such as --accel sah"))
             }
             AcceleratorChoice::Fixed(Accelerator::Raster) => Ok(true),
-            // Answers in f32 are those of the eye's own structure.
             AcceleratorChoice::Auto => {
-                let is_fast = self.plan.precision == Precision::Fast;
-                Ok(!costs && (is_fast || loaded.views.len() < MANY_VIEWS))
+                Ok(takes_bins(loaded.views.len(), self.plan.precision, costs))
             }
         }
     }
@@ -106,16 +101,14 @@ impl Builder<'_> {
         target: &Target,
     ) -> Result<(Built<'a>, f64)> {
         let geometry = &loaded.scene.geometry;
-        // Answers in f32, and costs, depend on the anchor, where boxes are the most precise: each
-        // view has its own tree, as if it were rendered alone.
-        let depends_on_view = self.plan.precision == Precision::Fast || target.needs_tree();
-        let is_shared = loaded.views.len() > 1 && !depends_on_view;
+        let may_share = may_share_tree(self.plan.precision, target.needs_tree());
+        let is_shared = loaded.views.len() > 1 && may_share;
         if let (true, Some(built)) = (is_shared, loaded.shared()) {
             return Ok((Built::Shared(built), 0.0));
         }
         Aggregate::check_memory(geometry)?;
         let anchor = match is_shared {
-            true => loaded.middle(),
+            true => shared_anchor(&loaded.scene),
             false => view.camera.anchor(),
         };
         let (tree, ms) = self.build_tree(loaded, anchor);
@@ -151,7 +144,7 @@ impl Builder<'_> {
         Aggregate::check_memory(&loaded.scene.geometry)?;
         let anchor = match loaded.views.len() {
             1 => view.camera.anchor(),
-            _ => loaded.middle(),
+            _ => shared_anchor(&loaded.scene),
         };
         Ok(loaded.share(self.build_tree(loaded, anchor).0))
     }

@@ -4,15 +4,14 @@ use super::args::RenderArgs;
 use super::image_options::ImageOptions;
 use super::output_names::OutputNames;
 use crate::accel::{BuildOptions, Precision, SplitMethod};
-use crate::cli::options::engine::{
-    AcceleratorChoice, accelerator_note, build_options, method_of_scene,
-};
+use crate::cli::options::engine::{AcceleratorChoice, accelerator_note};
 use crate::cli::terminal::reporter::Reporter;
 use crate::cli::terminal::stdout;
 use crate::error::{Error, Result};
 use crate::film::{Aov, PixelBounds, View};
 use crate::scene::{AcceleratorParameters, Film, LoadOptions, Pose};
 use crate::simd::Level;
+use crate::structure_choice::{build_options, method_of_scene};
 
 /// How the command renders every scene.
 #[derive(Debug)]

@@ -12,7 +12,6 @@ use crate::cli::terminal::words::counted;
 use crate::digest::Digest;
 use crate::error::Result;
 use crate::file_id::InputFiles;
-use crate::geometry::Point;
 use crate::progress::Progress;
 use crate::scene::{self, Film, Pose, Scene, SceneDigest};
 use std::path::Path;
@@ -120,15 +119,5 @@ impl<'a> LoadedScene<'a> {
     /// Keeps a tree over the whole scene for all views.
     pub(super) fn share(&self, built: BuiltTree) -> &BuiltTree {
         self.shared.get_or_init(|| built)
-    }
-
-    /// The anchor of a tree for all views, where its boxes are the most precise.
-    pub(super) fn middle(&self) -> Point {
-        let middle = self.scene.geometry.extent().centre();
-        if middle.is_finite() {
-            middle
-        } else {
-            self.views[0].camera.anchor()
-        }
     }
 }

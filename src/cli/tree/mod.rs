@@ -6,7 +6,7 @@ mod report;
 
 pub(crate) use args::TreeArgs;
 
-use super::options::engine::{accelerator_note, build_options, method_of_scene};
+use super::options::engine::accelerator_note;
 use super::process::threads::thread_pool;
 use super::terminal::progress::{Phase, ProgressBars};
 use super::terminal::reporter::Reporter;
@@ -17,6 +17,7 @@ use crate::error::Result;
 use crate::json;
 use crate::progress::Progress;
 use crate::scene::{self, LoadOptions, Scene};
+use crate::structure_choice::{build_options, method_of_scene};
 use report::Report;
 
 /// Builds the tree of a scene, shows it, and returns the exit code.

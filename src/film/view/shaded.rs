@@ -12,7 +12,7 @@ use std::io;
 /// The brightness of a surface that the ray grazes; one that faces the ray has 1.
 const GRAZED: f64 = 0.25;
 
-/// The colours of `image` as seen by `camera`, row by row from the top: those of [`depth`], darker
+/// The colours of `image` as seen by `camera`, row by row from the top: those of [`depth()`], darker
 /// where the surface turns away from the ray. Both sides of a surface are lit. Misses are not.
 ///
 /// # Errors

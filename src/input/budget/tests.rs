@@ -2,7 +2,8 @@ use super::*;
 
 #[test]
 fn a_factor_raises_every_limit() {
-    let budgets = [1, 3].map(|factor| Budget::new(BudgetFactor::new(factor).unwrap()));
+    let budgets =
+        [1, 3].map(|factor| Budget::new(BudgetFactor::new(factor).unwrap(), Progress::SILENT));
     let [once, thrice] = budgets.each_ref();
     assert_eq!(
         (once.decompressed_left(), thrice.decompressed_left()),

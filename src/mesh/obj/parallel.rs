@@ -26,17 +26,24 @@ pub(super) fn read(text: &[u8], budget: &Budget) -> Option<TriangleMesh> {
 pub(super) fn read_in_blocks(text: &[u8], block: usize, budget: &Budget) -> Option<TriangleMesh> {
     let parts: Option<Vec<Part>> = cut(text, block)
         .into_par_iter()
-        .map(|lines| Part::read(&text[lines]))
+        .map(|lines| {
+            budget.check_cancelled();
+            Part::read(&text[lines])
+        })
         .collect();
     let mut parts = parts?;
     let positions = positions(&mut parts);
-    let (vertices, corners) =
-        in_order_of_use(&positions, parts.iter_mut().map(|part| &mut part.corners))?;
+    let corners = parts.iter_mut().map(|part| {
+        budget.check_cancelled();
+        &mut part.corners
+    });
+    let (vertices, corners) = in_order_of_use(&positions, corners)?;
     drop(positions);
     let triangles = corners.iter().map(Vec::len).sum::<usize>()
         - 2 * parts.iter().map(Part::face_count).sum::<usize>();
     let mut faces = Faces::new(&vertices, triangles, budget);
     for (part, corners) in parts.iter().zip(corners) {
+        budget.check_cancelled();
         part.push_faces(&corners, &mut faces)?;
     }
     let triangles = faces.finish().ok()?.0;

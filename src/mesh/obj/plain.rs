@@ -12,6 +12,7 @@ use std::path::Path;
 
 use crate::decimal;
 use crate::error::Diagnostic;
+use crate::input::Budget;
 use crate::mesh::CornerWants;
 use crate::mesh::lexer::{Statement, Statements};
 use crate::mesh::tally::Tally;
@@ -41,6 +42,7 @@ pub(super) struct Plain<'a> {
     lines: Vec<u8>,
     taken: usize,
     wants: CornerWants,
+    budget: &'a Budget<'a>,
     /// Vertices so far.
     pub(super) vertices: u64,
     /// Texture coordinates so far.
@@ -61,7 +63,7 @@ pub(super) struct Plain<'a> {
 impl<'a> Plain<'a> {
     /// With what `wants` says of corners. The first texture coordinates, and the first normal, are
     /// zeros for corners that have none.
-    pub(super) fn new(text: &'a [u8], wants: CornerWants) -> Plain<'a> {
+    pub(super) fn new(text: &'a [u8], wants: CornerWants, budget: &'a Budget) -> Plain<'a> {
         let [bare, small, unknown, surfaces, calls] = Default::default();
         let mut lines = Vec::new();
         if wants.uv {
@@ -79,6 +81,7 @@ impl<'a> Plain<'a> {
             lines,
             taken: 0,
             wants,
+            budget,
             vertices: 0,
             textures: 0,
             normals: [0, count_of_normals],
@@ -277,6 +280,7 @@ impl BufRead for Plain<'_> {
     fn fill_buf(&mut self) -> io::Result<&[u8]> {
         const CHUNK: usize = 1 << 16;
         if self.taken == self.lines.len() {
+            self.budget.check_cancelled();
             self.lines.clear();
             self.taken = 0;
             while self.lines.len() < CHUNK

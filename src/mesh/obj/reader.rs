@@ -28,7 +28,7 @@ pub(super) fn read(
     wants: CornerWants,
     budget: &Budget,
 ) -> Result<Loaded> {
-    let mut plain = Plain::new(text, wants);
+    let mut plain = Plain::new(text, wants, budget);
     let models = tobj::load_obj_buf(&mut plain, &OPTIONS, |_| Ok(Default::default()));
     let (models, _) = models.map_err(|error| refused(path, text, wants.uv, &error))?;
     let at_file = |error: Error| error.or_at(|| SourceLocation::file(path));
@@ -48,7 +48,9 @@ pub(super) fn read(
         CornerWants::NOTHING => Faces::new(&vertices, triangles, budget),
         _ => Faces::with_places(&vertices, triangles, budget),
     };
-    push_all(&mesh, &mut faces, |face| mistakes::face(path, text, face))?;
+    push_all(&mesh, &mut faces, budget, |face| {
+        mistakes::face(path, text, face)
+    })?;
     let mut corners = Vec::new();
     if found != CornerWants::NOTHING {
         check_count(mesh.indices.len() as u64, "corners").map_err(at_file)?;
@@ -94,10 +96,12 @@ fn arities(mesh: &tobj::Mesh) -> impl Iterator<Item = usize> {
 fn push_all(
     mesh: &tobj::Mesh,
     faces: &mut Faces,
+    budget: &Budget,
     location: impl Fn(usize) -> SourceLocation,
 ) -> Result<()> {
     let mut rest = mesh.indices.as_slice();
     for (face, arity) in arities(mesh).enumerate() {
+        budget.check_sometimes(face as u64);
         let (corners, others) = rest.split_at(arity);
         let pushed = faces.push(corners, || 0..0);
         pushed.map_err(|error| error.or_at(|| location(face)))?;

@@ -29,7 +29,7 @@ pub(super) fn read(
     wants: CornerWants,
     budget: &Budget,
 ) -> Result<Loaded> {
-    let mut reader = Reader::behind(path, text, keyword);
+    let mut reader = Reader::behind(path, text, keyword, budget);
     if keyword.is_of_other_dimension {
         let error = reader.error("vertices of four or of n coordinates", keyword.span.clone());
         return Err(error.note("expected `OFF`, with vertices of three coordinates"));
@@ -76,11 +76,12 @@ struct Reader<'a> {
     at: usize,
     /// The words of a line, reused.
     words: Vec<Range<usize>>,
+    budget: &'a Budget<'a>,
 }
 
 impl<'a> Reader<'a> {
     /// The lines after the keyword; what follows it on its line is one of them.
-    fn behind(path: &'a Path, text: &'a [u8], keyword: &Keyword) -> Reader<'a> {
+    fn behind(path: &'a Path, text: &'a [u8], keyword: &Keyword, budget: &'a Budget) -> Reader<'a> {
         let at = keyword.span.end;
         Reader {
             path,
@@ -88,6 +89,7 @@ impl<'a> Reader<'a> {
             statements: Statements::from(text, at),
             at,
             words: Vec::new(),
+            budget,
         }
     }
 
@@ -114,6 +116,7 @@ impl<'a> Reader<'a> {
     /// have.
     fn line(&mut self, noun: &str, found: u64, expected: u64) -> Result<Statement<'a>> {
         let end = self.text.len();
+        self.budget.check_sometimes(found);
         self.next().ok_or_else(|| {
             let message = format!("the file ends after {found} of {}", counted(expected, noun));
             let note = "the file is cut off, or its counts are wrong";

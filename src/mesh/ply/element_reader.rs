@@ -7,6 +7,7 @@ use super::header::{Element, Property, Scalar, Shape};
 use super::plan::{Step, plan};
 use super::values::{Fault, Run, Values};
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
+use crate::input::Budget;
 use crate::mesh::faces::Faces;
 use crate::mesh::quote::quote;
 
@@ -23,6 +24,7 @@ pub(super) struct ElementReader<'a, V> {
     pub(super) content: &'a [u8],
     pub(super) values: V,
     pub(super) warnings: Vec<Diagnostic>,
+    pub(super) budget: &'a Budget<'a>,
 }
 
 impl<V: Values> ElementReader<'_, V> {
@@ -80,6 +82,7 @@ impl<V: Values> ElementReader<'_, V> {
         }
         let plan = plan(&element.properties, |_, _| None);
         for number in 0..element.count {
+            self.budget.check_sometimes(number);
             for step in &plan {
                 self.leave_out(*step)
                     .map_err(|fault| self.error(fault, element, number))?;

@@ -30,6 +30,7 @@ pub(super) fn read<V: Values>(
     });
     let mut corners = Vec::new();
     for number in 0..element.count {
+        reader.budget.check_sometimes(number);
         let is_read = layout.is_some_and(|Layout { lead, trail, .. }| {
             small_face(&mut reader.values, lead, trail, faces)
         });

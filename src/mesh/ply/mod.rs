@@ -24,20 +24,25 @@ use std::path::Path;
 use self::ascii::Ascii;
 use self::binary::{BigEndian, Binary, LittleEndian};
 use self::header::{Encoding, Header};
-use self::vertices::found_of;
+use self::vertices::has_wanted;
 use super::{CornerWants, Loaded};
 use crate::error::Result;
 use crate::input::{Budget, Storage, gzip};
 
-/// Reads the mesh in `storage`, compressed or not, if it is a PLY file in the usual form: fast, and
-/// without messages.
-pub(super) fn read_fast(path: &Path, storage: &Storage, budget: &Budget) -> Option<Loaded> {
+/// Reads the mesh in `storage`, compressed or not, if it is a PLY file in the usual form, whose
+/// vertices have nothing of what is wanted: fast, and without messages.
+pub(super) fn read_fast(
+    path: &Path,
+    storage: &Storage,
+    wants: CornerWants,
+    budget: &Budget,
+) -> Option<Loaded> {
     if gzip::is_in(storage) {
         gzip::stream(storage, budget, |text| {
-            parallel::read_compressed(path, text)
+            parallel::read_compressed(path, text, wants)
         })
     } else {
-        parallel::read(path, storage)
+        parallel::read(path, storage, wants, budget)
     }
 }
 
@@ -51,17 +56,18 @@ pub(super) fn parse(
     budget: &Budget,
 ) -> Result<Loaded> {
     let header = Header::parse(path, content)?;
-    let mut vertices = header
-        .elements
-        .iter()
-        .filter(|element| element.name == "vertex");
-    if vertices.any(|element| found_of(element, wants) != CornerWants::NOTHING) {
+    if has_wanted(&header, wants) {
         return read(path, content, header, wants, budget);
     }
     // The content may be in the usual form even if it could not be read as a stream.
     let fast = match is_refused {
         true => None,
-        false => parallel::read(path, &Storage::Memory(content)),
+        false => parallel::read(
+            path,
+            &Storage::Memory(content),
+            CornerWants::NOTHING,
+            budget,
+        ),
     };
     match fast {
         Some(loaded) => Ok(loaded),

@@ -28,11 +28,11 @@ pub(super) fn read<V: Values>(
         content,
         values,
         warnings: header.warnings,
+        budget,
     };
     let mut reader = Reader {
         elements: reader,
         wants,
-        budget,
     };
     let vertex = reader.find_vertex(elements)?;
     let vertex = vertex.ok_or_else(|| reader.elements.no_vertex(elements, header.end))?;
@@ -44,7 +44,6 @@ pub(super) fn read<V: Values>(
 struct Reader<'a, V> {
     elements: ElementReader<'a, V>,
     wants: CornerWants,
-    budget: &'a Budget,
 }
 
 impl<V: Values> Reader<'_, V> {
@@ -78,7 +77,7 @@ impl<V: Values> Reader<'_, V> {
             uv,
             normals,
         } = self.visit(vertex, read_vertices)?;
-        let mut faces = Faces::new(&vertices, 0, self.budget);
+        let mut faces = Faces::new(&vertices, 0, self.elements.budget);
         for (values, element) in early_faces {
             let next = std::mem::replace(&mut self.elements.values, values);
             self.any_faces(element, &mut faces)?;

@@ -45,7 +45,8 @@ fn strip_list<V: Values>(
     small: &mut Tally,
 ) -> Result<()> {
     let mut strip = Strip::default();
-    for _ in 0..length {
+    for place in 0..length {
+        reader.budget.check_sometimes(place);
         let index = reader.values.integer(item);
         let index = index.map_err(|fault| reader.error(fault, element, number))?;
         if index != END_OF_STRIP {

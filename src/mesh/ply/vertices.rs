@@ -1,7 +1,7 @@
 //! Reads the element `vertex`.
 
 use super::element_reader::ElementReader;
-use super::header::{Element, Property, Scalar, Shape};
+use super::header::{Element, Header, Property, Scalar, Shape};
 use super::plan::{Step, plan};
 use super::values::{Fault, Values};
 use crate::error::{Result, counted};
@@ -36,8 +36,15 @@ fn has_all(element: &Element, names: &[&str]) -> bool {
     names.iter().all(has)
 }
 
+/// Whether vertices have something of what is wanted.
+pub(super) fn has_wanted(header: &Header, wants: CornerWants) -> bool {
+    let elements = header.elements.iter();
+    let mut vertices = elements.filter(|element| element.name == "vertex");
+    vertices.any(|element| found_of(element, wants) != CornerWants::NOTHING)
+}
+
 /// The part of `wants` that this element has.
-pub(super) fn found_of(element: &Element, wants: CornerWants) -> CornerWants {
+fn found_of(element: &Element, wants: CornerWants) -> CornerWants {
     CornerWants {
         uv: wants.uv && names_of_uv(element).is_some(),
         normals: wants.normals && has_all(element, &NORMAL),
@@ -107,6 +114,7 @@ pub(super) fn read<V: Values>(
         normals: Vec::with_capacity(room(found.normals)),
     };
     for number in 0..count {
+        reader.budget.check_sometimes(number);
         let vertex = vertex(reader, &plan);
         let vertex = vertex.map_err(|fault| reader.error(fault, element, number))?;
         vertices.points.push(Point::from(vertex.point));

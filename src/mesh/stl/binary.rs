@@ -5,6 +5,7 @@ use std::path::Path;
 use super::separate::mesh_of;
 use crate::error::{Diagnostic, Error, Result, SourceLocation, counted, grouped};
 use crate::geometry::Point;
+use crate::input::Budget;
 use crate::memory;
 use crate::mesh::Loaded;
 use rayon::prelude::*;
@@ -15,6 +16,8 @@ const HEADER: usize = 84;
 /// use for colours.
 const RECORD: usize = 50;
 const NORMAL: usize = 12;
+/// The triangles that a task reads.
+const MOST_AT_ONCE: usize = 1 << 14;
 
 /// The triangles that the header counts; `None` if the header is cut off.
 fn claimed(content: &[u8]) -> Option<u64> {
@@ -33,7 +36,7 @@ pub(super) fn has_exact_size(content: &[u8]) -> bool {
 }
 
 /// Reads a binary file.
-pub(super) fn read(path: &Path, content: &[u8]) -> Result<Loaded> {
+pub(super) fn read(path: &Path, content: &[u8], budget: &Budget) -> Result<Loaded> {
     let size = content.len() as u64;
     let refuse = |message: String| {
         let diagnostic = Diagnostic::new(message).at(SourceLocation::file(path));
@@ -63,7 +66,10 @@ pub(super) fn read(path: &Path, content: &[u8]) -> Result<Loaded> {
     memory::check(count * size_of::<[Point; 3]>() as u64, too_large)
         .map_err(|error| error.or_at(|| SourceLocation::file(path)))?;
     let records = content[HEADER..needed as usize].par_chunks_exact(RECORD);
-    let vertices: Vec<[Point; 3]> = records.map(triangle).collect();
+    let records = records.with_max_len(MOST_AT_ONCE);
+    let vertices: Vec<[Point; 3]> = records
+        .map_init(|| budget.check_cancelled(), |(), record| triangle(record))
+        .collect();
     let rest = (size > needed).then(|| {
         let message = format!(
             "{} after the last triangle, ignored",

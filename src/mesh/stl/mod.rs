@@ -12,7 +12,7 @@ use std::path::Path;
 
 use super::{Loaded, MeshFormat};
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
-use crate::input::without_utf8_mark;
+use crate::input::{Budget, without_utf8_mark};
 
 /// Whether `content` is surely an STL file. A binary one is told by its size, since programs write
 /// anything into its first bytes, even `solid`.
@@ -21,20 +21,20 @@ pub(super) fn recognises(content: &[u8]) -> bool {
 }
 
 /// Parses the content of an STL file; `path` is for messages only.
-pub(super) fn parse(path: &Path, content: &[u8]) -> Result<Loaded> {
+pub(super) fn parse(path: &Path, content: &[u8], budget: &Budget) -> Result<Loaded> {
     let text = without_utf8_mark(content);
     if binary::has_exact_size(content) {
-        return binary::read(path, content);
+        return binary::read(path, content, budget);
     }
     if text::begins(text) {
-        return text::read(path, text);
+        return text::read(path, text, budget);
     }
     if let Some(error) = MeshFormat::Stl.refused(path, content) {
         return Err(error);
     }
     if !text::is_text(content) {
         // Its size is wrong, as its reader reports.
-        return binary::read(path, content);
+        return binary::read(path, content, budget);
     }
     let diagnostic = Diagnostic::new("not an STL mesh").at(SourceLocation::file(path));
     Err(Error::bad_input(

@@ -7,6 +7,7 @@ use super::separate::mesh_of;
 use crate::decimal;
 use crate::error::{Diagnostic, Error, Result, SourceLocation};
 use crate::geometry::Point;
+use crate::input::Budget;
 use crate::mesh::Loaded;
 use crate::mesh::quote::quote;
 
@@ -27,11 +28,12 @@ const HEAD: usize = 1024;
 const SOLID: &[u8] = b"solid";
 
 /// Reads a text. All solids of a file are one mesh.
-pub(super) fn read(path: &Path, text: &[u8]) -> Result<Loaded> {
+pub(super) fn read(path: &Path, text: &[u8], budget: &Budget) -> Result<Loaded> {
     let mut reader = Reader { path, text, at: 0 };
     let mut vertices = Vec::new();
     let mut is_open = false;
     while let Some(word) = reader.next() {
+        budget.check_sometimes(vertices.len() as u64);
         match text[word.clone()].to_ascii_lowercase().as_slice() {
             b"solid" | b"endsolid" => {
                 is_open = text[word.start].eq_ignore_ascii_case(&b's');

@@ -6,4 +6,4 @@ mod list;
 mod realistic;
 
 pub(super) use camera_directive::CameraParameters;
-pub use list::{Pose, parse_colmap, parse_poses, pose_files, read_poses};
+pub use list::{Pose, calibrated_camera, parse_colmap, parse_poses, pose_files, read_poses};

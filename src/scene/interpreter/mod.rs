@@ -44,7 +44,7 @@ pub(super) struct Interpreter<'a> {
     stops_at_world: bool,
     /// The bytes of a scene file that are in memory at a time.
     window: usize,
-    inputs: Inputs,
+    inputs: Inputs<'a>,
     includes: Includes,
     scene: SceneBuilder,
 }
@@ -61,7 +61,7 @@ impl<'a> Interpreter<'a> {
             progress,
             stops_at_world: false,
             window: WINDOW,
-            inputs: Inputs::new(path, options.input_budget),
+            inputs: Inputs::new(path, options.input_budget, progress),
             includes: Includes::default(),
             scene: SceneBuilder::new(options),
         }

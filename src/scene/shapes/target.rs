@@ -15,11 +15,11 @@ use crate::shape::{CapacityError, Form, Geometry, NonFiniteCounts, PatchUv};
 use std::sync::Arc;
 
 /// Where one shape goes.
-pub(crate) struct ShapeTarget<'a> {
+pub(crate) struct ShapeTarget<'a, 'i> {
     pub(crate) geometry: &'a mut Geometry,
     pub(crate) transforms: &'a mut TransformCache,
     pub(crate) warnings: &'a mut Warnings,
-    pub(crate) inputs: &'a mut Inputs,
+    pub(crate) inputs: &'a mut Inputs<'i>,
     pub(crate) options: &'a LoadOptions,
     /// The number of the `Shape` statement, counted from 1.
     pub(crate) number: u32,
@@ -102,7 +102,7 @@ pub(super) const SURFACE: [&str; 8] = [
     "edgelength",
 ];
 
-impl ShapeTarget<'_> {
+impl ShapeTarget<'_, '_> {
     /// Leaves the shape out of the picture.
     pub(super) fn hide(&mut self) {
         (self.alpha.is_hidden, self.bounds_medium) = (true, true);

@@ -66,7 +66,7 @@ pub(super) fn texture(
     }
 }
 
-impl TextureParameters<'_> {
+impl TextureParameters<'_, '_> {
     /// pbrt-v4 calls the factors `tex` and `scale`, pbrt-v3 `tex1` and `tex2`.
     fn scale(&mut self) -> Result<FloatTexture, Unusable> {
         let is_of_v3 = self.all.has("tex1") || self.all.has("tex2");

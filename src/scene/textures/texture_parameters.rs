@@ -9,13 +9,13 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 /// The parameters of a texture, and what they name.
-pub(super) struct TextureParameters<'a> {
+pub(super) struct TextureParameters<'a, 'i> {
     pub(super) all: Parameters<'a>,
     pub(super) parts: &'a HashMap<String, Arc<Definition>>,
-    pub(super) inputs: &'a mut Inputs,
+    pub(super) inputs: &'a mut Inputs<'i>,
 }
 
-impl TextureParameters<'_> {
+impl TextureParameters<'_, '_> {
     pub(super) fn number(&mut self, name: &'static str, default: f64) -> Result<f64, Unusable> {
         Ok(self.all.number(name)?.unwrap_or(default))
     }

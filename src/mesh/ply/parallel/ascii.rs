@@ -7,16 +7,22 @@ use rayon::prelude::*;
 use super::blocks::{Block, Cut, HEAD, points, zeros};
 use super::form::Form;
 use super::{element_lines, one_pass};
-use crate::input::Storage;
+use crate::input::{Budget, Storage};
 use crate::mesh::TriangleMesh;
 
 /// The mesh whose first vertex is at the byte `start` of `storage`.
-pub(super) fn read(storage: &Storage, start: u64, form: &Form, block: u64) -> Option<TriangleMesh> {
+pub(super) fn read(
+    storage: &Storage,
+    start: u64,
+    form: &Form,
+    block: u64,
+    budget: &Budget,
+) -> Option<TriangleMesh> {
     if form.layout.lead.values > 0 {
         return None;
     }
     let span = start..end(storage, start)?;
-    if let Some(mesh) = one_pass::read(storage, span.clone(), form, block) {
+    if let Some(mesh) = one_pass::read(storage, span.clone(), form, block, budget) {
         return Some(mesh);
     }
     let blocks = Cut::new(span, block).blocks(storage)?;
@@ -33,6 +39,7 @@ pub(super) fn read(storage: &Storage, start: u64, form: &Form, block: u64) -> Op
 
     let mut vertices = zeros(form.vertices)?;
     let read_vertices = |text: &[u8], places: &mut [[f64; 3]]| {
+        budget.check_cancelled();
         element_lines::read_vertices(text, &form.properties, places)
     };
     fill(
@@ -45,6 +52,7 @@ pub(super) fn read(storage: &Storage, start: u64, form: &Form, block: u64) -> Op
     let vertices = points(vertices);
     let mut triangles = zeros(room)?;
     let read_faces = |text: &[u8], places: &mut [[u32; 3]]| {
+        budget.check_cancelled();
         element_lines::read_faces(text, form, &vertices, places)
     };
     fill(

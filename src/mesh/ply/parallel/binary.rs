@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::blocks::{HEAD, points, zeros};
 use super::form::Form;
 use crate::geometry::Point;
-use crate::input::Storage;
+use crate::input::{Budget, Storage};
 use crate::mesh::TriangleMesh;
 use crate::mesh::ply::binary::{ByteOrder, double, single};
 use crate::mesh::ply::header::Scalar;
@@ -16,6 +16,7 @@ pub(super) fn read<Order: ByteOrder>(
     start: u64,
     form: &Form,
     block: u64,
+    budget: &Budget,
 ) -> Option<TriangleMesh> {
     let records = Records {
         storage,
@@ -23,15 +24,16 @@ pub(super) fn read<Order: ByteOrder>(
         stride: vertex_stride(form),
         count: form.vertices,
         block,
+        budget,
     };
     let faces_start = records.end()?;
     let corners = [4, 3].into_iter().find(|corners| {
-        let end =
-            faces(storage, faces_start, form, *corners, block).and_then(|records| records.end());
+        let end = faces(storage, faces_start, form, *corners, block, budget)
+            .and_then(|records| records.end());
         end.is_some_and(|end| is_padding(storage, end))
     })?;
     let vertices = vertices::<Order>(&records, form)?;
-    let records = faces(storage, faces_start, form, corners, block)?;
+    let records = faces(storage, faces_start, form, corners, block, budget)?;
     let limit = vertices.len();
     let triangles = match (corners, form.layout.item) {
         (3, Scalar::I32) => triangles::<Order, 3, 1>(&records, form, limit.min(1 << 31)),
@@ -57,6 +59,7 @@ struct Records<'a> {
     count: usize,
     /// Bytes that a task reads.
     block: u64,
+    budget: &'a Budget<'a>,
 }
 
 impl Records<'_> {
@@ -80,6 +83,7 @@ impl Records<'_> {
         let at_once = (self.block as usize / self.stride).max(1);
         let blocks = values.par_chunks_mut(at_once * N).enumerate();
         blocks.try_for_each_init(Vec::new, |buffer, (number, places)| {
+            self.budget.check_cancelled();
             let start = self.start + (number * at_once) as u64 * self.stride as u64;
             let size = places.len() / N * self.stride;
             let bytes = self
@@ -132,6 +136,7 @@ fn faces<'a>(
     form: &Form,
     corners: usize,
     block: u64,
+    budget: &'a Budget,
 ) -> Option<Records<'a>> {
     let others = usize::try_from(
         form.layout
@@ -147,6 +152,7 @@ fn faces<'a>(
         stride: others.checked_add(list)?,
         count: form.faces,
         block,
+        budget,
     })
 }
 

@@ -9,14 +9,16 @@ use super::form::{Form, SHORTEST_LINES};
 use crate::geometry::Point;
 use crate::input::gzip::Stream;
 use crate::mesh::ply::header::{Encoding, Header};
-use crate::mesh::{Loaded, TriangleMesh};
+use crate::mesh::ply::vertices::has_wanted;
+use crate::mesh::{CornerWants, Loaded, TriangleMesh};
 
 /// Bytes that are decompressed at a time.
 const BLOCK: usize = 1 << 19;
 
-/// The mesh in `stream`, if it is text in the usual form.
-pub(crate) fn read(path: &Path, stream: &mut Stream) -> Option<Loaded> {
-    read_in_blocks(path, stream, BLOCK, BLOCK)
+/// The mesh in `stream`, if it is text in the usual form, without anything that is wanted of
+/// corners.
+pub(crate) fn read(path: &Path, stream: &mut Stream, wants: CornerWants) -> Option<Loaded> {
+    read_in_blocks(path, stream, BLOCK, BLOCK, wants)
 }
 
 /// The mesh in `stream`, whose header is within the `first` bytes.
@@ -25,12 +27,17 @@ pub(super) fn read_in_blocks(
     stream: &mut Stream,
     first: usize,
     block: usize,
+    wants: CornerWants,
 ) -> Option<Loaded> {
     let mut text = Vec::with_capacity(first);
     let mut is_end = !fill(&mut text, &mut stream.content, first)?;
     let header = Header::parse(path, &text[..text.len().min(HEAD as usize)]).ok()?;
-    let form = Form::of(&header)
-        .filter(|form| header.encoding == Encoding::Ascii && form.layout.lead.values == 0)?;
+    let is_plain = |form: &Form| {
+        header.encoding == Encoding::Ascii
+            && form.layout.lead.values == 0
+            && !has_wanted(&header, wants)
+    };
+    let form = Form::of(&header).filter(is_plain)?;
     text.drain(..header.size);
     let mut mesh = GrowingMesh::new(&form, stream.trusted_size);
     let mut next = Vec::with_capacity(text.capacity());

@@ -22,31 +22,49 @@ use self::blocks::HEAD;
 use self::form::Form;
 use super::binary::{BigEndian, LittleEndian};
 use super::header::{Encoding, Header};
-use crate::input::Storage;
-use crate::mesh::Loaded;
+use super::vertices::has_wanted;
+use crate::input::{Budget, Storage};
+use crate::mesh::{CornerWants, Loaded};
 
 pub(super) use self::compressed::read as read_compressed;
 
 /// Bytes that a task reads: few enough for a core's own cache, many enough to hide its overhead.
 const BLOCK: u64 = 1 << 18;
 
-/// The mesh in `storage`, if it is a PLY file in the usual form.
-pub(super) fn read(path: &Path, storage: &Storage) -> Option<Loaded> {
-    read_in_blocks(path, storage, BLOCK)
+/// The mesh in `storage`, if it is a PLY file in the usual form, without anything that is wanted
+/// of corners.
+pub(super) fn read(
+    path: &Path,
+    storage: &Storage,
+    wants: CornerWants,
+    budget: &Budget,
+) -> Option<Loaded> {
+    read_in_blocks(path, storage, BLOCK, wants, budget)
 }
 
-fn read_in_blocks(path: &Path, storage: &Storage, block: u64) -> Option<Loaded> {
+fn read_in_blocks(
+    path: &Path,
+    storage: &Storage,
+    block: u64,
+    wants: CornerWants,
+    budget: &Budget,
+) -> Option<Loaded> {
     let mut buffer = Vec::new();
     let head = storage
         .piece(0..storage.size().min(HEAD), &mut buffer)
         .ok()?;
     let header = Header::parse(path, head).ok()?;
+    if has_wanted(&header, wants) {
+        return None;
+    }
     let form = Form::of(&header)?;
     let start = header.size as u64;
     let mesh = match header.encoding {
-        Encoding::Ascii => ascii::read(storage, start, &form, block),
-        Encoding::LittleEndian => binary::read::<LittleEndian>(storage, start, &form, block),
-        Encoding::BigEndian => binary::read::<BigEndian>(storage, start, &form, block),
+        Encoding::Ascii => ascii::read(storage, start, &form, block, budget),
+        Encoding::LittleEndian => {
+            binary::read::<LittleEndian>(storage, start, &form, block, budget)
+        }
+        Encoding::BigEndian => binary::read::<BigEndian>(storage, start, &form, block, budget),
     }?;
     Some(Loaded::new(path, mesh, header.warnings))
 }

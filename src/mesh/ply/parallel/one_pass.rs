@@ -14,7 +14,7 @@ use rayon::Scope;
 use super::blocks::{Cut, HEAD, Tally, line_start, points, zeros};
 use super::element_lines::{read_faces, read_vertices};
 use super::form::{Form, SHORTEST_LINES};
-use crate::input::Storage;
+use crate::input::{Budget, Storage};
 use crate::mesh::TriangleMesh;
 
 /// The mesh of the lines in the bytes `span`, if all faces are triangles and quads.
@@ -23,6 +23,7 @@ pub(super) fn read(
     span: Range<u64>,
     form: &Form,
     block: u64,
+    budget: &Budget,
 ) -> Option<TriangleMesh> {
     let [vertex, face] = SHORTEST_LINES.map(|size| size as u64);
     let least = form.vertices as u64 * vertex + form.faces as u64 * face;
@@ -37,6 +38,7 @@ pub(super) fn read(
         storage,
         cut: Cut::new(span, block),
         form,
+        budget,
         progress: Mutex::new(Progress {
             is_odd: false,
             next: 0,
@@ -80,6 +82,7 @@ struct Pass<'a> {
     storage: &'a Storage<'a>,
     cut: Cut,
     form: &'a Form,
+    budget: &'a Budget<'a>,
     progress: Mutex<Progress<'a>>,
 }
 
@@ -156,6 +159,7 @@ impl<'a> Pass<'a> {
     }
 
     fn count(&self, number: u64, buffer: Vec<u8>) -> Option<Counted<'a>> {
+        self.budget.check_cancelled();
         let near = self.cut.near(number);
         let text = self.storage.kept_piece(near.needed.clone(), buffer).ok()?;
         let lines = self.cut.lines(&near, &text)?;

@@ -28,6 +28,11 @@ fn slowly(bytes: &[u8]) -> String {
     ))
 }
 
+fn in_blocks(storage: &Storage, block: u64) -> Option<Loaded> {
+    let wants = CornerWants::NOTHING;
+    read_in_blocks(Path::new(PATH), storage, block, wants, &Budget::default())
+}
+
 /// Reads `bytes` in blocks of every kind of size; whatever is read must be what the reader of
 /// everything says. Whether they were read.
 fn check(bytes: &[u8]) -> bool {
@@ -35,7 +40,7 @@ fn check(bytes: &[u8]) -> bool {
     let path = Path::new(PATH);
     let mut times_read = 0;
     for block in [1, 2, 7, 20, 64, 1 << 18] {
-        let loaded = read_in_blocks(path, &Storage::Memory(bytes), block);
+        let loaded = in_blocks(&Storage::Memory(bytes), block);
         times_read += usize::from(loaded.is_some());
         if let Some(loaded) = loaded {
             assert_eq!(told(&Ok(loaded)), expected, "in blocks of {block} bytes");
@@ -70,7 +75,13 @@ fn read_as_stream(bytes: &[u8], block: usize) -> Option<Loaded> {
         content: Box::new(bytes),
         trusted_size: bytes.len(),
     };
-    super::compressed::read_in_blocks(Path::new(PATH), &mut stream, first, block)
+    super::compressed::read_in_blocks(
+        Path::new(PATH),
+        &mut stream,
+        first,
+        block,
+        CornerWants::NOTHING,
+    )
 }
 
 /// Whether `text` is plain, and read as a stream as well as in blocks.
@@ -201,7 +212,7 @@ fn compressed_files_are_read_as_a_stream() {
     let path = Path::new(PATH);
     let storage = Storage::Memory(&compressed);
     let loaded = gzip::stream(&storage, &Budget::default(), |stream| {
-        super::read_compressed(path, stream)
+        super::read_compressed(path, stream, CornerWants::NOTHING)
     })
     .expect("it is plain");
     assert_eq!(told(&Ok(loaded)), slowly(text.as_bytes()));
@@ -209,7 +220,9 @@ fn compressed_files_are_read_as_a_stream() {
         let cut = Storage::Memory(&compressed[..length]);
         assert!(
             gzip::stream(&cut, &Budget::default(), |stream| super::read_compressed(
-                path, stream
+                path,
+                stream,
+                CornerWants::NOTHING
             ))
             .is_none(),
             "cut off at {length}"
@@ -222,7 +235,13 @@ fn in_one_pass(text: &str, block: u64) -> Option<TriangleMesh> {
     let header = Header::parse(Path::new(PATH), text.as_bytes()).expect("a header");
     let form = Form::of(&header).expect("the usual form");
     let span = header.size as u64..text.trim_end().len() as u64;
-    one_pass::read(&Storage::Memory(text.as_bytes()), span, &form, block)
+    one_pass::read(
+        &Storage::Memory(text.as_bytes()),
+        span,
+        &form,
+        block,
+        &Budget::default(),
+    )
 }
 
 #[test]
@@ -265,7 +284,7 @@ fn blocks_of_a_file_are_read_in_any_order() {
     let storage = Storage::open(&path).expect("a regular file");
     let expected = slowly(text.as_bytes());
     for block in [100, 1000, 1 << 18] {
-        let loaded = read_in_blocks(Path::new(PATH), &storage, block).expect("it is plain");
+        let loaded = in_blocks(&storage, block).expect("it is plain");
         assert_eq!(told(&Ok(loaded)), expected, "in blocks of {block} bytes");
     }
 }

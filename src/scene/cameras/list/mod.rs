@@ -16,6 +16,7 @@ mod tests;
 mod transforms;
 
 pub use colmap::parse_colmap;
+pub use own::calibrated_camera;
 pub use pose::Pose;
 
 use crate::error::{Diagnostic, Error, Result, SourceLocation};

@@ -19,7 +19,8 @@ use super::intrinsics::{self, FocalLength, Intrinsics};
 use super::lens_model;
 use super::names::check_name;
 use super::pose::{Lens, Pose};
-use crate::camera::Distortion;
+use crate::camera::{Camera, Distortion};
+use crate::error::{self, Error};
 use crate::geometry::{Matrix, Point, Transform, Vector};
 use serde::Deserialize;
 
@@ -59,6 +60,26 @@ pub(super) fn pose(entry: Entry, number: usize) -> Result<Pose> {
         .map_err(refused)
 }
 
+/// The camera of `K`, `R` and `t`, like that of a list with these numbers.
+///
+/// # Errors
+/// See [`read_poses`](super::read_poses).
+pub fn calibrated_camera(
+    k: &[[f64; 3]; 3],
+    r: &[[f64; 3]; 3],
+    t: &[f64; 3],
+    resolution: [u32; 2],
+) -> error::Result<Camera> {
+    let camera = || {
+        let intrinsics = intrinsics_of(k, Some(resolution), || Ok(None))?;
+        let world_from_camera = finite(intrinsics::world_from_camera(r, t)?)?;
+        Ok(intrinsics.camera(world_from_camera, resolution))
+    };
+    camera().map_err(|(found, expected): Refusal| {
+        Error::usage(found).note(format!("expected {expected}"))
+    })
+}
+
 impl Entry {
     fn pose(self, name: String) -> Result<Pose> {
         let refusal = |found: &str, expected: &str| (found.to_owned(), expected.to_owned());
@@ -82,7 +103,7 @@ impl Entry {
                 }
                 (
                     intrinsics::world_from_camera(&r, &t.map(|[x]| x))?,
-                    Lens::Calibrated(self.intrinsics(&k)?),
+                    Lens::Calibrated(intrinsics_of(&k, self.resolution, || self.lens())?),
                 )
             }
             _ => {
@@ -92,43 +113,11 @@ impl Entry {
                 ));
             }
         };
-        if !world_from_camera.is_finite() {
-            return Err(refusal(
-                "a matrix without a finite inverse",
-                "a place in the world",
-            ));
-        }
         Ok(Pose {
             name,
-            world_from_camera,
+            world_from_camera: finite(world_from_camera)?,
             lens,
         })
-    }
-
-    fn intrinsics(&self, k: &[[f64; 3]; 3]) -> Result<Intrinsics> {
-        let [[fx, skew, cx], [zero, fy, cy], last] = *k;
-        if zero != 0.0 || last != [0.0, 0.0, 1.0] {
-            return Err((
-                intrinsics::NO_PINHOLE.0.to_owned(),
-                intrinsics::NO_PINHOLE.1.to_owned(),
-            ));
-        }
-        if skew != 0.0 {
-            let expected = "0 in its place: pixels are rectangles here; rectify the images first";
-            return Err((format!("a skew of {skew} in `K`"), expected.to_owned()));
-        }
-        let Some(resolution) = self.resolution else {
-            let expected = "\"resolution\": [width, height] of the images that `K` is about";
-            return Err(("`K` without a `resolution`".to_owned(), expected.to_owned()));
-        };
-        Intrinsics {
-            focal_length: FocalLength::InPixels([fx, fy]),
-            principal_point: Some([cx, cy]),
-            first_centre: 0.0,
-            resolution: Some(resolution),
-            distortion: self.lens()?,
-        }
-        .checked()
     }
 
     fn lens(&self) -> Result<Option<Distortion>> {
@@ -160,6 +149,46 @@ impl Entry {
             )),
             fov => Ok(Lens::OfScene { fov }),
         }
+    }
+}
+
+fn intrinsics_of(
+    k: &[[f64; 3]; 3],
+    resolution: Option<[u32; 2]>,
+    distortion: impl FnOnce() -> Result<Option<Distortion>>,
+) -> Result<Intrinsics> {
+    let [[fx, skew, cx], [zero, fy, cy], last] = *k;
+    if zero != 0.0 || last != [0.0, 0.0, 1.0] {
+        return Err((
+            intrinsics::NO_PINHOLE.0.to_owned(),
+            intrinsics::NO_PINHOLE.1.to_owned(),
+        ));
+    }
+    if skew != 0.0 {
+        let expected = "0 in its place: pixels are rectangles here; rectify the images first";
+        return Err((format!("a skew of {skew} in `K`"), expected.to_owned()));
+    }
+    let Some(resolution) = resolution else {
+        let expected = "\"resolution\": [width, height] of the images that `K` is about";
+        return Err(("`K` without a `resolution`".to_owned(), expected.to_owned()));
+    };
+    Intrinsics {
+        focal_length: FocalLength::InPixels([fx, fy]),
+        principal_point: Some([cx, cy]),
+        first_centre: 0.0,
+        resolution: Some(resolution),
+        distortion: distortion()?,
+    }
+    .checked()
+}
+
+fn finite(world_from_camera: Matrix) -> Result<Matrix> {
+    match world_from_camera.is_finite() {
+        true => Ok(world_from_camera),
+        false => Err((
+            "a matrix without a finite inverse".to_owned(),
+            "a place in the world".to_owned(),
+        )),
     }
 }
 
