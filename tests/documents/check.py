@@ -2,6 +2,7 @@
 
 import argparse
 import os
+import signal
 import subprocess
 import sys
 import tempfile
@@ -99,6 +100,8 @@ def summary(blocks, left_out):
 
 def main():
     options = arguments()
+    # Processes and folders of documents end with the runner.
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
     failures, everything, left_out = [], [], []
     for name in options.documents or all_documents():
         blocks, mistakes = read(name)
