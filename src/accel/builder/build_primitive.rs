@@ -63,6 +63,7 @@ impl BuildPrimitive {
     }
 
     /// Tests for [`BuildPrimitive::DEAD`]: no box of a primitive begins at infinity.
+    #[inline]
     pub(super) fn is_dead(&self) -> bool {
         self.corners.low.0[0] == f32::INFINITY
     }

@@ -45,7 +45,12 @@ pub(super) fn boxes_of_triangles(
             never_hit,
         };
     }
-    let [x, y, z] = [0, 1, 2].map(|axis| group.faces(space, axis));
+    // Written out: a closure is not always inlined across codegen units.
+    let (x, y, z) = (
+        group.faces(space, 0),
+        group.faces(space, 1),
+        group.faces(space, 2),
+    );
     for k in (0..GROUP).filter(|k| alive[*k]) {
         let bounds = Box32 {
             low: [x.low[k], y.low[k], z.low[k]],

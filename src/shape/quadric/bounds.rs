@@ -25,11 +25,12 @@ impl Quadric {
         if let Form::Patch = self.form {
             return self.patch().bounds();
         }
-        let ends = [0, 1, 2].map(|k| {
+        let along = |k: usize| {
             let (row, reach) = (&self.world_from_object.rows[k], self.reach(k));
             let [low, high] = self.along_axis(row);
             [(low - reach).next_down(), (high + reach).next_up()]
-        });
+        };
+        let ends = [along(0), along(1), along(2)];
         let corner = |end: usize| Point::new(ends[0][end], ends[1][end], ends[2][end]);
         Bounds {
             low: corner(0),
