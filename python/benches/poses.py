@@ -1,6 +1,6 @@
 """Measures 100 views of a scene: by the program with a list of cameras, and by a loop in Python.
 
-Usage: bench_poses.py [SCENE] [--program FEIMOS] [--size 640x480] [--runs 5]
+Usage: poses.py [SCENE] [--program FEIMOS] [--size 640x480] [--runs 5]
 
 Both read the scene and save all depth images as .npy; the loop is also measured without saving.
 Prints the median of the runs, which alternate.
@@ -61,7 +61,7 @@ def by_loop(path: str, views: list, folder: "Path | None") -> float:
 
 
 def main() -> None:
-    scenes = Path(__file__).resolve().parents[1] / "scenes"
+    scenes = Path(__file__).resolve().parents[2] / "scenes"
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("scene", nargs="?", default=str(scenes / "dragon.pbrt"))
     parser.add_argument("--program", default=str(Path(sys.executable).parent / "feimos"))
