@@ -5,6 +5,8 @@ from typing import Any, Dict, List, Optional, Sequence, Tuple, final
 import numpy as np
 from numpy.typing import NDArray
 
+__all__ = ["Camera", "Scene", "__version__", "run"]
+
 __version__: str
 
 def run(arguments: Sequence[str]) -> int: ...
