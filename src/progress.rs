@@ -54,6 +54,9 @@ impl<'a> Progress<'a> {
     }
 
     /// Unwinds if the work is cancelled. No panic hook is called, so nothing is printed.
+    ///
+    /// Parallel work checks before each piece, not only after it: rayon does the pieces of other
+    /// branches even if one of them unwinds.
     #[inline]
     pub fn check(&self) {
         if self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed)) {

@@ -5,7 +5,7 @@ from typing import Any, Dict, List, Optional, Sequence, Tuple, final
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["__version__", "Camera", "Scene", "run"]
+__all__ = ["Camera", "Scene", "__version__", "run"]
 
 __version__: str
 

@@ -81,7 +81,7 @@ impl Structure {
     /// a direction of zeros (rule E1 in `docs/accuracy.md`).
     pub fn cast(&self, ray: &Ray) -> Option<Hit> {
         let mut hit = None;
-        self.cast_each(std::slice::from_ref(ray), |_, found| hit = found);
+        self.cast_each(std::slice::from_ref(ray), Progress::SILENT, |_, found| hit = found);
         hit
     }
 
@@ -105,18 +105,24 @@ impl Structure {
         let mut hits = vec![None; rays.len()];
         let chunks = rays.par_chunks(CHUNK).zip(hits.par_chunks_mut(CHUNK));
         chunks.for_each(|(rays, hits)| {
-            self.cast_each(rays, |place, hit| hits[place] = hit);
+            self.cast_each(rays, progress, |place, hit| hits[place] = hit);
             progress.advance(rays.len());
         });
         hits
     }
 
     /// Casts rays one after the other, and calls `each` with the place and the hit of each ray.
-    fn cast_each(&self, rays: &[Ray], mut each: impl FnMut(usize, Option<Hit>)) {
+    fn cast_each(
+        &self,
+        rays: &[Ray],
+        progress: Progress,
+        mut each: impl FnMut(usize, Option<Hit>),
+    ) {
         let geometry = &self.scene.scene.geometry;
         let tracer = Tracer::new(&self.aggregate, geometry, self.precision);
         let mut tracer = tracer.with_memory(self.tracers.take());
         for (place, ray) in rays.iter().enumerate() {
+            progress.check();
             each(place, Hit::nearest(&mut tracer, &ray.in_world(), geometry));
         }
         self.tracers.give_back(tracer.into_memory());

@@ -189,6 +189,7 @@ impl Renderer<'_> {
             SurfaceTile::of_channels(&self.options.channels, self.camera, self.geometry);
         let mut hits = 0;
         for first_column in (x0 / TILE * TILE..x1).step_by(TILE as usize) {
+            self.progress.check();
             let first = [first_column, first_row];
             let traced = tracer.trace(first, &self.options.data_window);
             let columns = [x0.max(first_column), x1.min(first_column + TILE)];

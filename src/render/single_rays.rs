@@ -52,6 +52,7 @@ impl SingleRays<'_> {
         let mut tracer = Tracer::new(self.aggregate, self.geometry, self.precision);
         let mut hits = 0;
         for (place, x) in (self.window.x0..self.window.x1).enumerate() {
+            self.progress.check();
             let mut counts = TraversalCounts::default();
             let hit = tracer.closest_hit_counted(&self.camera.ray(x, y), &mut counts);
             hits += u64::from(hit.is_some());
