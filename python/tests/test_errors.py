@@ -68,10 +68,10 @@ def test_errors_travel_between_processes():
 def test_warnings_are_issued_once_and_kept(program, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "warned.pbrt").write_text(WARNED)
-    ran = program("render", "warned.pbrt", "-o", "x.exr")
+    ran = program("render", "warned.pbrt", "-o", "x.exr", "--resolution", "20x15")
     with warnings.catch_warnings(record=True) as issued:
         warnings.simplefilter("always")
-        scene = feimos.load("warned.pbrt")
+        scene = feimos.load("warned.pbrt", resolution=(20, 15))
         assert [str(warning.message) for warning in issued] == list(scene.warnings)
         assert all(warning.filename == __file__ for warning in issued)
         scene.render()
