@@ -81,7 +81,9 @@ impl Structure {
     /// a direction of zeros (rule E1 in `docs/accuracy.md`).
     pub fn cast(&self, ray: &Ray) -> Option<Hit> {
         let mut hit = None;
-        self.cast_each(std::slice::from_ref(ray), Progress::SILENT, |_, found| hit = found);
+        self.cast_each(std::slice::from_ref(ray), Progress::SILENT, |_, found| {
+            hit = found
+        });
         hit
     }
 
