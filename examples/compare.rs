@@ -1,11 +1,11 @@
-//! Builds every accelerator over a scene, and compares their times and images.
+//! Builds every method over a scene, and compares their times and images.
 //!
 //! ```text
 //! cargo run --release --example compare                        # waves of 7,200 triangles
 //! cargo run --release --example compare -- scenes/dragon.pbrt
 //! ```
 
-use feimos::{Accelerator, Camera, Channel, Error, Image, Precision, Scene};
+use feimos::{Camera, Channel, Error, Image, Precision, Scene, SplitMethod};
 use std::env;
 use std::time::Instant;
 
@@ -26,9 +26,9 @@ fn main() -> Result<(), Error> {
     let expected = render(&scene, &camera)?;
     println!("raster: {:?}", start.elapsed());
 
-    for accelerator in Accelerator::ALL {
+    for method in SplitMethod::ALL {
         let start = Instant::now();
-        let structure = scene.build(*accelerator)?;
+        let structure = scene.build(method)?;
         let built = start.elapsed();
 
         let start = Instant::now();
@@ -36,8 +36,8 @@ fn main() -> Result<(), Error> {
         let traced = start.elapsed();
 
         // Every bit of every pixel is the same: hits are decided by exact arithmetic.
-        assert!(image == expected, "{accelerator} has another image");
-        println!("{accelerator}: built in {built:?}, traced in {traced:?}, the same image");
+        assert!(image == expected, "{method} has another image");
+        println!("{method}: built in {built:?}, traced in {traced:?}, the same image");
     }
 
     // Plain f32 arithmetic takes wrong decisions near edges, and its last digits are wrong.

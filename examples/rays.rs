@@ -4,7 +4,7 @@
 //! cargo run --release --example rays
 //! ```
 
-use feimos::{Accelerator, Error, Ray, Scene};
+use feimos::{Error, Ray, Scene, SplitMethod};
 
 fn main() -> Result<(), Error> {
     // A square of two triangles at z = 5. Each triangle is three indices of points.
@@ -17,7 +17,7 @@ fn main() -> Result<(), Error> {
     let scene = Scene::from_triangles(&points, &[[0, 1, 2], [0, 2, 3]])?;
 
     // A structure is built once and then answers any number of rays, from any thread.
-    let structure = scene.build(Accelerator::Sah)?;
+    let structure = scene.build(SplitMethod::Sah)?;
 
     // The direction need not be of length 1: `t` counts in its length, `distance` in scene units.
     let ray = Ray::new([0.5, -0.5, 0.0], [0.0, 0.0, 2.0]);

@@ -27,11 +27,11 @@
 //! # Rays
 //!
 //! ```
-//! use feimos::{Accelerator, Ray, Scene};
+//! use feimos::{Ray, Scene, SplitMethod};
 //!
 //! let points = [[0.0, 0.0, 5.0], [4.0, 0.0, 5.0], [0.0, 4.0, 5.0]];
 //! let scene = Scene::from_triangles(&points, &[[0, 1, 2]])?;
-//! let structure = scene.build(Accelerator::Sah)?;
+//! let structure = scene.build(SplitMethod::Sah)?;
 //!
 //! let hit = structure.cast(&Ray::new([1.0, 1.0, 0.0], [0.0, 0.0, 2.0])).unwrap();
 //! assert_eq!((hit.prim, hit.t, hit.distance), (1, 2.5, 5.0));
@@ -132,9 +132,10 @@ pub mod terminal_text;
 #[doc(hidden)]
 pub mod texture;
 
-pub use accel::Precision;
+pub use accel::{Precision, SplitMethod};
 pub use error::{Error, ErrorKind};
-pub use facade::{Accelerator, Camera, Channel, Hit, Image, LoadOptions, Ray, Scene, Structure};
+pub use facade::{Camera, Hit, Image, LoadOptions, Ray, Scene, Structure};
+pub use film::Aov as Channel;
 
 /// The Rust of the documents, as doc tests.
 #[cfg(doctest)]

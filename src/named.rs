@@ -1,6 +1,6 @@
 //! Enums whose values have names: the same on the command line, in files and in results.
 
-use std::fmt;
+use crate::error::Error;
 
 /// Implements `ALL`, `name`, `Display` and `FromStr` for an enum, such as
 /// `named!(Side: Left => "left", Right => "right")`.
@@ -26,11 +26,11 @@ macro_rules! named {
         }
 
         impl std::str::FromStr for $type {
-            type Err = $crate::named::UnknownName;
+            type Err = $crate::error::Error;
 
-            fn from_str(name: &str) -> Result<$type, $crate::named::UnknownName> {
+            fn from_str(name: &str) -> Result<$type, $crate::error::Error> {
                 let mut values = $type::ALL.into_iter();
-                let known = || $crate::named::UnknownName::new(name, &$type::ALL.map($type::name));
+                let known = || $crate::named::unknown_name(name, &$type::ALL.map($type::name));
                 values.find(|value| value.name() == name).ok_or_else(known)
             }
         }
@@ -39,30 +39,11 @@ macro_rules! named {
 
 pub(crate) use named;
 
-/// A name that no value has.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct UnknownName {
-    name: String,
-    known: String,
+/// The error that `name` is none of the `known` ones.
+pub(crate) fn unknown_name(name: &str, known: &[&str]) -> Error {
+    let known = known.join(", ");
+    Error::usage(format!("unknown `{name}`: expected one of {known}"))
 }
-
-impl UnknownName {
-    /// `name` is none of the `known` ones.
-    pub(crate) fn new(name: &str, known: &[&str]) -> UnknownName {
-        UnknownName {
-            name: name.to_owned(),
-            known: known.join(", "),
-        }
-    }
-}
-
-impl fmt::Display for UnknownName {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "unknown `{}`: expected one of {}", self.name, self.known)
-    }
-}
-
-impl std::error::Error for UnknownName {}
 
 #[cfg(test)]
 mod tests {

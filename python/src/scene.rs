@@ -6,7 +6,7 @@ use super::error::exception;
 use super::work::{run, run_here};
 use feimos::film::Samples;
 use feimos::progress::Progress;
-use feimos::{Accelerator, Channel, Error, Image, LoadOptions, Precision, Structure};
+use feimos::{Channel, Error, Image, LoadOptions, Precision, SplitMethod, Structure};
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -21,7 +21,7 @@ const FEW_RAYS: usize = 64;
 pub(super) struct Scene {
     scene: feimos::Scene,
     /// Locked only by threads that are attached to the interpreter, and never for long.
-    structures: Mutex<Vec<(Accelerator, Structure)>>,
+    structures: Mutex<Vec<(Option<SplitMethod>, Structure)>>,
 }
 
 impl Scene {
@@ -32,11 +32,11 @@ impl Scene {
         }
     }
 
-    /// The tree by `accelerator`, built on the first call.
+    /// The tree by a method, built on the first call; without one, the tree that views share.
     fn structure(
         &self,
         py: Python<'_>,
-        accelerator: Accelerator,
+        method: Option<SplitMethod>,
         threads: Option<usize>,
     ) -> PyResult<Structure> {
         let built = || {
@@ -44,17 +44,17 @@ impl Scene {
                 .lock()
                 .unwrap_or_else(PoisonError::into_inner)
         };
-        let known = built()
-            .iter()
-            .find(|(known, _)| *known == accelerator)
-            .cloned();
+        let known = built().iter().find(|(known, _)| *known == method).cloned();
         if let Some((_, structure)) = known {
             return Ok(structure);
         }
         let scene = self.scene.clone();
-        let build = move |progress: Progress<'_>| scene.build_reporting(accelerator, progress);
+        let build = move |progress: Progress<'_>| match method {
+            Some(method) => scene.build_reporting(method, progress),
+            None => scene.structure_reporting(progress),
+        };
         let structure = run(py, threads, build)?;
-        built().push((accelerator, structure.clone()));
+        built().push((method, structure.clone()));
         Ok(structure)
     }
 }
@@ -155,8 +155,7 @@ impl Scene {
         let channels = channels
             .collect::<Result<Vec<Channel>, _>>()
             .map_err(raised)?;
-        let precision = precision.parse::<Precision>();
-        let precision = precision.map_err(|error| raised(Error::usage(error.to_string())))?;
+        let precision = precision.parse::<Precision>().map_err(raised)?;
         let camera = camera.0.clone();
         let image = match accel {
             None => {
@@ -167,8 +166,8 @@ impl Scene {
                 run(py, threads, render)?
             }
             Some(name) => {
-                let accelerator = name.parse().map_err(raised)?;
-                let structure = self.structure(py, accelerator, threads)?;
+                let method = name.parse().map_err(raised)?;
+                let structure = self.structure(py, Some(method), threads)?;
                 let structure = structure.with_precision(precision);
                 let render = move |progress: Progress<'_>| {
                     structure.render_reporting(&camera, &channels, progress)
@@ -188,7 +187,7 @@ impl Scene {
         directions: PyReadonlyArray2<'py, f64>,
         threads: Option<usize>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let structure = self.structure(py, Accelerator::default(), threads)?;
+        let structure = self.structure(py, None, threads)?;
         let count = origins.shape()[0];
         // The caller may change the arrays while the work goes on.
         let origins = origins.as_slice()?.to_vec();

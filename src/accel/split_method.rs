@@ -2,8 +2,11 @@
 
 use crate::named::named;
 
-/// How an aggregate is built (PBR book, 3rd edition, section 4.3).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+/// How a tree is built (PBR book, 3rd edition, section 4.3). Images and hits do not depend on it.
+///
+/// The names, such as `"sah"`, are those of `--accel`.
+#[non_exhaustive]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum SplitMethod {
     /// No tree: one list of all primitives. Slow; a baseline for tests.
     None,
@@ -12,6 +15,7 @@ pub enum SplitMethod {
     /// Splits into two halves of equal count.
     Equal,
     /// Splits where the surface area heuristic is least.
+    #[default]
     Sah,
     /// Groups primitives by Morton codes into treelets, and joins these by the surface area
     /// heuristic.

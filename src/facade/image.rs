@@ -1,7 +1,6 @@
 //! A rendered image, as a user has it.
 
 use super::camera::Camera;
-use super::channel::Channel;
 use crate::accel::{Precision, Structure};
 use crate::camera;
 use crate::error::Error;
@@ -9,8 +8,8 @@ use crate::film::atomic_file::{self, Overwrite};
 use crate::film::npy_file::{self, Field};
 use crate::film::view::depth;
 use crate::film::{
-    self, CameraAttributes, ChannelName, ColorMap, ColorRange, Format, Metadata, PixelBounds,
-    Samples, exr_file, pfm_file, png_file,
+    self, Aov as Channel, CameraAttributes, ChannelName, ColorMap, ColorRange, Format, Metadata,
+    PixelBounds, Samples, exr_file, pfm_file, png_file,
 };
 use crate::progress::Progress;
 use crate::render::{RenderOptions, render};
@@ -55,7 +54,7 @@ impl Image {
             data_window: camera.window,
             channels: wanted
                 .iter()
-                .flat_map(|channel| channel.parts())
+                .flat_map(|channel| channel.channels())
                 .copied()
                 .collect(),
             miss: f32::INFINITY,
@@ -133,9 +132,10 @@ impl Image {
     /// An unknown extension, a missing channel, or a file that cannot be written.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<(), Error> {
         let path = path.as_ref();
+        let format = Format::of_path(path)?;
         let image = self.planar();
         let progress = Progress::SILENT;
-        match Format::of_path(path)? {
+        match format {
             Format::Exr => {
                 let metadata = Metadata {
                     camera: CameraAttributes::of(&self.camera),
@@ -148,7 +148,7 @@ impl Image {
             Format::Npy => {
                 let field = |channel: Channel| Field {
                     name: channel.name(),
-                    channels: channel.parts().to_vec(),
+                    channels: channel.channels().to_vec(),
                 };
                 let fields: Vec<Field> = self.channels().map(field).collect();
                 write(path, |out| npy_file::write(&image, &fields, out, progress))
@@ -156,7 +156,7 @@ impl Image {
             Format::Pfm => {
                 let channel = self.pictured()?;
                 write(path, |out| {
-                    pfm_file::write(&image, channel.parts(), out, progress)
+                    pfm_file::write(&image, channel.channels(), out, progress)
                 })
             }
             Format::Png => {
@@ -209,7 +209,7 @@ impl Image {
                 samples: component(samples, place, count),
             };
             channel
-                .parts()
+                .channels()
                 .iter()
                 .enumerate()
                 .map(part)

@@ -1,8 +1,6 @@
 //! The front door of the library: the types at the root of the crate.
 
-mod accelerator;
 mod camera;
-mod channel;
 mod hit;
 mod image;
 mod load_options;
@@ -12,9 +10,7 @@ mod shared_scene;
 mod structure;
 mod tracer_pool;
 
-pub use accelerator::Accelerator;
 pub use camera::Camera;
-pub use channel::Channel;
 pub use hit::Hit;
 pub use image::Image;
 pub use load_options::LoadOptions;

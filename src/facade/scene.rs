@@ -1,14 +1,13 @@
 //! A scene, as a user has it.
 
-use super::accelerator::Accelerator;
 use super::camera::Camera;
-use super::channel::Channel;
 use super::image::Image;
 use super::load_options::LoadOptions;
 use super::shared_scene::{SharedScene, SharedTree};
 use super::structure::Structure;
-use crate::accel::{self, Bins, Precision};
+use crate::accel::{self, Aggregate, Bins, Precision, SplitMethod};
 use crate::error::Error;
+use crate::film::Aov as Channel;
 use crate::geometry::Point;
 use crate::progress::Progress;
 use crate::scene::{self, Pose, read_poses};
@@ -183,7 +182,7 @@ impl Scene {
         }
         if may_share_tree(self.precision, has_costs) {
             match self.shared.shared_tree(progress)? {
-                SharedTree::Ready(tree) => return trace(tree.into()),
+                SharedTree::Ready(tree) => return trace((&**tree).into()),
                 SharedTree::InWork => {
                     if !takes_bins && let Some(bins) = self.bins(camera, progress)? {
                         return trace((&bins).into());
@@ -213,25 +212,38 @@ impl Scene {
     ///
     /// # Errors
     /// Too little memory.
-    pub fn build(&self, accelerator: Accelerator) -> Result<Structure, Error> {
-        self.build_reporting(accelerator, Progress::SILENT)
+    pub fn build(&self, method: SplitMethod) -> Result<Structure, Error> {
+        self.build_reporting(method, Progress::SILENT)
     }
 
     /// Like [`Scene::build`]; `progress` counts primitives and instances, and may cancel.
     #[doc(hidden)]
     pub fn build_reporting(
         &self,
-        accelerator: Accelerator,
+        method: SplitMethod,
         progress: Progress,
     ) -> Result<Structure, Error> {
         let build = || {
             let anchor = shared_anchor(&self.shared.scene);
-            self.shared
-                .build(accelerator.split_method(), anchor, progress)
+            self.shared.build(method, anchor, progress)
         };
-        let aggregate = Progress::cancellable(build)?;
-        let scene = Arc::clone(&self.shared);
-        Ok(Structure::new(scene, aggregate, self.precision))
+        let tree = Progress::cancellable(build)?;
+        Ok(self.structure_of(Arc::new(tree)))
+    }
+
+    /// The tree that all views share, as a structure; builds it if there is none. While another
+    /// thread builds it, one of its own.
+    #[doc(hidden)]
+    pub fn structure_reporting(&self, progress: Progress) -> Result<Structure, Error> {
+        let shared = || self.shared.shared_tree(progress);
+        match Progress::cancellable(shared)? {
+            SharedTree::Ready(tree) => Ok(self.structure_of(Arc::clone(tree))),
+            SharedTree::InWork => self.build_reporting(self.shared.own_method(), progress),
+        }
+    }
+
+    fn structure_of(&self, tree: Arc<Aggregate>) -> Structure {
+        Structure::new(Arc::clone(&self.shared), tree, self.precision)
     }
 }
 

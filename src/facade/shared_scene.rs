@@ -6,8 +6,8 @@ use crate::geometry::Point;
 use crate::progress::Progress;
 use crate::scene::Scene;
 use crate::structure_choice::{build_options, method_of_scene, shared_anchor};
-use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, OnceLock};
 
 /// Everything that the handles of a scene share.
 pub(super) struct SharedScene {
@@ -15,14 +15,14 @@ pub(super) struct SharedScene {
     /// The number of views that have been rendered or begun.
     views: AtomicUsize,
     /// The tree of all views.
-    tree: OnceLock<Aggregate>,
+    tree: OnceLock<Arc<Aggregate>>,
     /// Whether a thread builds this tree.
     is_building: AtomicBool,
 }
 
 /// The tree of all views, or what to do without it.
 pub(super) enum SharedTree<'a> {
-    Ready(&'a Aggregate),
+    Ready(&'a Arc<Aggregate>),
     /// Another thread builds it.
     InWork,
 }
@@ -69,7 +69,7 @@ impl SharedScene {
         if self.tree.get().is_none() {
             let tree = self.build(self.own_method(), shared_anchor(&self.scene), progress)?;
             // Only the thread that builds sets the tree.
-            _ = self.tree.set(tree);
+            _ = self.tree.set(Arc::new(tree));
         }
         drop(building);
         Ok(self

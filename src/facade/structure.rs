@@ -1,7 +1,6 @@
 //! A tree over a scene, for images and for rays of the user.
 
 use super::camera::Camera;
-use super::channel::Channel;
 use super::hit::Hit;
 use super::image::Image;
 use super::ray::Ray;
@@ -9,6 +8,7 @@ use super::shared_scene::SharedScene;
 use super::tracer_pool::TracerPool;
 use crate::accel::{Aggregate, Precision, Tracer};
 use crate::error::Error;
+use crate::film::Aov as Channel;
 use crate::progress::Progress;
 use rayon::prelude::*;
 use std::fmt;
@@ -32,12 +32,12 @@ pub struct Structure {
 impl Structure {
     pub(super) fn new(
         scene: Arc<SharedScene>,
-        aggregate: Aggregate,
+        aggregate: Arc<Aggregate>,
         precision: Precision,
     ) -> Structure {
         Structure {
             scene,
-            aggregate: Arc::new(aggregate),
+            aggregate,
             precision,
             tracers: Arc::default(),
         }
@@ -142,7 +142,8 @@ impl fmt::Debug for Structure {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::facade::{Accelerator, Scene};
+    use crate::accel::SplitMethod;
+    use crate::facade::Scene;
 
     /// Ties at coplanar triangles fill caches of megabytes: one for each thread, not for each ray.
     #[test]
@@ -150,7 +151,7 @@ mod tests {
         let points = [[0.0; 3], [2.0, 0.0, 0.0], [2.0, 2.0, 0.0], [0.0, 2.0, 0.0]];
         let triangles = [[0, 1, 2], [2, 1, 0], [1, 2, 3]];
         let scene = Scene::from_triangles(&points, &triangles).expect("triangles");
-        let structure = scene.build(Accelerator::Sah).expect("a structure");
+        let structure = scene.build(SplitMethod::Sah).expect("a structure");
         let ray = Ray::new([1.5, 0.5, -1.0], [0.0, 0.0, 1.0]);
         for _ in 0..10 {
             assert_eq!(structure.cast(&ray).map(|hit| hit.prim), Some(1));

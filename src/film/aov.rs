@@ -3,28 +3,35 @@
 use super::ChannelName;
 use crate::named::named;
 
-/// One channel, or several that belong together.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// What an image holds of each pixel: one channel of image files, or several that belong together.
+///
+/// The names, such as `"prim"`, are those of `--aov`.
+#[non_exhaustive]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Aov {
-    /// Depth along the view axis.
+    /// `Z`: the depth along the view axis, `f32`; infinity at a miss. For a camera that looks
+    /// around, such as a spherical one, the distance.
     Z,
-    /// Distance from the ray's origin.
+    /// `t`: the distance from the ray's origin, `f32`; infinity at a miss.
     T,
-    /// 1 for a hit, 0 for a miss.
+    /// `A`: 1 for a hit, 0 for a miss, `f32`.
     A,
-    /// Number of the shape.
+    /// `id`: the number of the `Shape` statement, from 1, `u32`; 0 for a miss.
     Id,
-    /// Number of the primitive.
+    /// `prim`: the number of the primitive, from 1, `u32`; 0 for a miss. In a scene of more than
+    /// 2^32 - 1 primitives, it counts within each instance.
     Prim,
-    /// Number of the object instance.
+    /// `instance`: the number of the object instance, from 1, `u32`; 0 for a miss and for what is
+    /// in no instance.
     Instance,
-    /// The geometric normal: `N.X`, `N.Y` and `N.Z`.
+    /// `N`: the geometric normal in world space, three `f32` of length 1; 0 for a miss.
     Normal,
-    /// The point of the hit: `P.X`, `P.Y` and `P.Z`.
+    /// `P`: the point of the hit in world space, three `f32`; 0 for a miss.
     Point,
-    /// The surface's parameters: `u` and `v`.
+    /// `uv`: the parameters of the surface, two `f32`; 0 for a miss.
     Uv,
-    /// Node boxes and primitives that the ray tests.
+    /// `cost`: the nodes and primitives that the ray tests when it is traced alone through a tree,
+    /// `u32`.
     Cost,
 }
 
@@ -36,9 +43,21 @@ named!(Aov:
 
 impl Aov {
     /// The AOVs of an image if the user asks for none: [`ChannelName::USUAL`].
+    #[doc(hidden)]
     pub const USUAL: [Aov; 5] = [Aov::Z, Aov::T, Aov::A, Aov::Id, Aov::Prim];
 
+    /// The number of values of a pixel: 1, 2 or 3.
+    pub fn components(self) -> usize {
+        self.channels().len()
+    }
+
+    /// Whether the values are `u32` rather than `f32`.
+    pub fn is_integer(self) -> bool {
+        self.channels()[0].is_integer()
+    }
+
     /// The channels that the name stands for.
+    #[doc(hidden)]
     pub fn channels(self) -> &'static [ChannelName] {
         use ChannelName::*;
         match self {

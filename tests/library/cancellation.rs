@@ -2,7 +2,7 @@
 
 use crate::{CHANNELS, assert_same, load};
 use feimos::progress::Progress;
-use feimos::{Accelerator, Camera, Channel, Error, ErrorKind, LoadOptions, Ray, Scene};
+use feimos::{Camera, Channel, Error, ErrorKind, LoadOptions, Ray, Scene, SplitMethod};
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use std::fs;
@@ -36,9 +36,9 @@ fn images_and_structures_are_cancelled() {
         });
     }
     cancelled_after(0, |progress| {
-        scene.build_reporting(Accelerator::Sah, progress)
+        scene.build_reporting(SplitMethod::Sah, progress)
     });
-    let structure = scene.build(Accelerator::Hlbvh).expect("a structure");
+    let structure = scene.build(SplitMethod::Hlbvh).expect("a structure");
     for after in [0, 1, 3] {
         let render = |progress: Progress| structure.render_reporting(&camera, &CHANNELS, progress);
         cancelled_after(after, render);
@@ -50,13 +50,11 @@ fn images_and_structures_are_cancelled() {
 #[test]
 fn builds_of_all_methods_are_cancelled_midway() {
     let scene = waves();
-    for accelerator in Accelerator::ALL {
+    for method in SplitMethod::ALL {
         for after in [0, 1] {
-            cancelled_after(after, |progress| {
-                scene.build_reporting(*accelerator, progress)
-            });
+            cancelled_after(after, |progress| scene.build_reporting(method, progress));
         }
-        scene.build(*accelerator).expect("a structure");
+        scene.build(method).expect("a structure");
     }
 }
 
@@ -91,7 +89,7 @@ fn the_shared_tree_is_complete_or_absent() {
 #[test]
 fn many_rays_are_cancelled() {
     let scene = waves();
-    let structure = scene.build(Accelerator::Sah).expect("a structure");
+    let structure = scene.build(SplitMethod::Sah).expect("a structure");
     let ray = |k: u32| {
         Ray::new(
             [f64::from(k % 20), f64::from(k / 20 % 20), 9.0],

@@ -139,7 +139,7 @@ fn unknown_names_list_the_known_ones() {
         error.to_string(),
         "unknown `depth`: expected one of Z, t, A, id, prim, instance, N, P, uv, cost"
     );
-    let error = "bvh".parse::<feimos::Accelerator>().unwrap_err();
+    let error = "bvh".parse::<feimos::SplitMethod>().unwrap_err();
     assert_eq!(
         error.to_string(),
         "unknown `bvh`: expected one of none, middle, equal, sah, hlbvh"

@@ -1,7 +1,7 @@
 //! Images of the library are those of the program.
 
 use crate::{CHANNELS, SCENES, assert_same, load};
-use feimos::{Accelerator, Channel, LoadOptions, Precision, Scene};
+use feimos::{Channel, LoadOptions, Precision, Scene, SplitMethod};
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -38,12 +38,12 @@ fn every_channel_is_that_of_the_program() {
         let own = folder.path().join("library.npy");
         bins.save(&own).expect("room for it");
         assert!(fs::read(&own).expect("written") == expected, "{name}");
-        for accelerator in Accelerator::ALL {
-            let structure = scene.build(*accelerator).expect("a structure");
+        for method in SplitMethod::ALL {
+            let structure = scene.build(method).expect("a structure");
             let tree = structure
                 .render(&scene.camera(), &CHANNELS)
                 .expect("an image");
-            assert_same(&bins, &tree, &format!("{name}, {accelerator}"));
+            assert_same(&bins, &tree, &format!("{name}, {method}"));
         }
     }
 }
@@ -147,12 +147,12 @@ fn costs_are_those_of_the_program() {
 fn channels_have_names_and_components() {
     let scene = load("sphere.pbrt", [9, 7]);
     let camera = scene.camera();
-    let image = scene.render(&camera, Channel::ALL).expect("an image");
-    assert!(image.channels().eq(Channel::ALL.iter().copied()));
+    let image = scene.render(&camera, &Channel::ALL).expect("an image");
+    assert!(image.channels().eq(Channel::ALL));
     for channel in Channel::ALL {
-        assert_eq!(channel.name().parse::<Channel>().as_ref(), Ok(channel));
-        let values = image.values(*channel).map(<[f32]>::len);
-        let numbers = image.numbers(*channel).map(<[u32]>::len);
+        assert_eq!(channel.name().parse::<Channel>(), Ok(channel));
+        let values = image.values(channel).map(<[f32]>::len);
+        let numbers = image.numbers(channel).map(<[u32]>::len);
         assert_eq!(values.is_none(), channel.is_integer(), "{channel}");
         assert_eq!(
             values.or(numbers),

@@ -4,7 +4,7 @@ use crate::{CHANNELS, SCENES, load};
 use feimos::geometry::{self, Matrix, Point};
 use feimos::reference;
 use feimos::shape::Geometry;
-use feimos::{Accelerator, Channel, Hit, Image, Ray, Scene, Structure};
+use feimos::{Channel, Hit, Image, Ray, Scene, SplitMethod, Structure};
 
 /// The hit that an image shows at pixel `k`.
 fn hit_of_pixel(image: &Image, k: usize) -> Option<[u32; 13]> {
@@ -53,7 +53,7 @@ fn rays_of_pixels_hit_what_the_image_shows() {
         let image = scene.render(&camera, &CHANNELS).expect("an image");
         let pixels = (0..size[1]).flat_map(|y| (0..size[0]).map(move |x| [x, y]));
         let rays: Vec<Ray> = pixels.map(|[x, y]| camera.ray(x, y)).collect();
-        let structure = scene.build(Accelerator::Sah).expect("a structure");
+        let structure = scene.build(SplitMethod::Sah).expect("a structure");
         let all = structure.cast_all(&rays);
         assert!(all.iter().any(Option::is_some), "{name}");
         for (k, (ray, hit)) in rays.iter().zip(&all).enumerate() {
@@ -97,8 +97,8 @@ const TRIANGLES: [[u32; 3]; 10] = [
 
 fn structures() -> Vec<Structure> {
     let scene = Scene::from_triangles(&POINTS, &TRIANGLES).expect("triangles");
-    let build = |accelerator: &Accelerator| scene.build(*accelerator).expect("a structure");
-    Accelerator::ALL.iter().map(build).collect()
+    let build = |method: SplitMethod| scene.build(method).expect("a structure");
+    SplitMethod::ALL.map(build).into_iter().collect()
 }
 
 fn reference_geometry() -> Geometry {

@@ -29,6 +29,29 @@ fn the_sixteenth_view_builds_a_tree_that_later_ones_share() {
     assert_eq!(units(&other, &camera), pixels, "nothing is built");
 }
 
+/// Rays and views share one tree, whichever comes first.
+#[test]
+fn rays_are_cast_through_the_tree_of_the_views() {
+    let units_of_structure = |scene: &feimos::Scene| {
+        let units = AtomicUsize::new(0);
+        let report = |count| _ = units.fetch_add(count, Ordering::Relaxed);
+        let structure = scene.structure_reporting(Progress::new(&report));
+        (structure.expect("a structure"), units.into_inner())
+    };
+    let scene = load("triangles.pbrt", [20, 15]);
+    let camera = scene.camera();
+    let (structure, built) = units_of_structure(&scene);
+    assert!(built > 0, "the tree is built");
+    let image = scene.render(&camera, &CHANNELS).expect("an image");
+    let through_tree = structure.render(&camera, &CHANNELS).expect("an image");
+    assert_same(&image, &through_tree, "through the tree");
+    for _ in 2..=15 {
+        units(&scene, &camera);
+    }
+    assert_eq!(units(&scene, &camera), 20 * 15, "nothing is built");
+    assert_eq!(units_of_structure(&scene).1, 0, "nothing is built");
+}
+
 #[test]
 fn images_do_not_depend_on_the_number_of_views() {
     for name in SCENES {

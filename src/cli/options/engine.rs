@@ -2,7 +2,7 @@
 
 use super::values::{described, integer};
 use crate::accel::{Accelerator, Precision, SplitMethod};
-use crate::named::UnknownName;
+use crate::error::Error;
 use crate::scene::{AcceleratorParameters, spelling};
 use crate::simd::Level;
 use crate::structure_choice::method_of_scene;
@@ -100,9 +100,9 @@ impl AcceleratorChoice {
 }
 
 impl FromStr for AcceleratorChoice {
-    type Err = UnknownName;
+    type Err = Error;
 
-    fn from_str(name: &str) -> Result<AcceleratorChoice, UnknownName> {
+    fn from_str(name: &str) -> Result<AcceleratorChoice, Error> {
         match name {
             "auto" => Ok(AcceleratorChoice::Auto),
             name => name.parse().map(AcceleratorChoice::Fixed),
