@@ -3,8 +3,10 @@
 //! XXH3 in 128 bits (Collet, <https://xxhash.com>). It protects against chance, not malice: two
 //! scenes with the same digest can be constructed.
 
+use crate::parallel::CollectVec;
 use rayon::prelude::*;
 use std::fmt;
+use std::ops::Range;
 use twox_hash::XxHash3_128;
 
 /// A digest of 128 bits.
@@ -50,14 +52,25 @@ impl Digester {
         items: &[T],
         words: impl Fn(&T) -> [u64; N] + Sync,
     ) {
-        self.word(items.len() as u64);
-        let of_part = |bytes: &mut Vec<[[u8; 8]; N]>, part: &[T]| {
-            bytes.clear();
+        self.parts(items.len(), &|part, bytes| {
+            let items = &items[part];
+            bytes.resize(items.len() * N, [0; 8]);
             // An item as one value compiles to wide moves.
-            bytes.extend(part.iter().map(|item| words(item).map(u64::to_le_bytes)));
-            XxHash3_128::oneshot(bytes.as_flattened().as_flattened())
+            for (bytes, item) in bytes.as_chunks_mut::<N>().0.iter_mut().zip(items) {
+                *bytes = words(item).map(u64::to_le_bytes);
+            }
+        });
+    }
+
+    /// Adds a list of `count` items, with all threads. `fill` makes the words of a part.
+    fn parts(&mut self, count: usize, fill: &(dyn Fn(Range<usize>, &mut Vec<[u8; 8]>) + Sync)) {
+        self.word(count as u64);
+        let of_part = |words: &mut Vec<[u8; 8]>, part: usize| {
+            fill(part * PART..count.min((part + 1) * PART), words);
+            XxHash3_128::oneshot(words.as_flattened())
         };
-        let parts: Vec<u128> = items.par_chunks(PART).map_init(Vec::new, of_part).collect();
+        let parts = (0..count.div_ceil(PART)).into_par_iter();
+        let parts: Vec<u128> = parts.map_init(Vec::new, of_part).collect_vec();
         parts
             .iter()
             .for_each(|part| self.0.write(&part.to_le_bytes()));

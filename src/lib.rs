@@ -110,6 +110,7 @@ pub mod merge;
 pub mod mesh;
 #[doc(hidden)]
 pub mod named;
+mod parallel;
 #[doc(hidden)]
 pub mod pixel;
 #[doc(hidden)]

@@ -23,19 +23,18 @@ pub(crate) fn check(bytes: u64, message: impl FnOnce() -> String) -> Result<()> 
     const SMALL: u64 = 32 << 20;
     match available() {
         _ if bytes < SMALL => Ok(()),
-        Some(available) if bytes > available => {
-            let found = format!(
-                "it takes {} of memory, and {} are to be had",
-                words(bytes),
-                words(available)
-            );
-            Err(Error::new(
-                ErrorKind::TryAgain,
-                Diagnostic::new(message()).note(found),
-            ))
-        }
+        Some(available) if bytes > available => Err(refusal(bytes, available, message())),
         _ => Ok(()),
     }
+}
+
+fn refusal(bytes: u64, available: u64, message: String) -> Error {
+    let found = format!(
+        "it takes {} of memory, and {} are to be had",
+        words(bytes),
+        words(available)
+    );
+    Error::new(ErrorKind::TryAgain, Diagnostic::new(message).note(found))
 }
 
 fn words(bytes: u64) -> String {

@@ -5,6 +5,7 @@ use super::comparison::{Comparison, Difference};
 use super::tally::Tally;
 use super::ulps::Ulps;
 use crate::film::ChannelName;
+use crate::parallel::CollectVec;
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -34,7 +35,7 @@ impl Details {
         let starts = (0..pixels).into_par_iter().step_by(PART);
         let part =
             |start| Details::of_part(comparison, start..pixels.min(start + PART), max_ulp, listed);
-        let parts: Vec<Details> = starts.map(part).collect();
+        let parts: Vec<Details> = starts.map(part).collect_vec();
         let mut all = Details::empty(comparison);
         for part in parts {
             all.merge(part, listed);

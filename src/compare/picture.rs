@@ -1,6 +1,7 @@
 //! Pictures of differences.
 
 use super::comparison::{Comparison, Difference};
+use crate::parallel::CollectVec;
 use rayon::prelude::*;
 
 /// A colour: red, green, blue.
@@ -32,7 +33,7 @@ pub fn difference_picture(comparison: &Comparison, pixels: usize, max_ulp: u32) 
         Difference::WrongPrimitive => WRONG_PRIMITIVE,
         Difference::Depth(ulps) | Difference::Surface(ulps) => ramp(ulps, max_ulp),
     };
-    (0..pixels).into_par_iter().map(color).collect()
+    (0..pixels).into_par_iter().map(color).collect_vec()
 }
 
 /// The colour of an error that is not 0.

@@ -1,6 +1,7 @@
 //! The range of depths or costs that a picture shows.
 
 use super::{ChannelName, Image};
+use crate::parallel::CollectVec;
 use rayon::prelude::*;
 
 /// The values at the two ends of a colour map: depths from near to far, or costs from low to high.
@@ -21,7 +22,7 @@ impl ColorRange {
         let a = image.measures(ChannelName::A)?;
         // In parts of a fixed size and in order: the sign of a zero depends on the order.
         let parts = z.par_chunks(PART).zip(a.par_chunks(PART));
-        let parts: Vec<ColorRange> = parts.map(|(z, a)| range_of_part(z, a)).collect();
+        let parts: Vec<ColorRange> = parts.map(|(z, a)| range_of_part(z, a)).collect_vec();
         let range = parts.into_iter().fold(EMPTY, wider);
         (range.start <= range.end).then_some(range)
     }

@@ -30,7 +30,17 @@ pub(super) fn rows_of_part(row_bytes: usize) -> usize {
 pub(super) fn write_in_order<B: Default>(
     count: usize,
     make: impl Fn(usize, &mut B) -> io::Result<()> + Sync,
-    write: impl FnMut(&B) -> io::Result<()> + Send,
+    mut write: impl FnMut(&B) -> io::Result<()> + Send,
+) -> io::Result<()> {
+    work_in_order(count, &make, &mut write)
+}
+
+/// The same for any closures: what rayon compiles for an iterator is long, and each format writes
+/// to files and to memory.
+fn work_in_order<B: Default>(
+    count: usize,
+    make: &(dyn Fn(usize, &mut B) -> io::Result<()> + Sync),
+    write: &mut (dyn FnMut(&B) -> io::Result<()> + Send),
 ) -> io::Result<()> {
     let queue = Queue {
         next: AtomicUsize::new(0),

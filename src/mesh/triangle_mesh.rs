@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use crate::parallel::CollectVec;
 use rayon::prelude::*;
 
 use crate::error::{Diagnostic, SourceLocation, counted};
@@ -43,11 +44,8 @@ pub struct Loaded {
 impl Loaded {
     /// Adds the warnings that all formats have in common.
     pub(crate) fn new(path: &Path, mesh: TriangleMesh, mut warnings: Vec<Diagnostic>) -> Loaded {
-        let broken = mesh
-            .vertices
-            .par_iter()
-            .filter(|vertex| !vertex.is_finite())
-            .count();
+        let broken_of = |chunk: &[Point]| chunk.iter().filter(|vertex| !vertex.is_finite()).count();
+        let broken: usize = mesh.vertices.par_chunks(1 << 12).map(broken_of).sum();
         if broken > 0 && !mesh.triangles.is_empty() {
             let message = format!(
                 "{} with an infinite or NaN coordinate",
@@ -90,7 +88,7 @@ pub fn of_corners<T: Copy + Send + Sync>(triangles: &[[u32; 3]], values: &[T]) -
     triangles
         .par_iter()
         .map(|corners| corners.map(|corner| values[corner as usize]))
-        .collect()
+        .collect_vec()
 }
 
 fn empty(path: &Path, vertices: usize) -> Diagnostic {

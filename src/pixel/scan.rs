@@ -5,7 +5,7 @@ use crate::accel::distance_bracket;
 use crate::exact::{Bracket, Root};
 use crate::geometry::Ray;
 use crate::scene::Scene;
-use crate::shape::{FilterRay, FilterResult, Geometry, InstancedId, Primitive, PrimitiveId};
+use crate::shape::{FilterRay, FilterResult, Geometry, InstancedId, Primitive};
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
@@ -112,13 +112,7 @@ impl Scan {
                         hits: part.hits,
                     }
                 });
-        let unmeasured = if is_miss {
-            all(geometry)
-                .filter(|(placed, _)| !placed.primitive().is_triangle())
-                .count()
-        } else {
-            0
-        };
+        let unmeasured = if is_miss { curved(geometry) } else { 0 };
         let met = part.hits.len() as u64;
         let is_planar = scene.camera.projection.has_planar_depth();
         let (first, next) = nearest_two(part.hits, geometry, ray, is_planar);
@@ -128,22 +122,23 @@ impl Scan {
             next,
             missed: part.missed,
             cut: part.cut,
-            unmeasured: unmeasured as u64,
+            unmeasured,
         })
     }
 }
 
+/// The number of quadrics and segments, in instances too.
+fn curved(geometry: &Geometry) -> u64 {
+    let instances = 0..geometry.instances().len();
+    let instanced = instances.map(|instance| geometry.object_of(instance).curved_count() as u64);
+    geometry.curved_count() as u64 + instanced.sum::<u64>()
+}
+
 /// All primitives with their geometry in the world.
 fn all(geometry: &Geometry) -> impl ParallelIterator<Item = (InstancedId, Primitive)> {
-    let triangles = (0..geometry.triangle_count())
+    let own = (0..geometry.own_count())
         .into_par_iter()
-        .map(PrimitiveId::triangle);
-    let own = triangles
-        .chain(
-            (0..geometry.curved_count())
-                .into_par_iter()
-                .map(geometry.curved_ids()),
-        )
+        .map(geometry.own_ids())
         .map(InstancedId::alone);
     let instances = (0..geometry.instances().len()).into_par_iter();
     let instanced = instances.flat_map_iter(|instance| {

@@ -12,6 +12,7 @@ use crate::error::{Diagnostic, Error, Result, SourceLocation, counted};
 use crate::film::PixelBounds;
 use crate::geometry::{Matrix, Point};
 use crate::mesh::{Loaded, TriangleMesh};
+use crate::parallel::CollectVec;
 use crate::shape::Geometry;
 use rayon::prelude::*;
 use std::path::Path;
@@ -51,7 +52,7 @@ pub fn scene_of_triangles(points: &[[f32; 3]], triangles: &[[u32; 3]]) -> Result
     }
     let point = |point: &[f32; 3]| Point::from(point.map(f64::from));
     let mesh = TriangleMesh {
-        vertices: points.par_iter().map(point).collect(),
+        vertices: points.par_iter().map(point).collect_vec(),
         triangles: triangles.to_vec(),
         ..TriangleMesh::default()
     };

@@ -30,30 +30,36 @@ impl Warnings {
     /// Adds a warning of `kind`, which must not contain a place. `first` is only called once per
     /// kind.
     pub(super) fn add(&mut self, kind: impl Into<String>, first: impl FnOnce() -> Diagnostic) {
-        let list = &mut self.list;
         let kind = kind.into();
-        let known = self.place_of_kind.contains_key(&kind);
-        if !known && list.len() >= MAX_KINDS {
-            if list.len() == MAX_KINDS {
-                let first = Diagnostic::new("more warnings of other kinds");
-                list.push(Warning {
-                    kind: "others".to_owned(),
-                    first,
-                    count: 0,
-                });
-            }
-            list[MAX_KINDS].count += 1;
-            return;
-        }
-        let place = *self.place_of_kind.entry(kind).or_insert_with_key(|kind| {
-            list.push(Warning {
-                kind: kind.clone(),
-                first: first(),
+        let place = match self.place_of_kind.get(&kind) {
+            Some(place) => *place,
+            None if self.list.len() >= MAX_KINDS => self.place_of_others(),
+            None => self.push(kind, first()),
+        };
+        self.list[place].count += 1;
+    }
+
+    fn place_of_others(&mut self) -> usize {
+        if self.list.len() == MAX_KINDS {
+            let first = Diagnostic::new("more warnings of other kinds");
+            self.list.push(Warning {
+                kind: "others".to_owned(),
+                first,
                 count: 0,
             });
-            list.len() - 1
+        }
+        MAX_KINDS
+    }
+
+    fn push(&mut self, kind: String, first: Diagnostic) -> usize {
+        let place = self.list.len();
+        self.place_of_kind.insert(kind.clone(), place);
+        self.list.push(Warning {
+            kind,
+            first,
+            count: 0,
         });
-        list[place].count += 1;
+        place
     }
 
     /// Adds a warning that is a kind of its own.

@@ -2,6 +2,7 @@
 
 use super::{Geometry, Pose, Primitive, PrimitiveId, ShapeRun};
 use crate::geometry::{Bounds, Matrix};
+use crate::parallel::CollectVec;
 use rayon::prelude::*;
 
 impl Geometry {
@@ -11,32 +12,27 @@ impl Geometry {
         let objects = self.extents_of_objects();
         let placed = (0..self.instances().len()).into_par_iter();
         let placed = placed.map(|instance| self.extent_of_instance(instance, &objects));
-        let triangles = (0..self.triangle_count())
-            .into_par_iter()
-            .map(PrimitiveId::triangle);
-        let own = triangles.chain(
-            (0..self.curved_count())
-                .into_par_iter()
-                .map(self.curved_ids()),
-        );
-        let surfaces = own.map(|primitive| extent_of(&self.own_surface(primitive)));
-        placed
-            .chain(surfaces)
-            .reduce(|| Bounds::EMPTY, Bounds::union)
+        let placed = placed.reduce(|| Bounds::EMPTY, Bounds::union);
+        placed.union(self.extent_of(self.own_count(), &self.own_ids()))
     }
 
     /// The box around the primitives of a run that can be hit.
     pub fn extent_of_run(&self, run: &ShapeRun) -> Bounds {
-        let primitives = (0..run.count()).into_par_iter().with_min_len(1 << 12);
-        primitives
-            .map(|place| extent_of(&self.own_surface(run.primitive(place))))
+        self.extent_of(run.count(), &|place| run.primitive(place))
+    }
+
+    /// The box around `count` primitives that can be hit.
+    fn extent_of(&self, count: usize, ids: &(dyn Fn(usize) -> PrimitiveId + Sync)) -> Bounds {
+        let places = (0..count).into_par_iter().with_min_len(1 << 12);
+        places
+            .map(|place| extent_of(&self.own_surface(ids(place))))
             .reduce(|| Bounds::EMPTY, Bounds::union)
     }
 
     /// The boxes around the objects, in the space of their instances.
     pub fn extents_of_objects(&self) -> Vec<Bounds> {
         let objects = self.objects().par_iter();
-        objects.map(Geometry::extent_of_object).collect()
+        objects.map(Geometry::extent_of_object).collect_vec()
     }
 
     /// The box in the world around the box of an instance's object, one of `objects`.

@@ -1,6 +1,7 @@
 //! The shapes and instances of a scene with their boxes in the world.
 
 use crate::geometry::{Bounds, Point};
+use crate::parallel::CollectVec;
 use crate::scene::{Locations, Scene};
 use crate::shape::{Geometry, InstancedId};
 use rayon::prelude::*;
@@ -67,7 +68,7 @@ impl SurveyedShape {
 fn own_shapes(geometry: &Geometry, locations: Option<&Locations>) -> Vec<(u64, SurveyedShape)> {
     let runs = geometry.shape_runs();
     let boxes = runs.par_iter().map(|run| geometry.extent_of_run(run));
-    let boxes: Vec<Bounds> = boxes.collect();
+    let boxes: Vec<Bounds> = boxes.collect_vec();
     let shapes = runs.iter().zip(boxes).map(|(run, bounds)| {
         let stated = locations.and_then(|locations| locations.stated_shape(run.shape));
         let shape = SurveyedShape {
@@ -109,7 +110,7 @@ fn instances(geometry: &Geometry) -> Vec<(u64, SurveyedShape)> {
         (instance.first_number(), shape)
     };
     let indices = (0..geometry.instances().len()).into_par_iter();
-    indices.map(instance).collect()
+    indices.map(instance).collect_vec()
 }
 
 fn count(object: &Geometry) -> u64 {

@@ -3,6 +3,7 @@
 use crate::accel::space::{larger, smaller};
 use crate::accel::view::{CameraView, ROUNDING, UNDERFLOW};
 use crate::geometry::Point;
+use crate::parallel::CollectVec;
 use crate::simd::{LANES, Lanes, Level, SimdKernel};
 use rayon::prelude::*;
 
@@ -139,7 +140,7 @@ pub(super) fn project_all(
             vertices,
         })
     };
-    groups.map(project).collect::<Vec<_>>().into_flattened()
+    groups.map(project).collect_vec().into_flattened()
 }
 
 /// Projects up to sixteen vertices.

@@ -23,6 +23,7 @@ use crate::error::{Result, counted};
 use crate::film::PixelBounds;
 use crate::geometry::Bounds;
 use crate::memory;
+use crate::parallel::CollectVec;
 use crate::progress::Progress;
 use crate::shape::Geometry;
 use crate::simd::Level;
@@ -94,7 +95,9 @@ impl Bins {
             InstanceTrees::build(geometry, outlines, &space, &is_seen, options, progress);
         drop(vertices);
         let large = (grid.small_bins()..grid.bins()).into_par_iter();
-        let large = large.map(|bin| from_front_to_back(&chunks, bin)).collect();
+        let large = large
+            .map(|bin| from_front_to_back(&chunks, bin))
+            .collect_vec();
         Some(Bins {
             space,
             grid,
@@ -150,7 +153,7 @@ fn binned(binner: &Binner, level: Level, progress: Progress) -> Vec<BinnedChunk>
         })
     };
     let chunks = (0..count.div_ceil(size)).into_par_iter();
-    chunks.map_init(Vec::new, bin).collect()
+    chunks.map_init(Vec::new, bin).collect_vec()
 }
 
 /// All entries of a bin, the nearest first.

@@ -1,6 +1,7 @@
 //! Joins the subtrees that several threads build.
 
 use crate::accel::tree::{Children, Node, Subtree};
+use crate::parallel::CollectVec;
 use rayon::prelude::*;
 
 /// Two threads share the copying of more nodes.
@@ -34,7 +35,7 @@ impl Branch {
             return subtree;
         }
         let places = (0..self.len()).into_par_iter().with_min_len(PARALLEL);
-        let mut below: Vec<Children> = places.map(|_| Children::PLACEHOLDER).collect();
+        let mut below: Vec<Children> = places.map(|_| Children::PLACEHOLDER).collect_vec();
         let root = self.write_to(&mut below, 0);
         Subtree { root, below }
     }

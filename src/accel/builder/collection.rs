@@ -3,6 +3,7 @@
 use super::build_primitive::BuildPrimitive;
 use super::triangle_boxes::{GROUP, boxes_of_triangles};
 use crate::accel::space::AnchorSpace;
+use crate::parallel::CollectVec;
 use crate::shape::Geometry;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -68,7 +69,7 @@ fn all_triangles(
         boxes.primitives
     };
     let groups = (0..count.div_ceil(GROUP)).into_par_iter();
-    let groups: Vec<_> = groups.map(boxes).collect();
+    let groups: Vec<_> = groups.map(boxes).collect_vec();
     let mut primitives = groups.into_flattened();
     primitives.truncate(count);
     primitives

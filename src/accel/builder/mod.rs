@@ -23,6 +23,7 @@ use self::splitter::Splitter;
 use self::top_down::TopDown;
 use super::SplitMethod;
 use super::tree::{BinaryTree, MAX_DEPTH, Node, Subtree};
+use crate::parallel::CollectVec;
 use crate::progress::Progress;
 use crate::shape::PrimitiveId;
 use rayon::prelude::*;
@@ -59,7 +60,10 @@ pub(super) fn build<T>(
                 }
                 .build(&mut primitives, 0)
             };
-            let order = primitives.par_iter().map(BuildPrimitive::bits).collect();
+            let order = primitives
+                .par_iter()
+                .map(BuildPrimitive::bits)
+                .collect_vec();
             (subtree, order)
         }
     };

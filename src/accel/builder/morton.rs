@@ -3,6 +3,7 @@
 use super::build_primitive::BuildPrimitive;
 use super::centre_grid::CentreGrid;
 use super::radix_sort::sort_by_digits;
+use crate::parallel::CollectVec;
 use rayon::prelude::*;
 
 /// The largest number of bits of a code on each axis.
@@ -42,7 +43,7 @@ pub(super) fn along_curve(primitives: &[BuildPrimitive]) -> Vec<CurvePlace> {
         let [x, y, z] = grid.cells(primitive).map(|cell| spread(cell & grid.last));
         CurvePlace(u64::from(z << 2 | y << 1 | x) << 32 | index as u64)
     };
-    let places = primitives.par_iter().enumerate().map(place).collect();
+    let places = primitives.par_iter().enumerate().map(place).collect_vec();
     sort_by_digits(places, 3 * axis_bits, |place| place.code())
 }
 

@@ -1,6 +1,7 @@
 //! Partitions lists of primitives, in parallel and reproducibly.
 
 use super::build_primitive::{BuildPrimitive, CHUNK};
+use crate::parallel::CollectVec;
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -29,7 +30,7 @@ fn partition_chunks(
 ) -> usize {
     let chunks = primitives.par_chunks_mut(CHUNK);
     let left_counts = chunks.map(|chunk| partition_words::<{ CHUNK / 64 }>(chunk, is_left));
-    let left_counts: Vec<usize> = left_counts.collect();
+    let left_counts: Vec<usize> = left_counts.collect_vec();
     exchange(primitives, &left_counts);
     left_counts.iter().sum()
 }

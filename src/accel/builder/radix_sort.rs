@@ -1,5 +1,6 @@
 //! A parallel, stable radix sort.
 
+use crate::parallel::CollectVec;
 use rayon::prelude::*;
 use std::slice::IterMut;
 
@@ -22,7 +23,7 @@ pub(super) fn sort_by_digits<T: Copy + Send + Sync>(
         return items;
     }
     // Threads share the first touch of its memory.
-    let mut sorted: Vec<T> = items.par_iter().copied().collect();
+    let mut sorted: Vec<T> = items.par_iter().copied().collect_vec();
     let digit_bits = bits.div_ceil(bits.div_ceil(DIGIT_BITS));
     for shift in (0..bits).step_by(digit_bits as usize) {
         sort_by_digit(&items, &mut sorted, |item| {
@@ -48,7 +49,7 @@ fn sort_by_digit<T: Copy + Send + Sync>(
         items.iter().for_each(|item| counts[digit(*item)] += 1);
         counts
     };
-    let counts: Vec<[u32; DIGITS]> = items.par_chunks(chunk).map(count).collect();
+    let counts: Vec<[u32; DIGITS]> = items.par_chunks(chunk).map(count).collect_vec();
     let places = places(sorted, &counts);
     items
         .par_chunks(chunk)

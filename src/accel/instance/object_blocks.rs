@@ -6,6 +6,7 @@
 
 use crate::accel::tree::{PrimitiveBlock, Run};
 use crate::geometry::Matrix;
+use crate::parallel::CollectVec;
 use crate::shape::{Geometry, PrimitiveId};
 use crate::simd::{F32s, F64s, LANES, Lanes, TABLE};
 use rayon::prelude::*;
@@ -141,7 +142,8 @@ impl ObjectBlocks {
     /// Stores the blocks of `runs` of up to sixteen primitives in `order`.
     pub(super) fn new(runs: &[Run], order: &[PrimitiveId], object: &Geometry) -> ObjectBlocks {
         let block = |run: &Run| StoredBlock::of(run.of(order), object);
-        let mut blocks: Vec<StoredBlock> = runs.par_iter().with_min_len(64).map(block).collect();
+        let mut blocks: Vec<StoredBlock> =
+            runs.par_iter().with_min_len(64).map(block).collect_vec();
         let mut count = 0;
         for block in &mut blocks {
             block.first = count;

@@ -7,6 +7,7 @@ use crate::accel::builder::{self, BuildOptions, BuildPrimitive};
 use crate::accel::space::{AnchorSpace, Box32};
 use crate::accel::tree::{BinaryTree, Run, WideTree, collapse};
 use crate::geometry::{Bounds, Matrix, Point};
+use crate::parallel::CollectVec;
 use crate::progress::Progress;
 use crate::shape::{Geometry, Instance, Pose, PrimitiveId};
 use rayon::prelude::*;
@@ -51,7 +52,7 @@ impl ObjectTree {
         let all: Vec<PrimitiveId> = object.primitives().collect();
         let pose = || Pose::new(object, Matrix::IDENTITY);
         let placed = all.par_iter().with_min_len(1 << 10).map_init(pose, place);
-        let placed: Vec<Option<BuildPrimitive>> = placed.collect();
+        let placed: Vec<Option<BuildPrimitive>> = placed.collect_vec();
         let primitives: Vec<BuildPrimitive> = placed.into_iter().flatten().collect();
         progress.advance(all.len() - primitives.len());
         let tree = builder::build(primitives, options, progress, PrimitiveId::from_bits);

@@ -5,6 +5,7 @@ use super::measure::{Contents, contents_of, measure};
 use super::node::{Children, Node};
 use super::primitive_block::BLOCK_SIZE;
 use super::wide::{Child, Run, WideNode, WideTree};
+use crate::parallel::CollectVec;
 use crate::simd::LANES;
 use rayon::prelude::*;
 
@@ -31,7 +32,7 @@ pub(crate) fn collapse<T>(tree: &BinaryTree<T>) -> WideTree<Run> {
     let top = Collapse::of(binary, root, part_runs);
     let parts = top.parts.par_iter();
     let parts = parts.map(|part| Collapse::of(binary, part.root, 0));
-    let parts: Vec<Collapse> = parts.collect();
+    let parts: Vec<Collapse> = parts.collect_vec();
     join(top, &parts)
 }
 

@@ -2,6 +2,7 @@
 
 use super::bounding_ellipsoid::BoundingEllipsoid;
 use super::wide::Run;
+use crate::parallel::CollectVec;
 use crate::shape::{Form, Geometry, Primitive, PrimitiveId, Triangle};
 use crate::simd::{LANES, Lanes};
 use rayon::prelude::*;
@@ -153,5 +154,5 @@ pub(crate) fn primitive_blocks(
         }
         block
     };
-    runs.par_iter().with_min_len(64).map(block).collect()
+    runs.par_iter().with_min_len(64).map(block).collect_vec()
 }

@@ -9,6 +9,7 @@ mod watertight;
 
 use crate::accel::{Depth, Tracer, TraversalCounts};
 use crate::geometry::{Point, Ray};
+use crate::parallel::CollectVec;
 use crate::shape::vector32::dot;
 use crate::shape::{
     FilterRay, Geometry, InstancedId, Primitive, PrimitiveKind, SpaceCache, Triangle,
@@ -46,7 +47,7 @@ impl<'a> BaselineKernel<'a> {
             triangles: (0..geometry.triangle_count())
                 .into_par_iter()
                 .map(triangle)
-                .collect(),
+                .collect_vec(),
             quadrics: (0..geometry.quadric_count())
                 .map(|index| Quadric32::new(&geometry.quadric(index)))
                 .collect(),

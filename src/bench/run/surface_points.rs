@@ -3,6 +3,7 @@
 use crate::accel::Aggregate;
 use crate::bench::trace::Random;
 use crate::geometry::Point;
+use crate::parallel::CollectVec;
 use crate::shape::{Geometry, PrimitiveId};
 use rayon::prelude::*;
 
@@ -25,7 +26,7 @@ impl SurfacePoints {
             if area.is_finite() { area } else { 0.0 }
         };
         let indices = (0..geometry.triangle_count()).into_par_iter();
-        let mut up_to: Vec<f64> = indices.map(area).collect();
+        let mut up_to: Vec<f64> = indices.map(area).collect_vec();
         let mut sum = 0.0;
         up_to.iter_mut().for_each(|area| {
             sum += *area;
@@ -57,7 +58,7 @@ impl SurfacePoints {
         // In order, so that the sum does not depend on threads.
         let points = self.0.par_iter();
         let costs = points.map(|(primitive, point)| aggregate.overlap_at(*primitive, *point));
-        let costs: Vec<f64> = costs.collect();
+        let costs: Vec<f64> = costs.collect_vec();
         costs.iter().sum::<f64>() / costs.len() as f64
     }
 }

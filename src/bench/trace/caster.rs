@@ -8,6 +8,7 @@ use crate::bench::kernel::Kernel;
 use crate::error::Result;
 use crate::film::{ChannelName, Image, Samples};
 use crate::geometry::Ray;
+use crate::parallel::CollectVec;
 use crate::progress::Progress;
 use crate::render::{RenderOptions, TraceTimes, blank_image, render};
 use crate::scene::Scene;
@@ -174,7 +175,7 @@ impl<'a> Caster<'a> {
                 (answer, tracer.fallbacks().since(&before).rays)
             },
         );
-        sampled(answers.collect())
+        sampled(answers.collect_vec())
     }
 
     fn trace_pixels(&self, aggregate: &Aggregate, sample: &TileSample) -> Cast {
@@ -192,7 +193,7 @@ impl<'a> Caster<'a> {
                 (answer, tracer.fallbacks().rays - before)
             },
         );
-        sampled(answers.collect())
+        sampled(answers.collect_vec())
     }
 
     /// All pixels, in the channels of [`render`].

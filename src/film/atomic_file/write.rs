@@ -13,6 +13,9 @@ use std::path::Path;
 /// The file that writers write to.
 pub type Out = BufWriter<WriteBehind>;
 
+/// Writes the content of a file. It is called once at most.
+type WriteContent<'a> = dyn FnMut(&mut Out) -> io::Result<()> + 'a;
+
 /// Size of the buffer: a compressed scan line has some thousand bytes.
 pub(super) const BUFFER: usize = 1 << 16;
 
@@ -30,6 +33,14 @@ pub fn write_file(
     overwrite: Overwrite,
     write: impl FnOnce(&mut Out) -> io::Result<()>,
 ) -> Result<u64> {
+    let mut write = Some(write);
+    create(path, overwrite, &mut |out| match write.take() {
+        Some(write) => write(out),
+        None => Ok(()),
+    })
+}
+
+fn create(path: &Path, overwrite: Overwrite, write: &mut WriteContent) -> Result<u64> {
     match fs::metadata(path) {
         Ok(found) if found.is_dir() => Err(is_directory(path)),
         Ok(found) if !found.is_file() => write_through(path, write),
@@ -52,7 +63,7 @@ fn replace(
     path: &Path,
     overwrite: Overwrite,
     replaced: Option<Metadata>,
-    write: impl FnOnce(&mut Out) -> io::Result<()>,
+    write: &mut WriteContent,
 ) -> Result<u64> {
     let target = target(path).map_err(|error| Error::creating(path, &error))?;
     let (file, unfinished) =
@@ -84,11 +95,7 @@ fn writing(path: &Path, error: &io::Error) -> Error {
 }
 
 /// Writes the content and syncs it to the disk.
-fn fill(
-    file: File,
-    replaced: Option<Metadata>,
-    write: impl FnOnce(&mut Out) -> io::Result<()>,
-) -> io::Result<File> {
+fn fill(file: File, replaced: Option<Metadata>, write: &mut WriteContent) -> io::Result<File> {
     let mut out = BufWriter::with_capacity(BUFFER, WriteBehind::new(file));
     write(&mut out)?;
     let file = out.into_inner()?.into_file();
@@ -123,12 +130,12 @@ pub fn sync_folder(path: &Path) -> Result<()> {
 
 /// Writes to a device or a pipe. Formats need to seek, and a pipe cannot, so the content is first
 /// written to an unnamed file.
-fn write_through(path: &Path, write: impl FnOnce(&mut Out) -> io::Result<()>) -> Result<u64> {
+fn write_through(path: &Path, write: &mut WriteContent) -> Result<u64> {
     let mut device = File::options()
         .write(true)
         .open(path)
         .map_err(|error| Error::creating(path, &error))?;
-    let copy = || {
+    let mut copy = || {
         let copy = WriteBehind::unsynced(tempfile::tempfile()?);
         let mut out = BufWriter::with_capacity(BUFFER, copy);
         write(&mut out)?;

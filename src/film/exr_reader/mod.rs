@@ -16,13 +16,14 @@ use super::{Channel, ChannelName, Image, Metadata, PixelBounds, Samples};
 use crate::error::{Diagnostic, Error, Result, SourceLocation, grouped};
 use crate::input::{self, BudgetFactor};
 use crate::memory;
+use crate::parallel::CollectVec;
 use blocks::{Block, blocks};
 use errors::{damaged, wrong};
 use exr::meta::MetaData;
 use part::Part;
 use rayon::prelude::*;
 use std::fs::File;
-use std::io::{self, BufRead, BufReader, Cursor, Seek};
+use std::io::{self, BufRead, BufReader, Cursor, Read, Seek};
 use std::path::Path;
 
 /// The first bytes of every OpenEXR file.
@@ -156,6 +157,12 @@ fn check_size(part: &Part, size: usize, factor: BudgetFactor) -> Result<()> {
     ))
 }
 
+/// Reads the headers of a file without checks. What the crate compiles for a reader is long: all
+/// share one kind.
+pub(crate) fn header_of(file: &mut dyn Read) -> exr::error::Result<MetaData> {
+    MetaData::read_from_buffered(file, false)
+}
+
 /// Reads and checks the headers of a file, and nothing after them.
 fn meta_data(file: &mut impl BufRead) -> Result<MetaData> {
     if !file.fill_buf().is_ok_and(recognises) {
@@ -164,8 +171,7 @@ fn meta_data(file: &mut impl BufRead) -> Result<MetaData> {
             "its first bytes to be 76 2f 31 01",
         ));
     }
-    let meta =
-        MetaData::read_from_buffered(file, false).map_err(|error| damaged("header", &error))?;
+    let meta = header_of(file).map_err(|error| damaged("header", &error))?;
     if meta.headers.iter().any(|header| header.deep) {
         let expected = "one sample a pixel: flatten the image first";
         return Err(wrong(
@@ -207,7 +213,7 @@ fn fill(meta: &MetaData, part: &Part, blocks: &[Block]) -> Result<Image> {
         let decompressed: Vec<_> = batch
             .par_iter()
             .map(|block| block.decompress(meta, part))
-            .collect();
+            .collect_vec();
         for (block, pixels) in batch.iter().zip(decompressed) {
             put(part, block, &pixels?, &mut samples)?;
         }

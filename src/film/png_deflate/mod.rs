@@ -36,13 +36,13 @@ const MAX_STORED: usize = u16::MAX as usize;
 pub(super) fn compress(
     height: usize,
     row_bytes: usize,
-    fill: impl Fn(usize, &mut [u8]) + Sync,
+    fill: &(dyn Fn(usize, &mut [u8]) + Sync),
     progress: Progress,
 ) -> io::Result<Option<Vec<u8>>> {
     let rows = rows_of_part(row_bytes);
     let make = |index: usize, band: &mut Band| {
         let first = index * rows;
-        band.compress(first..(first + rows).min(height), row_bytes, &fill);
+        band.compress(first..(first + rows).min(height), row_bytes, fill);
         Ok(())
     };
     let mut bits = Bits::default();
@@ -85,7 +85,7 @@ struct Band {
 }
 
 impl Band {
-    fn compress(&mut self, rows: Range<usize>, row_bytes: usize, fill: &impl Fn(usize, &mut [u8])) {
+    fn compress(&mut self, rows: Range<usize>, row_bytes: usize, fill: &dyn Fn(usize, &mut [u8])) {
         self.row.resize(row_bytes, 0);
         self.above.resize(row_bytes, 0);
         match rows.start.checked_sub(1) {

@@ -25,7 +25,7 @@ fn compressed(row_bytes: usize, bytes: &[u8]) -> Option<Vec<u8>> {
     let fill = |y: usize, row: &mut [u8]| {
         row.copy_from_slice(&bytes[y * row_bytes..][..row_bytes]);
     };
-    compress(bytes.len() / row_bytes, row_bytes, fill, Progress::SILENT).unwrap()
+    compress(bytes.len() / row_bytes, row_bytes, &fill, Progress::SILENT).unwrap()
 }
 
 /// Compares both streams, on several numbers of threads.

@@ -3,6 +3,7 @@
 use super::samples::measures;
 use crate::film::color_map::Rgb;
 use crate::film::{ChannelName, Image};
+use crate::parallel::CollectVec;
 use rayon::prelude::*;
 use std::fmt;
 use std::io;
@@ -76,7 +77,7 @@ pub fn without_misses(image: &Image, colors: &[Rgb]) -> io::Result<Vec<[u8; 4]>>
         true => [*r, *g, *b, u8::MAX],
         false => [0; 4],
     };
-    Ok(colors.par_iter().zip(a).map(pixel).collect())
+    Ok(colors.par_iter().zip(a).map(pixel).collect_vec())
 }
 
 #[cfg(test)]

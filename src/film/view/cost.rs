@@ -3,6 +3,7 @@
 use super::samples::numbers;
 use crate::film::color_map::Rgb;
 use crate::film::{ChannelName, ColorMap, ColorRange, Image};
+use crate::parallel::CollectVec;
 use rayon::prelude::*;
 use std::io;
 
@@ -16,7 +17,7 @@ pub fn cost(image: &Image, colors: ColorMap, range: ColorRange) -> io::Result<Ve
     Ok(numbers(image, ChannelName::Cost)?
         .par_iter()
         .map(|cost| color(1.0 - range.position(*cost as f32)))
-        .collect())
+        .collect_vec())
 }
 
 #[cfg(test)]

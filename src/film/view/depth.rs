@@ -3,6 +3,7 @@
 use super::samples::measures;
 use crate::film::color_map::Rgb;
 use crate::film::{ChannelName, ColorMap, ColorRange, Image};
+use crate::parallel::CollectVec;
 use rayon::prelude::*;
 use std::io;
 
@@ -27,7 +28,7 @@ pub fn depth(image: &Image, colors: ColorMap, range: ColorRange) -> io::Result<V
             MISS_IN_DEPTH
         }
     };
-    Ok(z.par_iter().zip(a).map(pixel).collect())
+    Ok(z.par_iter().zip(a).map(pixel).collect_vec())
 }
 
 #[cfg(test)]

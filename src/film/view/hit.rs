@@ -3,6 +3,7 @@
 use super::samples::measures;
 use crate::film::color_map::Rgb;
 use crate::film::{ChannelName, Image};
+use crate::parallel::CollectVec;
 use rayon::prelude::*;
 use std::io;
 
@@ -19,7 +20,7 @@ pub fn hit(image: &Image) -> io::Result<Vec<Rgb>> {
     let a = measures(image, ChannelName::A)?;
     Ok(a.par_iter()
         .map(|a| if *a != 0.0 { HIT } else { MISS })
-        .collect())
+        .collect_vec())
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use super::samples::measures;
 use crate::film::{ChannelName, Image};
+use crate::parallel::CollectVec;
 use rayon::prelude::*;
 use std::io;
 
@@ -12,7 +13,7 @@ use std::io;
 pub fn mask(image: &Image) -> io::Result<Vec<u8>> {
     let a = measures(image, ChannelName::A)?;
     let gray = |a: &f32| if *a != 0.0 { u8::MAX } else { 0 };
-    Ok(a.par_iter().map(gray).collect())
+    Ok(a.par_iter().map(gray).collect_vec())
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 use super::samples::{NOTHING, measures, normals};
 use crate::film::color_map::Rgb;
 use crate::film::{ChannelName, Image};
+use crate::parallel::CollectVec;
 use rayon::prelude::*;
 use std::io;
 
@@ -21,7 +22,7 @@ pub fn normal(image: &Image) -> io::Result<Vec<Rgb>> {
             NOTHING
         }
     };
-    Ok(x.par_iter().zip(y).zip(z).zip(a).map(pixel).collect())
+    Ok(x.par_iter().zip(y).zip(z).zip(a).map(pixel).collect_vec())
 }
 
 fn component(x: f32) -> u8 {

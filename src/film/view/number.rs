@@ -3,6 +3,7 @@
 use super::samples::{NOTHING, numbers};
 use crate::film::color_map::Rgb;
 use crate::film::{ChannelName, Image};
+use crate::parallel::CollectVec;
 use rayon::prelude::*;
 use std::io;
 
@@ -16,7 +17,7 @@ pub fn number(image: &Image, name: ChannelName) -> io::Result<Vec<Rgb>> {
     Ok(numbers(image, name)?
         .par_iter()
         .map(|number| color_of(*number))
-        .collect())
+        .collect_vec())
 }
 
 /// The golden ratio as a fraction of 2^32: its multiples spread evenly over a circle, for any

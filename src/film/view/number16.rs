@@ -2,6 +2,7 @@
 
 use super::samples::{numbers, pixel_at};
 use crate::film::{ChannelName, Image};
+use crate::parallel::CollectVec;
 use rayon::prelude::*;
 use std::fmt;
 use std::io;
@@ -38,16 +39,15 @@ impl fmt::Display for TooLarge {
 /// wrapped.
 pub fn number16(image: &Image, name: ChannelName) -> io::Result<Result<Vec<u16>, TooLarge>> {
     let numbers = numbers(image, name)?;
-    let fitting: Result<Vec<u16>, _> = numbers.par_iter().map(|n| u16::try_from(*n)).collect();
-    Ok(fitting.map_err(|_| {
-        let is_large = |number: &u32| *number > u32::from(u16::MAX);
-        let place = numbers.iter().position(is_large).unwrap_or(0);
-        TooLarge {
+    let is_large = |number: &u32| *number > u32::from(u16::MAX);
+    if let Some(place) = numbers.par_iter().position_first(is_large) {
+        return Ok(Err(TooLarge {
             channel: name,
             pixel: pixel_at(image, place),
             number: numbers[place],
-        }
-    }))
+        }));
+    }
+    Ok(Ok(numbers.par_iter().map(|n| *n as u16).collect_vec()))
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use crate::parallel::CollectVec;
 use rayon::prelude::*;
 
 use super::mistakes;
@@ -130,7 +131,7 @@ fn uv_of(mesh: &tobj::Mesh, triangles: &[[u32; 3]]) -> Vec<CornerUv> {
     triangles
         .par_iter()
         .map(|corners| corners.map(uv_of_corner))
-        .collect()
+        .collect_vec()
 }
 
 /// Normals at the corners of triangles.
@@ -142,7 +143,7 @@ fn normals_of(mesh: &tobj::Mesh, triangles: &[[u32; 3]]) -> Vec<CornerNormals> {
     triangles
         .par_iter()
         .map(|corners| corners.map(normal_of_corner))
-        .collect()
+        .collect_vec()
 }
 
 fn refused(path: &Path, text: &[u8], with_uv: bool, error: &tobj::LoadError) -> Error {

@@ -8,6 +8,7 @@ use crate::geometry::Point;
 use crate::input::Budget;
 use crate::memory;
 use crate::mesh::Loaded;
+use crate::parallel::CollectVec;
 use rayon::prelude::*;
 
 /// The bytes before the first triangle; the last four are the number of triangles.
@@ -69,7 +70,7 @@ pub(super) fn read(path: &Path, content: &[u8], budget: &Budget) -> Result<Loade
     let records = records.with_max_len(MOST_AT_ONCE);
     let vertices: Vec<[Point; 3]> = records
         .map_init(|| budget.check_cancelled(), |(), record| triangle(record))
-        .collect();
+        .collect_vec();
     let rest = (size > needed).then(|| {
         let message = format!(
             "{} after the last triangle, ignored",

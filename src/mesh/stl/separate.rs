@@ -7,6 +7,7 @@ use crate::geometry::Point;
 use crate::memory;
 use crate::mesh::faces::check_count;
 use crate::mesh::{Loaded, TriangleMesh};
+use crate::parallel::CollectVec;
 use rayon::prelude::*;
 
 /// The mesh whose triangles have these vertices, three each.
@@ -23,7 +24,7 @@ pub(super) fn mesh_of(
     let corners = |triangle: u32| [0, 1, 2].map(|corner| 3 * triangle + corner);
     let mesh = TriangleMesh {
         vertices,
-        triangles: (0..count as u32).into_par_iter().map(corners).collect(),
+        triangles: (0..count as u32).into_par_iter().map(corners).collect_vec(),
         ..TriangleMesh::default()
     };
     Ok(Loaded::new(path, mesh, warnings))

@@ -3,6 +3,7 @@
 
 use std::ops::Range;
 
+use crate::parallel::CollectVec;
 use rayon::prelude::*;
 
 use super::lexer::{Parsed, is_word, separators, word};
@@ -70,7 +71,7 @@ fn in_blocks(input: &[u8], size: usize) -> Option<(&[u8], Vec<f64>)> {
     let counts: Vec<usize> = blocks
         .par_iter()
         .map(|block| count_words(&plain[block.clone()]))
-        .collect();
+        .collect_vec();
     let mut values = vec![0.0; counts.iter().sum()];
     let mut rest_of_values = values.as_mut_slice();
     let mut tasks = Vec::with_capacity(blocks.len());

@@ -3,6 +3,7 @@
 use super::target::{ShapeRefusal, ShapeResult};
 use crate::error::{Diagnostic, Result};
 use crate::geometry::Point;
+use crate::parallel::CollectVec;
 use crate::scene::parameters::{DeclaredType, Parameters};
 use crate::scene::warnings::Warnings;
 use rayon::prelude::*;
@@ -29,7 +30,7 @@ pub(super) fn vertices_of(parameters: &mut Parameters, mesh: &str) -> ShapeResul
     Ok(coordinates
         .par_chunks_exact(3)
         .map(|p| Point::new(p[0], p[1], p[2]))
-        .collect())
+        .collect_vec())
 }
 
 /// The faces of `indices`, N vertices each; `None` without the parameter. Errors say that they
@@ -72,7 +73,7 @@ pub(super) fn faces_of<const N: usize>(
         return Err(ShapeRefusal::shape("with indices out of range", error));
     }
     let face = |corners: &[f64]| std::array::from_fn(|k| corners[k] as u32);
-    Ok(Some(indices.par_chunks_exact(N).map(face).collect()))
+    Ok(Some(indices.par_chunks_exact(N).map(face).collect_vec()))
 }
 
 /// The two coordinates of each vertex in `uv`, or `st` in pbrt-v3. `None` without the parameter or,
@@ -103,7 +104,7 @@ pub(super) fn uv_of(
             numbers
                 .par_chunks_exact(2)
                 .map(|uv| [uv[0] as f32, uv[1] as f32])
-                .collect()
+                .collect_vec()
         });
         return Ok(uv);
     }
@@ -129,7 +130,7 @@ pub(super) fn normals_of(
         return Ok(None);
     }
     let normal = |n: &[f64]| [n[0] as f32, n[1] as f32, n[2] as f32];
-    Ok(Some(numbers.par_chunks_exact(3).map(normal).collect()))
+    Ok(Some(numbers.par_chunks_exact(3).map(normal).collect_vec()))
 }
 
 /// Whether `index` is an integer below `vertex_count` that fits 32 bits: only then does a

@@ -5,6 +5,7 @@ use super::target::{SURFACE, ShapeRefusal, ShapeResult, ShapeTarget};
 use crate::error::counted;
 use crate::geometry::Point;
 use crate::mesh::{TriangleMesh, bilinear_patch, of_corners};
+use crate::parallel::CollectVec;
 use crate::scene::parameters::{DeclaredType, Parameters};
 use crate::shape::PatchUv;
 use rayon::prelude::*;
@@ -72,7 +73,7 @@ pub(super) fn add_patch(parameters: &mut Parameters, target: &mut ShapeTarget) -
 impl Patches {
     fn add_to(self, parameters: &Parameters, target: &mut ShapeTarget) -> ShapeResult<()> {
         let is_flat = |patch: &[u32; 4]| bilinear_patch::is_flat_and_convex(self.points(patch));
-        let are_flat: Vec<bool> = self.corners.par_iter().map(is_flat).collect();
+        let are_flat: Vec<bool> = self.corners.par_iter().map(is_flat).collect_vec();
         if are_flat.iter().all(|is_flat| *is_flat) {
             let mesh = triangles_of(self.vertices, &self.corners, self.uv, target.keeps_uv);
             return Ok(target.add_mesh(parameters, mesh)?);
@@ -133,7 +134,7 @@ fn triangles_of(
     let triangles = patches
         .par_iter()
         .map(|patch| bilinear_patch::triangles(*patch));
-    let triangles = triangles.collect::<Vec<[[u32; 3]; 2]>>().into_flattened();
+    let triangles = triangles.collect_vec().into_flattened();
     let uv = wants_uv.then(|| match uv {
         Some(uv) => of_corners(&triangles, &uv),
         None => vec![bilinear_patch::UV; triangles.len() / 2].into_flattened(),

@@ -2,11 +2,11 @@
 
 use super::decoded_image::{charge, mean_of};
 use super::image_refusal::ImageRefusal;
+use crate::film::exr_reader;
 use crate::input::Budget;
 use crate::texture::Texels;
 use exr::compression::Compression;
 use exr::image::{AnyChannel, FlatSamples};
-use exr::meta::MetaData;
 use exr::prelude::{ReadChannels, ReadLayers};
 use std::io::Cursor;
 
@@ -57,8 +57,7 @@ pub(super) fn read(bytes: &[u8], budget: &Budget) -> Result<Texels, ImageRefusal
 
 /// Checks the header before memory is taken; returns the size of the image.
 fn check(bytes: &[u8], budget: &Budget) -> Result<[u32; 2], ImageRefusal> {
-    let meta =
-        MetaData::read_from_buffered(Cursor::new(bytes), false).map_err(|error| damaged(&error))?;
+    let meta = exr_reader::header_of(&mut &*bytes).map_err(|error| damaged(&error))?;
     let Some(header) = meta.headers.iter().find(|header| !header.deep) else {
         return Err(ImageRefusal::new("the image has no pixels"));
     };

@@ -7,19 +7,26 @@ use rayon::prelude::*;
 impl Geometry {
     /// All primitives in no instance, kind by kind.
     pub fn primitives(&self) -> impl Iterator<Item = PrimitiveId> + use<> {
-        let triangles = (0..self.triangles.len()).map(PrimitiveId::triangle);
-        triangles.chain((0..self.curved_count()).map(self.curved_ids()))
+        (0..self.own_count()).map(self.own_ids())
     }
 
     /// Counts the primitives in no instance that no ray can hit, because they have no area or are
     /// not finite, on the threads of the current rayon pool.
     pub fn never_hit(&self) -> usize {
-        let never_hit = |primitive: &PrimitiveId| !self.own_surface(*primitive).can_be_hit();
-        let triangles = (0..self.triangles.len()).into_par_iter();
-        let curved = (0..self.curved_count()).into_par_iter();
-        let primitives = triangles.map(PrimitiveId::triangle);
-        let primitives = primitives.chain(curved.map(self.curved_ids()));
-        primitives.filter(never_hit).count()
+        let ids = self.own_ids();
+        let never_hit = |place: &usize| !self.own_surface(ids(*place)).can_be_hit();
+        let places = (0..self.own_count()).into_par_iter();
+        places.filter(never_hit).count()
+    }
+
+    /// The ids of all primitives in no instance, kind by kind, by a number below
+    /// [`Geometry::own_count`].
+    pub(crate) fn own_ids(&self) -> impl Fn(usize) -> PrimitiveId + Copy + Send + Sync + use<> {
+        let (triangles, curved) = (self.triangles.len(), self.curved_ids());
+        move |place| match place.checked_sub(triangles) {
+            None => PrimitiveId::triangle(place),
+            Some(place) => curved(place),
+        }
     }
 
     /// The number of quadrics and segments in no instance, including those that can never be hit.

@@ -3,6 +3,10 @@
 use crate::geometry::{Matrix, Point};
 use rayon::prelude::*;
 
+/// The vertices that a thread takes at a time. Their loop is one closure, since calls of closures
+/// are not always inlined.
+const CHUNK: usize = 1 << 12;
+
 /// The numbers of vertices of a mesh with an infinite or NaN coordinate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct NonFiniteCounts {
@@ -15,20 +19,20 @@ pub struct NonFiniteCounts {
 impl NonFiniteCounts {
     /// Counts the vertices that [`Geometry::add_mesh`](super::Geometry::add_mesh) would count.
     pub fn of(vertices: &[Point], world_from_object: &Matrix) -> NonFiniteCounts {
-        let count =
-            |vertex: &Point| NonFiniteCounts::between(vertex, &world_from_object.apply(*vertex));
-        vertices
-            .par_iter()
-            .map(count)
-            .reduce(NonFiniteCounts::default, NonFiniteCounts::plus)
+        let of_chunk = |chunk: &[Point]| {
+            let mut counts = NonFiniteCounts::default();
+            for vertex in chunk {
+                counts.add(vertex, &world_from_object.apply(*vertex));
+            }
+            counts
+        };
+        let counts = vertices.par_chunks(CHUNK).map(of_chunk);
+        counts.reduce(NonFiniteCounts::default, NonFiniteCounts::plus)
     }
 
-    fn between(in_object_space: &Point, in_world_space: &Point) -> NonFiniteCounts {
-        let count = |vertex: &Point| usize::from(!vertex.is_finite());
-        NonFiniteCounts {
-            in_object_space: count(in_object_space),
-            in_world_space: count(in_world_space),
-        }
+    fn add(&mut self, in_object_space: &Point, in_world_space: &Point) {
+        self.in_object_space += usize::from(!in_object_space.is_finite());
+        self.in_world_space += usize::from(!in_world_space.is_finite());
     }
 
     fn plus(self, other: NonFiniteCounts) -> NonFiniteCounts {
@@ -41,9 +45,15 @@ impl NonFiniteCounts {
 
 /// Moves `vertices` to world space, and counts them in the same pass.
 pub(super) fn move_to_world(vertices: &mut [Point], world_from_object: &Matrix) -> NonFiniteCounts {
-    let moved = vertices.par_iter_mut().map(|vertex| {
-        let in_object_space = std::mem::replace(vertex, world_from_object.apply(*vertex));
-        NonFiniteCounts::between(&in_object_space, vertex)
-    });
-    moved.reduce(NonFiniteCounts::default, NonFiniteCounts::plus)
+    let move_chunk = |chunk: &mut [Point]| {
+        let mut counts = NonFiniteCounts::default();
+        for vertex in chunk {
+            let moved = world_from_object.apply(*vertex);
+            counts.add(vertex, &moved);
+            *vertex = moved;
+        }
+        counts
+    };
+    let counts = vertices.par_chunks_mut(CHUNK).map(move_chunk);
+    counts.reduce(NonFiniteCounts::default, NonFiniteCounts::plus)
 }
