@@ -116,7 +116,7 @@ impl TriangleGroup {
     /// of the lengths along both axes.
     #[inline(always)]
     fn has_area<S: Lanes>(&self, simd: S, extent: S::F, farthest: S::F) -> S::M {
-        let [a, b] = [0, 1].map(|k| simd.load(&self.products[k]));
+        let (a, b) = (simd.load(&self.products[0]), simd.load(&self.products[1]));
         // Bounds the errors of the edges along an axis: those of two points, two roundings of them
         // and one of the difference.
         let rounding = simd.splat(1.0 / (1 << 21) as f32);

@@ -78,9 +78,11 @@ fn next_repeated_word(bytes: &[u8], mut place: usize) -> Option<usize> {
     // Several at once, because most do not repeat.
     const AT_ONCE: usize = 4;
     while place + AT_ONCE * STRIDE <= bytes.len() {
-        let repeats: [bool; AT_ONCE] =
-            std::array::from_fn(|index| repeats_at::<WORD>(bytes, place + index * STRIDE));
-        if repeats.iter().fold(false, |any, one| any | one) {
+        let mut any = false;
+        for index in 0..AT_ONCE {
+            any |= repeats_at::<WORD>(bytes, place + index * STRIDE);
+        }
+        if any {
             break;
         }
         place += AT_ONCE * STRIDE;

@@ -25,12 +25,24 @@ impl TileFromTree {
         // A power of two.
         let per_unit = 1.0 / frame.view.units;
         let rows = &frame.tile_from_world;
-        let terms = |k: usize| [0, 1, 2].map(|axis| rows[k][axis] * frame.view.anchor[axis]);
+        let terms = |k: usize| {
+            let mut terms = rows[k];
+            for axis in 0..3 {
+                terms[axis] *= frame.view.anchor[axis];
+            }
+            terms
+        };
         // One rounding of the anchor relative to the eye, one of a product and two of sums, where
         // terms may cancel.
         let slack =
             |k: usize| 16.0 * UNIT_ROUNDOFF * terms(k).iter().map(|term| term.abs()).sum::<f64>();
-        let row = |k: usize| rows[k].map(|entry| (entry * per_unit) as f32);
+        let row = |k: usize| {
+            let mut row = [0.0; 3];
+            for axis in 0..3 {
+                row[axis] = (rows[k][axis] * per_unit) as f32;
+            }
+            row
+        };
         TileFromTree::new(frame, row, |k| terms(k).iter().sum(), slack)
     }
 
@@ -76,13 +88,22 @@ impl TileFromTree {
             [frame.view.offset[0], frame.view.offset[1], 0.0],
         ];
         let of_offset = |k: usize| 16.0 * UNIT_ROUNDOFF * (offset[k].abs() + terms[k].abs());
-        let rows = [0, 1, 2].map(row);
-        TileFromTree {
+        let mut transform = TileFromTree {
             is_perspective: frame.view.is_perspective,
-            rows,
-            magnitudes: rows.map(|row| row.map(f32::abs)),
-            anchor: [0, 1, 2].map(|k| (anchor(k) + offset[k]) as f32),
-            slack: [0, 1, 2].map(|k| (slack(k) + of_offset(k)) as f32 + UNDERFLOW),
+            rows: [[0.0; 3]; 3],
+            magnitudes: [[0.0; 3]; 3],
+            anchor: [0.0; 3],
+            slack: [0.0; 3],
+        };
+        // Loops, since calls of `array::map` are not always inlined, and each tile makes some.
+        for k in 0..3 {
+            transform.rows[k] = row(k);
+            for axis in 0..3 {
+                transform.magnitudes[k][axis] = transform.rows[k][axis].abs();
+            }
+            transform.anchor[k] = (anchor(k) + offset[k]) as f32;
+            transform.slack[k] = (slack(k) + of_offset(k)) as f32 + UNDERFLOW;
         }
+        transform
     }
 }
