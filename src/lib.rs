@@ -111,6 +111,7 @@ pub mod mesh;
 #[doc(hidden)]
 pub mod named;
 mod parallel;
+mod per_axis;
 #[doc(hidden)]
 pub mod pixel;
 #[doc(hidden)]

@@ -2,6 +2,7 @@
 
 use super::{Point, Vector};
 use crate::exact::{Dyadic, ExactVector, UNIT_ROUNDOFF, may_underflow_below};
+use crate::per_axis::per_axis;
 use std::cmp::Ordering;
 
 /// The upper three rows of a 4x4 matrix whose last row is `0 0 0 1`.
@@ -161,7 +162,7 @@ impl Matrix {
 
     /// The exact rows of the adjugate of the 3x3 part, which must be finite, and its determinant.
     pub fn exact_adjugate(&self) -> ([ExactVector; 3], Dyadic) {
-        let [x, y, z] = [0, 1, 2].map(|j| ExactVector::from(self.column(j)));
+        let [x, y, z] = per_axis(|j| ExactVector::from(self.column(j)));
         let rows = [y.cross(&z), z.cross(&x), x.cross(&y)];
         let determinant = x.dot(&rows[0]);
         (rows, determinant)

@@ -6,6 +6,7 @@
 use super::quaternion::Quaternion;
 use super::{Matrix, Vector};
 use crate::exact::{exponent_of, times_power_of_two};
+use crate::per_axis::per_axis;
 
 /// The most steps towards the rotation.
 const MOST_STEPS: u32 = 100;
@@ -29,13 +30,13 @@ impl Matrix {
         let between = |a: f64, b: f64| (1.0 - time) * a + time * b;
         let linear = match (Parts::of(self), Parts::of(end)) {
             (Some(start), Some(end)) => start.interpolated(&end, time),
-            _ => [0, 1, 2].map(|j| {
+            _ => per_axis(|j| {
                 let (a, b) = (self.column(j), end.column(j));
-                Vector::from([0, 1, 2].map(|k| between(a[k], b[k])))
+                Vector::from(per_axis(|k| between(a[k], b[k])))
             }),
         };
         let (a, b) = (self.column(3), end.column(3));
-        let offset = [0, 1, 2].map(|k| between(a[k], b[k]));
+        let offset = per_axis(|k| between(a[k], b[k]));
         let [x, y, z] = linear;
         Matrix::from_columns(x, y, z, offset.into())
     }
@@ -50,7 +51,7 @@ struct Parts {
 impl Parts {
     /// `None` if the map is singular or not finite.
     fn of(matrix: &Matrix) -> Option<Parts> {
-        let map: Columns = [0, 1, 2].map(|j| Vector::from(matrix.column(j)));
+        let map: Columns = per_axis(|j| Vector::from(matrix.column(j)));
         let largest = map.map(Vector::largest).into_iter().fold(0.0, f64::max);
         if !matrix.is_finite() || largest == 0.0 {
             return None;
@@ -72,9 +73,9 @@ impl Parts {
     fn interpolated(&self, end: &Parts, time: f64) -> Columns {
         let rotation = self.rotation.interpolated(&end.rotation, time).columns();
         let [x, y, z] = rotation;
-        [0, 1, 2].map(|j| {
+        per_axis(|j| {
             let (a, b) = (self.stretch[j], end.stretch[j]);
-            let s = [0, 1, 2].map(|k| (1.0 - time) * a[k] + time * b[k]);
+            let s = per_axis(|k| (1.0 - time) * a[k] + time * b[k]);
             let component = |k: usize| (x[k] * s[0] + y[k] * s[1]) + z[k] * s[2];
             Vector::new(component(0), component(1), component(2))
         })

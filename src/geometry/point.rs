@@ -62,6 +62,7 @@ macro_rules! three_components {
         impl Index<usize> for $name {
             type Output = f64;
 
+            #[inline]
             fn index(&self, axis: usize) -> &f64 {
                 match axis {
                     0 => &self.x,

@@ -1,6 +1,7 @@
 //! How unevenly a matrix scales.
 
 use super::{Matrix, Vector};
+use crate::per_axis::per_axis;
 
 /// Sweeps after which the columns are orthogonal to the last bits: three need five at most.
 const SWEEPS: usize = 12;
@@ -12,7 +13,7 @@ impl Matrix {
     /// The lengths are the singular values, by Jacobi's rotations of the columns (Hestenes, 1958),
     /// which keep their precision where scales differ by many powers of ten.
     pub fn stretch(&self) -> f64 {
-        let columns = [0, 1, 2].map(|j| Vector::from(self.column(j)));
+        let columns = per_axis(|j| Vector::from(self.column(j)));
         if !columns.iter().all(|column| column.is_finite()) {
             return f64::NAN;
         }
@@ -47,7 +48,7 @@ fn rotate(columns: &mut [Vector; 3], i: usize, j: usize) {
     let tangent = half_cotangent.signum() / (half_cotangent.abs() + half_cotangent.hypot(1.0));
     let cosine = 1.0 / tangent.hypot(1.0);
     let sine = cosine * tangent;
-    let mixed = |p: f64, q: f64| Vector::from([0, 1, 2].map(|k| p * a[k] + q * b[k]));
+    let mixed = |p: f64, q: f64| Vector::from(per_axis(|k| p * a[k] + q * b[k]));
     (columns[i], columns[j]) = (mixed(cosine, -sine), mixed(sine, cosine));
 }
 

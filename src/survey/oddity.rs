@@ -2,6 +2,7 @@
 
 use super::shapes::{Source, Survey, SurveyedShape, diagonal, distance, reach};
 use crate::geometry::{Bounds, Point};
+use crate::per_axis::per_axis;
 use crate::scene::Scene;
 
 /// What is odd about a shape.
@@ -159,7 +160,7 @@ impl Survey {
 /// The point of the median coordinates. There is at least one point.
 fn median(points: impl Iterator<Item = Point> + Clone) -> Point {
     let median = |k: usize| quantile(points.clone().map(|point| point[k]).collect(), 0.5);
-    [0, 1, 2].map(median).into()
+    per_axis(median).into()
 }
 
 /// The number that `part` of all others do not exceed. There is at least one.

@@ -2,6 +2,7 @@
 
 use crate::geometry::{Bounds, Point};
 use crate::parallel::CollectVec;
+use crate::per_axis::per_axis;
 use crate::scene::{Locations, Scene};
 use crate::shape::{Geometry, InstancedId};
 use rayon::prelude::*;
@@ -119,7 +120,7 @@ fn count(object: &Geometry) -> u64 {
 
 /// The distance of a box from a point: 0 inside.
 pub(super) fn distance(bounds: &Bounds, point: Point) -> f64 {
-    length([0, 1, 2].map(|k| {
+    length(per_axis(|k| {
         let (below, above) = (bounds.low[k] - point[k], point[k] - bounds.high[k]);
         below.max(above).max(0.0)
     }))
@@ -127,7 +128,7 @@ pub(super) fn distance(bounds: &Bounds, point: Point) -> f64 {
 
 /// The distance of the farthest corner of a box from a point.
 pub(super) fn reach(bounds: &Bounds, point: Point) -> f64 {
-    length([0, 1, 2].map(|k| {
+    length(per_axis(|k| {
         let (low, high) = (point[k] - bounds.low[k], bounds.high[k] - point[k]);
         low.max(high)
     }))

@@ -3,6 +3,7 @@
 use crate::camera::{Camera, Projection};
 use crate::film::PixelBounds;
 use crate::geometry::{Bounds, Point, Vector};
+use crate::per_axis::per_axis;
 
 /// What a camera may see of a box.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -40,7 +41,7 @@ const TOLERANCE: f64 = 1e-9;
 impl ViewVolume {
     /// The volume that the pixels `window` of a camera's film show.
     pub fn new(camera: &Camera, window: &PixelBounds) -> ViewVolume {
-        let [x, y, z] = [0, 1, 2].map(|j| Vector::from(camera.world_from_camera.column(j)));
+        let [x, y, z] = per_axis(|j| Vector::from(camera.world_from_camera.column(j)));
         let front = HalfSpace {
             origin: camera.anchor(),
             normal: facing(x.cross(y), z),

@@ -1,5 +1,7 @@
 //! Gradient noise (Perlin, "Improving Noise", SIGGRAPH 2002), in `f64`.
 
+use crate::per_axis::per_axis;
+
 /// The permutation of that paper, which pbrt takes over.
 const PERMUTATION: [u8; 256] = [
     151, 160, 137, 91, 90, 15, 131, 13, 201, 95, 96, 53, 194, 233, 7, 225, 140, 36, 103, 30, 69,
@@ -20,13 +22,13 @@ const PERMUTATION: [u8; 256] = [
 /// Noise at a point, 0 at integers. The coordinates are finite.
 pub(super) fn noise(point: [f64; 3]) -> f64 {
     let cell = point.map(f64::floor);
-    let within = [0, 1, 2].map(|k| point[k] - cell[k]);
+    let within = per_axis(|k| point[k] - cell[k]);
     // Beyond 2^63 the conversion saturates; no digit is left within the cell there.
     let place = cell.map(|x| (x as i64).rem_euclid(256) as usize);
     let corner = |x: usize, y: usize, z: usize| {
         let offset = [x, y, z];
-        let lattice = [0, 1, 2].map(|k| place[k] + offset[k]);
-        gradient(lattice, [0, 1, 2].map(|k| within[k] - offset[k] as f64))
+        let lattice = per_axis(|k| place[k] + offset[k]);
+        gradient(lattice, per_axis(|k| within[k] - offset[k] as f64))
     };
     let [wx, wy, wz] = within.map(weight);
     let along_x = |y, z| lerp(wx, corner(0, y, z), corner(1, y, z));

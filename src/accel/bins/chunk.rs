@@ -5,6 +5,7 @@ use super::footprint::{FilmWindow, Footprint};
 use super::grid::{BinEntry, BinGrid};
 use super::triangle_group::TriangleGroup;
 use crate::geometry::Bounds;
+use crate::per_axis::per_axis;
 use crate::shape::{Geometry, PrimitiveId};
 use crate::simd::{LANES, Lanes, SimdKernel};
 use std::ops::Range;
@@ -220,7 +221,7 @@ impl Binner<'_> {
     #[inline(always)]
     pub(super) fn footprint_of_box(&self, bounds: &Bounds) -> Option<Footprint> {
         let ends = [bounds.low, bounds.high];
-        let corners = [0, 1, 2].map(|axis| std::array::from_fn(|k| ends[k >> axis & 1][axis]));
+        let corners = per_axis(|axis| std::array::from_fn(|k| ends[k >> axis & 1][axis]));
         let points: [FilmPoint; 8] = self.projector.project(&corners);
         self.window.footprint(points)
     }

@@ -1,6 +1,7 @@
 //! The bounds of an object, and the magnitudes that bound the errors of placing its boxes.
 
 use crate::geometry::{Bounds, Matrix, Point};
+use crate::per_axis::per_axis;
 use crate::shape::{Form, Geometry, Pose, Primitive, PrimitiveId};
 use rayon::prelude::*;
 
@@ -78,8 +79,7 @@ impl Outline {
     };
 
     fn union(self, other: Outline) -> Outline {
-        let in_instance =
-            [0, 1, 2].map(|k| self.terms.in_instance[k].max(other.terms.in_instance[k]));
+        let in_instance = per_axis(|k| self.terms.in_instance[k].max(other.terms.in_instance[k]));
         let in_file = self.terms.in_file.max(other.terms.in_file);
         Outline {
             bounds: self.bounds.union(other.bounds),
@@ -101,7 +101,7 @@ impl Outline {
                 let mut corners = triangle.0.iter();
                 corners.all(|corner| corner.is_finite()).then_some(())?;
                 let [a, b, c] = triangle.0;
-                let extent = [0, 1, 2].map(|k| a[k].abs().max(b[k].abs()).max(c[k].abs()));
+                let extent = per_axis(|k| a[k].abs().max(b[k].abs()).max(c[k].abs()));
                 (extent, *object.transform_of_mesh(primitive.index() as u32))
             }
             Primitive::Quadric(quadric) if quadric.form == Form::Patch => {

@@ -50,6 +50,7 @@ use super::rounding::{above, below};
 use super::slab_ray::SlabRay;
 use crate::exact::{exponent_of, power_of_two};
 use crate::geometry::{Bounds, Point, Ray};
+use crate::per_axis::per_axis;
 
 /// The space in which boxes and rays are compared.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -111,7 +112,7 @@ impl AnchorSpace {
         let coordinate = |x: f32, axis: usize| {
             (f64::from(x) / self.scale + self.anchor[axis] * self.before) / self.before
         };
-        let point = |corner: &[f32; 4]| [0, 1, 2].map(|axis| coordinate(corner[axis], axis)).into();
+        let point = |corner: &[f32; 4]| per_axis(|axis| coordinate(corner[axis], axis)).into();
         Bounds {
             low: point(&corners[0]),
             high: point(&corners[1]),

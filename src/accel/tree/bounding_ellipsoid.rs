@@ -7,6 +7,7 @@
 //! matrix of its semi-axes.
 
 use crate::geometry::Point;
+use crate::per_axis::per_axis;
 use crate::shape::{Ellipsoid, Form, PlacedAxis, Quadric, Segment};
 
 /// An ellipsoid that encloses a quadric; for a sphere its own.
@@ -50,8 +51,8 @@ impl BoundingEllipsoid {
             Form::Sphere(_) => quadric.world_from_object.column(3),
             _ => {
                 let terms = |k: usize| rows[k][3].abs() + farthest * rows[k][2].abs();
-                widen(&mut shape, [0, 1, 2].map(|k| ROUNDING * terms(k)));
-                [0, 1, 2].map(|k| rows[k][3] + height * rows[k][2])
+                widen(&mut shape, per_axis(|k| ROUNDING * terms(k)));
+                per_axis(|k| rows[k][3] + height * rows[k][2])
             }
         };
         BoundingEllipsoid {
@@ -102,7 +103,7 @@ impl BoundingEllipsoid {
                 let terms = (0..4).map(|k| signs[k] * (0.25 * corners[k][axis]));
                 terms.sum::<f64>()
             };
-            [0, 1, 2].map(sum)
+            per_axis(sum)
         };
         let halves = [
             weighted([-1.0, 1.0, -1.0, 1.0]),
@@ -113,10 +114,7 @@ impl BoundingEllipsoid {
         let mut shape = SHAPE_ENTRIES.map(entry);
         // The centre and the three halves are each off by that much, which weighs four times.
         let size = |axis: usize| corners.iter().map(|p| p[axis].abs()).sum::<f64>();
-        widen(
-            &mut shape,
-            [0, 1, 2].map(|axis| 4.0 * ROUNDING * size(axis)),
-        );
+        widen(&mut shape, per_axis(|axis| 4.0 * ROUNDING * size(axis)));
         BoundingEllipsoid {
             centre: weighted([1.0; 4]),
             shape: narrowed(&shape),

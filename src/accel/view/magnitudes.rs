@@ -3,6 +3,7 @@
 use super::pixel_grid::PixelGrid;
 use crate::exact::UNIT_ROUNDOFF as U;
 use crate::geometry::Matrix;
+use crate::per_axis::per_axis;
 
 /// Units in the last place that bound the joint error of K's entries, of their products with a ray,
 /// and of a shift to a tile.
@@ -40,7 +41,7 @@ impl Magnitudes {
             ..
         } = *grid;
         let rows = &camera_from_world.rows;
-        let depth = [0, 1, 2].map(|axis| rows[2][axis].abs());
+        let depth = per_axis(|axis| rows[2][axis].abs());
         // The absolute terms of a row of K times a vector with components up to these.
         let film_terms = |k: usize, of: [f64; 3]| -> f64 {
             let entry = |axis: usize| match k {
@@ -53,7 +54,7 @@ impl Magnitudes {
             (0..3).map(|axis| entry(axis) * of[axis]).sum()
         };
         let farthest = 2.0 * depth.iter().sum::<f64>() * reach;
-        let ray_terms = [0, 1, 2].map(|axis| {
+        let ray_terms = per_axis(|axis| {
             let [x, y, z, origin] = world_from_camera.rows[axis].map(f64::abs);
             let across = x * extent[0] + y * extent[1];
             if is_perspective {

@@ -2,6 +2,7 @@
 
 use crate::camera::{Camera, Projection};
 use crate::geometry::Matrix;
+use crate::per_axis::per_axis;
 
 /// The pixel grid on the camera's plane at depth 1, for an orthographic camera at any depth.
 pub(super) struct PixelGrid {
@@ -48,7 +49,7 @@ impl PixelGrid {
     pub(super) fn film_from_world(&self, camera_from_world: &Matrix) -> [[f64; 3]; 3] {
         let rows = camera_from_world.rows.map(|[x, y, z, _]| [x, y, z]);
         let row = |k: usize| {
-            [0, 1, 2].map(|axis| {
+            per_axis(|axis| {
                 let of_depth = if self.is_perspective {
                     self.first[k] * rows[2][axis]
                 } else {
@@ -67,8 +68,8 @@ impl PixelGrid {
 
     /// See [`super::CameraView::world_from_film`].
     pub(super) fn world_from_film(&self, world_from_camera: &Matrix) -> [[f64; 3]; 3] {
-        let [right, up, forward] = [0, 1, 2].map(|axis| world_from_camera.column(axis));
-        let start = [0, 1, 2].map(|axis| {
+        let [right, up, forward] = per_axis(|axis| world_from_camera.column(axis));
+        let start = per_axis(|axis| {
             let across = self.first[0] * right[axis] + self.first[1] * up[axis];
             if self.is_perspective {
                 across + forward[axis]

@@ -1,6 +1,7 @@
 //! Cubic Bezier pieces of curves.
 
 use crate::geometry::{Point, Vector};
+use crate::per_axis::per_axis;
 
 /// A piece is halved so often at most, as in pbrt.
 pub const MOST_HALVINGS: u32 = 10;
@@ -104,7 +105,7 @@ impl BezierPiece {
     pub fn halvings(&self) -> u32 {
         let second = |k: usize| {
             let [a, b, c] = [&self.points[k], &self.points[k + 1], &self.points[k + 2]];
-            let difference = [0, 1, 2].map(|k| (a[k] - (b[k] + b[k])) + c[k]);
+            let difference = per_axis(|k| (a[k] - (b[k] + b[k])) + c[k]);
             Vector::from(difference)
                 .dot(Vector::from(difference))
                 .sqrt()

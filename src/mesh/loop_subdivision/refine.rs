@@ -1,6 +1,7 @@
 //! Refines a mesh, level by level.
 
 use crate::geometry::Point;
+use crate::per_axis::per_axis;
 
 /// A triangle mesh with edges. The faces around each vertex follow each other from edge to edge.
 #[derive(Debug)]
@@ -60,7 +61,8 @@ impl Surface {
         let mut faces = Vec::with_capacity(4 * self.faces.len());
         for face in &self.faces {
             let first = edges.len() as u32;
-            let middles = face.edges.map(middle);
+            let [a, b, c] = face.edges;
+            let middles = [middle(a), middle(b), middle(c)];
             let within = |k: usize| Edge {
                 ends: [middles[k], middles[(k + 1) % 3]],
                 is_boundary: false,
@@ -72,7 +74,7 @@ impl Surface {
             };
             // Edge k and the one before meet at corner k; the inner edge between them joins their
             // middles.
-            faces.extend([0, 1, 2].map(|k| {
+            let child = |k: usize| {
                 let before = (k + 2) % 3;
                 let mut child = Face {
                     corners: middles,
@@ -85,11 +87,12 @@ impl Surface {
                 child.edges[(k + 1) % 3] = first + before as u32;
                 child.edges[before] = half(before, k);
                 child
-            }));
-            faces.push(Face {
+            };
+            let inner = Face {
                 corners: middles,
                 edges: [first, first + 1, first + 2],
-            });
+            };
+            faces.extend([child(0), child(1), child(2), inner]);
         }
         Surface {
             vertices,
@@ -122,7 +125,7 @@ impl Surface {
                 interior(count)
             };
             let rest = 1.0 - count * weight;
-            Point::from([0, 1, 2].map(|k| rest * vertex[k] + weight * ring.sum[k]))
+            Point::from(per_axis(|k| rest * vertex[k] + weight * ring.sum[k]))
         };
         self.vertices.iter().zip(&rings).map(move_one).collect()
     }
@@ -154,12 +157,13 @@ impl Surface {
             }
         }
         let middle = |(Edge { ends, is_boundary }, opposite): (&Edge, &[f64; 3])| {
-            let [a, b] = ends.map(|end| self.vertices[end as usize]);
+            let vertex = |place: usize| self.vertices[ends[place] as usize];
+            let (a, b) = (vertex(0), vertex(1));
             let coordinate = |k: usize| match is_boundary {
                 true => 0.5 * (a[k] + b[k]),
                 false => 3.0 / 8.0 * (a[k] + b[k]) + 1.0 / 8.0 * opposite[k],
             };
-            Point::from([0, 1, 2].map(coordinate))
+            Point::from(per_axis(coordinate))
         };
         self.edges.iter().zip(&opposite).map(middle).collect()
     }

@@ -2,10 +2,11 @@
 
 use crate::exact::{Dyadic, ExactVector};
 use crate::geometry::Matrix;
+use crate::per_axis::per_axis;
 
 /// The columns of the linear part of a finite matrix.
 pub(super) fn columns(m: &Matrix) -> [ExactVector; 3] {
-    [0, 1, 2].map(|j| ExactVector::from(m.column(j)))
+    per_axis(|j| ExactVector::from(m.column(j)))
 }
 
 /// The determinant of the matrix with these columns.

@@ -4,6 +4,7 @@ use super::columns::determinant;
 use super::polynomial::Polynomial;
 use crate::exact::{Dyadic, ExactVector, Root};
 use crate::geometry::Ray;
+use crate::per_axis::per_axis;
 use std::cmp::Ordering::{Equal, Greater, Less};
 
 /// Rule E11. With the edges e1 and e2 at p00 and f = p11 - p10 - p01 + p00 as axes, the surface is
@@ -56,7 +57,7 @@ fn meet_flat(
     // The point times the slope. So are all vectors below.
     let point = start.times(&slope).plus(&step.times(&height));
     let vector = |constant: &ExactVector, linear: &ExactVector| {
-        [0, 1, 2].map(|k| Polynomial::linear(&constant[k] * &slope, &linear[k] * &slope))
+        per_axis(|k| Polynomial::linear(&constant[k] * &slope, &linear[k] * &slope))
     };
     let zero = ExactVector::from([0.0; 3]);
     let along = vector(e2, f);

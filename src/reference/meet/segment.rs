@@ -3,6 +3,7 @@
 use super::columns::{columns, determinant};
 use crate::exact::{Dyadic, ExactVector, Root};
 use crate::geometry::{Matrix, Ray};
+use crate::per_axis::per_axis;
 use crate::shape::Segment;
 use std::cmp::Ordering::{Equal, Greater, Less};
 
@@ -72,7 +73,7 @@ impl ObjectRay {
         let columns = columns(m);
         let below = determinant(&columns);
         let coordinates = |v: &ExactVector| {
-            ExactVector::new([0, 1, 2].map(|k| {
+            ExactVector::new(per_axis(|k| {
                 let mut replaced = columns.clone();
                 replaced[k] = v.clone();
                 determinant(&replaced)

@@ -3,6 +3,7 @@
 use super::Geometry;
 use super::curves::{CurvePoint, SegmentRun, StoredSegment};
 use super::runs::CapacityError;
+use crate::per_axis::per_axis;
 use crate::shape::{PrimitiveId, Segment};
 
 impl Geometry {
@@ -88,5 +89,5 @@ impl Geometry {
 
 /// From one point to another, each component rounded once.
 fn difference(from: &CurvePoint, to: &CurvePoint) -> [f64; 3] {
-    [0, 1, 2].map(|k| to.place[k] - from.place[k])
+    per_axis(|k| to.place[k] - from.place[k])
 }

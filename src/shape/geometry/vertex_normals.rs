@@ -3,6 +3,7 @@
 use crate::digest::Digester;
 use crate::exact::{exponent_of, times_power_of_two};
 use crate::geometry::{Matrix, Vector};
+use crate::per_axis::per_axis;
 
 /// Vertex normals at the corners of a triangle, in the space of its shape; 0 where there is none.
 pub type CornerNormals = [[f32; 3]; 3];
@@ -37,7 +38,7 @@ pub(super) struct NormalSpace {
 impl NormalSpace {
     /// For a shape under this transform. `is_reversed` if `ReverseOrientation` holds.
     pub(super) fn new(matrix: &Matrix, is_reversed: bool) -> NormalSpace {
-        let columns = [0, 1, 2].map(|j| matrix.column(j));
+        let columns = per_axis(|j| matrix.column(j));
         let largest = columns
             .iter()
             .flatten()

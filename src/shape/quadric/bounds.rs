@@ -2,6 +2,7 @@
 
 use super::{Form, Quadric, Revolved, power_of_two_near_largest};
 use crate::geometry::{Bounds, Point, Vector};
+use crate::per_axis::per_axis;
 use std::f64::consts::SQRT_2;
 
 /// More than three products lose that end below the least normal number, one of them times 3.
@@ -51,7 +52,7 @@ impl Quadric {
         }
         // The row is scaled to a length from 1 to 4: only the result can overflow or underflow.
         let scale = power_of_two_near_largest(&row[..3]);
-        let v = Vector::from([0, 1, 2].map(|j| row[j] / scale));
+        let v = Vector::from(per_axis(|j| row[j] / scale));
         v.dot(v).sqrt() * (self.widest() * scale) * (1.0 + 4.0 * f64::EPSILON) + LOST_TO_UNDERFLOW
     }
 

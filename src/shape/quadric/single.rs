@@ -4,6 +4,7 @@ use super::cut::Plane;
 use super::revolved::Equation;
 use super::{Disk, Form, Quadric, Revolved};
 use crate::geometry::Vector;
+use crate::per_axis::per_axis;
 use crate::shape::vector32::{cross, dot};
 use std::cmp::Ordering;
 
@@ -22,7 +23,7 @@ impl SingleQuadric<'_> {
     pub(crate) fn new(quadric: &Quadric, units: f64) -> SingleQuadric<'_> {
         let scale = quadric.scale();
         let m = &quadric.world_from_object;
-        let [x, y, z] = [0, 1, 2].map(|j| Vector::from(m.column(j).map(|entry| entry / scale)));
+        let [x, y, z] = per_axis(|j| Vector::from(m.column(j).map(|entry| entry / scale)));
         let rows = [y.cross(z), z.cross(x), x.cross(y)];
         let determinant = x.dot(rows[0]) * (scale * units);
         SingleQuadric {

@@ -2,6 +2,7 @@
 
 use super::{Form, Quadric};
 use crate::geometry::{Matrix, Point, Ray, Vector};
+use crate::per_axis::per_axis;
 
 /// Object space with the radius as its unit.
 ///
@@ -38,9 +39,7 @@ impl UnitSpace {
     pub(crate) fn point(&self, ray: &Ray, t: f64) -> Vector {
         let from_centre = ray.origin - self.centre;
         let direction = ray.direction * t;
-        self.vector(Vector::from(
-            [0, 1, 2].map(|k| from_centre[k] + direction[k]),
-        ))
+        self.vector(Vector::from(per_axis(|k| from_centre[k] + direction[k])))
     }
 
     fn vector(&self, v: Vector) -> Vector {
@@ -75,7 +74,7 @@ impl UnitSpace {
             Form::Revolved(revolved) => revolved.normal(point, self.quadric.radius),
         };
         let [x, y, z] =
-            [0, 1, 2].map(|k| Vector::from(self.object_from_scaled_world.column(k)).dot(gradient));
+            per_axis(|k| Vector::from(self.object_from_scaled_world.column(k)).dot(gradient));
         let normal = Vector::new(x, y, z);
         match normal.largest() {
             0.0 => Vector::default(),

@@ -2,6 +2,7 @@
 
 use super::Segment;
 use crate::geometry::{Bounds, Point};
+use crate::per_axis::per_axis;
 
 /// Exceeds all roundings of a coordinate, relative to its absolute terms: eight units of 2^-53.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
@@ -58,8 +59,8 @@ impl Segment {
     pub(crate) fn placed_axis(&self) -> PlacedAxis {
         let rows = &self.world_from_object.rows;
         let [a, b] = self.ends;
-        let middle = [0, 1, 2].map(|k| 0.5 * a[k] + 0.5 * b[k]);
-        let half = [0, 1, 2].map(|k| 0.5 * b[k] - 0.5 * a[k]);
+        let middle = per_axis(|k| 0.5 * a[k] + 0.5 * b[k]);
+        let half = per_axis(|k| 0.5 * b[k] - 0.5 * a[k]);
         let along = |row: &[f64; 4], v: &[f64; 3]| row[0] * v[0] + row[1] * v[1] + row[2] * v[2];
         let size = |row: &[f64; 4]| {
             let term = |k: usize| row[k].abs() * a[k].abs().max(b[k].abs());

@@ -3,9 +3,9 @@
 use super::Segment;
 use crate::exact::Approximation;
 use crate::geometry::Vector;
+use crate::per_axis::per_axis;
 use crate::shape::quadric::filter::{Approximations, ScaledSpace, cross, dot};
 use crate::shape::{FilterRay, FilterResult};
-use std::array::from_fn;
 use std::cmp::Ordering::{Greater, Less};
 
 /// A ray and a segment in object space, times a positive factor and the sign of the determinant.
@@ -31,11 +31,11 @@ impl Segment {
         // From the numbers of the file, which are closer to each other than to the ray.
         let difference =
             |k: usize| Approximation::exactly(last[k]) - Approximation::exactly(first[k]);
-        let axis = from_fn(|k| difference(k) * space.determinant);
+        let axis = per_axis(|k| difference(k) * space.determinant);
         let meeting = Meeting {
             tips: self
                 .ends
-                .map(|end| from_fn(|k| scaled(end[k]) - space.origin[k])),
+                .map(|end| per_axis(|k| scaled(end[k]) - space.origin[k])),
             direction: space.direction,
             axis,
             across: cross(&space.direction, &axis),
@@ -43,7 +43,7 @@ impl Segment {
         };
         let tangents = self.tangents.map(|tangent| {
             let cuts = tangent != Vector::default();
-            cuts.then(|| from_fn(|k| scaled(tangent[k])))
+            cuts.then(|| per_axis(|k| scaled(tangent[k])))
         });
         meeting.hit(&tangents).unwrap_or(FilterResult::Unsure)
     }

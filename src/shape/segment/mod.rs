@@ -12,6 +12,7 @@ pub(crate) use bounds::PlacedAxis;
 pub(crate) use single::SingleSegment;
 
 use crate::geometry::{Matrix, Point, Vector};
+use crate::per_axis::per_axis;
 
 /// A strip between two points of a curve (rule E12).
 ///
@@ -55,7 +56,7 @@ impl Segment {
             && widest > 0.0
             && widest.is_finite()
             && are_finite(&self.tangents);
-        is_there.then(|| [0, 1, 2].map(|k| (a[k].abs().max(b[k].abs()) + widest).next_up()))
+        is_there.then(|| per_axis(|k| (a[k].abs().max(b[k].abs()) + widest).next_up()))
     }
 
     /// The larger one of the half widths; NaN if one of them is.

@@ -2,6 +2,7 @@
 
 use super::Segment;
 use crate::geometry::{Point, Vector};
+use crate::per_axis::per_axis;
 use crate::shape::quadric::scale_of;
 use crate::shape::vector32::{cross, dot};
 
@@ -21,7 +22,7 @@ impl SingleSegment {
     pub(crate) fn new(segment: &Segment, units: f64) -> SingleSegment {
         let scale = scale_of(&segment.world_from_object);
         let m = &segment.world_from_object;
-        let [x, y, z] = [0, 1, 2].map(|j| Vector::from(m.column(j).map(|entry| entry / scale)));
+        let [x, y, z] = per_axis(|j| Vector::from(m.column(j).map(|entry| entry / scale)));
         let rows = [y.cross(z), z.cross(x), x.cross(y)];
         let determinant = x.dot(rows[0]);
         let factor = determinant * (scale * units);
@@ -34,7 +35,7 @@ impl SingleSegment {
         };
         SingleSegment {
             adjugate: rows.map(|row| row.to_array().map(|entry| entry as f32)),
-            half: [0, 1, 2].map(|k| scaled(0.5 * b[k] - 0.5 * a[k])),
+            half: per_axis(|k| scaled(0.5 * b[k] - 0.5 * a[k])),
             half_widths: segment.half_widths.map(scaled),
             tangents: segment.tangents.map(tangent),
         }

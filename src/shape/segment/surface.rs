@@ -2,6 +2,7 @@
 
 use super::Segment;
 use crate::geometry::{Matrix, Ray, Vector};
+use crate::per_axis::per_axis;
 use std::f64::consts::PI;
 
 /// Where a ray meets a segment.
@@ -21,7 +22,7 @@ impl Segment {
         let along = start.cross(d).dot(across) / across.dot(across);
         // Also where that is not a number.
         let along = if along > 0.0 { along.min(1.0) } else { 0.0 };
-        let nearest = Vector::from([0, 1, 2].map(|k| start[k] + along * axis[k]));
+        let nearest = Vector::from(per_axis(|k| start[k] + along * axis[k]));
         let off = nearest.cross(d);
         let distance = (off.dot(off) / d.dot(d)).sqrt();
         let [first, last] = self.half_widths;
@@ -58,7 +59,7 @@ impl Segment {
         let (front, side) = (unit(axis.cross(side)), unit(side));
         normal_in_world(
             &inverse,
-            Vector::from([0, 1, 2].map(|k| front[k] * cosine + side[k] * sine)),
+            Vector::from(per_axis(|k| front[k] * cosine + side[k] * sine)),
         )
     }
 

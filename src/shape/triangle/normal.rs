@@ -3,6 +3,7 @@
 use super::Triangle;
 use crate::exact::{ExactVector, UNIT_ROUNDOFF as U};
 use crate::geometry::Vector;
+use crate::per_axis::per_axis;
 
 /// The relative error of a normal in `f64`: far below the rounding to `f32`.
 const CLOSE: f64 = 1.0 / (1u64 << 40) as f64;
@@ -39,7 +40,7 @@ impl Triangle {
             .map(|k| normal[k].clone().abs())
             .max()
             .filter(|largest| !largest.is_zero())?;
-        Some(Vector::from([0, 1, 2].map(|k| normal[k].quotient_to_f64(&largest))).normalized())
+        Some(Vector::from(per_axis(|k| normal[k].quotient_to_f64(&largest))).normalized())
     }
 
     /// (b - a) x (c - a).

@@ -3,6 +3,7 @@
 use crate::accel::view::{TILE, TileFrame};
 use crate::exact::{exponent_of, power_of_two};
 use crate::geometry::{Matrix, Vector};
+use crate::per_axis::per_axis;
 use crate::shape::Segment;
 
 /// Exceeds the roundings of a sum of few products, relative to the absolute terms.
@@ -42,7 +43,7 @@ impl ToObject {
         let is_scale = |i: usize| (0..3).all(|j| m.rows[i][j] == if i == j { scale } else { 0.0 });
         if (0..3).all(is_scale) {
             let one = power_of_two_for(unit * scale.abs());
-            let unit_rows = [0, 1, 2].map(|i| [0, 1, 2].map(|j| if i == j { one } else { 0.0 }));
+            let unit_rows = per_axis(|i| per_axis(|j| if i == j { one } else { 0.0 }));
             return ToObject {
                 rows: unit_rows,
                 terms: unit_rows,
@@ -50,7 +51,7 @@ impl ToObject {
                 error: ROUNDING,
             };
         }
-        let [x, y, z] = [0, 1, 2].map(|j| Vector::from(m.column(j)));
+        let [x, y, z] = per_axis(|j| Vector::from(m.column(j)));
         let rows = [y.cross(z), z.cross(x), x.cross(y)];
         let terms = [
             y.absolute_cross(z),
@@ -84,17 +85,17 @@ impl SegmentSpace {
         let m = &segment.world_from_object;
         let to_object = ToObject::of(m, segment.widest());
         let eye = frame.eye();
-        let from_centre = [0, 1, 2].map(|k| eye[k] - m.rows[k][3]);
+        let from_centre = per_axis(|k| eye[k] - m.rows[k][3]);
         let origin = to_object.apply(from_centre);
         let scaled = |v: [f64; 3]| v.map(|component| component * to_object.of_file);
         let [a, b] = segment.ends.map(|end| scaled(end.to_array()));
-        let tips = [a, b].map(|end| [0, 1, 2].map(|k| end[k] - origin[k]));
+        let tips = [a, b].map(|end| per_axis(|k| end[k] - origin[k]));
         let [first, last] = segment.ends;
-        let axis = scaled([0, 1, 2].map(|k| last[k] - first[k]));
+        let axis = scaled(per_axis(|k| last[k] - first[k]));
         let last_pixel = f64::from(TILE - 1);
         let [start, per_column, per_row] = frame.world_from_tile;
-        let farthest = [0, 1, 2]
-            .map(|k| start[k].abs() + last_pixel * (per_column[k].abs() + per_row[k].abs()));
+        let farthest =
+            per_axis(|k| start[k].abs() + last_pixel * (per_column[k].abs() + per_row[k].abs()));
         let direction_size = to_object.size(farthest);
         let off = frame.view.ray_rounding.map(f64::from);
         let of_direction = to_object.size(off) / direction_size;

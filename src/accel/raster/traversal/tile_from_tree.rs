@@ -4,6 +4,7 @@ use crate::accel::instance::Placement;
 use crate::accel::space::AnchorSpace;
 use crate::accel::view::{TileFrame, UNDERFLOW};
 use crate::exact::UNIT_ROUNDOFF;
+use crate::per_axis::per_axis;
 
 /// The transform from the boxes of a tree to tile space: the tile's matrix times the transform to
 /// the world, relative to the eye.
@@ -59,8 +60,7 @@ impl TileFromTree {
             (0..3).map(|axis| rows[k][axis] * vector[axis]).sum::<f64>()
         };
         let row = |k: usize| {
-            [0, 1, 2]
-                .map(|axis| (along(k, world_from_instance.column(axis)) / space.units()) as f32)
+            per_axis(|axis| (along(k, world_from_instance.column(axis)) / space.units()) as f32)
         };
         let slack = |k: usize| {
             (0..3)

@@ -5,6 +5,7 @@ use super::rounded_transform::RoundedTransform;
 use super::roundings::Roundings;
 use crate::exact::{Rounded, UNIT_ROUNDOFF as U};
 use crate::geometry::Point;
+use crate::per_axis::per_axis;
 use crate::shape::{Form, Geometry, InstancedId, Primitive};
 
 /// More than the products of a vertex lose by underflow.
@@ -43,7 +44,7 @@ pub(super) fn of_primitive(geometry: &Geometry, roundings: &Roundings, placed: I
 /// coordinates of the vertex in object space.
 fn of_vertex(rounded: &RoundedTransform, p: [f64; 3]) -> [f64; 3] {
     let (by_matrix, by_rounding) = (of_matrix(rounded, p), of_rounding(rounded, p));
-    [0, 1, 2].map(|k| with_slack(by_matrix[k] + by_rounding[k]))
+    per_axis(|k| with_slack(by_matrix[k] + by_rounding[k]))
 }
 
 /// The part of the error that comes from the matrix.
@@ -89,7 +90,7 @@ fn of_world_vertex(rounded: &RoundedTransform, w: Point) -> f64 {
     let bound = |p: [f64; 3]| {
         let d = of_vertex(rounded, p);
         let moved = inverse.map(|row| (0..3).map(|j| row[j].most() * d[j]).sum::<f64>());
-        [0, 1, 2].map(|k| with_slack(about[k] + with_slack(moved[k])))
+        per_axis(|k| with_slack(about[k] + with_slack(moved[k])))
     };
     // Twice the second iterate from 0: the first one ignores how much other components contribute
     // to one that is nearly 0.

@@ -2,6 +2,7 @@
 
 use super::rounded_transform::RoundedTransform;
 use crate::geometry::{Matrix, Point, Transform, Vector};
+use crate::per_axis::per_axis;
 use num_bigint::BigInt;
 use proptest::prelude::*;
 
@@ -84,7 +85,7 @@ fn cross(a: &[High; 3], b: &[High; 3]) -> [High; 3] {
 
 fn normalized(v: &[High; 3]) -> [High; 3] {
     let length = length(v);
-    [0, 1, 2].map(|k| v[k].over(&length))
+    per_axis(|k| v[k].over(&length))
 }
 
 type Rows = [[High; 4]; 3];
@@ -102,7 +103,7 @@ fn rows(rows: [[f64; 4]; 3]) -> Rows {
 
 fn product(a: &Rows, b: &Rows) -> Rows {
     let entry = |i: usize, j: usize| {
-        let column = [0, 1, 2].map(|k| b[k][j].clone());
+        let column = per_axis(|k| b[k][j].clone());
         let sum = dot(&a[i], &column);
         if j == 3 { sum.plus(&a[i][3]) } else { sum }
     };
@@ -119,7 +120,7 @@ impl Meant {
 
     /// A matrix and its inverse by Cramer's rule; `None` if it is nearly singular.
     fn of_matrix(matrix: Rows) -> Option<Meant> {
-        let column = |j: usize| [0, 1, 2].map(|i| matrix[i][j].clone());
+        let column = |j: usize| per_axis(|i| matrix[i][j].clone());
         let [x, y, z, offset] = [0, 1, 2, 3].map(column);
         let adjugate = [cross(&y, &z), cross(&z, &x), cross(&x, &y)];
         let determinant = dot(&x, &adjugate[0]);
@@ -127,7 +128,7 @@ impl Meant {
             return None;
         }
         let row = |a: &[High; 3]| {
-            let [a, b, c] = [0, 1, 2].map(|k| a[k].over(&determinant));
+            let [a, b, c] = per_axis(|k| a[k].over(&determinant));
             let moved = dot(&[a.clone(), b.clone(), c.clone()], &offset).negated();
             [a, b, c, moved]
         };
@@ -155,7 +156,7 @@ impl Meant {
 
     fn look_at([eye, look, up]: [[f64; 3]; 3]) -> Meant {
         let [eye, look, up] = [eye, look, up].map(|vector| vector.map(High::from));
-        let forward = normalized(&[0, 1, 2].map(|k| look[k].minus(&eye[k])));
+        let forward = normalized(&per_axis(|k| look[k].minus(&eye[k])));
         let right = normalized(&cross(&normalized(&up), &forward));
         let up = cross(&forward, &right);
         let row = |a: &[High; 3]| {
@@ -166,7 +167,7 @@ impl Meant {
                 dot(a, &eye).negated(),
             ]
         };
-        let inverse = [0, 1, 2].map(|k| {
+        let inverse = per_axis(|k| {
             [
                 right[k].clone(),
                 up[k].clone(),

@@ -7,6 +7,7 @@ use super::revolved::Equation;
 use super::{Disk, Form, Quadric};
 use crate::exact::{Dyadic, ExactVector, Root};
 use crate::geometry::{Matrix, Ray};
+use crate::per_axis::per_axis;
 use std::cmp::Ordering;
 
 /// A ray in object space, times the determinant of M, which avoids divisions.
@@ -112,7 +113,7 @@ impl ScaledSpace {
         let centre = ExactVector::from(m.column(3));
         let origin = ExactVector::from(ray.origin).minus(&centre);
         let direction = ExactVector::from(ray.direction);
-        let apply = |v: &ExactVector| ExactVector::new([0, 1, 2].map(|k| adjugate[k].dot(v)));
+        let apply = |v: &ExactVector| ExactVector::new(per_axis(|k| adjugate[k].dot(v)));
         ScaledSpace {
             origin: apply(&origin),
             direction: apply(&direction),

@@ -4,6 +4,7 @@ use super::adjugate::Adjugate;
 use super::{Approximations, cross, dot};
 use crate::exact::Approximation;
 use crate::geometry::{Point, Vector};
+use crate::per_axis::per_axis;
 use crate::shape::quadric::patch::Patch;
 use crate::shape::quadric::revolved::{Equation, Revolved};
 use crate::shape::quadric::{Form, Quadric};
@@ -65,8 +66,8 @@ impl Quadric {
             Vector::new(0.0, 1.0, 0.0),
             Vector::new(0.0, 0.0, 1.0),
         ];
-        let [x, y, z] = [0, 1, 2].map(|k| adjugate.row_times(k, from_centre));
-        let forms = [0, 1, 2].map(|k| axes.map(|axis| adjugate.row_times(k, axis)));
+        let [x, y, z] = per_axis(|k| adjugate.row_times(k, from_centre));
+        let forms = per_axis(|k| axes.map(|axis| adjugate.row_times(k, axis)));
         let equation = Equation::of(revolved, self.radius);
         let product = |[a, b]: [f64; 2]| exactly(a) * exactly(b);
         let (e, f) = (product(equation.across), product(equation.along));

@@ -17,6 +17,7 @@ pub(crate) use single::intersect_patch;
 pub(crate) use surface::PatchPoint;
 
 use crate::geometry::{Bounds, Matrix, Point, Vector};
+use crate::per_axis::per_axis;
 
 /// The corners of a bilinear patch, in world space.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,6 +53,6 @@ impl Patch {
                 .iter()
                 .fold(0.0f64, |max, p| max.max(p[k].abs()))
         };
-        [0, 1, 2].map(largest)
+        per_axis(largest)
     }
 }

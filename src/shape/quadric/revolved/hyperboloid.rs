@@ -1,6 +1,7 @@
 //! Hyperboloids: pbrt-v3's surface through a line that turns about the z axis.
 
 use crate::exact::UNIT_ROUNDOFF;
+use crate::per_axis::per_axis;
 use crate::shape::Sector;
 
 /// The number of points that pbrt's loop may try: it never ends for lines that meet the axis at
@@ -42,7 +43,7 @@ impl Hyperboloid {
         let (of_p2, height) = (square(p2), p2[2] * p2[2]);
         let mut point = p1;
         for _ in 0..MOST_TRIALS {
-            point = [0, 1, 2].map(|k| point[k] + 2.0 * (p2[k] - p1[k]));
+            point = per_axis(|k| point[k] + 2.0 * (p2[k] - p1[k]));
             let (of_point, up) = (square(point), point[2] * point[2]);
             let below = of_point * height;
             let across = (1.0 / of_point - up / below) / (1.0 - of_p2 * up / below);

@@ -2,6 +2,7 @@
 
 use super::Revolved;
 use crate::geometry::Vector;
+use crate::per_axis::per_axis;
 
 impl Revolved {
     /// A vector along pbrt-v3's dp/du x dp/dv at a point over the radius: away from the axis,
@@ -17,7 +18,7 @@ impl Revolved {
             Revolved::Hyperboloid(hyperboloid) => {
                 // The line turned to the point: pbrt's normal is across it, and across the circle.
                 let (p1, p2) = (hyperboloid.p1, hyperboloid.p2);
-                let way = [0, 1, 2].map(|k| p2[k] - p1[k]);
+                let way = per_axis(|k| p2[k] - p1[k]);
                 let v = (z - p1[2]) / way[2];
                 let line = [0, 1].map(|k| (1.0 - v) * p1[k] + v * p2[k]);
                 let [along, across] = [line[0] * x + line[1] * y, line[0] * y - line[1] * x];

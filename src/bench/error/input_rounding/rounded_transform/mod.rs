@@ -5,6 +5,7 @@ mod tests;
 
 use crate::exact::{Rounded, degrees};
 use crate::geometry::{Matrix, Transform, Vector};
+use crate::per_axis::per_axis;
 
 /// Bounds of the absolute errors of a transform's entries: the differences from the transform that
 /// exact arithmetic makes of the same numbers. Infinite if unknown, never NaN.
@@ -109,7 +110,7 @@ impl RoundedTransform {
                 zero,
             ],
         ];
-        let transposed = [0, 1, 2].map(|i| [rows[0][i], rows[1][i], rows[2][i], zero]);
+        let transposed = per_axis(|i| [rows[0][i], rows[1][i], rows[2][i], zero]);
         RoundedTransform::of(rows, transposed)
     }
 
@@ -118,12 +119,12 @@ impl RoundedTransform {
     /// the larger its relative error. If the error reaches its length, the bounds are infinite.
     pub(super) fn look_at([eye, look, up]: [[f64; 3]; 3]) -> RoundedTransform {
         let [eye, look, up] = [eye, look, up].map(|vector| vector.map(Rounded::exactly));
-        let forward = normalized([0, 1, 2].map(|k| look[k] - eye[k]));
+        let forward = normalized(per_axis(|k| look[k] - eye[k]));
         let right = normalized(cross(normalized(up), forward));
         let up = cross(forward, right);
         let axes = [right, up, forward];
         let matrix = axes.map(|a| [a[0], a[1], a[2], -dot(a, eye)]);
-        let inverse = [0, 1, 2].map(|k| [right[k], up[k], forward[k], eye[k]]);
+        let inverse = per_axis(|k| [right[k], up[k], forward[k], eye[k]]);
         RoundedTransform::of(matrix, inverse)
     }
 

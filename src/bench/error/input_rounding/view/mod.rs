@@ -8,6 +8,7 @@ use super::bound::{length, with_slack};
 use super::rounded_transform::RoundedTransform;
 use crate::camera::{Camera, Projection, SphereMapping};
 use crate::exact::{Rounded, UNIT_ROUNDOFF as U};
+use crate::per_axis::per_axis;
 use distorted::{Shift, bent, bent_in_pixels};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -69,15 +70,15 @@ impl View<'_> {
     pub(super) fn in_pixels(&self, displacement: f64, pixel: [u32; 2], z: f32) -> f64 {
         let rows = self.rounded.matrix();
         let reach = |row: [Rounded; 3]| with_slack(displacement * length(row.map(Rounded::most)));
-        let linear = |k: usize| [0, 1, 2].map(|j| rows[k][j]);
+        let linear = |k: usize| per_axis(|j| rows[k][j]);
         if let Some(mapping) = self.camera.projection.sphere_mapping() {
-            let moved = length([0, 1, 2].map(|k| reach(linear(k))));
+            let moved = length(per_axis(|k| reach(linear(k))));
             let t = f64::from(z.next_down()) / with_slack(self.ray_length(pixel));
             return self.turn_in_pixels(mapping, moved / t, pixel);
         }
         let in_plane = |plane: [Rounded; 2], axis: usize| {
             let depth = (f64::from(z.next_down()) - reach(linear(2))).next_down();
-            let sideways = [0, 1, 2].map(|j| rows[axis][j] - plane[axis] * rows[2][j]);
+            let sideways = per_axis(|j| rows[axis][j] - plane[axis] * rows[2][j]);
             if depth > 0.0 {
                 reach(sideways) / depth
             } else {
@@ -87,7 +88,7 @@ impl View<'_> {
         let (plane, widths) = (self.plane_coordinates(pixel), self.pixel_sizes());
         if let Some(lens) = self.camera.projection.distortion() {
             let [x, y, _] = bent(&lens, plane);
-            let around = length([0, 1, 2].map(|k| reach(linear(k))));
+            let around = length(per_axis(|k| reach(linear(k))));
             let t = f64::from(z.next_down()) / with_slack(self.ray_length(pixel));
             let shift = Shift {
                 in_plane: length([in_plane([x, y], 0), in_plane([x, y], 1), 0.0]),
