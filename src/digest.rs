@@ -33,6 +33,9 @@ pub struct Digester(XxHash3_128);
 /// The items of a list that a thread takes at a time. The digest depends on it.
 const PART: usize = 1 << 14;
 
+/// Makes the words of a part.
+type FillPart<'a> = dyn Fn(Range<usize>, &mut Vec<[u8; 8]>) + Sync + 'a;
+
 impl Digester {
     /// Adds a number.
     pub fn word(&mut self, word: u64) {
@@ -62,8 +65,8 @@ impl Digester {
         });
     }
 
-    /// Adds a list of `count` items, with all threads. `fill` makes the words of a part.
-    fn parts(&mut self, count: usize, fill: &(dyn Fn(Range<usize>, &mut Vec<[u8; 8]>) + Sync)) {
+    /// Adds a list of `count` items, with all threads.
+    fn parts(&mut self, count: usize, fill: &FillPart) {
         self.word(count as u64);
         let of_part = |words: &mut Vec<[u8; 8]>, part: usize| {
             fill(part * PART..count.min((part + 1) * PART), words);
