@@ -35,8 +35,8 @@ pub(super) fn write_in_order<B: Default>(
     work_in_order(count, &make, &mut write)
 }
 
-/// The same for any closures: what rayon compiles for an iterator is long, and each format writes
-/// to files and to memory.
+/// [`write_in_order`], compiled once for each kind of buffer: closures of one type each would
+/// compile rayon's long code anew.
 fn work_in_order<B: Default>(
     count: usize,
     make: &(dyn Fn(usize, &mut B) -> io::Result<()> + Sync),

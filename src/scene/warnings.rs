@@ -33,22 +33,14 @@ impl Warnings {
         let kind = kind.into();
         let place = match self.place_of_kind.get(&kind) {
             Some(place) => *place,
-            None if self.list.len() >= MAX_KINDS => self.place_of_others(),
+            None if self.list.len() > MAX_KINDS => MAX_KINDS,
+            None if self.list.len() == MAX_KINDS => {
+                let others = Diagnostic::new("more warnings of other kinds");
+                self.push("others".to_owned(), others)
+            }
             None => self.push(kind, first()),
         };
         self.list[place].count += 1;
-    }
-
-    fn place_of_others(&mut self) -> usize {
-        if self.list.len() == MAX_KINDS {
-            let first = Diagnostic::new("more warnings of other kinds");
-            self.list.push(Warning {
-                kind: "others".to_owned(),
-                first,
-                count: 0,
-            });
-        }
-        MAX_KINDS
     }
 
     fn push(&mut self, kind: String, first: Diagnostic) -> usize {

@@ -2,6 +2,7 @@
 
 use super::camera_view::{CameraView, ROUNDING, UNDERFLOW};
 use crate::geometry::Point;
+use crate::per_axis::per_axis;
 
 /// Pixels along a side of a tile. Tiles cover the film from its first pixel on, whatever part of it
 /// is rendered.
@@ -41,35 +42,27 @@ impl<'a> TileFrame<'a> {
                 offset[k] -= shift;
             }
         }
+        let entry = |k: usize, axis: usize| tile_from_world[k][axis] as f32;
         let offset_terms = |k: usize| match k {
             2 => 0.0,
             _ => view.offset[k].abs() + offset[k].abs(),
         };
-        let mut tile_from_world_f32 = [[0.0; 3]; 3];
-        let mut magnitudes = [[0.0; 3]; 3];
-        let mut rounding = [0.0; 3];
-        let [mut start, per_column, per_row] = view.world_from_film;
+        let rounding = per_axis(|k| {
+            let terms: f64 = tile_from_world[k].iter().map(|entry| entry.abs()).sum();
+            ((terms * view.reach + offset_terms(k)) * ROUNDING) as f32 + UNDERFLOW
+        });
+        let [start, per_column, per_row] = view.world_from_film;
         let (column, row) = (f64::from(first[0]), f64::from(first[1]));
-        // Loops, since calls of `array::map` are not always inlined, and each tile makes some.
-        for k in 0..3 {
-            let mut terms = 0.0;
-            for axis in 0..3 {
-                let entry = tile_from_world[k][axis];
-                tile_from_world_f32[k][axis] = entry as f32;
-                magnitudes[k][axis] = (entry as f32).abs() * 1.0001;
-                terms += entry.abs();
-            }
-            rounding[k] = ((terms * view.reach + offset_terms(k)) * ROUNDING) as f32 + UNDERFLOW;
-            start[k] += column * per_column[k] + row * per_row[k];
-        }
+        let across = |axis: usize| column * per_column[axis] + row * per_row[axis];
+        let start = per_axis(|axis| start[axis] + across(axis));
         TileFrame {
             view,
             first,
             tile_from_world,
             world_from_tile: [start, per_column, per_row],
             offset,
-            tile_from_world_f32,
-            magnitudes,
+            tile_from_world_f32: per_axis(|k| per_axis(|axis| entry(k, axis))),
+            magnitudes: per_axis(|k| per_axis(|axis| entry(k, axis).abs() * 1.0001)),
             rounding,
         }
     }

@@ -36,7 +36,7 @@ pub fn write_file(
     let mut write = Some(write);
     create(path, overwrite, &mut |out| match write.take() {
         Some(write) => write(out),
-        None => Ok(()),
+        None => unreachable!("called once"),
     })
 }
 

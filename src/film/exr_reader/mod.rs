@@ -157,8 +157,8 @@ fn check_size(part: &Part, size: usize, factor: BudgetFactor) -> Result<()> {
     ))
 }
 
-/// Reads the headers of a file without checks. What the crate compiles for a reader is long: all
-/// share one kind.
+/// Reads the headers of a file without checks. All readers are passed as one type, since the crate
+/// compiles a long parser for each type.
 pub(crate) fn header_of(file: &mut dyn Read) -> exr::error::Result<MetaData> {
     MetaData::read_from_buffered(file, false)
 }

@@ -26,24 +26,12 @@ impl TileFromTree {
         // A power of two.
         let per_unit = 1.0 / frame.view.units;
         let rows = &frame.tile_from_world;
-        let terms = |k: usize| {
-            let mut terms = rows[k];
-            for axis in 0..3 {
-                terms[axis] *= frame.view.anchor[axis];
-            }
-            terms
-        };
+        let terms = |k: usize| per_axis(|axis| rows[k][axis] * frame.view.anchor[axis]);
         // One rounding of the anchor relative to the eye, one of a product and two of sums, where
         // terms may cancel.
         let slack =
             |k: usize| 16.0 * UNIT_ROUNDOFF * terms(k).iter().map(|term| term.abs()).sum::<f64>();
-        let row = |k: usize| {
-            let mut row = [0.0; 3];
-            for axis in 0..3 {
-                row[axis] = (rows[k][axis] * per_unit) as f32;
-            }
-            row
-        };
+        let row = |k: usize| per_axis(|axis| (rows[k][axis] * per_unit) as f32);
         TileFromTree::new(frame, row, |k| terms(k).iter().sum(), slack)
     }
 
@@ -88,22 +76,13 @@ impl TileFromTree {
             [frame.view.offset[0], frame.view.offset[1], 0.0],
         ];
         let of_offset = |k: usize| 16.0 * UNIT_ROUNDOFF * (offset[k].abs() + terms[k].abs());
-        let mut transform = TileFromTree {
+        let rows = per_axis(row);
+        TileFromTree {
             is_perspective: frame.view.is_perspective,
-            rows: [[0.0; 3]; 3],
-            magnitudes: [[0.0; 3]; 3],
-            anchor: [0.0; 3],
-            slack: [0.0; 3],
-        };
-        // Loops, since calls of `array::map` are not always inlined, and each tile makes some.
-        for k in 0..3 {
-            transform.rows[k] = row(k);
-            for axis in 0..3 {
-                transform.magnitudes[k][axis] = transform.rows[k][axis].abs();
-            }
-            transform.anchor[k] = (anchor(k) + offset[k]) as f32;
-            transform.slack[k] = (slack(k) + of_offset(k)) as f32 + UNDERFLOW;
+            rows,
+            magnitudes: per_axis(|k| per_axis(|axis| rows[k][axis].abs())),
+            anchor: per_axis(|k| (anchor(k) + offset[k]) as f32),
+            slack: per_axis(|k| (slack(k) + of_offset(k)) as f32 + UNDERFLOW),
         }
-        transform
     }
 }
